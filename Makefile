@@ -1,0 +1,162 @@
+# Twinlight's build. `make help` lists the targets; `make deps` installs what they need.
+#
+#   config=release|debug|sanitize   release builds into build/, the others into build/<config>/
+#   CI=true                         warnings are errors
+
+config ?= release
+CXX ?= g++
+BUILD := $(if $(filter release,$(config)),build,build/$(config))
+
+# Every processor, unless the caller chose a number of jobs.
+ifeq (,$(findstring -j,$(MAKEFLAGS)))
+MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
+endif
+MAKEFLAGS += --no-print-directory --no-builtin-rules
+
+# ---- What has to be installed: one line each, "apt package : how to ask for it" ---------------------------------
+
+define DEPENDENCIES
+g++                 command -v $(CXX)
+pkg-config          command -v pkg-config
+libosmesa6-dev      pkg-config --exists osmesa
+libglu1-mesa-dev    pkg-config --exists glu
+freeglut3-dev       pkg-config --exists glut
+libglm-dev          pkg-config --exists glm
+libcli11-dev        pkg-config --exists CLI11
+nlohmann-json3-dev  pkg-config --exists nlohmann_json
+libfmt-dev          pkg-config --exists fmt
+libstb-dev          pkg-config --exists stb
+libgtest-dev        pkg-config --exists gtest_main
+xvfb                command -v Xvfb
+xdotool             command -v xdotool
+endef
+export DEPENDENCIES
+
+# ---- Flags ------------------------------------------------------------------------------------------------------
+
+MODULES := glm fmt CLI11 nlohmann_json stb
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(if $(CI),-Werror)
+# The reference is compared bit by bit across builds: no contraction of a*b+c behind the source's back.
+CXXFLAGS_common := -std=c++20 -ffp-contract=off $(WARNINGS) -Isrc -DGL_GLEXT_PROTOTYPES
+CXXFLAGS_release := -O2
+CXXFLAGS_debug := -O0 -g
+CXXFLAGS_sanitize := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined
+LDFLAGS_sanitize := -fsanitize=address,undefined
+CXXFLAGS_all = $(CXXFLAGS_common) $(CXXFLAGS_$(config)) $(shell pkg-config --cflags $(MODULES) 2>/dev/null) $(CXXFLAGS)
+CXXFLAGS_all := $(CXXFLAGS_all)
+LDFLAGS_all := $(LDFLAGS_$(config)) $(LDFLAGS)
+LIBS := $(shell pkg-config --libs fmt stb 2>/dev/null)
+# OSMesa stands ahead of GLU, so that GLU's own GL calls reach OSMesa and not libGL.
+LIBS_offscreen := $(shell pkg-config --libs osmesa glu 2>/dev/null)
+LIBS_window := $(shell pkg-config --libs glut glu gl 2>/dev/null)
+LIBS_gtest := $(shell pkg-config --libs gtest_main 2>/dev/null)
+
+# ---- Files ------------------------------------------------------------------------------------------------------
+
+SOURCES_library := $(filter-out src/app/%,$(wildcard src/*/*.cpp src/*/*/*.cpp))
+SOURCES_cli := $(wildcard src/app/cli/*.cpp)
+SOURCES_demo := $(wildcard src/app/demo/*.cpp)
+SOURCES_demo_library := $(filter-out src/app/demo/main.cpp,$(SOURCES_demo))
+SOURCES_tests := $(wildcard tests/*/*.cpp)
+SOURCES_all := $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests)
+EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp
+object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
+OBJECTS_library := $(call object,$(SOURCES_library)) $(EMBEDDED:.cpp=.o)
+
+.PHONY: all deps demo test test-binary programs golden format check tidy clean help
+.DEFAULT_GOAL := all
+.DELETE_ON_ERROR:
+
+all: deps
+	@$(MAKE) programs
+
+programs: $(BUILD)/twinlight $(BUILD)/twinlight-demo
+test-binary: $(BUILD)/twinlight-tests programs
+
+demo: deps  ## build; open the GLUT window, or write the comparison as a report where there is no display
+	@$(MAKE) programs
+	@if [ -n "$$DISPLAY" ]; then exec $(BUILD)/twinlight-demo $(SCENE); else \
+	    echo "There is no display (DISPLAY is not set): writing the comparison of the scene 'report' instead."; \
+	    mkdir -p build/report && $(BUILD)/twinlight compare report -o build/report && \
+	    echo "Open build/report/index.html in a browser."; fi
+
+test: deps  ## build; run every test headless (TEST=Filter* runs some)
+	@$(MAKE) test-binary
+	@TWINLIGHT_BUILD=$(BUILD) $(BUILD)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
+
+deps:  ## install what is missing (apt), and nothing else
+	@missing=$$(echo "$$DEPENDENCIES" | while read -r package ask; do \
+	    sh -c "$$ask" >/dev/null 2>&1 || printf ' %s' "$$package"; done); \
+	[ -z "$$missing" ] && exit 0; \
+	if ! command -v apt-get >/dev/null; then \
+	    echo "These packages are missing (Debian's names):$$missing" >&2; \
+	    echo "Install them with this system's package manager, then run make again." >&2; exit 1; fi; \
+	sudo=$$([ "$$(id -u)" = 0 ] || echo "sudo "); \
+	line="$${sudo}apt-get install -y --no-install-recommends$$missing"; \
+	echo "$$line"; $${sudo}apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$line
+
+golden: deps  ## write golden pictures anew (CASE=scene for one): look at each before it is committed
+	@$(MAKE) test-binary
+	@TWINLIGHT_BUILD=$(BUILD) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(BUILD)/twinlight-tests --gtest_filter='Golden*'
+
+format:  ## clang-format every source
+	clang-format -i $(SOURCES_all) $(wildcard src/*/*.h src/*/*/*.h tests/*/*.h)
+
+check:  ## format, clang-tidy, layers, and every test under the address and undefined-behaviour sanitizers
+	@if command -v clang-format >/dev/null; then \
+	    clang-format --dry-run -Werror $(SOURCES_all) $(wildcard src/*/*.h src/*/*/*.h tests/*/*.h); \
+	    else echo "format: skipped, clang-format is not installed"; fi
+	@if command -v clang-tidy >/dev/null; then $(MAKE) tidy; \
+	    else echo "tidy: skipped, clang-tidy is not installed"; fi
+	@$(MAKE) test config=sanitize
+
+tidy: $(patsubst %,tidy/%,$(SOURCES_all))
+tidy/%: % programs
+	@clang-tidy --quiet $< -- $(CXXFLAGS_all) 2>/dev/null
+
+clean:  ## remove build/
+	rm -rf build
+
+help:  ## this list
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-8s %s\n", $$1, $$2}'
+
+# ---- Rules ------------------------------------------------------------------------------------------------------
+
+$(BUILD)/libtwinlight.a: $(OBJECTS_library)
+	@rm -f $@
+	@ar rcs $@ $^
+
+$(BUILD)/twinlight: $(call object,$(SOURCES_cli)) $(BUILD)/libtwinlight.a
+	@echo "link $@"
+	@$(CXX) $(LDFLAGS_all) $^ -o $@ $(LIBS_offscreen) $(LIBS)
+
+$(BUILD)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
+	@echo "link $@"
+	@$(CXX) $(LDFLAGS_all) $^ -o $@ $(LIBS_window) $(LIBS)
+
+$(BUILD)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_demo_library)) $(BUILD)/libtwinlight.a
+	@echo "link $@"
+	@$(CXX) $(LDFLAGS_all) $^ -o $@ $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
+
+$(BUILD)/objects/%.o: %.cpp Makefile
+	@echo "compile $<"
+	@mkdir -p $(@D)
+	@$(CXX) $(CXXFLAGS_all) -MMD -MP -c $< -o $@
+
+$(BUILD)/embedded/%.o: $(BUILD)/embedded/%.cpp
+	@$(CXX) $(CXXFLAGS_all) -c $< -o $@
+
+# Files that travel inside the binaries: a table of {name, text} a folder, declared beside the code that reads it.
+embed = @mkdir -p $(@D); { echo '\#include "$(1)"'; echo 'namespace twinlight {'; echo 'const std::vector<EmbeddedFile> $(2) = {'; \
+    for file in $(sort $(filter-out Makefile %.h,$^)); do \
+        printf '{"%s", R"twinlight(' "$$(basename $$file)"; cat "$$file"; printf ')twinlight"},\n'; done; \
+    echo '};'; echo '}'; } > $@
+
+$(BUILD)/embedded/scenes.cpp: $(wildcard src/scenes/*.gl) src/scenes/scenes.h Makefile
+	$(call embed,scenes/scenes.h,kSceneFiles)
+$(BUILD)/embedded/shaders.cpp: $(wildcard src/programmable/shaders/*.glsl) src/programmable/shader_files.h Makefile
+	$(call embed,programmable/shader_files.h,kShaderFiles)
+$(BUILD)/embedded/pages.cpp: $(wildcard src/report/pages/*) src/report/pages.h Makefile
+	$(call embed,report/pages.h,kPageFiles)
+
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)))

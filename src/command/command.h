@@ -1,0 +1,124 @@
+// Command: an entry point, its arguments and the place it came from. CommandList: a recording.
+//
+// What a command looks like (its Signature) stands in commands.def, once; CommandId enumerates the rows.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "command/names.h"
+
+namespace twinlight {
+
+enum class CommandId : std::uint16_t {
+#define GL_COMMAND(name, ...) name,
+#define SHAPE_COMMAND(name, ...) name,
+#define PRAGMA_COMMAND(name, ...) pragma_##name,
+#include "command/commands.def"
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef PRAGMA_COMMAND
+};
+
+// The types of arguments: GL's (2.2), and kWord, a word of a pragma.
+enum class Kind : std::uint8_t {
+    kEnum, kBitfield, kBoolean, kByte, kShort, kInt, kSizei, kUbyte, kUshort, kUint, kFloat, kDouble, kWord,
+};
+
+enum class Extent : std::uint8_t {
+    kValue,    // one value
+    kArray,    // an array of `count` values
+    kByPname,  // an array whose length the argument pname decides
+    kOutput,   // the same, written by the command
+    kRest,     // any number of values
+};
+
+struct Parameter {
+    std::string_view name;
+    Kind kind = Kind::kInt;
+    Extent extent = Extent::kValue;
+    int count = 1;  // of an Extent::kArray
+};
+
+enum class Family : std::uint8_t { kGl, kShape, kPragma };
+
+struct Signature {
+    std::string_view name;  // "glLightfv"; of a pragma its bare name
+    Family family = Family::kGl;
+    std::vector<Parameter> parameters;
+
+    // How many of the parameters are single values (an array, if any, follows them).
+    std::size_t scalars() const;
+    // "glLightfv(light, pname, params)": for messages.
+    std::string usage() const;
+};
+
+// The row of the table; `id` indexes it.
+const Signature& signature(CommandId id);
+std::span<const Signature> signatures();
+
+std::optional<CommandId> find_command(std::string_view name);  // of GL, GLU and GLUT
+std::optional<CommandId> find_pragma(std::string_view name);
+
+// Where a command stands in its text; lines and columns count from 1, 0 means unknown.
+struct Place {
+    std::shared_ptr<const std::string> file;
+    int line = 0;
+    int column = 0;
+
+    std::string str() const;  // "scene.gl:14:22"
+};
+
+// The arguments one after the other, the elements of an array argument last. Each is held as a double that has
+// exactly the value the C type of its parameter would have (every GL type fits into a double).
+struct Command {
+    CommandId id{};
+    std::vector<double> arguments;
+    Place place;
+
+    const Signature& sig() const { return signature(id); }
+    std::string_view name() const { return sig().name; }
+    double number(std::size_t i) const { return arguments[i]; }
+    Enum enumerant(std::size_t i) const { return static_cast<Enum>(arguments[i]); }
+    Word word(std::size_t i) const { return static_cast<Word>(enumerant(i)); }
+    // The elements of the array argument (empty if the command has none).
+    std::span<const double> array() const { return std::span(arguments).subspan(sig().scalars()); }
+
+    // Equal commands do the same; where they stand does not matter.
+    friend bool operator==(const Command& a, const Command& b) { return a.id == b.id && a.arguments == b.arguments; }
+};
+
+struct CommandList {
+    std::string name;  // of the scene: "report", "scene.gl"
+    std::vector<Command> commands;
+};
+
+// ---- The parameters of lights, materials and the light model (parameters.def) ----
+
+enum class Owner : std::uint8_t { kLight, kMaterial, kLightModel };
+enum class Meaning : std::uint8_t { kColor, kPosition, kDirection, kScalar, kEnum };
+
+struct ParameterInfo {
+    Owner owner{};
+    Enum pname = 0;
+    int count = 0;
+    Meaning meaning{};
+    double smallest = 0, largest = 0;
+};
+
+std::span<const ParameterInfo> parameter_infos();
+const ParameterInfo* find_parameter(Owner owner, Enum pname);  // null for a pname that the owner does not have
+
+// Whose parameters the argument pname of this command names (glLight*, glGetLight*: kLight, ...).
+std::optional<Owner> owner_of(CommandId id);
+
+// How many elements the command's array argument has; the pname decides where the table says so. For an unknown pname
+// the answer is nothing (the driver would raise GL_INVALID_ENUM and read none).
+std::optional<int> array_length(CommandId id, std::optional<Enum> pname);
+
+}  // namespace twinlight

@@ -1,0 +1,43 @@
+// GL's names and Twinlight's words, and their values (enums.def, words.def).
+//
+// kGL_LIGHT0 is GL_LIGHT0: the library's upper layers know GL's numbers without GL's headers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace twinlight {
+
+using Enum = std::uint32_t;
+
+#define ENUM(name, value) inline constexpr Enum kGL_##name = value;
+#include "command/enums.def"
+#undef ENUM
+
+enum class Word : Enum {
+#define WORD(word) word,
+#include "command/words.def"
+#undef WORD
+};
+
+struct NamedValue {
+    std::string_view name;  // "GL_LIGHT0", or a word
+    Enum value;
+};
+
+const std::vector<NamedValue>& gl_names();  // every row of enums.def, in its order
+const std::vector<NamedValue>& words();     // every row of words.def, in its order
+
+std::optional<Enum> find_gl_name(std::string_view name);
+std::optional<Enum> find_word(std::string_view word);
+
+// The name that reads best for a value of which several may have the same: GL_POINTS, not GL_FALSE, where the
+// argument is glBegin's. Values without a name print in hexadecimal.
+std::string_view word_name(Word word);
+
+// The candidate nearest to a misspelt name (Damerau-Levenshtein), or nothing where none is near.
+std::optional<std::string_view> nearest(std::string_view name, const std::vector<std::string_view>& candidates);
+
+}  // namespace twinlight

@@ -1,0 +1,136 @@
+// State: GL's state machine in double precision. Commands go in, a Frame comes out, errors are raised as GL raises them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "command/command.h"
+#include "state/frame.h"
+
+namespace twinlight {
+
+// How signed integers become colours and normals: (2c+1)/(2^b-1) up to GL 4.1, max(c/(2^(b-1)-1), -1) from 4.2 on
+// (GL 2.1 table 2.9; GL 4.2 section 2.3.4.1).
+enum class SignedRule : std::uint8_t { kGl21, kGl42 };
+
+struct StateOptions {
+    int width = 640;  // of the window
+    int height = 480;
+    SignedRule signed_rule = SignedRule::kGl21;
+};
+
+struct GlError {
+    Enum code = kGL_NO_ERROR;  // GL_INVALID_ENUM, ...
+    Place place;
+    std::string message;  // "GL_SPOT_CUTOFF is 120; it must be in [0, 90] or 180"
+};
+
+class State {
+  public:
+    explicit State(const StateOptions& options = {});
+
+    // Carries one command out. A command with an error changes nothing but errors() (2.5).
+    void apply(const Command& command);
+
+    const std::vector<GlError>& errors() const { return errors_; }
+
+    // What must be whole at the end of a scene: Begin/End, matrix stacks. The message of the first thing left open.
+    std::optional<GlError> unfinished() const;
+
+    // The Draws so far; gives them away.
+    Frame take_frame(std::shared_ptr<const CommandList> commands);
+
+    // glGet*: the values in force, as the float query returns them (6.1.3).
+    const LightingState& lighting() const { return lighting_; }
+    const RasterState& raster() const { return raster_; }
+    glm::dvec4 current_color() const { return current_.color; }
+    glm::dvec3 current_normal() const { return current_.normal_object; }
+    const glm::dmat4& modelview() const { return modelview_.back().matrix; }
+    const glm::dmat4& projection() const { return projection_.back().matrix; }
+    // The answer of glGetLightfv / glGetMaterialfv; empty for names that GL does not know.
+    std::vector<double> get_light(Enum light, Enum pname) const;
+    std::vector<double> get_material(Enum face, Enum pname) const;
+
+  private:
+    struct StackedMatrix {
+        glm::dmat4 matrix{1};
+        Place pushed;  // where glPushMatrix stood
+    };
+    using MatrixStack = std::vector<StackedMatrix>;
+
+    // One function an effect of commands.def.
+    void light(const Command&);
+    void material(const Command&);
+    void light_model(const Command&);
+    void color_material(const Command&);
+    void shade_model(const Command&);
+    void get_light(const Command&);
+    void get_material(const Command&);
+    void begin(const Command&);
+    void end(const Command&);
+    void normal(const Command&);
+    void color(const Command&);
+    void vertex(const Command&);
+    void tex_coord(const Command&);
+    void matrix_mode(const Command&);
+    void load_identity(const Command&);
+    void push_matrix(const Command&);
+    void pop_matrix(const Command&);
+    void load_matrix(const Command&);
+    void mult_matrix(const Command&);
+    void rotate(const Command&);
+    void scale(const Command&);
+    void translate(const Command&);
+    void frustum(const Command&);
+    void ortho(const Command&);
+    void perspective(const Command&);
+    void ortho_2d(const Command&);
+    void look_at(const Command&);
+    void viewport(const Command&);
+    void enable(const Command&);
+    void disable(const Command&);
+    void front_face(const Command&);
+    void cull_face(const Command&);
+    void polygon_mode(const Command&);
+    void depth_func(const Command&);
+    void depth_mask(const Command&);
+    void clear_depth(const Command&);
+    void clear_color(const Command&);
+    void clear(const Command&);
+    void flush(const Command&);
+    void shape(const Command&);
+    void specular_model(const Command&);
+    void ambient_model(const Command&);
+    void spot_cone(const Command&);
+
+    void raise(Enum code, const Command& command, std::string message);
+    bool inside_begin_end(const Command& command);  // raises GL_INVALID_OPERATION if so
+    bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);  // raises GL_INVALID_ENUM
+    void set_capability(const Command& command, bool enabled);
+    void track_color();  // 2.14.3: the material follows the current colour
+    void multiply(const glm::dmat4& matrix);
+    MatrixStack& stack();
+    Draw new_draw(Enum mode, const Place& place) const;
+    void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
+    double signed_to_real(double c, int bits) const;
+
+    StateOptions options_;
+    LightingState lighting_;
+    RasterState raster_;
+    Vertex current_;  // current normal and colour
+    Clear clear_;     // the clear colour and depth
+    Enum matrix_mode_ = kGL_MODELVIEW;
+    MatrixStack modelview_{{}}, projection_{{}}, texture_{{}};
+    std::optional<Draw> open_;  // between Begin and End
+    std::vector<std::variant<Clear, Draw>> items_;
+    std::vector<Unsupported> unsupported_;
+    std::vector<GlError> errors_;
+    std::map<Enum, Place> enabled_elsewhere_;  // capabilities that are on and that State does not follow
+};
+
+// Runs a whole scene. Throws SceneError at the first GL error, at what is left open at the end, and for a scene that
+// draws nothing.
+Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& options);
+
+}  // namespace twinlight
