@@ -1,7 +1,8 @@
 // EffectSet: the facts that change the code which lights a Draw, and nothing else.
 //
-// Two Draws whose sets are equal are lit by the same code with other numbers. The facts are canonical (plan_effects
-// sees to it): one that cannot matter has its default value, so the set may be the key of a program cache as it is.
+// Two Draws whose sets are equal are lit by the same code with other numbers. The facts are canonical
+// (plan_effects sees to it): one that cannot matter has its default value, so the set may be the key of a
+// program cache as it is.
 //
 //   a fact may be set only if ...
 //   everything but shading, clamp            lighting
@@ -72,7 +73,7 @@ struct EffectSet {
     friend auto operator<=>(const EffectSet&, const EffectSet&) = default;
 
     // Whether any light is: needs_position(), say, for "a position in eye coordinates is called for".
-    bool any_light(bool LightEffects::* fact) const {
+    bool any_light(bool LightEffects::*fact) const {
         for (int i = 0; i < light_count; ++i)
             if (lights[static_cast<std::size_t>(i)].*fact) return true;
         return false;

@@ -51,13 +51,12 @@ bool all_colors_equal(const Draw& draw) {
                        [&](const Vertex& v) { return v.color == draw.vertices.front().color; });
 }
 
-// spot_i of a directional light (2.14.1), the same at every vertex; the lecture's cone takes its place where it is
-// set. A cosine at the border belongs to the cone: kRounding is what two roundings to double can take from it.
+// spot_i of a directional light (2.14.1), the same at every vertex; the lecture's cone takes its place where
+// it is set. A cosine at the border belongs to the cone: kRounding is what two roundings to double can take
+// from it.
 double directional_spot(const LightSource& light) {
     constexpr double kRounding = 1e-15;
-    const auto cos_deg = [](double deg) {
-        return deg == 90 ? 0 : std::cos(deg * std::numbers::pi / 180);
-    };
+    const auto cos_deg = [](double deg) { return deg == 90 ? 0 : std::cos(deg * std::numbers::pi / 180); };
     const auto unit = [](const glm::dvec3& v) {
         const double biggest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
         return biggest > 0 ? glm::normalize(v / biggest) : glm::dvec3(0);
@@ -67,7 +66,8 @@ double directional_spot(const LightSource& light) {
         const double outer = cos_deg(light.smooth_cone->outer_deg);
         const double span = cos_deg(light.smooth_cone->inner_deg) - outer;
         if (span > 0) return std::clamp((cosine - outer) / span, 0.0, 1.0);
-        return cosine >= outer - kRounding ? 1 : 0;  // RULING: equal cones are a step that includes its border
+        return cosine >= outer - kRounding ? 1
+                                           : 0;  // RULING: equal cones are a step that includes its border
     }
     if (light.spot_cutoff_deg == 180) return 1;
     if (cosine < cos_deg(light.spot_cutoff_deg) - kRounding) return 0;
@@ -108,9 +108,8 @@ class Planner {
             facts().shading = Shading::kGouraud;
             leave_out("lighting per fragment", "GL_LIGHTING is disabled");
         }
-        facts().clamp = std::any_of(draw_.vertices.begin(), draw_.vertices.end(), [](const Vertex& v) {
-            return glm::clamp(v.color, 0.0, 1.0) != v.color;
-        });
+        facts().clamp = std::any_of(draw_.vertices.begin(), draw_.vertices.end(),
+                                    [](const Vertex& v) { return glm::clamp(v.color, 0.0, 1.0) != v.color; });
         if (!facts().clamp) leave_out("the clamp", "no vertex's colour leaves [0,1]");
     }
 
@@ -180,13 +179,13 @@ class Planner {
         }
     }
 
-    // Whether a colour of the light meets a material that is not black there: on a face that shows, in some channel.
-    bool meets(const glm::dvec4& light_color, glm::dvec4 Material::* color, bool FaceEffects::* tracks) {
+    // Whether a colour of the light meets a material that is not black there: on a face that shows, in some
+    // channel.
+    bool meets(const glm::dvec4& light_color, glm::dvec4 Material::*color, bool FaceEffects::*tracks) {
         const auto on = [&](const Material& material, const FaceEffects& face) {
             return !is_zero(face.*tracks ? rgb(light_color) : rgb(light_color) * rgb(material.*color));
         };
-        return on(state().front, facts().front) ||
-               (facts().two_side && on(state().back, facts().back));
+        return on(state().front, facts().front) || (facts().two_side && on(state().back, facts().back));
     }
 
     void plan_light(int number) {
@@ -228,7 +227,8 @@ class Planner {
         const bool reaches = planned.constant_reach > 0;
         const bool ambient = meets(light.ambient, &Material::ambient, &FaceEffects::tracks_ambient);
         effects.diffuse = reaches && meets(light.diffuse, &Material::diffuse, &FaceEffects::tracks_diffuse);
-        effects.specular = reaches && meets(light.specular, &Material::specular, &FaceEffects::tracks_specular);
+        effects.specular =
+            reaches && meets(light.specular, &Material::specular, &FaceEffects::tracks_specular);
 
         // An ambient term that nothing weakens on its way belongs to the scene's.
         const bool unattenuated = state().light_model.light_ambient == Word::unattenuated;
@@ -244,7 +244,8 @@ class Planner {
             return leave_out(name, why_nothing(light, ambient, reaches));
         if (!effects.ambient && !ambient)
             note("ambient term", "the product of its and the material's ambient colours is 0");
-        if (!effects.diffuse) note("diffuse term", "the product of its and the material's diffuse colours is 0");
+        if (!effects.diffuse)
+            note("diffuse term", "the product of its and the material's diffuse colours is 0");
         if (!effects.specular)
             note("specular term", "the product of its and the material's specular colours is 0");
         plan_.left_out.insert(plan_.left_out.end(), notes.begin(), notes.end());
@@ -254,7 +255,8 @@ class Planner {
 
     std::string why_nothing(const LightSource& light, bool ambient, bool reaches) const {
         if (ambient && (reaches || plan_.lighting.light_model.light_ambient == Word::unattenuated))
-            return "it has an ambient term alone, the same at every vertex: it is added to the scene's ambient light";
+            return "it has an ambient term alone, the same at every vertex: it is added to the scene's "
+                   "ambient light";
         if (reaches) return "the products of its colours and the material's are 0";
         return light.position_eye.w == 0 ? "it is directional, and its direction is outside its cone"
                                          : "its attenuation factors are 0, 0, 0: it contributes nothing";
@@ -311,9 +313,10 @@ class Planner {
         if (!facts().needs_normal())
             leave_out("normals", "no light has a diffuse or a specular term");
         else if (!state().normalize)
-            leave_out("GL_NORMALIZE", state().rescale_normal
-                                          ? "it is disabled; GL_RESCALE_NORMAL's factor is in the normals' matrix"
-                                          : "it is disabled");
+            leave_out("GL_NORMALIZE",
+                      state().rescale_normal
+                          ? "it is disabled; GL_RESCALE_NORMAL's factor is in the normals' matrix"
+                          : "it is disabled");
     }
 
     const Draw& draw_;

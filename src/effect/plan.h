@@ -18,7 +18,8 @@ struct LeftOut {
 
 struct PlannedLight {
     int number = 0;  // of GL_LIGHTi
-    // The part of att_i spot_i that is the same at every vertex: a constant attenuation, a directional light's spot.
+    // The part of att_i spot_i that is the same at every vertex: a constant attenuation, a directional
+    // light's spot.
     double constant_reach = 1;
 };
 
@@ -27,11 +28,11 @@ struct Plan {
     std::vector<LeftOut> left_out;
 
     std::vector<PlannedLight> lights;  // one for each of effects.lights
-    // The ambient light that is the same at every vertex: a_cs and, of the lights whose ambient term nothing weakens
-    // on its way, a_cli. Their ambient terms are called for nowhere else.
+    // The ambient light that is the same at every vertex: a_cs and, of the lights whose ambient term nothing
+    // weakens on its way, a_cli. Their ambient terms are called for nowhere else.
     glm::dvec3 constant_ambient{0};
-    // The state in force: the Draw's, with the lecture's variants off if the options say so, and with a colour that
-    // all vertices share put into the material which tracks it.
+    // The state in force: the Draw's, with the lecture's variants off if the options say so, and with a
+    // colour that all vertices share put into the material which tracks it.
     LightingState lighting;
 };
 

@@ -6,7 +6,9 @@
 #endif
 
 #if EFFECT_PHONG
-#if EFFECT_POSITION_EYE
+#if EFFECT_VERTEX_W
+in vec4 v_position_eye;
+#elif EFFECT_POSITION_EYE
 in vec3 v_position_eye;
 #endif
 #if EFFECT_NORMAL
@@ -34,6 +36,9 @@ out vec4 fragment_color;
 #if EFFECT_UNIT
 #include "unit.glsl"
 #endif
+#if EFFECT_VERTEX_W
+#include "divided_by_w.glsl"
+#endif
 #include "lighting.glsl"
 #endif
 
@@ -42,7 +47,9 @@ void main() {
 #if EFFECT_SURFACE
     Surface surface;
 #endif
-#if EFFECT_POSITION_EYE
+#if EFFECT_VERTEX_W
+    surface.position_eye = divided_by_w(v_position_eye);
+#elif EFFECT_POSITION_EYE
     surface.position_eye = v_position_eye;
 #endif
 #if EFFECT_NORMAL

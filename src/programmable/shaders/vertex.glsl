@@ -25,7 +25,9 @@ uniform mat3 u_eye_from_object_normal;  // the transposed inverse of its upper 3
 #endif
 
 #if EFFECT_PHONG
-#if EFFECT_POSITION_EYE
+#if EFFECT_VERTEX_W
+out vec4 v_position_eye;
+#elif EFFECT_POSITION_EYE
 out vec3 v_position_eye;
 #endif
 #if EFFECT_NORMAL
@@ -51,6 +53,9 @@ INTERPOLATION out vec3 v_back_secondary;
 #if EFFECT_UNIT
 #include "unit.glsl"
 #endif
+#if EFFECT_VERTEX_W && !EFFECT_PHONG
+#include "divided_by_w.glsl"
+#endif
 #if EFFECT_LIGHTING && !EFFECT_PHONG
 #include "lighting.glsl"
 #endif
@@ -59,8 +64,10 @@ void main() {
     gl_Position = u_clip_from_object * a_position;
 #if EFFECT_PHONG
 #include "surface.glsl"
-#if EFFECT_POSITION_EYE
+#if EFFECT_VERTEX_W
     v_position_eye = position_eye;
+#elif EFFECT_POSITION_EYE
+    v_position_eye = position_eye.xyz;
 #endif
 #if EFFECT_NORMAL
     v_normal_eye = normal_eye;
@@ -73,8 +80,10 @@ void main() {
 #if EFFECT_SURFACE
     Surface surface;
 #endif
-#if EFFECT_POSITION_EYE
-    surface.position_eye = position_eye;
+#if EFFECT_VERTEX_W
+    surface.position_eye = divided_by_w(position_eye);
+#elif EFFECT_POSITION_EYE
+    surface.position_eye = position_eye.xyz;
 #endif
 #if EFFECT_NORMAL
     surface.normal_eye = normal_eye;
