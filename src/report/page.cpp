@@ -70,24 +70,23 @@ std::string figure(const Comparison& comparison, std::string_view png, const std
 }
 
 std::string cells(const RegionDifference& region) {
-    const bool any = region.differing > 0;
     const std::string worst =
-        any ? fmt::format(
+        region.differing == 0
+            ? "&ndash;"
+            : fmt::format(
                   R"(<button type="button" class="place" data-x="{0}" data-y="{1}">{0}, {1}</button>)",
-                  region.worst_x, region.worst_y)
-            : "&ndash;";
-    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
-                       grouped(region.pixels), grouped(region.differing), share_of(region),
-                       codes_of(region.max), region.rms == 0 ? "0" : fmt::format("{:.2e}", region.rms),
-                       worst);
+                  region.worst_x, region.worst_y);
+    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>", grouped(region.differing),
+                       share_of(region), codes_of(region.max),
+                       region.rms == 0 ? "0" : fmt::format("{:.2e}", region.rms), worst);
 }
 
 std::string pair_rows(const Comparison& comparison) {
     std::string rows;
     for (const Pair& pair : comparison.pairs) {
-        rows += fmt::format("<tr><th scope=\"row\">{}</th>{}{}<td class=\"verdict {}\">{}</td></tr>\n",
-                            name_of(comparison, pair), cells(pair.difference.interior),
-                            cells(pair.difference.edge), word_of(pair.verdict), word_of(pair.verdict));
+        rows += fmt::format("<tr><th scope=\"row\">{0}</th><td class=\"verdict {1}\">{1}</td>{2}{3}</tr>\n",
+                            name_of(comparison, pair), word_of(pair.verdict), cells(pair.difference.interior),
+                            cells(pair.difference.edge));
     }
     return rows;
 }
@@ -148,6 +147,8 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
                    {"differences", differences},
                    {"edges", image(comparison, pictures.edges, R"(id="edges" alt="" hidden)")},
                    {"pair_rows", pair_rows(comparison)},
+                   {"interior_pixels", grouped(comparison.pairs.front().difference.interior.pixels)},
+                   {"edge_pixels", grouped(comparison.pairs.front().difference.edge.pixels)},
                    {"tolerance", words_of(comparison.tolerance)},
                    {"unsupported", unsupported(comparison)},
                    {"style", std::string(page_file("page.css"))},

@@ -56,6 +56,15 @@ struct Stub {
     Comparison compare() { return compare_scene(empty_frame(), "stub", "a driver", renderers()); }
 };
 
+Unsupported fog(int count) {
+    Unsupported item;
+    item.name = "glEnable(GL_FOG)";
+    item.count = count;
+    item.first = {std::make_shared<std::string>("scene.gl"), 3, 1};
+    item.renderers = {"programmable", "reference"};
+    return item;
+}
+
 const Pair& pair_named(const Comparison& comparison, const std::string& name) {
     for (const Pair& pair : comparison.pairs) {
         if (name_of(comparison, pair) == name) return pair;
@@ -208,10 +217,7 @@ TEST(ComparisonJson, HasTheFormThatTheHeaderTells) {
     Stub stub;
     stub.reference = 128.0F / 255 + 1.0F / 255;  // one code off, everywhere
     Comparison comparison = stub.compare();
-    comparison.unsupported.push_back({.name = "glEnable(GL_FOG)",
-                                      .count = 2,
-                                      .first = {std::make_shared<std::string>("scene.gl"), 3, 1},
-                                      .renderers = {"programmable", "reference"}});
+    comparison.unsupported.push_back(fog(2));
     const json read = json::parse(comparison_json(comparison));
     EXPECT_EQ(read["scene"], "stub");
     EXPECT_EQ(read["driver"], "a driver");
@@ -264,10 +270,7 @@ TEST(ComparisonPage, HoldsEverythingAndAsksForNothing) {
 TEST(ComparisonPage, NamesWhatIsNotDrawn) {
     Stub stub;
     Comparison comparison = stub.compare();
-    comparison.unsupported.push_back({.name = "glEnable(GL_FOG)",
-                                      .count = 1,
-                                      .first = {std::make_shared<std::string>("scene.gl"), 3, 1},
-                                      .renderers = {"programmable", "reference"}});
+    comparison.unsupported.push_back(fog(1));
     const std::string page = comparison_page(comparison, encode_pictures(comparison));
     EXPECT_NE(
         page.find("glEnable(GL_FOG) (once, at scene.gl:3:1) is not done by programmable and reference."),
