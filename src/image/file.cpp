@@ -69,16 +69,13 @@ int write_and_close(Descriptor& file, std::string_view bytes) {
     return file.close();
 }
 
-}  // namespace
-
-std::string read_file(const std::string& path, std::size_t max_bytes) {
-    const Descriptor file(path, O_RDONLY);
-    if (!file.valid()) fail(path, errno);
+// No more than `max_bytes` of what is left to read; `path` is for the message of a failure.
+std::string read_rest(int descriptor, std::size_t max_bytes, const std::string& path) {
     std::string bytes;
     std::array<char, 1 << 16> block;
     while (bytes.size() < max_bytes) {
         const ssize_t count =
-            ::read(file.get(), block.data(), std::min(block.size(), max_bytes - bytes.size()));
+            ::read(descriptor, block.data(), std::min(block.size(), max_bytes - bytes.size()));
         if (count == 0) break;
         if (count > 0) {
             bytes.append(block.data(), static_cast<std::size_t>(count));
@@ -87,6 +84,18 @@ std::string read_file(const std::string& path, std::size_t max_bytes) {
         }
     }
     return bytes;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path, std::size_t max_bytes) {
+    const Descriptor file(path, O_RDONLY);
+    if (!file.valid()) fail(path, errno);
+    return read_rest(file.get(), max_bytes, path);
+}
+
+std::string read_standard_input(std::size_t max_bytes) {
+    return read_rest(STDIN_FILENO, max_bytes, "standard input");
 }
 
 void write_file_atomically(const std::string& path, std::string_view bytes) {

@@ -17,6 +17,7 @@ struct FileError : std::runtime_error {
 // The file's bytes, but no more than `max_bytes` of them. Throws FileError.
 std::string read_file(const std::string& path,
                       std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
+std::string read_standard_input(std::size_t max_bytes);
 
 // Writes aside, in the same folder, then renames: another program sees the old file or the new one. Ctrl-C
 // waits until the file stands. A link is followed; a device or a pipe (/dev/null) is written to in place.

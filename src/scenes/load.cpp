@@ -12,9 +12,10 @@ namespace twinlight {
 
 namespace {
 
-CommandList read_limited(const std::string& path, const std::string& file, const std::string& name) {
-    // One byte more than the limit tells a text that is too long from one that just fits.
-    const std::string text = read_file(path, kMaxSceneBytes + 1);
+// One byte more than the limit tells a text that is too long from one that just fits.
+constexpr std::size_t kReadAtMost = kMaxSceneBytes + 1;
+
+CommandList read_limited(const std::string& text, const std::string& file, const std::string& name) {
     if (text.size() > kMaxSceneBytes) {
         throw SceneError(file + ": is larger than " + std::to_string(kMaxSceneBytes >> 20) +
                          " MiB; a scene is a program's commands, without its data");
@@ -25,7 +26,7 @@ CommandList read_limited(const std::string& path, const std::string& file, const
 }  // namespace
 
 CommandList load_scene(const std::string& scene) {
-    if (scene == "-") return read_limited("/dev/stdin", "<stdin>", "stdin");
+    if (scene == "-") return read_limited(read_standard_input(kReadAtMost), "<stdin>", "stdin");
     std::vector<std::string_view> names;
     for (const EmbeddedFile& file : kSceneFiles) {
         names.push_back(file.name.substr(0, file.name.rfind(".gl")));
@@ -43,7 +44,7 @@ CommandList load_scene(const std::string& scene) {
             scene + ": there is no built-in scene and no file of this name; " +
             (near ? "did you mean '" + std::string(*near) + "'?" : "'twinlight scenes' lists the scenes"));
     }
-    return read_limited(scene, scene, path.filename().string());
+    return read_limited(read_file(scene, kReadAtMost), scene, path.filename().string());
 }
 
 }  // namespace twinlight

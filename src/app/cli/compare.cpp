@@ -20,21 +20,6 @@ struct Arguments {
     bool json = false;
 };
 
-using Row = std::vector<std::string>;
-
-Row row_of(const report::Comparison& comparison, const report::Pair& pair) {
-    Row row = {report::name_of(comparison, pair)};
-    for (const RegionDifference& region : {pair.difference.interior, pair.difference.edge}) {
-        row.push_back(report::grouped(region.differing));
-        row.push_back(report::share_of(region));
-        row.push_back(report::codes_of(region.max));
-        row.push_back(region.rms == 0 ? "0" : fmt::format("{:.1e}", region.rms));
-        row.push_back(region.differing == 0 ? "-" : fmt::format("{},{}", region.worst_x, region.worst_y));
-    }
-    row.push_back(report::word_of(pair.verdict));
-    return row;
-}
-
 std::string colored(const std::string& text, report::Verdict verdict) {
     if (!result_in_color()) return text;
     switch (verdict) {
@@ -45,34 +30,26 @@ std::string colored(const std::string& text, report::Verdict verdict) {
     return text;
 }
 
-// The pairs as columns: the first and the last to the left, the numbers to the right.
+std::string line(std::string_view name, std::string_view part, const RegionDifference& region) {
+    const bool any = region.differing > 0;
+    return fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}", name, part,
+                       report::grouped(region.differing), report::share_of(region),
+                       report::codes_of(region.max), any ? fmt::format("{:.1e}", region.rms) : "0",
+                       any ? fmt::format("{},{}", region.worst_x, region.worst_y) : "-");
+}
+
+// Two lines a pair: its first name beside the interior, its second beside the edges.
 std::string table(const report::Comparison& comparison) {
-    std::vector<Row> rows = {{"pair", "differ", "share", "max", "rms", "worst at", "differ", "share", "max",
-                              "rms", "worst at", "verdict"}};
-    for (const report::Pair& pair : comparison.pairs) rows.push_back(row_of(comparison, pair));
-    const std::size_t last = rows[0].size() - 1;
-    std::vector<std::size_t> widths(last);
-    for (const Row& row : rows) {
-        for (std::size_t c = 0; c < last; ++c) widths[c] = std::max(widths[c], row[c].size());
+    std::string text = fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}  {}\n", "pair", "",
+                                   "differing", "share", "max", "rms", "worst x,y", "verdict");
+    for (const report::Pair& pair : comparison.pairs) {
+        text += line(comparison.a(pair).name, "interior", pair.difference.interior) + "  " +
+                colored(report::word_of(pair.verdict), pair.verdict) + "\n";
+        text += line("~ " + comparison.b(pair).name, "edges", pair.difference.edge) + "\n";
     }
-    // Two blanks between columns, four before each of the two groups.
-    const auto gap = [](std::size_t column) { return column == 1 || column == 6 ? 4U : 2U; };
-    const auto group_width = [&](std::size_t first) {
-        std::size_t width = 0;
-        for (std::size_t c = first; c < first + 5; ++c) width += widths[c] + (c == first ? 0 : gap(c));
-        return width;
-    };
     const ImageDifference& any = comparison.pairs.front().difference;  // all pairs share one mask
-    std::string text = fmt::format("{:{}}    {:<{}}    edges, {} pixels\n", "", widths[0],
-                                   fmt::format("interior, {} pixels", report::grouped(any.interior.pixels)),
-                                   group_width(1), report::grouped(any.edge.pixels));
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        text += fmt::format("{:<{}}", rows[r][0], widths[0]);
-        for (std::size_t c = 1; c < last; ++c) text += fmt::format("{:>{}}", rows[r][c], widths[c] + gap(c));
-        text +=
-            "  " + (r == 0 ? rows[r][last] : colored(rows[r][last], comparison.pairs[r - 1].verdict)) + "\n";
-    }
-    return text;
+    return text + fmt::format("of {} interior and {} edge pixels\n", report::grouped(any.interior.pixels),
+                              report::grouped(any.edge.pixels));
 }
 
 std::string summary(const report::Comparison& comparison, const std::string& folder) {

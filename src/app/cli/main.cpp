@@ -49,7 +49,12 @@ std::string listed(const std::vector<std::string>& names) {
 void check_subcommand(int argc, char** argv, const std::vector<std::string>& names) {
     if (argc < 2) throw UsageError("a command is missing: " + listed(names) + "; see 'twinlight --help'");
     const std::string name = argv[1];
-    if (name.starts_with('-') || std::ranges::find(names, name) != names.end()) return;
+    if (name.starts_with('-')) {
+        if (name == "-h" || name == "--help" || name == "--version") return;
+        throw UsageError("a command comes before '" + name + "': " + listed(names) +
+                         "; see 'twinlight --help'");
+    }
+    if (std::ranges::find(names, name) != names.end()) return;
     const auto near = nearest(name, {names.begin(), names.end()});
     throw UsageError(
         fmt::format("there is no command '{}'; {}", name,
