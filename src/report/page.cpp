@@ -84,9 +84,10 @@ std::string cells(const RegionDifference& region) {
 std::string pair_rows(const Comparison& comparison) {
     std::string rows;
     for (const Pair& pair : comparison.pairs) {
-        rows += fmt::format("<tr><th scope=\"row\">{0}</th><td class=\"verdict {1}\">{1}</td>{2}{3}</tr>\n",
-                            name_of(comparison, pair), word_of(pair.verdict), cells(pair.difference.interior),
-                            cells(pair.difference.edge));
+        rows += fmt::format(
+            "<tr><th scope=\"row\">{0}<br>~ {1}</th><td class=\"verdict {2}\">{2}</td>{3}{4}</tr>\n",
+            comparison.a(pair).name, comparison.b(pair).name, word_of(pair.verdict),
+            cells(pair.difference.interior), cells(pair.difference.edge));
     }
     return rows;
 }

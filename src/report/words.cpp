@@ -17,9 +17,9 @@ std::string codes_of(double max) { return fmt::format("{}/255", std::lround(max 
 
 std::string share_of(const RegionDifference& region) {
     const double percent = 100 * region.differing_share();
-    if (percent == 0) return "0 %";
-    if (percent < 0.01) return "< 0.01 %";
-    return fmt::format("{:.2f} %", percent);
+    if (percent == 0) return "0%";
+    if (percent < 0.01) return "< 0.01%";
+    return fmt::format("{:.2f}%", percent);
 }
 
 std::string name_of(const Comparison& comparison, const Pair& pair) {
@@ -37,7 +37,7 @@ std::string word_of(Verdict verdict) {
 
 std::string words_of(const Tolerance& tolerance) {
     return fmt::format(
-        "no interior channel off by more than {}, fewer than {:g} % of interior pixels differing",
+        "no interior channel off by more than {}, fewer than {:g}% of interior pixels differing",
         codes_of(tolerance.max), 100 * tolerance.differing_share);
 }
 

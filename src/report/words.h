@@ -10,11 +10,11 @@ namespace twinlight::report {
 
 std::string grouped(std::size_t number);                              // "1,234,567"
 std::string codes_of(double max);                                     // "3/255"
-std::string share_of(const RegionDifference& region);                 // "0.03 %", "< 0.01 %", "0 %"
+std::string share_of(const RegionDifference& region);                 // "0.03%", "< 0.01%", "0%"
 std::string name_of(const Comparison& comparison, const Pair& pair);  // "fixed ~ reference"
 std::string word_of(Verdict verdict);                                 // "within", "beyond", "informative"
 
-// "interior within 1/255, fewer than 0.1 % of its pixels differing"
+// "no interior channel off by more than 1/255, fewer than 0.1% of interior pixels differing"
 std::string words_of(const Tolerance& tolerance);
 
 // The whole's verdict, then a sentence for each judged pair that is beyond the tolerance.

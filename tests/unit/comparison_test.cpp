@@ -154,7 +154,7 @@ TEST(Verdict, NamesThePairsThatDiffer) {
     ASSERT_EQ(sentences.size(), 3U);
     EXPECT_EQ(
         sentences[1],
-        "fixed ~ programmable: 1,170 of 1,170 interior pixels differ (100.00 %), by up to 25/255 at (1, 0).");
+        "fixed ~ programmable: 1,170 of 1,170 interior pixels differ (100.00%), by up to 25/255 at (1, 0).");
 }
 
 TEST(Verdict, IsNotGivenForPhongAgainstFixed) {
@@ -282,9 +282,9 @@ TEST(Words, GroupDigitsAndRoundShares) {
     EXPECT_EQ(grouped(999), "999");
     EXPECT_EQ(grouped(1'000), "1,000");
     EXPECT_EQ(grouped(12'345'678), "12,345,678");
-    EXPECT_EQ(share_of({.pixels = 100'000, .differing = 0}), "0 %");
-    EXPECT_EQ(share_of({.pixels = 100'000, .differing = 9}), "< 0.01 %");
-    EXPECT_EQ(share_of({.pixels = 1'000, .differing = 123}), "12.30 %");
+    EXPECT_EQ(share_of({.pixels = 100'000, .differing = 0}), "0%");
+    EXPECT_EQ(share_of({.pixels = 100'000, .differing = 9}), "< 0.01%");
+    EXPECT_EQ(share_of({.pixels = 1'000, .differing = 123}), "12.30%");
     EXPECT_EQ(codes_of(3 / 255.0), "3/255");
 }
 
