@@ -1,0 +1,125 @@
+#include "command/command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+
+namespace twinlight {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The table, read as signatures.
+const std::vector<Signature>& table() {
+    using enum Kind;
+    static const std::vector<Signature> rows = {
+#define P(name, kind) Parameter{#name, kind, Extent::kValue, 1}
+#define A(name, kind, n) Parameter{#name, kind, Extent::kArray, n}
+#define V(name, kind) Parameter{#name, kind, Extent::kByPname, 0}
+#define Q(name, kind) Parameter{#name, kind, Extent::kOutput, 0}
+#define R(name, kind) Parameter{#name, kind, Extent::kRest, 0}
+#define GL_COMMAND(name, effect, ...) {#name, Family::kGl, {__VA_ARGS__}},
+#define SHAPE_COMMAND(name, effect, ...) {#name, Family::kShape, {__VA_ARGS__}},
+#define PRAGMA_COMMAND(name, effect, ...) {#name, Family::kPragma, {__VA_ARGS__}},
+#include "command/commands.def"
+#undef P
+#undef A
+#undef V
+#undef Q
+#undef R
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef PRAGMA_COMMAND
+    };
+    return rows;
+}
+
+std::unordered_map<std::string_view, CommandId> index_commands(bool pragmas) {
+    std::unordered_map<std::string_view, CommandId> index;
+    for (std::size_t i = 0; i < table().size(); ++i) {
+        if ((table()[i].family == Family::kPragma) == pragmas) {
+            index.emplace(table()[i].name, static_cast<CommandId>(i));
+        }
+    }
+    return index;
+}
+
+std::optional<CommandId> find(const std::unordered_map<std::string_view, CommandId>& index, std::string_view name) {
+    const auto found = index.find(name);
+    return found == index.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace
+
+std::size_t Signature::scalars() const {
+    const bool has_array = !parameters.empty() && parameters.back().extent != Extent::kValue;
+    return parameters.size() - (has_array ? 1 : 0);
+}
+
+std::string Signature::usage() const {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : parameters) {
+        names.emplace_back(parameter.name);
+        if (parameter.extent == Extent::kRest) names.back() += "...";
+    }
+    return fmt::format("{}({})", name, fmt::join(names, ", "));
+}
+
+const Signature& signature(CommandId id) { return table()[static_cast<std::size_t>(id)]; }
+
+std::span<const Signature> signatures() { return table(); }
+
+std::optional<CommandId> find_command(std::string_view name) {
+    static const auto index = index_commands(false);
+    return find(index, name);
+}
+
+std::optional<CommandId> find_pragma(std::string_view name) {
+    static const auto index = index_commands(true);
+    return find(index, name);
+}
+
+std::string Place::str() const {
+    const std::string_view name = file ? std::string_view(*file) : "scene";
+    if (line == 0) return std::string(name);
+    return fmt::format("{}:{}:{}", name, line, column);
+}
+
+std::span<const ParameterInfo> parameter_infos() {
+    static const std::vector<ParameterInfo> rows = {
+#define PARAMETER(owner, name, count, meaning, smallest, largest) \
+    {Owner::owner, kGL_##name, count, Meaning::meaning, smallest, largest},
+#include "command/parameters.def"
+#undef PARAMETER
+    };
+    return rows;
+}
+
+const ParameterInfo* find_parameter(Owner owner, Enum pname) {
+    for (const ParameterInfo& info : parameter_infos()) {
+        if (info.owner == owner && info.pname == pname) return &info;
+    }
+    return nullptr;
+}
+
+std::optional<Owner> owner_of(CommandId id) {
+    const std::string_view name = signature(id).name;
+    if (name.starts_with("glLightModel")) return Owner::kLightModel;
+    if (name.starts_with("glLight") || name.starts_with("glGetLight")) return Owner::kLight;
+    if (name.starts_with("glMaterial") || name.starts_with("glGetMaterial")) return Owner::kMaterial;
+    return std::nullopt;
+}
+
+std::optional<int> array_length(CommandId id, std::optional<Enum> pname) {
+    const Signature& sig = signature(id);
+    const Parameter& last = sig.parameters.back();
+    if (last.extent == Extent::kArray) return last.count;
+    const std::optional<Owner> owner = owner_of(id);
+    const ParameterInfo* info = owner && pname ? find_parameter(*owner, *pname) : nullptr;
+    return info ? std::optional(info->count) : std::nullopt;
+}
+
+}  // namespace twinlight

@@ -1,0 +1,91 @@
+#include "command/names.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace twinlight {
+
+const std::vector<NamedValue>& gl_names() {
+    static const std::vector<NamedValue> names = {
+#define ENUM(name, value) {"GL_" #name, value},
+#include "command/enums.def"
+#undef ENUM
+    };
+    return names;
+}
+
+const std::vector<NamedValue>& words() {
+    static const std::vector<NamedValue> all = {
+#define WORD(word) {#word, static_cast<Enum>(Word::word)},
+#include "command/words.def"
+#undef WORD
+    };
+    return all;
+}
+
+namespace {
+
+std::unordered_map<std::string_view, Enum> index_by_name(const std::vector<NamedValue>& names) {
+    std::unordered_map<std::string_view, Enum> index;
+    for (const NamedValue& row : names) index.emplace(row.name, row.value);
+    return index;
+}
+
+std::optional<Enum> find(const std::unordered_map<std::string_view, Enum>& index, std::string_view name) {
+    const auto found = index.find(name);
+    return found == index.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace
+
+std::optional<Enum> find_gl_name(std::string_view name) {
+    static const auto index = index_by_name(gl_names());
+    return find(index, name);
+}
+
+std::optional<Enum> find_word(std::string_view word) {
+    static const auto index = index_by_name(words());
+    return find(index, word);
+}
+
+std::string_view word_name(Word word) { return words()[static_cast<std::size_t>(word)].name; }
+
+namespace {
+
+// The edit distance with transpositions (optimal string alignment), two rows and one more for the swaps.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+        before.swap(last);
+        last.swap(row);
+    }
+    return last[b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string_view> nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
+    // A suggestion must share most of the letters: a third of them may differ, three at the most.
+    constexpr std::size_t kLongestName = 80;
+    if (name.empty() || name.size() > kLongestName) return std::nullopt;
+    const std::size_t limit = std::min<std::size_t>(3, (name.size() + 2) / 3);
+    std::optional<std::string_view> best;
+    std::size_t best_distance = limit + 1;
+    for (std::string_view candidate : candidates) {
+        const std::size_t distance = edit_distance(name, candidate);
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+}  // namespace twinlight

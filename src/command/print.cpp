@@ -1,0 +1,176 @@
+// Printing commands as C. What is printed compiles, and reads back as the same commands.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <unordered_map>
+
+#include "command/text.h"
+
+namespace twinlight {
+
+namespace {
+
+std::string_view c_type_name(Kind kind) {
+    switch (kind) {
+        case Kind::kEnum: return "GLenum";
+        case Kind::kBitfield: return "GLbitfield";
+        case Kind::kBoolean: return "GLboolean";
+        case Kind::kByte: return "GLbyte";
+        case Kind::kShort: return "GLshort";
+        case Kind::kInt: return "GLint";
+        case Kind::kSizei: return "GLsizei";
+        case Kind::kUbyte: return "GLubyte";
+        case Kind::kUshort: return "GLushort";
+        case Kind::kUint: return "GLuint";
+        case Kind::kFloat: return "GLfloat";
+        case Kind::kDouble: return "GLdouble";
+        case Kind::kWord: break;  // words stand in pragmas only, never in arrays
+    }
+    return "";
+}
+
+// The shortest decimal that reads back as the same value of its type.
+std::string print_real(double value, bool is_float) {
+    if (std::isnan(value)) return "NAN";
+    if (std::isinf(value)) return value < 0 ? "-INFINITY" : "INFINITY";
+    if (value == 0 && std::signbit(value)) return "-0.0";
+    if (is_float) {
+        // A decimal that is shortest for the float is read as a double first and rounded again: it nearly always comes
+        // back the same; where it does not, the double's own digits do.
+        const std::string shortest = fmt::format("{}", static_cast<float>(value));
+        if (static_cast<double>(static_cast<float>(std::strtod(shortest.c_str(), nullptr))) == value) return shortest;
+    }
+    return fmt::format("{}", value);
+}
+
+// Names for values that have one of their own. 0 and 1 are many things and stay numbers, except for glBegin.
+std::string print_enum(Enum value, bool is_primitive) {
+    static const auto names = [] {
+        std::unordered_map<Enum, std::string_view> index;
+        for (const NamedValue& row : gl_names()) {
+            if (row.value > kGL_POLYGON) index.emplace(row.value, row.name);
+        }
+        return index;
+    }();
+    if (is_primitive && value <= kGL_POLYGON) {
+        static constexpr std::string_view kPrimitives[] = {
+            "GL_POINTS",         "GL_LINES",        "GL_LINE_LOOP", "GL_LINE_STRIP", "GL_TRIANGLES",
+            "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN", "GL_QUADS",     "GL_QUAD_STRIP", "GL_POLYGON"};
+        return std::string(kPrimitives[value]);
+    }
+    const auto found = names.find(value);
+    return found == names.end() ? fmt::format("{:#x}", value) : std::string(found->second);
+}
+
+std::string print_bits(Enum mask) {
+    std::string shown;
+    for (Enum bit : {kGL_COLOR_BUFFER_BIT, kGL_DEPTH_BUFFER_BIT, kGL_STENCIL_BUFFER_BIT, kGL_ACCUM_BUFFER_BIT}) {
+        if (mask & bit) shown += fmt::format("{}{}", shown.empty() ? "" : " | ", print_enum(bit, false));
+        mask &= ~bit;
+    }
+    if (mask != 0 || shown.empty()) shown += fmt::format("{}{:#x}", shown.empty() ? "" : " | ", mask);
+    return shown;
+}
+
+std::string print_number(double value, Kind kind) {
+    switch (kind) {
+        case Kind::kFloat: return print_real(value, true);
+        case Kind::kDouble: return print_real(value, false);
+        case Kind::kBitfield: return print_bits(static_cast<Enum>(value));
+        case Kind::kWord: return std::string(word_name(static_cast<Word>(static_cast<Enum>(value))));
+        default: return fmt::format("{}", static_cast<std::int64_t>(value));
+    }
+}
+
+bool is_color_control(const Command& command) {
+    return owner_of(command.id) == Owner::kLightModel && command.enumerant(0) == kGL_LIGHT_MODEL_COLOR_CONTROL;
+}
+
+std::string print_value(const Command& command, const Parameter& parameter, double value) {
+    if (parameter.kind == Kind::kEnum) {
+        return print_enum(static_cast<Enum>(value), command.id == CommandId::glBegin);
+    }
+    const bool named = parameter.name.starts_with("param") && is_color_control(command) && value > kGL_POLYGON &&
+                       value == std::trunc(value) && value <= 0xFFFF;
+    if (named) return print_enum(static_cast<Enum>(value), false);
+    if (parameter.kind == Kind::kBoolean && (value == 0 || value == 1)) return value == 0 ? "GL_FALSE" : "GL_TRUE";
+    return print_number(value, parameter.kind);
+}
+
+std::string print_array(const Command& command, const Parameter& parameter) {
+    const std::string_view type = c_type_name(parameter.kind);
+    if (parameter.extent == Extent::kOutput) {
+        constexpr int kLongestAnswer = 4;
+        const Enum pname = command.enumerant(command.sig().scalars() - 1);
+        return fmt::format("({}[{}]){{0}}", type, array_length(command.id, pname).value_or(kLongestAnswer));
+    }
+    std::vector<std::string> values;
+    for (double value : command.array()) values.push_back(print_value(command, parameter, value));
+    return fmt::format("({}[]){{{}}}", type, fmt::join(values, ", "));
+}
+
+}  // namespace
+
+std::string print_command(const Command& command) {
+    const Signature& sig = command.sig();
+    std::vector<std::string> arguments;
+    for (std::size_t i = 0; i < sig.parameters.size(); ++i) {
+        const Parameter& parameter = sig.parameters[i];
+        if (parameter.extent == Extent::kValue) {
+            arguments.push_back(print_value(command, parameter, command.number(i)));
+        } else if (parameter.extent == Extent::kRest) {
+            for (double value : command.array()) arguments.push_back(print_number(value, parameter.kind));
+        } else {
+            arguments.push_back(print_array(command, parameter));
+        }
+    }
+    if (sig.family == Family::kPragma) {
+        return fmt::format("#pragma twinlight {}({})", sig.name, fmt::join(arguments, ", "));
+    }
+    return fmt::format("{}({});", sig.name, fmt::join(arguments, ", "));
+}
+
+std::string print_scene(const CommandList& scene) {
+    std::string text;
+    for (const Command& command : scene.commands) text += print_command(command) + "\n";
+    return text;
+}
+
+std::string print_c_program(const CommandList& scene) {
+    std::string title;  // a name must not end the comment
+    for (char c : scene.name) title += (c >= 0x20 && c < 0x7F && c != '*') ? c : '_';
+    std::string text = fmt::format(
+        "/* {}: a scene of Twinlight as a C program.\n"
+        "   Build it with: cc -std=c99 FILE.c -lglut -lGLU -lGL -lm */\n"
+        "#include <GL/glut.h>\n#include <math.h>\n\n"
+        "static void draw_scene(void) {{\n",
+        title);
+    for (const Command& command : scene.commands) {
+        text += (command.sig().family == Family::kPragma ? "" : "    ") + print_command(command) + "\n";
+    }
+    text +=
+        "}\n\n"
+        "static void display(void) {\n"
+        "    /* The scene sets all its state itself, so start each picture from GL's own. */\n"
+        "    glPushAttrib(GL_ALL_ATTRIB_BITS);\n"
+        "    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
+        "    glMatrixMode(GL_PROJECTION);\n    glLoadIdentity();\n"
+        "    glMatrixMode(GL_MODELVIEW);\n    glLoadIdentity();\n"
+        "    draw_scene();\n"
+        "    glPopAttrib();\n"
+        "    glutSwapBuffers();\n"
+        "}\n\n"
+        "int main(int argc, char** argv) {\n"
+        "    glutInit(&argc, argv);\n"
+        "    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);\n"
+        "    glutInitWindowSize(640, 480);\n"
+        "    glutCreateWindow(argv[0]);\n"
+        "    glutDisplayFunc(display);\n"
+        "    glutMainLoop();\n"
+        "    return 0;\n"
+        "}\n";
+    return text;
+}
+
+}  // namespace twinlight
