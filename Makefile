@@ -56,7 +56,8 @@ LIBS_gtest := $(shell pkg-config --libs gtest_main 2>/dev/null)
 SOURCES_library := $(filter-out src/app/%,$(wildcard src/*/*.cpp src/*/*/*.cpp))
 SOURCES_cli := $(wildcard src/app/cli/*.cpp)
 SOURCES_demo := $(wildcard src/app/demo/*.cpp)
-SOURCES_demo_library := $(filter-out src/app/demo/main.cpp,$(SOURCES_demo))
+# What of the demo the tests link: all but GLUT.
+SOURCES_demo_library := $(filter-out src/app/demo/main.cpp src/app/demo/window.cpp,$(SOURCES_demo))
 SOURCES_tests := $(wildcard tests/*/*.cpp)
 SOURCES_all := $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests)
 EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp

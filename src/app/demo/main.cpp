@@ -1,0 +1,95 @@
+// twinlight-demo [SCENE]: the options, the scene, the window.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "app/demo/controls.h"
+#include "app/demo/window.h"
+#include "command/text.h"
+#include "image/file.h"
+#include "scenes/scenes.h"
+
+namespace {
+
+using namespace twinlight;
+
+constexpr int kBadInput = 2;
+constexpr int kMaxSize = 8192;  // what every driver's viewport can hold
+
+// A built-in scene's name, a file, or - for standard input.
+CommandList load_scene(const std::string& scene) {
+    if (scene == "-") {
+        std::string text;
+        char piece[1 << 16];
+        while (text.size() <= kMaxSceneBytes && std::cin.read(piece, sizeof piece).gcount() > 0) {
+            text.append(piece, static_cast<std::size_t>(std::cin.gcount()));
+        }
+        return read_scene(text, "standard input", "standard input");
+    }
+    for (const EmbeddedFile& file : kSceneFiles) {
+        if (file.name == scene + ".gl") return read_scene(file.text, std::string(file.name), scene);
+    }
+    const std::size_t slash = scene.rfind('/');
+    return read_scene(read_file(scene, kMaxSceneBytes + 1), scene,
+                      slash == std::string::npos ? scene : scene.substr(slash + 1));
+}
+
+bool read_size(const std::string& text, demo::WindowOptions& options) {
+    int end = 0;
+    return std::sscanf(text.c_str(), "%5dx%5d%n", &options.width, &options.height, &end) == 2 &&
+           end == static_cast<int>(text.size()) && options.width > 0 && options.height > 0 &&
+           options.width <= kMaxSize && options.height <= kMaxSize;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app(
+        "Draws a scene in a window with the driver's fixed function and with shaders, and switches it live.");
+    app.footer("Keys:\n" + demo::keys_help());
+    app.set_version_flag("--version", "twinlight-demo 0.1");
+
+    std::string scene = "report";
+    std::string size = "640x480";
+    demo::WindowOptions options;
+    app.add_option("SCENE", scene, "a built-in scene's name, a .gl file, or - for standard input")
+        ->capture_default_str();
+    app.add_option("--with", options.renderer, "the renderer to start with: fixed or programmable")
+        ->transform(CLI::Transformer(std::map<std::string, demo::Renderer>{
+            {"fixed", demo::Renderer::kFixed}, {"programmable", demo::Renderer::kProgrammable}}))
+        ->option_text("RENDERER");
+    app.add_option("--size", size, "of the picture, in pixels")->option_text("WxH")->capture_default_str();
+    app.add_option("--keys", options.keys, "press these keys at the start")->option_text("STRING");
+    app.add_option("--screenshot", options.screenshot, "the PNG that the key s and --quit-after write")
+        ->option_text("FILE");
+    app.add_option("--quit-after", options.quit_after, "write the screenshot and quit after so many frames")
+        ->check(CLI::PositiveNumber)
+        ->option_text("FRAMES");
+
+    try {
+        app.parse(argc, argv);
+        if (!read_size(size, options)) {
+            throw CLI::ValidationError("--size",
+                                       "must be WIDTHxHEIGHT in pixels, such as 640x480; it is " + size);
+        }
+    } catch (const CLI::ParseError& e) {
+        if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+        std::fprintf(stderr, "twinlight-demo: %s (--help lists the options)\n", e.what());
+        return kBadInput;
+    }
+
+    return demo::show(std::make_shared<const CommandList>(load_scene(scene)), options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& e) {  // SceneError, FileError: one line each
+        std::fprintf(stderr, "%s\n", e.what());
+        return kBadInput;
+    }
+}
