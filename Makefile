@@ -59,7 +59,8 @@ SOURCES_demo := $(wildcard src/app/demo/*.cpp)
 # What of the demo the tests link: all but GLUT.
 SOURCES_demo_library := $(filter-out src/app/demo/main.cpp src/app/demo/window.cpp,$(SOURCES_demo))
 SOURCES_tests := $(wildcard tests/*/*.cpp)
-SOURCES_all := $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests)
+SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
+SOURCES_all := $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder)
 EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp
 object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
 OBJECTS_library := $(call object,$(SOURCES_library)) $(EMBEDDED:.cpp=.o)
@@ -72,7 +73,7 @@ all: deps
 	@$(MAKE) programs
 
 programs: $(BUILD)/twinlight $(BUILD)/twinlight-demo
-test-binary: $(BUILD)/twinlight-tests programs
+test-binary: $(BUILD)/twinlight-tests $(BUILD)/freeglut-recorder programs
 
 demo: deps  ## build; open the GLUT window, or write the comparison as a report where there is no display
 	@$(MAKE) programs
@@ -138,6 +139,11 @@ $(BUILD)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
 $(BUILD)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_demo_library)) $(BUILD)/libtwinlight.a
 	@echo "link $@"
 	@$(CXX) $(LDFLAGS_all) $^ -o $@ $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
+
+# What the real freeglut sends for its shapes: the tests hold src/shape against it.
+$(BUILD)/freeglut-recorder: $(call object,$(SOURCES_recorder))
+	@echo "link $@"
+	@$(CXX) $(LDFLAGS_all) $^ -o $@ $(LIBS_window)
 
 $(BUILD)/objects/%.o: %.cpp Makefile
 	@echo "compile $<"

@@ -1,6 +1,6 @@
 // Shapes as the primitives that the libraries send: freeglut's glutSolid*/glutWire*, and the report's own
-// constructions (`#pragma twinlight shape(...)`). Orientation and order are the libraries', so the provoking vertices
-// are too; tests/window/shapes_test.cpp records what freeglut really sends and compares.
+// constructions (`#pragma twinlight shape(...)`). Orientation and order are the libraries', so the provoking
+// vertices are too; tests/window/freeglut_shapes_test.cpp records what freeglut really sends and compares.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,9 @@ struct ShapePart {
 
 inline constexpr std::size_t kMaxShapeVertices = 50'000'000;
 
-// The parts of a SHAPE_COMMAND or of the pragma `shape`. Object space, units of the arguments. Arguments that the
-// library does nothing for (no slices, a negative count) give no parts.
-// Throws std::invalid_argument with a message for sizes beyond kMaxShapeVertices, wrong word or count of the pragma.
+// The parts of a SHAPE_COMMAND or of the pragma `shape`. Object space, units of the arguments. Arguments that
+// the library does nothing for (no slices, a negative count) give no parts. Throws std::invalid_argument with
+// a message for sizes beyond kMaxShapeVertices, wrong word or count of the pragma.
 std::vector<ShapePart> shape_parts(const Command& command);
 
 }  // namespace twinlight
