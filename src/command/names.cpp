@@ -1,5 +1,7 @@
 #include "command/names.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <unordered_map>
 
@@ -49,6 +51,25 @@ std::optional<Enum> find_word(std::string_view word) {
 }
 
 std::string_view word_name(Word word) { return words()[static_cast<std::size_t>(word)].name; }
+
+std::string enum_name(Enum value) {
+    static const auto index = [] {
+        std::unordered_map<Enum, std::string_view> names;
+        for (const NamedValue& row : gl_names()) {
+            if (row.value > kGL_POLYGON) names.emplace(row.value, row.name);
+        }
+        return names;
+    }();
+    const auto found = index.find(value);
+    return found == index.end() ? fmt::format("{:#x}", value) : std::string(found->second);
+}
+
+std::string primitive_name(Enum mode) {
+    static constexpr std::string_view kNames[] = {
+        "GL_POINTS",         "GL_LINES",        "GL_LINE_LOOP", "GL_LINE_STRIP", "GL_TRIANGLES",
+        "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN", "GL_QUADS",     "GL_QUAD_STRIP", "GL_POLYGON"};
+    return mode <= kGL_POLYGON ? std::string(kNames[mode]) : enum_name(mode);
+}
 
 namespace {
 

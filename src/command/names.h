@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,9 +34,11 @@ const std::vector<NamedValue>& words();     // every row of words.def, in its or
 std::optional<Enum> find_gl_name(std::string_view name);
 std::optional<Enum> find_word(std::string_view word);
 
-// The name that reads best for a value of which several may have the same: GL_POINTS, not GL_FALSE, where the
-// argument is glBegin's. Values without a name print in hexadecimal.
 std::string_view word_name(Word word);
+// "GL_LIGHT0"; values without a name of their own in hexadecimal. 0 to 9 are many things (GL_FALSE, GL_POINTS, ...)
+// and have none; primitive_name gives those of glBegin.
+std::string enum_name(Enum value);
+std::string primitive_name(Enum mode);
 
 // The candidate nearest to a misspelt name (Damerau-Levenshtein), or nothing where none is near.
 std::optional<std::string_view> nearest(std::string_view name, const std::vector<std::string_view>& candidates);

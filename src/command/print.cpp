@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <unordered_map>
 
 #include "command/text.h"
 
@@ -44,29 +43,10 @@ std::string print_real(double value, bool is_float) {
     return fmt::format("{}", value);
 }
 
-// Names for values that have one of their own. 0 and 1 are many things and stay numbers, except for glBegin.
-std::string print_enum(Enum value, bool is_primitive) {
-    static const auto names = [] {
-        std::unordered_map<Enum, std::string_view> index;
-        for (const NamedValue& row : gl_names()) {
-            if (row.value > kGL_POLYGON) index.emplace(row.value, row.name);
-        }
-        return index;
-    }();
-    if (is_primitive && value <= kGL_POLYGON) {
-        static constexpr std::string_view kPrimitives[] = {
-            "GL_POINTS",         "GL_LINES",        "GL_LINE_LOOP", "GL_LINE_STRIP", "GL_TRIANGLES",
-            "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN", "GL_QUADS",     "GL_QUAD_STRIP", "GL_POLYGON"};
-        return std::string(kPrimitives[value]);
-    }
-    const auto found = names.find(value);
-    return found == names.end() ? fmt::format("{:#x}", value) : std::string(found->second);
-}
-
 std::string print_bits(Enum mask) {
     std::string shown;
     for (Enum bit : {kGL_COLOR_BUFFER_BIT, kGL_DEPTH_BUFFER_BIT, kGL_STENCIL_BUFFER_BIT, kGL_ACCUM_BUFFER_BIT}) {
-        if (mask & bit) shown += fmt::format("{}{}", shown.empty() ? "" : " | ", print_enum(bit, false));
+        if (mask & bit) shown += fmt::format("{}{}", shown.empty() ? "" : " | ", enum_name(bit));
         mask &= ~bit;
     }
     if (mask != 0 || shown.empty()) shown += fmt::format("{}{:#x}", shown.empty() ? "" : " | ", mask);
@@ -89,11 +69,12 @@ bool is_color_control(const Command& command) {
 
 std::string print_value(const Command& command, const Parameter& parameter, double value) {
     if (parameter.kind == Kind::kEnum) {
-        return print_enum(static_cast<Enum>(value), command.id == CommandId::glBegin);
+        const Enum e = static_cast<Enum>(value);
+        return command.id == CommandId::glBegin ? primitive_name(e) : enum_name(e);
     }
     const bool named = parameter.name.starts_with("param") && is_color_control(command) && value > kGL_POLYGON &&
                        value == std::trunc(value) && value <= 0xFFFF;
-    if (named) return print_enum(static_cast<Enum>(value), false);
+    if (named) return enum_name(static_cast<Enum>(value));
     if (parameter.kind == Kind::kBoolean && (value == 0 || value == 1)) return value == 0 ? "GL_FALSE" : "GL_TRUE";
     return print_number(value, parameter.kind);
 }

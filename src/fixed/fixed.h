@@ -10,8 +10,15 @@ namespace twinlight::fixed {
 // One command to the driver. Pragmas that GL has no command for do nothing, but shape(...) draws.
 void execute(const Command& command);
 
-// Puts the state of a fresh context back, as far as commands.def can change it.
-void reset_state(int width, int height);
+// Keeps what commands change to itself: GL's initial state while it lives, as the context had it before afterwards.
+// Needs a context that is in GL's initial state but for its viewport.
+class InitialState {
+  public:
+    InitialState(int width, int height);  // of the window: the initial viewport
+    ~InitialState();
+    InitialState(const InitialState&) = delete;
+    InitialState& operator=(const InitialState&) = delete;
+};
 
 // Clears to black and depth 1, executes the frame's commands, reads the picture. Throws std::invalid_argument for
 // Shading::kPhong, which the fixed function cannot do.

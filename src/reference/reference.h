@@ -1,5 +1,5 @@
-// The double-precision reference: GL's vertex stage, clipping, rasterisation and lighting from the specification,
-// without a driver. Sees only the Frame.
+// The double-precision reference: GL's vertex stage, clipping, rasterisation and lighting from the
+// specification, without a driver. Sees only the Frame.
 #pragma once
 
 #include "image/image.h"
@@ -10,8 +10,8 @@ namespace twinlight::reference {
 // Starts from black and depth 1.
 Image render(const Frame& frame, const RenderOptions& options);
 
-// The pixels where two right rasterisers may choose different triangles: a triangle's border passes through them, or
-// two surfaces cut each other there (DESIGN section 4, "Edges").
+// The pixels where two right rasterisers may choose different triangles: a triangle's border passes through
+// them, or two surfaces cut each other there (DESIGN section 4, "Edges").
 PixelMask edge_pixels(const Frame& frame);
 
 // A vertex as the lighting equation leaves it: what GL's feedback returns.
@@ -19,7 +19,8 @@ struct LitVertex {
     glm::dvec4 position_clip{0};
     glm::dvec4 front_primary{0}, front_secondary{0};
     glm::dvec4 back_primary{0}, back_secondary{0};
-    // The sum of the magnitudes of the terms of front_primary, channel by channel: what an error is held against.
+    // The sum of the magnitudes of the terms of front_primary, channel by channel: what an error is held
+    // against.
     glm::dvec4 front_magnitude{0};
 };
 

@@ -105,15 +105,19 @@ class State {
     void spot_cone(const Command&);
 
     void raise(Enum code, const Command& command, std::string message);
-    bool inside_begin_end(const Command& command);  // raises GL_INVALID_OPERATION if so
-    bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);  // raises GL_INVALID_ENUM
+    // Whether `value` is one of `allowed`; raises GL_INVALID_ENUM if not.
+    bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);
+    LightSource* light_source(const Command& command, Enum light);  // null, and GL_INVALID_ENUM, for no light
+    // The values of glLight*, glMaterial*, glLightModel* as real numbers; nothing, and the error, if they are refused.
+    std::optional<std::vector<double>> parameter_values(const Command& command, Owner owner, Enum pname);
     void set_capability(const Command& command, bool enabled);
     void track_color();  // 2.14.3: the material follows the current colour
     void multiply(const glm::dmat4& matrix);
     MatrixStack& stack();
-    Draw new_draw(Enum mode, const Place& place) const;
+    std::size_t stack_limit() const;
+    Draw new_draw(Enum mode, const Place& place);
     void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
-    double signed_to_real(double c, int bits) const;
+    double to_real(double c, Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
 
     StateOptions options_;
     LightingState lighting_;

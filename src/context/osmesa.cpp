@@ -1,0 +1,50 @@
+// OSMesa: Mesa's software rendering into memory of our own, without a window system.
+#include <GL/osmesa.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "context/context.h"
+#include "context/gl.h"
+
+namespace twinlight {
+
+namespace {
+
+class OsmesaContext final : public OffscreenContext {
+  public:
+    OsmesaContext(int width, int height, ColorBuffer color_buffer) {
+        const int attributes[] = {OSMESA_FORMAT,  OSMESA_RGBA,
+                                  OSMESA_DEPTH_BITS, 24,
+                                  OSMESA_PROFILE, OSMESA_COMPAT_PROFILE,
+                                  0};
+        context_ = OSMesaCreateContextAttribs(attributes, nullptr);
+        if (!context_) throw std::runtime_error("OSMesa gives no compatibility-profile context");
+        const bool is_float = color_buffer == ColorBuffer::kFloat;
+        const std::size_t bytes_per_pixel = is_float ? 16 : 4;
+        buffer_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * bytes_per_pixel);
+        if (!OSMesaMakeCurrent(context_, buffer_.data(), is_float ? GL_FLOAT : GL_UNSIGNED_BYTE, width, height)) {
+            OSMesaDestroyContext(context_);
+            throw std::runtime_error("OSMesa cannot draw into a buffer of this size");
+        }
+        glViewport(0, 0, width, height);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    }
+    ~OsmesaContext() override {
+        glFinish();
+        OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+        OSMesaDestroyContext(context_);
+    }
+
+  private:
+    OSMesaContext context_ = nullptr;
+    std::vector<unsigned char> buffer_;
+};
+
+}  // namespace
+
+std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height, ColorBuffer color_buffer) {
+    return std::make_unique<OsmesaContext>(width, height, color_buffer);
+}
+
+}  // namespace twinlight

@@ -1,0 +1,136 @@
+// Commands to the driver, literally: for each row of commands.def that GL or GLU has, a call of that function with the
+// arguments in its own types.
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "context/gl.h"
+#include "fixed/fixed.h"
+#include "shape/shape.h"
+
+namespace twinlight::fixed {
+
+namespace {
+
+// The C type of each Kind.
+template <Kind> struct CType;
+template <> struct CType<Kind::kEnum> { using type = GLenum; };
+template <> struct CType<Kind::kBitfield> { using type = GLbitfield; };
+template <> struct CType<Kind::kBoolean> { using type = GLboolean; };
+template <> struct CType<Kind::kByte> { using type = GLbyte; };
+template <> struct CType<Kind::kShort> { using type = GLshort; };
+template <> struct CType<Kind::kInt> { using type = GLint; };
+template <> struct CType<Kind::kSizei> { using type = GLsizei; };
+template <> struct CType<Kind::kUbyte> { using type = GLubyte; };
+template <> struct CType<Kind::kUshort> { using type = GLushort; };
+template <> struct CType<Kind::kUint> { using type = GLuint; };
+template <> struct CType<Kind::kFloat> { using type = GLfloat; };
+template <> struct CType<Kind::kDouble> { using type = GLdouble; };
+
+// A row's parameter as C declares it.
+template <Kind kind, bool is_array, bool is_output>
+using CParameter = std::conditional_t<
+    is_array, std::conditional_t<is_output, typename CType<kind>::type*, const typename CType<kind>::type*>,
+    typename CType<kind>::type>;
+
+// A number as a GL type. Commands hold only what their types can, but a float may be infinite.
+template <class T>
+T narrowed(double value) {
+    return static_cast<T>(value);
+}
+
+// The longest array that a command of the table reads or writes; shorter ones are padded with 0, so that the driver
+// never reads past the end whatever pname it is given.
+constexpr std::size_t kLongestArray = 16;
+
+template <class Parameter>
+struct Argument {
+    Argument(const Command& command, std::size_t i) : value(narrowed<Parameter>(command.number(i))) {}
+    Parameter get() { return value; }
+    Parameter value;
+};
+
+template <class Element>
+struct Argument<Element*> {
+    Argument(const Command& command, std::size_t) {
+        const auto elements = command.array();
+        for (std::size_t i = 0; i < elements.size() && i < kLongestArray; ++i) {
+            values[i] = narrowed<std::remove_const_t<Element>>(elements[i]);
+        }
+    }
+    Element* get() { return values.data(); }
+    std::array<std::remove_const_t<Element>, kLongestArray> values{};
+};
+
+// `Declared` are the parameters as the table declares them: a row that disagrees with the header does not compile.
+template <class... Declared>
+struct Call {
+    template <class... Actual, std::size_t... I>
+    static void make(void (*function)(Actual...), const Command& command, std::index_sequence<I...>) {
+        static_assert((std::is_same_v<Declared, Actual> && ...), "commands.def disagrees with GL's header");
+        function(Argument<Actual>(command, I).get()...);
+    }
+    template <class... Actual>
+    static void make(void (*function)(Actual...), const Command& command) {
+        static_assert(sizeof...(Declared) == sizeof...(Actual), "commands.def disagrees with GL's header");
+        make(function, command, std::index_sequence_for<Actual...>{});
+    }
+};
+
+void draw_shape(const Command& command) {
+    // As freeglut does: vertex arrays of floats, current colour and state.
+    glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+    for (const ShapePart& part : shape_parts(command)) {
+        std::vector<std::array<GLfloat, 3>> positions, normals;
+        positions.reserve(part.vertices.size());
+        normals.reserve(part.vertices.size());
+        const auto floats = [](const glm::dvec3& v) {
+            return std::array{static_cast<GLfloat>(v.x), static_cast<GLfloat>(v.y), static_cast<GLfloat>(v.z)};
+        };
+        for (const ShapeVertex& v : part.vertices) {
+            positions.push_back(floats(v.position_object));
+            normals.push_back(floats(v.normal_object));
+        }
+        glEnableClientState(GL_VERTEX_ARRAY);
+        glEnableClientState(GL_NORMAL_ARRAY);
+        glVertexPointer(3, GL_FLOAT, 0, positions.data());
+        glNormalPointer(GL_FLOAT, 0, normals.data());
+        if (part.indices.empty()) {
+            glDrawArrays(part.mode, 0, static_cast<GLsizei>(positions.size()));
+        } else {
+            glDrawElements(part.mode, static_cast<GLsizei>(part.indices.size()), GL_UNSIGNED_INT, part.indices.data());
+        }
+    }
+    glPopClientAttrib();
+}
+
+}  // namespace
+
+void execute(const Command& command) {
+    switch (command.id) {
+#define P(name, kind) CParameter<Kind::kind, false, false>
+#define A(name, kind, n) CParameter<Kind::kind, true, false>
+#define V(name, kind) CParameter<Kind::kind, true, false>
+#define Q(name, kind) CParameter<Kind::kind, true, true>
+#define R(name, kind) double
+#define GL_COMMAND(name, effect, ...) \
+    case CommandId::name: return Call<__VA_ARGS__>::make(&::name, command);
+#define SHAPE_COMMAND(name, effect, ...) \
+    case CommandId::name: return draw_shape(command);
+#define PRAGMA_COMMAND(name, effect, ...) \
+    case CommandId::pragma_##name: \
+        if (CommandId::pragma_##name == CommandId::pragma_shape) draw_shape(command); \
+        return;
+#include "command/commands.def"
+#undef P
+#undef A
+#undef V
+#undef Q
+#undef R
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef PRAGMA_COMMAND
+    }
+}
+
+}  // namespace twinlight::fixed

@@ -1,0 +1,200 @@
+// The lighting equation of GL 2.1, section 2.14.1 (GL 4.6 compatibility profile, section 12.2.1), written
+// once.
+//
+// Real may be float, double, long double or a batch of SIMD lanes: nothing below branches on a Real. Choices
+// between values go through select(mask, a, b); `if` and `?:` test only facts that hold for every lane (bool
+// members). All positions and directions are in eye coordinates.
+//
+// The specification's letters, and what they are called here:
+//
+//   V        Surface::position_eye            n        Surface::normal_eye
+//   e_cm     Material::emission               a_cs     Model::ambient
+//   a_cm     Material::ambient                a_cli    Light::ambient
+//   d_cm     Material::diffuse                d_cli    Light::diffuse
+//   s_cm     Material::specular               s_cli    Light::specular
+//   s_rm     Material::shininess              P_pli    Light::position_eye, position_w
+//   k_0i..2i Light::*_attenuation             s_dli    Light::spot_dir_eye
+//   c_rli    Light::cos_cutoff                s_rli    Light::spot_exponent
+//   v_bs     Model::local_viewer              c_es     Model::separate_specular
+//   P_e      the origin                       VP       the unit vector from V to P_pli: vp_dir
+//   att_i    attenuation()                    h_i      half_dir
+//   spot_i   spot()                           f_i      facing
+//
+// RULING (the specification leaves these open): no answer is ever NaN or infinite. A value is the limit of
+// the equation where there is one; otherwise the term contributes 0. unit_and_length() and representable()
+// see to it.
+#pragma once
+
+#include <span>
+
+#include "lighting/real.h"
+#include "math/vec3.h"
+
+namespace twinlight::lighting {
+
+template <class Real>
+struct Material {
+    Vec3<Real> emission, ambient, diffuse, specular;
+    Real diffuse_alpha{1};
+    Real shininess{0};
+};
+
+template <class Real>
+struct Light {
+    Vec3<Real> ambient, diffuse, specular;
+    Vec3<Real> position_eye{0, 0, 1};
+    Real position_w{0};
+    bool directional = true;            // position_w is 0
+    Vec3<Real> spot_dir_eye{0, 0, -1};  // unit(spot direction)
+    Real spot_exponent{0};
+    bool is_spot = false;  // the cutoff is not 180 degrees
+    Real cos_cutoff{-1};
+    Real constant_attenuation{1}, linear_attenuation{0}, quadratic_attenuation{0};
+
+    // Not GL: the lecture's cone, in the place of spot_i.
+    bool has_smooth_cone = false;
+    Real cos_inner{1}, cos_outer{1};
+};
+
+template <class Real>
+struct Model {
+    Vec3<Real> ambient;
+    bool local_viewer = false;
+    bool separate_specular = false;
+
+    // Not GL: the lecture's variants.
+    bool reflection = false;            // specular (r . v)^s, without f_i, in the place of f_i (n . h)^s
+    bool ambient_unattenuated = false;  // a_cm a_cli outside att_i and spot_i
+};
+
+template <class Real>
+struct Surface {
+    Vec3<Real> position_eye;  // V, divided by its w
+    Vec3<Real> normal_eye;    // n as it is: the equation does not normalise it
+};
+
+// What one light adds, term by term.
+template <class Real>
+struct LightTerms {
+    Real attenuation{1}, spot{1};
+    Real n_dot_vp{0};                       // n . VP
+    Real highlight{0};                      // f_i (n . h)^s
+    Vec3<Real> ambient, diffuse, specular;  // each whole, att_i and spot_i included
+};
+
+template <class Real>
+struct Lit {
+    Vec3<Real> primary;    // c_pri
+    Vec3<Real> secondary;  // c_sec; its alpha is 1
+    Real alpha{1};         // of c_pri
+    Vec3<Real> magnitude;  // the sum of the magnitudes of c_pri's terms: what an error is held against
+};
+
+// ---- The terms
+// --------------------------------------------------------------------------------------------------
+
+// VP and |VP|. P / w - V is written (P - w V) / w, so that w = 0 is no special case: a direction. A negative
+// w flips it.
+template <class Real>
+UnitAndLength<Real> toward_light(const Light<Real>& light, Vec3<Real> position_eye) {
+    if (light.directional) return {unit(light.position_eye), Limits<Real>::largest};
+    using std::abs;
+    const Real w = light.position_w;
+    const auto [dir, scaled_distance] = unit_and_length(light.position_eye - w * position_eye);
+    const Real distance = scaled_distance / abs(w);
+    return {dir * select(w < Real(0), Real(-1), Real(1)),
+            select(distance <= Limits<Real>::largest, distance, Limits<Real>::largest)};
+}
+
+// att_i. RULING: where the denominator is not positive, 0 (k = 0, 0, 0; a light with k_0 = 0 at the vertex).
+// Horner's form: k_2 d^2 itself may overflow where k_2 is 0.
+template <class Real>
+Real attenuation(const Light<Real>& light, Real d) {
+    if (light.directional) return Real(1);
+    const Real k0 = light.constant_attenuation, k1 = light.linear_attenuation,
+               k2 = light.quadratic_attenuation;
+    const Real denominator = k0 + d * (k1 + k2 * d);
+    return select(denominator > Real(0), representable(Real(1) / denominator), Real(0));
+}
+
+// The lecture's cone: clamp((cos t - cos outer) / (cos inner - cos outer), 0, 1).
+// RULING: equal cones (and an inner one that is wider) are a step that includes its border, as GL's cutoff.
+template <class Real>
+Real smooth_cone(const Light<Real>& light, Real cos_angle) {
+    const Real span = light.cos_inner - light.cos_outer;
+    const Real slope = clamp01((cos_angle - light.cos_outer) / select(span > Real(0), span, Real(1)));
+    return select(span > Real(0), slope, select(cos_angle >= light.cos_outer, Real(1), Real(0)));
+}
+
+// spot_i; of directional lights too. The comparison includes its border: what rounding can take from a cosine
+// of two unit vectors (some units in the last place) is given back.
+template <class Real>
+Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
+    if (!light.is_spot && !light.has_smooth_cone) return Real(1);
+    const Real cos_angle = dot(-vp_dir, light.spot_dir_eye);  // PV . s_dli
+    if (light.has_smooth_cone) return smooth_cone(light, cos_angle);
+    const Real border = light.cos_cutoff - Real(4) * Limits<Real>::epsilon;
+    const Real falloff = power(larger(cos_angle, Real(0)), light.spot_exponent);
+    return select(cos_angle >= border, falloff, Real(0));
+}
+
+// f_i (n . h_i)^s_rm; h_i lies between VP and VPe, which is (0, 0, 1) for the infinite viewer.
+// The lecture's variant (r . VPe)^s_rm reflects VP about n and has no f_i: a light behind the surface may
+// shine through.
+template <class Real>
+Real highlight(const Model<Real>& model, const Material<Real>& material, const Surface<Real>& surface,
+               Vec3<Real> vp_dir, Vec3<Real> vpe_dir) {
+    const Vec3<Real> n = surface.normal_eye;
+    if (model.reflection) {
+        const Vec3<Real> reflected = Real(2) * dot(n, vp_dir) * n - vp_dir;
+        return power(positive_dot(reflected, vpe_dir), material.shininess);
+    }
+    const Vec3<Real> half_dir = unit(vp_dir + vpe_dir);
+    const Real facing = select(positive_dot(n, vp_dir) > Real(0), Real(1), Real(0));
+    return facing * power(positive_dot(n, half_dir), material.shininess);
+}
+
+// The sum's i-th summand: att_i spot_i [ a_cm a_cli + (n . VP) d_cm d_cli + f_i (n . h_i)^s_rm s_cm s_cli ].
+template <class Real>
+LightTerms<Real> light_terms(const Model<Real>& model, const Material<Real>& material,
+                             const Surface<Real>& surface, const Light<Real>& light, Vec3<Real> vpe_dir) {
+    const auto [vp_dir, distance] = toward_light(light, surface.position_eye);
+    LightTerms<Real> t;
+    t.attenuation = attenuation(light, distance);
+    t.spot = spot(light, vp_dir);
+    t.n_dot_vp = positive_dot(surface.normal_eye, vp_dir);
+    t.highlight = highlight(model, material, surface, vp_dir, vpe_dir);
+
+    const Real reach = t.attenuation * t.spot;
+    const Real ambient_reach = model.ambient_unattenuated ? Real(1) : reach;
+    t.ambient = representable(ambient_reach * (material.ambient * light.ambient));
+    t.diffuse = representable(reach * (t.n_dot_vp * (material.diffuse * light.diffuse)));
+    t.specular = representable(reach * (t.highlight * (material.specular * light.specular)));
+    return t;
+}
+
+// c_pri and c_sec, before the clamp of 2.14.6. `breakdown`, where it is not null, takes one LightTerms a
+// light.
+template <class Real>
+Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material,
+                        const Surface<Real>& surface, std::span<const Light<Real>> lights,
+                        LightTerms<Real>* breakdown = nullptr) {
+    const Vec3<Real> vpe_dir = model.local_viewer ? unit(-surface.position_eye) : Vec3<Real>{0, 0, 1};
+    Lit<Real> lit;
+    lit.alpha = material.diffuse_alpha;
+    const Vec3<Real> scene_ambient = representable(material.ambient * model.ambient);
+    lit.primary = material.emission + scene_ambient;
+    lit.magnitude = magnitudes(material.emission) + magnitudes(scene_ambient);
+    for (const Light<Real>& light : lights) {
+        const LightTerms<Real> t = light_terms(model, material, surface, light, vpe_dir);
+        if (breakdown) *breakdown++ = t;
+        lit.primary += t.ambient + t.diffuse;
+        lit.magnitude += magnitudes(t.ambient) + magnitudes(t.diffuse);
+        (model.separate_specular ? lit.secondary : lit.primary) += t.specular;
+        if (!model.separate_specular) lit.magnitude += magnitudes(t.specular);
+    }
+    return {representable(lit.primary), representable(lit.secondary), lit.alpha,
+            representable(lit.magnitude)};
+}
+
+}  // namespace twinlight::lighting

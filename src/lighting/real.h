@@ -1,0 +1,115 @@
+// What an equation over any number type needs: choices without branches, and arithmetic that stays finite.
+//
+// Real may be float, double, long double or a batch of SIMD lanes; a batch type brings its own select(),
+// abs(), pow() and sqrt() by argument-dependent lookup, and specialises Limits.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "math/vec3.h"
+
+namespace twinlight::lighting {
+
+template <class Real>
+constexpr Real power_of_two(int exponent) {
+    Real result(1);
+    for (int i = 0; i < exponent; ++i) result *= 2;
+    return result;
+}
+
+// To be specialised for batches, whose std::numeric_limits say nothing.
+template <class Real>
+struct Limits {
+    static_assert(std::numeric_limits<Real>::is_specialized);
+    static constexpr Real largest = std::numeric_limits<Real>::max();
+    static constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+    // Between 1 / big and big, squares neither overflow nor lose digits; scale_up brings all that is smaller
+    // there.
+    static constexpr Real big = power_of_two<Real>(std::numeric_limits<Real>::max_exponent / 2 - 2);
+    static constexpr Real small = Real(1) / big;
+    static constexpr Real scale_up = power_of_two<Real>(std::numeric_limits<Real>::max_exponent / 4 * 3);
+    static constexpr Real scale_down = Real(1) / scale_up;
+};
+
+template <class Real>
+Real select(bool mask, Real a, Real b) {
+    return mask ? a : b;
+}
+
+template <class Real>
+Real larger(Real a, Real b) {
+    return select(a > b, a, b);
+}
+
+// a . b as 2.14.1 writes it: max(a . b, 0).
+template <class Real>
+Real positive_dot(Vec3<Real> a, Vec3<Real> b) {
+    return larger(dot(a, b), Real(0));
+}
+
+// 2.14.6.
+template <class Real>
+Real clamp01(Real x) {
+    return select(x > Real(0), select(x < Real(1), x, Real(1)), Real(0));
+}
+
+// RULING: what is NaN, or beyond the largest Real, contributes 0.
+template <class Real>
+Real representable(Real x) {
+    using std::abs;
+    return select(abs(x) <= Limits<Real>::largest, x, Real(0));
+}
+template <class Real>
+Vec3<Real> representable(Vec3<Real> c) {
+    return {representable(c.x), representable(c.y), representable(c.z)};
+}
+
+template <class Real>
+Vec3<Real> magnitudes(Vec3<Real> c) {
+    using std::abs;
+    return {abs(c.x), abs(c.y), abs(c.z)};
+}
+
+// 2.1.1: 0^0 = 1.
+template <class Real>
+Real power(Real base, Real exponent) {
+    using std::pow;
+    return select(exponent == Real(0), Real(1), pow(base, exponent));
+}
+
+// The cosine of an angle in degrees; exactly 0 at 90, which pi does not give.
+template <class Real>
+Real cos_deg(double angle_deg) {
+    return angle_deg == 90 ? Real(0) : Real(std::cos(angle_deg * std::numbers::pi / 180));
+}
+
+template <class Real>
+struct UnitAndLength {
+    Vec3<Real> dir;
+    Real length;
+};
+
+// hat(v) and |v|. RULING: the zero vector, and one with an infinite component, has the direction 0.
+// Vectors whose squares would overflow or underflow are scaled by a power of two first, which is exact.
+template <class Real>
+UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
+    using L = Limits<Real>;
+    const Vec3<Real> a = magnitudes(v);
+    const Real biggest = larger(larger(a.x, a.y), a.z);
+    const Real scale =
+        select(biggest > L::big, L::scale_down, select(biggest < L::small, L::scale_up, Real(1)));
+    const Vec3<Real> scaled = v * scale;
+    const Real scaled_length = length(scaled);
+    const Real divisor = select(scaled_length > Real(0), scaled_length, Real(1));
+    const Real full_length = scaled_length / scale;
+    return {representable(scaled / divisor), select(full_length <= L::largest, full_length, L::largest)};
+}
+
+template <class Real>
+Vec3<Real> unit(Vec3<Real> v) {
+    return unit_and_length(v).dir;
+}
+
+}  // namespace twinlight::lighting

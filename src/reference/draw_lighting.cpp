@@ -1,0 +1,104 @@
+#include "reference/draw_lighting.h"
+
+#include <glm/common.hpp>
+
+namespace twinlight::reference {
+
+namespace {
+
+Vec rgb(const glm::dvec4& color) { return vec3_cast<Vec>(color); }
+
+// Table 2.10's parameters of one light. Cosines and the spot's unit vector are taken here, once.
+lighting::Light<double> light_of(const LightSource& source, bool lecture_variants) {
+    lighting::Light<double> light;
+    light.ambient = rgb(source.ambient);
+    light.diffuse = rgb(source.diffuse);
+    light.specular = rgb(source.specular);
+    light.position_eye = vec3_cast<Vec>(source.position_eye);
+    light.position_w = source.position_eye.w;
+    light.directional = source.position_eye.w == 0;
+    light.spot_dir_eye = lighting::unit(vec3_cast<Vec>(source.spot_direction_eye));
+    light.spot_exponent = source.spot_exponent;
+    light.is_spot = source.spot_cutoff_deg != 180;
+    light.cos_cutoff = lighting::cos_deg<double>(source.spot_cutoff_deg);
+    light.constant_attenuation = source.constant_attenuation;
+    light.linear_attenuation = source.linear_attenuation;
+    light.quadratic_attenuation = source.quadratic_attenuation;
+    if (lecture_variants && source.smooth_cone) {
+        light.has_smooth_cone = true;
+        light.cos_inner = lighting::cos_deg<double>(source.smooth_cone->inner_deg);
+        light.cos_outer = lighting::cos_deg<double>(source.smooth_cone->outer_deg);
+    }
+    return light;
+}
+
+// V: the eye position divided by its w. RULING: what lies at infinity (w = 0, or a quotient that double
+// cannot hold) is lit as if it were very far away in that direction, which is the equation's limit.
+Vec divided_by_w(const glm::dvec4& position_eye) {
+    constexpr double kFar = 1e100;
+    const glm::dvec3 quotient = glm::dvec3(position_eye) / position_eye.w;
+    const glm::dvec3 size = glm::abs(quotient);
+    if (size.x <= kFar && size.y <= kFar && size.z <= kFar) return vec3_cast<Vec>(quotient);
+    const double sign = position_eye.w < 0 ? -1 : 1;
+    return lighting::unit(vec3_cast<Vec>(position_eye)) * (sign * kFar);
+}
+
+// 2.14.3: which properties of `face` follow the current colour.
+bool tracks(const ColorMaterial& color_material, Face face, Enum property) {
+    const Enum other_face = face == Face::kFront ? kGL_BACK : kGL_FRONT;
+    if (!color_material.enabled || color_material.face == other_face) return false;
+    if (color_material.mode == kGL_AMBIENT_AND_DIFFUSE)
+        return property == kGL_AMBIENT || property == kGL_DIFFUSE;
+    return color_material.mode == property;
+}
+
+}  // namespace
+
+DrawLighting::DrawLighting(const LightingState& state, bool lecture_variants)
+    : enabled_(state.enabled),
+      two_side_(state.light_model.two_side),
+      front_(state.front),
+      back_(state.back),
+      color_material_(state.color_material) {
+    model_.ambient = rgb(state.light_model.ambient);
+    model_.local_viewer = state.light_model.local_viewer;
+    model_.separate_specular = state.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+    model_.reflection = lecture_variants && state.light_model.specular == Word::reflection;
+    model_.ambient_unattenuated = lecture_variants && state.light_model.light_ambient == Word::unattenuated;
+    for (const LightSource& source : state.lights)
+        if (source.enabled) lights_.push_back(light_of(source, lecture_variants));
+}
+
+lighting::Material<double> DrawLighting::material(Face face, const glm::dvec4& color) const {
+    const Material& base = face == Face::kFront ? front_ : back_;
+    const auto value = [&](Enum property, const glm::dvec4& own) {
+        return tracks(color_material_, face, property) ? color : own;
+    };
+    const glm::dvec4 diffuse = value(kGL_DIFFUSE, base.diffuse);
+    return {.emission = rgb(value(kGL_EMISSION, base.emission)),
+            .ambient = rgb(value(kGL_AMBIENT, base.ambient)),
+            .diffuse = rgb(diffuse),
+            .specular = rgb(value(kGL_SPECULAR, base.specular)),
+            .diffuse_alpha = diffuse.a,
+            .shininess = base.shininess};
+}
+
+Colors DrawLighting::colors(const glm::dvec4& position_eye, const glm::dvec3& normal_eye,
+                            const glm::dvec4& color, Face face) const {
+    if (!enabled_) return {.primary = color, .magnitude = glm::abs(color)};
+    const Vec normal = vec3_cast<Vec>(normal_eye);
+    const lighting::Surface<double> surface{divided_by_w(position_eye),
+                                            face == Face::kFront ? normal : -normal};
+    const lighting::Lit<double> lit =
+        lighting::light_surface<double>(model_, material(face, color), surface, lights_);
+    return {.primary = glm::dvec4(vec3_cast<glm::dvec3>(lit.primary), lit.alpha),
+            .secondary = glm::dvec4(vec3_cast<glm::dvec3>(lit.secondary), 1),
+            .magnitude = glm::dvec4(vec3_cast<glm::dvec3>(lit.magnitude), std::abs(lit.alpha))};
+}
+
+glm::dvec4 clamped(const glm::dvec4& color) {
+    using lighting::clamp01;
+    return {clamp01(color.r), clamp01(color.g), clamp01(color.b), clamp01(color.a)};
+}
+
+}  // namespace twinlight::reference

@@ -1,0 +1,73 @@
+#include "reference/vertex_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "reference/draw_lighting.h"
+#include "reference/reference.h"
+
+namespace twinlight::reference {
+
+namespace {
+
+glm::dvec3 unit(const glm::dvec3& v) { return vec3_cast<glm::dvec3>(lighting::unit(vec3_cast<Vec>(v))); }
+
+// 2.11.3: 1 / sqrt(m31^2 + m32^2 + m33^2), m the inverse of the modelview matrix. Its third row is the third
+// column of the normal matrix.
+double rescale_factor(const glm::dmat3& normal_eye_from_object) {
+    const double row = lighting::unit_and_length(vec3_cast<Vec>(normal_eye_from_object[2])).length;
+    return row > 0 ? 1 / row : 0;
+}
+
+}  // namespace
+
+glm::dmat3 normal_matrix(const glm::dmat4& eye_from_object) {
+    // Scaled by its largest element, so that neither a scale of 1e-120 nor of 1e120 loses the determinant.
+    glm::dmat3 m(eye_from_object);
+    double largest = 0;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
+    if (!(largest > 0) || !std::isfinite(1 / largest)) return glm::dmat3(0);
+    m /= largest;
+    if (glm::determinant(m) == 0) return glm::dmat3(0);
+    return glm::transpose(glm::inverse(m)) / largest;
+}
+
+std::vector<StageVertex> vertex_stage(const Draw& draw) {
+    const glm::dmat3 normal_eye_from_object = normal_matrix(draw.eye_from_object);
+    const double rescale = draw.lighting.rescale_normal ? rescale_factor(normal_eye_from_object) : 1;
+    std::vector<StageVertex> result;
+    result.reserve(draw.vertices.size());
+    for (const Vertex& vertex : draw.vertices) {
+        StageVertex v;
+        v.position_eye = draw.eye_from_object * vertex.position_object;
+        v.position_clip = draw.clip_from_eye * v.position_eye;
+        v.normal_eye = normal_eye_from_object * vertex.normal_object;
+        v.normal_eye = draw.lighting.normalize ? unit(v.normal_eye) : v.normal_eye * rescale;
+        v.color = vertex.color;
+        result.push_back(v);
+    }
+    return result;
+}
+
+std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& options, bool clamp) {
+    const DrawLighting lighting(draw.lighting, options.lecture_variants);
+    const auto finish = [&](const glm::dvec4& color) { return clamp ? clamped(color) : color; };
+    std::vector<LitVertex> result;
+    for (const StageVertex& v : vertex_stage(draw)) {
+        const Colors front = lighting.colors(v.position_eye, v.normal_eye, v.color, Face::kFront);
+        const Colors back =
+            lighting.two_side() ? lighting.colors(v.position_eye, v.normal_eye, v.color, Face::kBack) : front;
+        result.push_back({.position_clip = v.position_clip,
+                          .front_primary = finish(front.primary),
+                          .front_secondary = finish(front.secondary),
+                          .back_primary = finish(back.primary),
+                          .back_secondary = finish(back.secondary),
+                          .front_magnitude = front.magnitude});
+    }
+    return result;
+}
+
+}  // namespace twinlight::reference

@@ -1,0 +1,224 @@
+// The state machine's frame: dispatch from the table of commands, errors, Begin and End, the Draws.
+// What the commands do stands in lights_and_materials.cpp, matrices.cpp and raster.cpp.
+#include "state/state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "command/text.h"
+#include "shape/shape.h"
+
+namespace twinlight {
+
+namespace {
+
+// What may stand between Begin and End (2.6.3), by effect.
+constexpr bool legal_inside(std::string_view effect) {
+    for (std::string_view legal : {"vertex", "normal", "color", "tex_coord", "material", "begin", "end"}) {
+        if (effect == legal) return true;  // begin and end say themselves what is wrong
+    }
+    return false;
+}
+
+}  // namespace
+
+State::State(const StateOptions& options) : options_(options) {
+    raster_.viewport = {0, 0, options.width, options.height};
+}
+
+void State::apply(const Command& command) {
+    struct Row {
+        void (State::*effect)(const Command&);
+        bool legal_inside;
+    };
+    static constexpr Row kRows[] = {
+#define GL_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
+#define SHAPE_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
+#define PRAGMA_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
+#include "command/commands.def"
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef PRAGMA_COMMAND
+    };
+    const Row& row = kRows[static_cast<std::size_t>(command.id)];
+    if (open_ && !row.legal_inside) {
+        return raise(kGL_INVALID_OPERATION, command,
+                     fmt::format("{} cannot stand between glBegin and glEnd; the glBegin is at {}", command.name(),
+                                 open_->place.str()));
+    }
+    // RULING: GL leaves NaN and infinity open (2.1.1); here they are refused, so that no later value is either.
+    if (std::any_of(command.arguments.begin(), command.arguments.end(), [](double v) { return !std::isfinite(v); })) {
+        return raise(kGL_INVALID_VALUE, command, fmt::format("{} is given a value that is not finite", command.name()));
+    }
+    (this->*row.effect)(command);
+}
+
+void State::raise(Enum code, const Command& command, std::string message) {
+    errors_.push_back({code, command.place, std::move(message)});
+}
+
+bool State::known(const Command& command, Enum value, std::initializer_list<Enum> allowed) {
+    if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return true;
+    std::vector<std::string> names;
+    for (Enum e : allowed) names.push_back(enum_name(e));
+    raise(kGL_INVALID_ENUM, command,
+          fmt::format("{} is given {}; expected {}", command.name(), enum_name(value), fmt::join(names, ", ")));
+    return false;
+}
+
+// ---- Begin, End and what stands between them (2.6, 2.7) ----
+
+void State::begin(const Command& c) {
+    if (open_) {
+        return raise(kGL_INVALID_OPERATION, c,
+                     fmt::format("glBegin inside glBegin; the first, at {}, has no glEnd yet", open_->place.str()));
+    }
+    if (c.enumerant(0) > kGL_POLYGON) {
+        return raise(kGL_INVALID_ENUM, c,
+                     fmt::format("glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
+                                 enum_name(c.enumerant(0))));
+    }
+    open_ = new_draw(c.enumerant(0), c.place);
+}
+
+void State::end(const Command& c) {
+    if (!open_) return raise(kGL_INVALID_OPERATION, c, "glEnd without a glBegin");
+    if (!open_->vertices.empty()) items_.emplace_back(std::move(*open_));
+    open_.reset();
+}
+
+void State::vertex(const Command& c) {
+    if (!open_) return;  // 2.7: undefined outside Begin and End, no error; here it does nothing, as in the driver
+    current_.position_object = {0, 0, 0, 1};
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+        current_.position_object[static_cast<int>(i)] = c.number(i);
+    }
+    open_->vertices.push_back(current_);
+}
+
+void State::normal(const Command& c) {
+    const Kind kind = c.sig().parameters[0].kind;
+    for (int i = 0; i < 3; ++i) current_.normal_object[i] = to_real(c.number(static_cast<std::size_t>(i)), kind);
+}
+
+void State::color(const Command& c) {
+    const Kind kind = c.sig().parameters[0].kind;
+    current_.color.a = 1;
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+        current_.color[static_cast<int>(i)] = to_real(c.number(i), kind);
+    }
+    track_color();
+}
+
+void State::tex_coord(const Command&) {}  // accepted; without a texture it changes no pixel
+
+// Table 2.9: how integers stand for colours and normals.
+double State::to_real(double c, Kind kind) const {
+    const auto from_signed = [this, c](int bits) {
+        const double largest = std::exp2(bits - 1) - 1;
+        return options_.signed_rule == SignedRule::kGl21 ? (2 * c + 1) / (std::exp2(bits) - 1)
+                                                         : std::max(c / largest, -1.0);
+    };
+    switch (kind) {
+        case Kind::kByte: return from_signed(8);
+        case Kind::kShort: return from_signed(16);
+        case Kind::kInt:
+        case Kind::kSizei: return from_signed(32);
+        case Kind::kUbyte:
+        case Kind::kBoolean: return c / 255;
+        case Kind::kUshort: return c / 65535;
+        case Kind::kUint:
+        case Kind::kEnum:
+        case Kind::kBitfield:
+        case Kind::kWord: return c / 4294967295.0;
+        case Kind::kFloat:
+        case Kind::kDouble: return c;
+    }
+    return c;
+}
+
+// ---- Draws ----
+
+Draw State::new_draw(Enum mode, const Place& place) {
+    Draw draw;
+    draw.mode = mode;
+    draw.lighting = lighting_;
+    draw.raster = raster_;
+    draw.eye_from_object = modelview();
+    draw.clip_from_eye = projection();
+    draw.place = place;
+    for (const auto& [cap, where] : enabled_elsewhere_) {
+        note_unsupported(fmt::format("glEnable({})", enum_name(cap)), where, {"programmable", "reference"});
+    }
+    return draw;
+}
+
+void State::shape(const Command& c) {
+    std::vector<ShapePart> parts;
+    try {
+        parts = shape_parts(c);
+    } catch (const std::invalid_argument& error) {
+        return raise(kGL_INVALID_VALUE, c, error.what());
+    }
+    for (ShapePart& part : parts) {
+        Draw draw = new_draw(part.mode, c.place);
+        draw.vertices.reserve(part.vertices.size());
+        for (const ShapeVertex& v : part.vertices) {
+            draw.vertices.push_back({glm::dvec4(v.position_object, 1), v.normal_object, current_.color});
+        }
+        draw.indices = std::move(part.indices);
+        items_.emplace_back(std::move(draw));
+    }
+}
+
+void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {
+    const auto found = std::find_if(unsupported_.begin(), unsupported_.end(),
+                                    [&](const Unsupported& u) { return u.name == name; });
+    if (found != unsupported_.end()) {
+        ++found->count;
+    } else {
+        unsupported_.push_back({name, 1, place, std::move(renderers)});
+    }
+}
+
+std::optional<GlError> State::unfinished() const {
+    if (open_) return GlError{kGL_INVALID_OPERATION, open_->place, "this glBegin has no glEnd"};
+    for (const MatrixStack* s : {&modelview_, &projection_, &texture_}) {
+        if (s->size() > 1) return GlError{kGL_STACK_OVERFLOW, s->back().pushed, "this glPushMatrix has no glPopMatrix"};
+    }
+    return std::nullopt;
+}
+
+Frame State::take_frame(std::shared_ptr<const CommandList> commands) {
+    Frame frame{options_.width, options_.height, std::move(items_), std::move(unsupported_), std::move(commands)};
+    items_.clear();
+    unsupported_.clear();
+    return frame;
+}
+
+Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& options) {
+    State state(options);
+    const auto refuse = [](const GlError& error) {
+        throw SceneError(fmt::format("{}: {} ({})", error.place.str(), error.message, enum_name(error.code)));
+    };
+    for (const Command& command : scene->commands) {
+        state.apply(command);
+        if (!state.errors().empty()) refuse(state.errors().front());
+    }
+    if (const auto error = state.unfinished()) {
+        throw SceneError(fmt::format("{}: {}", error->place.str(), error->message));
+    }
+    Frame frame = state.take_frame(scene);
+    const bool draws = std::any_of(frame.items.begin(), frame.items.end(),
+                                   [](const auto& item) { return std::holds_alternative<Draw>(item); });
+    if (!draws) {
+        throw SceneError(fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
+                                     scene->name));
+    }
+    return frame;
+}
+
+}  // namespace twinlight
