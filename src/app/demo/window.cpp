@@ -120,6 +120,15 @@ void draw_text(const std::string& text, int x, int y_top) {
     }
 }
 
+// So that the keys can be read before a bright picture too. Needs GL's initial matrices.
+void dim_picture() {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glColor4f(0, 0, 0, 0.65F);
+    glRecti(-1, -1, 1, 1);
+    glDisable(GL_BLEND);
+}
+
 int Window::run() {
     int argument_count = 1;
     char program[] = "twinlight-demo";
@@ -206,7 +215,7 @@ void Window::draw_picture() {
         const Image programmable = render(Renderer::kProgrammable);
         const PixelMask no_edges(fixed.pixels.size());
         amplification_ = amplification_for(difference(fixed, programmable, no_edges).interior.max);
-        fixed::reset_state(width_, height_);
+        const fixed::InitialState initial(width_, height_);
         draw_image(difference_picture(fixed, programmable, amplification_), 0, picture_.height);
     } else if (controls_.renderer == Renderer::kFixed) {
         fixed::draw(frame_, {});
@@ -226,7 +235,7 @@ Image Window::render(Renderer renderer) {
 void Window::place_picture() {
     if (picture_.width == width_ && picture_.height == height_) return;
     const Image image = read_pixels(picture_.width, picture_.height);
-    fixed::reset_state(width_, height_);
+    const fixed::InitialState initial(width_, height_);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     draw_image(image, picture_.x, picture_.y + picture_.height);
@@ -234,8 +243,11 @@ void Window::place_picture() {
 
 void Window::draw_overlays() {
     glUseProgram(0);
-    fixed::reset_state(width_, height_);
-    if (controls_.keys_shown) draw_text(keys_help(), kMargin, height_ - kMargin);
+    const fixed::InitialState initial(width_, height_);
+    if (controls_.keys_shown) {
+        dim_picture();
+        draw_text(keys_help(), kMargin, height_ - kMargin);
+    }
     if (controls_.status_shown) {
         std::string line = summary(scene_->name, controls_, frame_);
         if (controls_.difference) line += " - times " + std::to_string(amplification_);
