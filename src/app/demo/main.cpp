@@ -1,8 +1,6 @@
 // twinlight-demo [SCENE]: the options, the scene, the window.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <iostream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -10,8 +8,7 @@
 #include "app/demo/controls.h"
 #include "app/demo/window.h"
 #include "command/text.h"
-#include "image/file.h"
-#include "scenes/scenes.h"
+#include "scenes/load.h"
 
 namespace {
 
@@ -19,24 +16,6 @@ using namespace twinlight;
 
 constexpr int kBadInput = 2;
 constexpr int kMaxSize = 8192;  // what every driver's viewport can hold
-
-// A built-in scene's name, a file, or - for standard input.
-CommandList load_scene(const std::string& scene) {
-    if (scene == "-") {
-        std::string text;
-        char piece[1 << 16];
-        while (text.size() <= kMaxSceneBytes && std::cin.read(piece, sizeof piece).gcount() > 0) {
-            text.append(piece, static_cast<std::size_t>(std::cin.gcount()));
-        }
-        return read_scene(text, "standard input", "standard input");
-    }
-    for (const EmbeddedFile& file : kSceneFiles) {
-        if (file.name == scene + ".gl") return read_scene(file.text, std::string(file.name), scene);
-    }
-    const std::size_t slash = scene.rfind('/');
-    return read_scene(read_file(scene, kMaxSceneBytes + 1), scene,
-                      slash == std::string::npos ? scene : scene.substr(slash + 1));
-}
 
 bool read_size(const std::string& text, demo::WindowOptions& options) {
     int end = 0;
@@ -57,7 +36,7 @@ int run(int argc, char** argv) {
     app.add_option("SCENE", scene, "a built-in scene's name, a .gl file, or - for standard input")
         ->capture_default_str();
     app.add_option("--with", options.renderer, "the renderer to start with: fixed or programmable")
-        ->transform(CLI::Transformer(std::map<std::string, demo::Renderer>{
+        ->transform(CLI::CheckedTransformer(std::map<std::string, demo::Renderer>{
             {"fixed", demo::Renderer::kFixed}, {"programmable", demo::Renderer::kProgrammable}}))
         ->option_text("RENDERER");
     app.add_option("--size", size, "of the picture, in pixels")->option_text("WxH")->capture_default_str();
@@ -88,8 +67,10 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         return run(argc, argv);
-    } catch (const std::exception& e) {  // SceneError, FileError: one line each
+    } catch (const SceneError& e) {  // begins with the place
         std::fprintf(stderr, "%s\n", e.what());
-        return kBadInput;
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "twinlight-demo: %s\n", e.what());
     }
+    return kBadInput;
 }

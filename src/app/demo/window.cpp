@@ -209,7 +209,6 @@ void Window::display() {
 }
 
 void Window::draw_picture() {
-    glUseProgram(0);
     if (controls_.difference) {
         const Image fixed = render(Renderer::kFixed);
         const Image programmable = render(Renderer::kProgrammable);
@@ -242,7 +241,6 @@ void Window::place_picture() {
 }
 
 void Window::draw_overlays() {
-    glUseProgram(0);
     const fixed::InitialState initial(width_, height_);
     if (controls_.keys_shown) {
         dim_picture();
