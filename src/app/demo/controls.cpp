@@ -123,28 +123,30 @@ void zoom(Controls& controls, int steps) {
     controls.view.zoom = std::clamp(std::pow(kZoomPerStep, step), 1 / kMostZoom, kMostZoom);
 }
 
-std::string summary(const std::string& scene, const Controls& controls, const Frame& frame) {
+std::string summary(const std::string& scene, const Controls& controls, const Frame& frame,
+                    int amplification) {
     std::set<std::string> shade_models;
-    std::array<bool, kMaxLights> on{};
+    std::set<std::size_t> lights_on;
     for (const Draw* draw : draws(frame)) {
         shade_models.insert(draw->lighting.shade_model == kGL_FLAT ? "GL_FLAT" : "GL_SMOOTH");
-        for (std::size_t i = 0; i < on.size(); ++i) {
-            on[i] = on[i] || (draw->lighting.enabled && draw->lighting.lights[i].enabled);
+        for (std::size_t i = 0; i < kMaxLights; ++i) {
+            if (draw->lighting.enabled && draw->lighting.lights[i].enabled) lights_on.insert(i);
         }
     }
 
     std::string text = scene + " - ";
-    text += controls.difference                     ? "|fixed - programmable|"
-            : controls.renderer == Renderer::kFixed ? "fixed"
-                                                    : "programmable";
+    if (controls.difference) {
+        text += "|fixed - programmable| times " + std::to_string(amplification);
+    } else {
+        text += controls.renderer == Renderer::kFixed ? "fixed" : "programmable";
+    }
     text += " -";
     for (const std::string& name : shade_models) text += " " + name;
-    if (controls.view.wireframe) text += " - wireframe";
-    text += " -";
-    for (std::size_t i = 0; i < on.size(); ++i) {
-        if (on[i]) text += " GL_LIGHT" + std::to_string(i);
+    if (controls.view.wireframe) text += " wireframe";
+    text += lights_on.empty() ? " - no light" : " - GL_LIGHT";
+    for (const std::size_t light : lights_on) {
+        text += (light == *lights_on.begin() ? "" : " ") + std::to_string(light);
     }
-    if (std::none_of(on.begin(), on.end(), [](bool light) { return light; })) text += " no light";
     return text;
 }
 

@@ -1,7 +1,6 @@
 // twinlight-demo [SCENE]: the options, the scene, the window.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -35,9 +34,15 @@ int run(int argc, char** argv) {
     demo::WindowOptions options;
     app.add_option("SCENE", scene, "a built-in scene's name, a .gl file, or - for standard input")
         ->capture_default_str();
-    app.add_option("--with", options.renderer, "the renderer to start with: fixed or programmable")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, demo::Renderer>{
-            {"fixed", demo::Renderer::kFixed}, {"programmable", demo::Renderer::kProgrammable}}))
+    app.add_option_function<std::string>(
+           "--with",
+           [&](const std::string& name) {
+               if (name != "fixed" && name != "programmable") {
+                   throw CLI::ValidationError("--with", "'" + name + "' is not one of fixed, programmable");
+               }
+               options.renderer = name == "fixed" ? demo::Renderer::kFixed : demo::Renderer::kProgrammable;
+           },
+           "the renderer to start with: fixed or programmable")
         ->option_text("RENDERER");
     app.add_option("--size", size, "of the picture, in pixels")->option_text("WxH")->capture_default_str();
     app.add_option("--keys", options.keys, "press these keys at the start")->option_text("STRING");
@@ -51,11 +56,11 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
         if (!read_size(size, options)) {
             throw CLI::ValidationError("--size",
-                                       "must be WIDTHxHEIGHT in pixels, such as 640x480; it is " + size);
+                                       "'" + size + "' is not a size; it must be WxH, such as 640x480");
         }
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
-        std::fprintf(stderr, "twinlight-demo: %s (--help lists the options)\n", e.what());
+        std::fprintf(stderr, "twinlight-demo: %s; see 'twinlight-demo --help'\n", e.what());
         return kBadInput;
     }
 

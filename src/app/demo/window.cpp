@@ -34,6 +34,10 @@ static_assert(GLUT_KEY_F1 == 1 && GLUT_KEY_LEFT == 100 && GLUT_KEY_UP == 101 && 
 constexpr int kWheelUp = 3, kWheelDown = 4;   // how freeglut reports the wheel as buttons
 constexpr int kLineHeight = 15, kMargin = 6;  // of the overlays, in pixels; the font is 8 by 13
 
+// The two renderers are to be held against each other, so both follow GL's own model, without the lecture's
+// variants.
+constexpr RenderOptions kOptions = {.shading = {}, .lecture_variants = false};
+
 class Window {
   public:
     Window(std::shared_ptr<const CommandList> scene, const WindowOptions& options)
@@ -82,6 +86,7 @@ class Window {
     Frame frame_;  // made from the scene under framed_view_
     std::unique_ptr<programmable::Renderer> programmable_;
     int amplification_ = 1;  // of the difference shown
+    std::string summary_;    // of what is shown
     int frames_shown_ = 0;
     bool dragging_ = false;
     int mouse_x_ = 0, mouse_y_ = 0;
@@ -188,6 +193,8 @@ void Window::remake_frame() {
 void Window::display() {
     remake_frame();
     draw_picture();
+    summary_ = summary(scene_->name, controls_, frame_, amplification_);
+    glutSetWindowTitle((summary_ + " - twinlight").c_str());
     ++frames_shown_;
     const bool last = options_.quit_after > 0 && frames_shown_ >= options_.quit_after;
     if (controls_.save_asked || (last && !options_.screenshot.empty())) {
@@ -200,7 +207,6 @@ void Window::display() {
     draw_overlays();
     glutSwapBuffers();
 
-    glutSetWindowTitle((summary(scene_->name, controls_, frame_) + " - twinlight").c_str());
     if (last) {
         quit();
     } else if (options_.quit_after > 0) {
@@ -217,17 +223,17 @@ void Window::draw_picture() {
         const fixed::InitialState initial(width_, height_);
         draw_image(difference_picture(fixed, programmable, amplification_), 0, picture_.height);
     } else if (controls_.renderer == Renderer::kFixed) {
-        fixed::draw(frame_, {});
+        fixed::draw(frame_, kOptions);
     } else {
         if (!programmable_) programmable_ = std::make_unique<programmable::Renderer>();
-        programmable_->draw(frame_, {});
+        programmable_->draw(frame_, kOptions);
     }
 }
 
 Image Window::render(Renderer renderer) {
-    if (renderer == Renderer::kFixed) return fixed::render(frame_, {});
+    if (renderer == Renderer::kFixed) return fixed::render(frame_, kOptions);
     if (!programmable_) programmable_ = std::make_unique<programmable::Renderer>();
-    return programmable_->render(frame_, {});
+    return programmable_->render(frame_, kOptions);
 }
 
 // From the lower left corner to the middle, between black bars.
@@ -247,9 +253,7 @@ void Window::draw_overlays() {
         draw_text(keys_help(), kMargin, height_ - kMargin);
     }
     if (controls_.status_shown) {
-        std::string line = summary(scene_->name, controls_, frame_);
-        if (controls_.difference) line += " - times " + std::to_string(amplification_);
-        draw_text(line + " - F1: keys", kMargin, kMargin + kLineHeight);
+        draw_text(summary_ + " - F1: keys", kMargin, kMargin + kLineHeight);
     }
 }
 
