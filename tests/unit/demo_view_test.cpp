@@ -316,6 +316,15 @@ TEST(DemoSummary, NamesSceneRendererShadingAndLights) {
               "lab - |fixed - programmable| times 64 - GL_SMOOTH wireframe - GL_LIGHT1 4");
 }
 
+TEST(DemoSummary, SaysWhichPictureIsPartial) {
+    Frame frame = frame_of(scene(kPoint));
+    frame.unsupported = {{"glEnable(GL_FOG)", 1, {}, {"programmable", "reference"}}};
+    Controls controls;
+    EXPECT_EQ(summary("fog", controls, frame), "fog - fixed - GL_SMOOTH - no light");
+    press(controls, '\t');
+    EXPECT_EQ(summary("fog", controls, frame), "fog - programmable (partial) - GL_SMOOTH - no light");
+}
+
 TEST(DemoFit, KeepsTheProportionsAndTheMiddle) {
     const auto expect = [](Viewport actual, Viewport expected) {
         EXPECT_EQ(actual.x, expected.x);

@@ -22,6 +22,8 @@
 #include "image/file.h"
 #include "image/png.h"
 #include "programmable/programmable.h"
+#include "scenes/load.h"
+#include "scenes/scenes.h"
 #include "state/state.h"
 #include "xvfb.h"
 
@@ -84,6 +86,9 @@ std::filesystem::path kept_folder() {
     return kept;
 }
 
+// For a sanitized program: what the driver and GLX leak is not ours.
+constexpr const char* kSanitizer = "detect_leaks=0";
+
 struct Ran {
     int status = -1;
     std::string output;  // stdout and stderr
@@ -91,7 +96,8 @@ struct Ran {
 
 Ran run(const std::string& command) {
     Ran ran;
-    FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+    FILE* pipe = ::popen(
+        ("{ export ASAN_OPTIONS=" + std::string(kSanitizer) + "; " + command + "; } 2>&1").c_str(), "r");
     if (pipe == nullptr) return ran;
     char piece[4096];
     while (const std::size_t n = std::fread(piece, 1, sizeof piece, pipe)) ran.output.append(piece, n);
@@ -118,7 +124,8 @@ class RunningDemo {
         if (pid_ != 0) return;
         ::prctl(PR_SET_PDEATHSIG, SIGTERM);
         ::setenv("DISPLAY", display.c_str(), 1);
-        ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+        ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // Xvfb has no GPU; the host may
+        ::setenv("ASAN_OPTIONS", kSanitizer, 1);
         const std::string path = program();
         std::vector<char*> arguments{const_cast<char*>(path.c_str())};
         for (const std::string& option : options) arguments.push_back(const_cast<char*>(option.c_str()));
@@ -166,7 +173,7 @@ class DemoWindow : public testing::Test {
     }
 
     std::string on_display(const std::string& command) {
-        return "DISPLAY=" + server_->display() + " LIBGL_ALWAYS_SOFTWARE=1 " + command;
+        return "LIBGL_ALWAYS_SOFTWARE=1 DISPLAY=" + server_->display() + " " + command;
     }
     Ran xdotool(const std::string& commands) { return run(on_display("xdotool " + commands)); }
 
@@ -242,6 +249,22 @@ TEST_F(DemoWindow, WritesTheScreenshotOfAScript) {
         controls.renderer = script.renderer;
         for (const char key : script.keys) press(controls, key);
         expect_as_on_osmesa(picture(), controls, script.width, script.height);
+    }
+}
+
+TEST_F(DemoWindow, DrawsTheBuiltInScenesWithBothRenderers) {
+    for (const EmbeddedFile& file : kSceneFiles) {
+        const std::string name(file.name.substr(0, file.name.rfind(".gl")));
+        scene_ = load_scene(name);
+        for (const std::string renderer : {"fixed", "programmable"}) {
+            SCOPED_TRACE(name + " " + renderer);
+            const Ran ran = run(on_display(program() + " " + name + " --with " + renderer +
+                                           " --quit-after 1 --screenshot " + picture_file_));
+            ASSERT_EQ(ran.status, 0) << ran.output;
+            Controls controls = make_controls(expected_frame({}));
+            controls.renderer = renderer == "fixed" ? Renderer::kFixed : Renderer::kProgrammable;
+            expect_as_on_osmesa(picture(), controls);
+        }
     }
 }
 
@@ -349,6 +372,10 @@ TEST_F(DemoWindow, RefusesBadInputInOneLine) {
     write_file_atomically(bad_file, "glBegin(GL_POINTS);\nglVertex2i(0, 0);\n");
     expect_refusal(run(on_display(program() + " " + bad_file)), "bad.gl:");
     expect_refusal(run(on_display(program() + " " + (folder() / "none.gl").string())), "none.gl");
+    expect_refusal(run(on_display(program() + " bicycle")), "bicycle: ");
+    const std::string nowhere = (folder() / "none" / "picture.png").string();
+    expect_refusal(run(on_display(program() + " " + scene_file_ + " --quit-after 1 --screenshot " + nowhere)),
+                   nowhere);
     expect_refusal(run(program() + " --size 0x5"), "--size");
     expect_refusal(run(program() + " --with reference"), "--with");
     expect_refusal(run(program() + " --quit-after 0"), "--quit-after");

@@ -77,6 +77,15 @@ std::vector<const Draw*> draws(const Frame& frame) {
     return found;
 }
 
+// A picture is never silently partial.
+bool is_partial(const Controls& controls, const Frame& frame) {
+    const std::string shown =
+        controls.renderer == Renderer::kFixed && !controls.difference ? "fixed" : "programmable";
+    return std::ranges::any_of(frame.unsupported, [&](const Unsupported& item) {
+        return std::ranges::find(item.renderers, shown) != item.renderers.end();
+    });
+}
+
 }  // namespace
 
 Controls make_controls(const Frame& frame) {
@@ -140,6 +149,7 @@ std::string summary(const std::string& scene, const Controls& controls, const Fr
     } else {
         text += controls.renderer == Renderer::kFixed ? "fixed" : "programmable";
     }
+    if (is_partial(controls, frame)) text += " (partial)";
     text += " -";
     for (const std::string& name : shade_models) text += " " + name;
     if (controls.view.wireframe) text += " wireframe";

@@ -17,8 +17,10 @@
 #include "context/gl.h"
 #include "fixed/fixed.h"
 #include "image/difference.h"
+#include "image/file.h"
 #include "image/png.h"
 #include "programmable/programmable.h"
+#include "report/words.h"
 #include "state/state.h"
 
 // freeglut's headers come after context/gl.h, which declares GL.
@@ -38,6 +40,16 @@ constexpr int kLineHeight = 15, kMargin = 6;  // of the overlays, in pixels; the
 // variants.
 constexpr RenderOptions kOptions = {.shading = {}, .lecture_variants = false};
 
+// The title says "(partial)" of a picture; which commands it lacks stands on the terminal.
+void tell_unsupported(const Frame& frame) {
+    for (Unsupported item : frame.unsupported) {
+        const auto is_reference = [](const std::string& renderer) { return renderer == "reference"; };
+        std::erase_if(item.renderers, is_reference);  // which the window does not show
+        if (item.renderers.empty()) continue;
+        std::fprintf(stderr, "twinlight-demo: note: %s\n", report::sentence_of(item).c_str());
+    }
+}
+
 class Window {
   public:
     Window(std::shared_ptr<const CommandList> scene, const WindowOptions& options)
@@ -45,6 +57,7 @@ class Window {
         remake_frame();  // a bad scene is told before a window opens
         controls_ = make_controls(frame_);
         controls_.renderer = options.renderer;
+        tell_unsupported(frame_);
     }
 
     int run();
@@ -58,6 +71,7 @@ class Window {
 
     void act();  // on what the controls ask for
     void quit();
+    void save();
     void remake_frame();
     void draw_picture();
     void place_picture();
@@ -198,10 +212,7 @@ void Window::display() {
     ++frames_shown_;
     const bool last = options_.quit_after > 0 && frames_shown_ >= options_.quit_after;
     if (controls_.save_asked || (last && !options_.screenshot.empty())) {
-        const std::string file = options_.screenshot.empty() ? "twinlight-demo.png" : options_.screenshot;
-        write_png(file, read_pixels(picture_.width, picture_.height));
-        std::fprintf(stderr, "wrote %s, %d x %d\n", file.c_str(), picture_.width, picture_.height);
-        controls_.save_asked = false;
+        save();
     }
     place_picture();
     draw_overlays();
@@ -211,6 +222,19 @@ void Window::display() {
         quit();
     } else if (options_.quit_after > 0) {
         glutPostRedisplay();
+    }
+}
+
+// A file that cannot be written is told; whoever sits before the window goes on.
+void Window::save() {
+    controls_.save_asked = false;
+    const std::string file = options_.screenshot.empty() ? "twinlight-demo.png" : options_.screenshot;
+    try {
+        write_png(file, read_pixels(picture_.width, picture_.height));
+        std::fprintf(stderr, "wrote %s, %d x %d\n", file.c_str(), picture_.width, picture_.height);
+    } catch (const FileError& e) {
+        std::fprintf(stderr, "twinlight-demo: %s\n", e.what());
+        status_ = 2;
     }
 }
 
