@@ -28,6 +28,7 @@ struct Material {  // 2.14.2, table 2.10
     glm::dvec4 specular{0, 0, 0, 1};
     glm::dvec4 emission{0, 0, 0, 1};
     double shininess = 0;
+    glm::dvec3 color_indexes{0, 1, 1};  // of color index mode: changes nothing here
 };
 
 struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and specular (LightingState sets it)

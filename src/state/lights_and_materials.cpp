@@ -120,6 +120,7 @@ void State::material(const Command& c) {
         if (!covers(face, one_face)) continue;
         Material& material = one_face == kGL_FRONT ? lighting_.front : lighting_.back;
         if (pname == kGL_SHININESS) material.shininess = values->front();
+        if (pname == kGL_COLOR_INDEXES) material.color_indexes = {(*values)[0], (*values)[1], (*values)[2]};
         for (Enum property : properties(pname)) {
             // 2.14.3: what tracks the current colour is not changed by glMaterial.
             glm::dvec4* color = color_of(material, property);
@@ -203,6 +204,9 @@ std::vector<double> State::get_material(Enum face, Enum pname) const {
     if (face != kGL_FRONT && face != kGL_BACK) return {};
     Material material = face == kGL_FRONT ? lighting_.front : lighting_.back;
     if (pname == kGL_SHININESS) return {material.shininess};
+    if (pname == kGL_COLOR_INDEXES) {
+        return {material.color_indexes.x, material.color_indexes.y, material.color_indexes.z};
+    }
     const glm::dvec4* color = color_of(material, pname);
     return color ? std::vector<double>{color->r, color->g, color->b, color->a} : std::vector<double>{};
 }

@@ -18,7 +18,9 @@ constexpr std::size_t kModelviewStackDepth = 32;
 constexpr std::size_t kProjectionStackDepth = 32;
 constexpr std::size_t kTextureStackDepth = 10;
 
-constexpr int kMaxViewportSize = 16384;
+// What drivers clamp a viewport to: GL_MAX_VIEWPORT_DIMS and GL_VIEWPORT_BOUNDS_RANGE (GL 4.1, section 2.14.1), Mesa's.
+constexpr double kMaxViewportSize = 16384;
+constexpr double kMinViewportPosition = -32768, kMaxViewportPosition = 32767;
 
 double radians(double degrees) { return degrees * (M_PI / 180); }
 
@@ -154,9 +156,11 @@ void State::viewport(const Command& c) {
     if (width < 0 || height < 0) {
         return raise(kGL_INVALID_VALUE, c, fmt::format("glViewport is given the size {} x {}", width, height));
     }
-    raster_.viewport = {static_cast<int>(c.number(0)), static_cast<int>(c.number(1)),
-                        static_cast<int>(std::min<double>(width, kMaxViewportSize)),
-                        static_cast<int>(std::min<double>(height, kMaxViewportSize))};
+    const auto position = [](double v) {
+        return static_cast<int>(std::clamp(v, kMinViewportPosition, kMaxViewportPosition));
+    };
+    const auto size = [](double v) { return static_cast<int>(std::min(v, kMaxViewportSize)); };
+    raster_.viewport = {position(c.number(0)), position(c.number(1)), size(width), size(height)};
 }
 
 }  // namespace twinlight
