@@ -1,0 +1,196 @@
+#include "reference/piece.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace twinlight::reference {
+
+namespace {
+
+// 2.11.1. The depth range is [0, 1].
+glm::dvec3 window_from_ndc(const Viewport& viewport, const glm::dvec3& ndc) {
+    return {(ndc.x + 1) * 0.5 * viewport.width + viewport.x, (ndc.y + 1) * 0.5 * viewport.height + viewport.y,
+            (ndc.z + 1) * 0.5};
+}
+
+WindowVertex window_vertex(const Viewport& viewport, const ClipVertex& v) {
+    return {window_from_ndc(viewport, glm::dvec3(v.position_clip) / v.position_clip.w),
+            v.weights / v.position_clip.w};
+}
+
+// Twice the signed area in window coordinates, positive when counter-clockwise (2.14.1, equation 2.6).
+double doubled_area(const std::vector<Corner>& corners) {
+    double sum = 0;
+    const glm::dvec2 origin = corners[0].position_window;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec2 a = corners[i].position_window - origin;
+        const glm::dvec2 b = corners[(i + 1) % corners.size()].position_window - origin;
+        sum += a.x * b.y - a.y * b.x;
+    }
+    return sum;
+}
+
+// A counter-clockwise polygon from a clockwise one: each edge keeps its origin.
+void reverse(std::vector<Corner>& corners) {
+    std::reverse(corners.begin(), corners.end());
+    const EdgeOrigin first = corners[0].edge_to_next;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+        corners[i].edge_to_next = corners[i + 1].edge_to_next;
+    corners.back().edge_to_next = first;
+}
+
+// With the columns of M the (x, y, w) of three clip positions, a point of weights b has M b = w (x_ndc,
+// y_ndc, 1): so b / w = M^-1 (x_ndc, y_ndc, 1), linear in the window, whichever part of the triangle clipping
+// leaves (Olano and Greer, "Triangle scan conversion using 2D homogeneous coordinates", 1997). False if the
+// triangle is seen edge on.
+bool set_planes(Piece& piece, const Viewport& viewport, const std::array<glm::dvec4, 3>& clip) {
+    glm::dmat3 m;
+    for (int i = 0; i < 3; ++i) m[i] = {clip[i].x, clip[i].y, clip[i].w};
+    if (glm::determinant(m) == 0) return false;
+    const glm::dmat3 weights_from_ndc = glm::inverse(m);
+    // ndc = scale * window + offset
+    const glm::dvec2 scale(2.0 / viewport.width, 2.0 / viewport.height);
+    const glm::dvec2 offset = -glm::dvec2(viewport.x, viewport.y) * scale - 1.0;
+    glm::dvec3 z_over_w(0);
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 row(weights_from_ndc[0][i], weights_from_ndc[1][i], weights_from_ndc[2][i]);
+        const glm::dvec3 plane(row.x * scale.x, row.y * scale.y, row.z + row.x * offset.x + row.y * offset.y);
+        piece.weight_over_w_planes[i] = plane;
+        z_over_w += clip[i].z * plane;
+    }
+    piece.depth_plane = 0.5 * z_over_w + glm::dvec3(0, 0, 0.5);
+    return true;
+}
+
+double on_plane(const glm::dvec3& plane, const glm::dvec2& position_window) {
+    return plane.x * position_window.x + plane.y * position_window.y + plane.z;
+}
+
+// How far along the line the nearest place to `position_window` is, along its major axis: 0 at `from`, 1 at
+// `to`.
+double along(const Piece& line, const glm::dvec2& position_window) {
+    const glm::dvec2 from(line.from.position_window), d = glm::dvec2(line.to.position_window) - from;
+    const int major = std::abs(d.x) >= std::abs(d.y) ? 0 : 1;
+    return d[major] == 0 ? 0 : std::clamp((position_window[major] - from[major]) / d[major], 0.0, 1.0);
+}
+
+bool culled(const RasterState& raster, Face face) {
+    if (!raster.cull_enabled) return false;
+    return raster.cull_face == kGL_FRONT_AND_BACK ||
+           (raster.cull_face == kGL_FRONT) == (face == Face::kFront);
+}
+
+class PieceMaker {
+  public:
+    PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices)
+        : draw_(draw), draw_index_(draw_index), vertices_(vertices) {}
+
+    void add(const Primitive& primitive) {
+        switch (primitive.shape) {
+            case Shape::kPoint: point(primitive, Face::kFront, vertex(primitive, 0)); break;
+            case Shape::kLine:
+                line(primitive, Face::kFront, vertex(primitive, 0), vertex(primitive, 1));
+                break;
+            case Shape::kTriangle: triangle(primitive); break;
+        }
+    }
+    std::vector<Piece> take() { return std::move(pieces_); }
+
+  private:
+    ClipVertex vertex(const Primitive& primitive, int i) const {
+        ClipVertex v{.position_clip = vertices_[primitive.vertices[i]].position_clip};
+        v.weights[i] = 1;
+        v.edge_to_next = primitive.boundary[i] ? EdgeOrigin::kBoundary : EdgeOrigin::kInner;
+        return v;
+    }
+
+    Piece& append(const Primitive& primitive, Face face, Shape shape) {
+        pieces_.push_back({.primitive = primitive, .face = face, .draw = draw_index_, .shape = shape});
+        return pieces_.back();
+    }
+
+    void point(const Primitive& primitive, Face face, const ClipVertex& v) {
+        if (!inside_view_volume(v.position_clip)) return;
+        append(primitive, face, Shape::kPoint).from = window_vertex(draw_.raster.viewport, v);
+    }
+
+    void line(const Primitive& primitive, Face face, const ClipVertex& from, const ClipVertex& to) {
+        const std::vector<ClipVertex> ends = clip_line(from, to);
+        if (ends.empty()) return;
+        Piece& piece = append(primitive, face, Shape::kLine);
+        piece.from = window_vertex(draw_.raster.viewport, ends[0]);
+        piece.to = window_vertex(draw_.raster.viewport, ends[1]);
+    }
+
+    void triangle(const Primitive& primitive) {
+        const Viewport& viewport = draw_.raster.viewport;
+        const std::array<ClipVertex, 3> whole = {vertex(primitive, 0), vertex(primitive, 1),
+                                                 vertex(primitive, 2)};
+        const std::vector<ClipVertex> polygon = clip_polygon(whole);
+        if (polygon.size() < 3) return;
+        std::vector<Corner> corners;
+        for (const ClipVertex& v : polygon)
+            corners.push_back({glm::dvec2(window_vertex(viewport, v).position_window), v.edge_to_next});
+
+        // 2.14.1: an area that is not positive is a back face; GL_CW turns the sign.
+        const double area = doubled_area(corners);
+        const Face face = (draw_.raster.front_face == kGL_CW ? -area : area) > 0 ? Face::kFront : Face::kBack;
+        if (culled(draw_.raster, face)) return;
+        const Enum mode =
+            face == Face::kFront ? draw_.raster.polygon_mode_front : draw_.raster.polygon_mode_back;
+        if (mode == kGL_FILL) {
+            Piece piece{.primitive = primitive, .face = face, .draw = draw_index_, .shape = Shape::kTriangle};
+            if (!set_planes(piece, viewport,
+                            {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip}))
+                return;
+            if (area < 0) reverse(corners);
+            piece.corners = std::move(corners);
+            pieces_.push_back(std::move(piece));
+            return;
+        }
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            if (polygon[i].edge_to_next == EdgeOrigin::kInner) continue;
+            if (mode == kGL_LINE)
+                line(primitive, face, polygon[i], polygon[(i + 1) % polygon.size()]);
+            else
+                point(primitive, face, polygon[i]);
+        }
+    }
+
+    const Draw& draw_;
+    const std::uint32_t draw_index_;
+    const std::vector<StageVertex>& vertices_;
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace
+
+std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index,
+                               const std::vector<StageVertex>& vertices) {
+    if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return {};
+    PieceMaker maker(draw, draw_index, vertices);
+    for (const Primitive& primitive : assemble(draw)) maker.add(primitive);
+    return maker.take();
+}
+
+double depth_at(const Piece& piece, const glm::dvec2& position_window) {
+    double depth = piece.from.position_window.z;
+    if (piece.shape == Shape::kTriangle) depth = on_plane(piece.depth_plane, position_window);
+    if (piece.shape == Shape::kLine)
+        depth += along(piece, position_window) * (piece.to.position_window.z - depth);
+    return std::clamp(depth, 0.0, 1.0);
+}
+
+glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window) {
+    glm::dvec3 over_w = piece.from.weights_over_w;
+    if (piece.shape == Shape::kTriangle)
+        for (int i = 0; i < 3; ++i) over_w[i] = on_plane(piece.weight_over_w_planes[i], position_window);
+    if (piece.shape == Shape::kLine)
+        over_w += along(piece, position_window) * (piece.to.weights_over_w - over_w);
+    return over_w / (over_w.x + over_w.y + over_w.z);
+}
+
+}  // namespace twinlight::reference

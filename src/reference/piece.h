@@ -1,0 +1,56 @@
+// Primitives in window coordinates: viewport (2.11.1), facing (2.14.1), culling (3.5.1), polygon mode
+// (3.5.4).
+//
+// In: a Draw's stage vertices and primitives. Out: Pieces, which is what the rasteriser covers pixels with: a
+// clipped polygon, a line, or a point. A piece answers for any window position what the depth is there, and
+// the perspective-correct weights of its primitive's vertices.
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "reference/assembly.h"
+#include "reference/clip.h"
+#include "reference/draw_lighting.h"
+#include "reference/vertex_stage.h"
+
+namespace twinlight::reference {
+
+// One point of a piece.
+struct WindowVertex {
+    glm::dvec3 position_window{0};
+    glm::dvec3 weights_over_w{
+        0};  // linear in window coordinates; their ratios are the weights (3.4.1, 3.5.1)
+};
+
+struct Corner {
+    glm::dvec2 position_window{0};
+    EdgeOrigin edge_to_next = EdgeOrigin::kInner;
+};
+
+struct Piece {
+    Primitive primitive;
+    Face face = Face::kFront;
+    std::uint32_t draw = 0;  // which of the frame's Draws
+
+    Shape shape = Shape::kPoint;    // how it is drawn: a triangle may be drawn as lines or points
+    std::vector<Corner> corners{};  // of a polygon: convex, counter-clockwise (y up)
+    WindowVertex from{}, to{};      // of a line; a point has only `from`
+
+    // Of a polygon: linear functions of the window position, c.x * x + c.y * y + c.z.
+    std::array<glm::dvec3, 3> weight_over_w_planes{};
+    glm::dvec3 depth_plane{0};
+};
+
+// The pieces of one Draw, in the order of its primitives.
+std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index,
+                               const std::vector<StageVertex>& vertices);
+
+// Depth and weights of a piece at a window position. Weights add up to 1 (of a line or point, at its nearest
+// place).
+double depth_at(const Piece& piece, const glm::dvec2& position_window);
+glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window);
+
+}  // namespace twinlight::reference
