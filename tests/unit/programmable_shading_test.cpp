@@ -83,7 +83,7 @@ Draw primitives(Enum mode) {
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * 3.14159265358979 * (i + 0.3) / count;
         glm::dvec2 p = ring ? 0.9 * glm::dvec2(std::cos(angle), std::sin(angle))
-                            : glm::dvec2(-0.9 + 0.5 * (i / 2) + 0.07 * (i % 2), i % 2 ? 0.83 : -0.77);
+                            : glm::dvec2(-0.9 + 0.25 * (i - i % 2) + 0.07 * (i % 2), i % 2 ? 0.83 : -0.77);
         if (mode == kGL_QUADS && i % 4 >= 2) p.y = -p.y;
         draw.vertices.push_back({.position_object = {p, 0, 1},
                                  .normal_object = {0, 0, 1},
