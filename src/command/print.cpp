@@ -43,21 +43,11 @@ std::string print_real(double value, bool is_float) {
     return fmt::format("{}", value);
 }
 
-std::string print_bits(Enum mask) {
-    std::string shown;
-    for (Enum bit : {kGL_COLOR_BUFFER_BIT, kGL_DEPTH_BUFFER_BIT, kGL_STENCIL_BUFFER_BIT, kGL_ACCUM_BUFFER_BIT}) {
-        if (mask & bit) shown += fmt::format("{}{}", shown.empty() ? "" : " | ", enum_name(bit));
-        mask &= ~bit;
-    }
-    if (mask != 0 || shown.empty()) shown += fmt::format("{}{:#x}", shown.empty() ? "" : " | ", mask);
-    return shown;
-}
-
 std::string print_number(double value, Kind kind) {
     switch (kind) {
         case Kind::kFloat: return print_real(value, true);
         case Kind::kDouble: return print_real(value, false);
-        case Kind::kBitfield: return print_bits(static_cast<Enum>(value));
+        case Kind::kBitfield: return bit_names(static_cast<Enum>(value));
         case Kind::kWord: return std::string(word_name(static_cast<Word>(static_cast<Enum>(value))));
         default: return fmt::format("{}", static_cast<std::int64_t>(value));
     }
@@ -124,7 +114,7 @@ std::string print_c_program(const CommandList& scene) {
     std::string text = fmt::format(
         "/* {}: a scene of Twinlight as a C program.\n"
         "   Build it with: cc -std=c99 FILE.c -lglut -lGLU -lGL -lm */\n"
-        "#include <GL/glut.h>\n#include <math.h>\n\n"
+        "#include <GL/freeglut.h>\n#include <math.h>\n\n"
         "static void draw_scene(void) {{\n",
         title);
     for (const Command& command : scene.commands) {
