@@ -15,6 +15,8 @@
 //   shininess                                a light is specular
 //   tracks_*                                 that colour of the material is called for
 //   lights[i].attenuated, .spot              the light is positional
+//
+// NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
 #pragma once
 
 #include <array>
@@ -42,7 +44,7 @@ struct LightEffects {
     bool diffuse = false;
     bool specular = false;
 
-    friend auto operator<=>(const LightEffects&, const LightEffects&) = default;
+    friend auto operator<=>(const LightEffects&, const LightEffects&) = default;  // NOLINT
 };
 
 // Which colours of a face's material the vertex's colour replaces (2.14.3).
@@ -52,7 +54,7 @@ struct FaceEffects {
     bool tracks_diffuse = false;
     bool tracks_specular = false;
 
-    friend auto operator<=>(const FaceEffects&, const FaceEffects&) = default;
+    friend auto operator<=>(const FaceEffects&, const FaceEffects&) = default;  // NOLINT
 };
 
 struct EffectSet {
@@ -70,7 +72,7 @@ struct EffectSet {
     int light_count = 0;
     std::array<LightEffects, kMaxLights> lights;  // the first light_count, in GL's order
 
-    friend auto operator<=>(const EffectSet&, const EffectSet&) = default;
+    friend auto operator<=>(const EffectSet&, const EffectSet&) = default;  // NOLINT
 
     // Whether any light is: needs_position(), say, for "a position in eye coordinates is called for".
     bool any_light(bool LightEffects::*fact) const {

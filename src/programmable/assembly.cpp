@@ -47,6 +47,7 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
     scope.switches = {
         {"EFFECT_LIGHTING", effects.lighting},
         {"EFFECT_PHONG", phong},
+        {"EFFECT_FLAT", effects.shading == Shading::kFlat},
         {"EFFECT_CLAMP", effects.clamp},
         {"EFFECT_TWO_SIDE", effects.two_side},
         {"EFFECT_LOCAL_VIEWER", effects.local_viewer},

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "context/context.h"
 #include "context/gl.h"
@@ -179,17 +181,32 @@ std::string program_text(const Draw& draw, const Plan& plan) {
 }  // namespace
 
 std::string shader_source(const Frame& frame, const RenderOptions& options) {
-    std::map<EffectSet, int> seen;
-    std::string text;
+    // The Draws of each program; the first of them gives the values.
+    struct Use {
+        const Draw* first;
+        int number;
+        int others = 0;
+        Plan plan;
+    };
+    std::vector<Use> uses;
     int number = 0;
     for (const auto& item : frame.items) {
         const Draw* draw = std::get_if<Draw>(&item);
         if (!draw) continue;
-        const Plan plan = plan_effects(*draw, options);
-        const auto [first, is_new] = seen.try_emplace(plan.effects, ++number);
-        text += fmt::format("// ==== Draw {}, {}", number, draw->place.str());
-        text += is_new ? "\n" + program_text(*draw, plan) + "\n"
-                       : fmt::format(": the program of Draw {}, with its own values\n\n", first->second);
+        ++number;
+        Plan plan = plan_effects(*draw, options);
+        const auto same =
+            std::ranges::find_if(uses, [&](const Use& use) { return use.plan.effects == plan.effects; });
+        if (same != uses.end())
+            ++same->others;
+        else
+            uses.push_back({.first = draw, .number = number, .plan = std::move(plan)});
+    }
+    std::string text;
+    for (const Use& use : uses) {
+        text += fmt::format("// ==== Draw {}, {}", use.number, use.first->place.str());
+        if (use.others > 0) text += fmt::format("; {} more with other values", use.others);
+        text += "\n" + program_text(*use.first, use.plan) + "\n";
     }
     return text;
 }

@@ -56,11 +56,13 @@
         float highlight = 1.0;  // (r . v)^0
 #elif EFFECT_LIGHT_SPECULAR && EFFECT_LIGHT_HALF_DIR
         // f_i (n . h_i)^s_rm; f_i is 0 where the light is behind the surface.
-        float highlight = n_dot_vp > 0.0 ? POWER(max(dot(surface.normal_eye, u_LIGHTi_half_dir), 0.0), u_FACE_shininess) : 0.0;
+        float n_dot_h = max(dot(surface.normal_eye, u_LIGHTi_half_dir), 0.0);
+        float highlight = n_dot_vp > 0.0 ? POWER(n_dot_h, u_FACE_shininess) : 0.0;
 #elif EFFECT_LIGHT_SPECULAR && EFFECT_SHININESS
         // f_i (n . h_i)^s_rm; f_i is 0 where the light is behind the surface.
         vec3 half_dir = unit(vp_dir + vpe_dir);
-        float highlight = n_dot_vp > 0.0 ? POWER(max(dot(surface.normal_eye, half_dir), 0.0), u_FACE_shininess) : 0.0;
+        float n_dot_h = max(dot(surface.normal_eye, half_dir), 0.0);
+        float highlight = n_dot_vp > 0.0 ? POWER(n_dot_h, u_FACE_shininess) : 0.0;
 #elif EFFECT_LIGHT_SPECULAR
         float highlight = n_dot_vp > 0.0 ? 1.0 : 0.0;  // f_i; (n . h_i)^0 is 1
 #endif

@@ -1,6 +1,7 @@
 // The lighting equation (GL 2.1, section 2.14.1), in eye coordinates:
 //
-//   c_pri = e_cm + a_cm a_cs + sum_i att_i spot_i [ a_cm a_cli + (n . VP_i) d_cm d_cli + f_i (n . h_i)^s_rm s_cm s_cli ]
+//   c_pri = e_cm + a_cm a_cs + sum_i att_i spot_i [ a_cm a_cli + (n . VP_i) d_cm d_cli
+//                                                   + f_i (n . h_i)^s_rm s_cm s_cli ]
 //
 // Only what this Draw calls for stands below. Products of a light's and a material's colour come from the
 // processor; where the vertex's colour is the material's, it is multiplied here.

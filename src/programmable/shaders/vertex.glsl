@@ -37,7 +37,9 @@ out vec3 v_normal_eye;
 out vec4 v_color;
 #endif
 #else
+#if EFFECT_FLAT
 // "flat" takes the provoking vertex's value (section 2.14.7, table 2.12).
+#endif
 INTERPOLATION out vec4 v_front_primary;
 #if EFFECT_SEPARATE_SPECULAR
 INTERPOLATION out vec3 v_front_secondary;
