@@ -34,14 +34,14 @@ namespace twinlight::lighting {
 
 template <class Real>
 struct Material {
-    Vec3<Real> emission, ambient, diffuse, specular;
+    Vec3<Real> emission{}, ambient{}, diffuse{}, specular{};
     Real diffuse_alpha{1};
     Real shininess{0};
 };
 
 template <class Real>
 struct Light {
-    Vec3<Real> ambient, diffuse, specular;
+    Vec3<Real> ambient{}, diffuse{}, specular{};
     Vec3<Real> position_eye{0, 0, 1};
     Real position_w{0};
     bool directional = true;            // position_w is 0
@@ -58,7 +58,7 @@ struct Light {
 
 template <class Real>
 struct Model {
-    Vec3<Real> ambient;
+    Vec3<Real> ambient{};
     bool local_viewer = false;
     bool separate_specular = false;
 
