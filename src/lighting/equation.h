@@ -90,8 +90,7 @@ struct Lit {
     Vec3<Real> magnitude;  // the sum of the magnitudes of c_pri's terms: what an error is held against
 };
 
-// ---- The terms
-// --------------------------------------------------------------------------------------------------
+// ---- The terms ----
 
 // VP and |VP|. P / w - V is written (P - w V) / w, so that w = 0 is no special case: a direction. A negative
 // w flips it.
