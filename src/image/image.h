@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace twinlight {
@@ -28,7 +29,11 @@ struct Image {
 // One flag a pixel; same order as Image::pixels.
 using PixelMask = std::vector<bool>;
 
-// Every channel clamped to [0,1] and rounded to the nearest of 256 codes, as an 8-bit framebuffer does (2.14.9).
+// A channel clamped to [0,1] and rounded to the nearest of 256 codes, as an 8-bit framebuffer does (2.14.9).
+// A NaN, for which GL has no answer, is 0.
+std::uint8_t channel_code(float channel);
+
+// Every channel replaced by its code / 255.
 Image quantised(const Image& image);
 
 }  // namespace twinlight

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "image/image.h"
 #include "state/frame.h"
@@ -17,8 +18,9 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Clears to black and depth 1 and draws the frame into the current colour buffer. Throws std::runtime_error with
-    // the log, the numbered source and the EffectSet when the driver refuses a shader.
+    // Clears to black and depth 1 and draws the frame into the current colour buffer. Throws
+    // std::runtime_error with the log, the numbered source and the EffectSet when the driver refuses a
+    // shader.
     void draw(const Frame& frame, const RenderOptions& options);
     // The same, and reads the picture.
     Image render(const Frame& frame, const RenderOptions& options);
@@ -27,5 +29,9 @@ class Renderer {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+// The GLSL that draws the frame, for people to read: the program of each Draw, with its effects, what is left
+// out and why, and the uniforms' values in comments. Needs no context.
+std::string shader_source(const Frame& frame, const RenderOptions& options);
 
 }  // namespace twinlight::programmable

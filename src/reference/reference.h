@@ -19,9 +19,8 @@ struct LitVertex {
     glm::dvec4 position_clip{0};
     glm::dvec4 front_primary{0}, front_secondary{0};
     glm::dvec4 back_primary{0}, back_secondary{0};
-    // The sum of the magnitudes of the terms of front_primary, channel by channel: what an error is held
-    // against.
-    glm::dvec4 front_magnitude{0};
+    // The sums of the magnitudes of the terms of the primary colours, channel by channel: what an error is held against.
+    glm::dvec4 front_magnitude{0}, back_magnitude{0};
 };
 
 // The vertex stage of every vertex of the Draw (not of every index). `clamped`: 2.14.6, colours to [0,1].

@@ -65,7 +65,8 @@ std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& opt
                           .front_secondary = finish(front.secondary),
                           .back_primary = finish(back.primary),
                           .back_secondary = finish(back.secondary),
-                          .front_magnitude = front.magnitude});
+                          .front_magnitude = front.magnitude,
+                          .back_magnitude = back.magnitude});
     }
     return result;
 }

@@ -1,0 +1,71 @@
+// What the subcommands share: how they are declared, their options' kinds, where results go.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "command/command.h"
+#include "state/frame.h"
+
+namespace twinlight::cli {
+
+inline constexpr const char* kVersion = "twinlight 0.1";
+
+// Exit status.
+inline constexpr int kFine = 0;
+inline constexpr int kDifferent = 1;  // beyond the tolerance
+inline constexpr int kBadInput = 2;   // or bad use: one line on standard error
+
+// Bad use. what() is one line: what is wrong; how to mend it.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Subcommand {
+    CLI::App* app;
+    std::function<int()> run;  // gives the exit status
+};
+
+// One a file.
+Subcommand add_render(CLI::App& app);
+Subcommand add_compare(CLI::App& app);
+Subcommand add_export(CLI::App& app);
+Subcommand add_scenes(CLI::App& app);
+
+struct Size {
+    int width = 640;
+    int height = 480;
+};
+inline constexpr int kMinSide = 1;
+inline constexpr int kMaxSide = 8192;
+
+// Throws CLI::ValidationError for anything but WxH within the limits.
+Size parse_size(const std::string& text);
+
+// Accepts the keys of a map.
+template <class Map>
+CLI::Validator one_of(const Map& map) {
+    std::string names;
+    for (const auto& [name, value] : map) names += (names.empty() ? "" : ", ") + name;
+    const auto check = [&map, names](const std::string& text) {
+        return map.contains(text) ? "" : "'" + text + "' is not one of " + names;
+    };
+    return CLI::Validator(check, "");
+}
+
+void add_scene_argument(CLI::App& app, std::string& scene);
+void add_size_option(CLI::App& app, Size& size);
+
+Frame load_frame(const std::string& scene, Size size);
+
+// Standard output, whole; throws FileError when it cannot be written.
+void write_result(std::string_view bytes);
+
+// Whether escape sequences may colour what is printed: a terminal, and NO_COLOR (no-color.org) is not set.
+bool result_in_color();
+
+}  // namespace twinlight::cli

@@ -1,0 +1,100 @@
+// twinlight compare: one scene by all renderers, and how they differ.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/cli/command_line.h"
+#include "app/cli/progress.h"
+#include "app/cli/renderers.h"
+#include "report/comparison.h"
+#include "report/words.h"
+
+namespace twinlight::cli {
+
+namespace {
+
+struct Arguments {
+    std::string scene;
+    Size size;
+    std::string folder;
+    bool json = false;
+};
+
+std::string colored(const std::string& text, report::Verdict verdict) {
+    if (!result_in_color()) return text;
+    switch (verdict) {
+        case report::Verdict::kWithin: return "\x1b[32m" + text + "\x1b[0m";
+        case report::Verdict::kBeyond: return "\x1b[1;31m" + text + "\x1b[0m";
+        case report::Verdict::kInformative: return text;
+    }
+    return text;
+}
+
+std::string line(std::string_view name, std::string_view part, const RegionDifference& region) {
+    const bool any = region.differing > 0;
+    return fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}", name, part,
+                       report::grouped(region.differing), report::share_of(region),
+                       report::codes_of(region.max), any ? fmt::format("{:.1e}", region.rms) : "0",
+                       any ? fmt::format("{},{}", region.worst_x, region.worst_y) : "-");
+}
+
+// Two lines a pair: its first name beside the interior, its second beside the edges.
+std::string table(const report::Comparison& comparison) {
+    std::string text = fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}  {}\n", "pair", "",
+                                   "differing", "share", "max", "rms", "worst x,y", "verdict");
+    for (const report::Pair& pair : comparison.pairs) {
+        text += line(comparison.a(pair).name, "interior", pair.difference.interior) + "  " +
+                colored(report::word_of(pair.verdict), pair.verdict) + "\n";
+        text += line("~ " + comparison.b(pair).name, "edges", pair.difference.edge) + "\n";
+    }
+    const ImageDifference& any = comparison.pairs.front().difference;  // all pairs share one mask
+    return text + fmt::format("of {} interior and {} edge pixels\n", report::grouped(any.interior.pixels),
+                              report::grouped(any.edge.pixels));
+}
+
+std::string summary(const report::Comparison& comparison, const std::string& folder) {
+    std::string text = fmt::format("{}, {} x {}, {}\n\n", comparison.scene, comparison.width,
+                                   comparison.height, comparison.driver);
+    text += table(comparison) + "\ntime:";
+    for (const report::Render& render : comparison.renders) {
+        text += fmt::format("{} {} {:.1f} ms", text.back() == ':' ? "" : ",", render.name, render.ms);
+    }
+    text += "\n\n";
+    for (const std::string& sentence : report::verdict_sentences(comparison)) text += sentence + "\n";
+    for (const Unsupported& item : comparison.unsupported) text += report::sentence_of(item) + "\n";
+    return text + "Report: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
+}
+
+int run(const Arguments& arguments) {
+    const Frame frame = load_frame(arguments.scene, arguments.size);
+    report::Comparison comparison;
+    {
+        ProgressBar bar;
+        const RendererSet renderers(frame.width, frame.height);
+        comparison = report::compare_scene(
+            frame, frame.commands->name, driver_name(), renderers.functions(),
+            [&](int done, int total, std::string_view next) { bar.show(done, total, next); });
+    }
+    report::write_report(comparison, arguments.folder);
+    write_result(arguments.json ? report::comparison_json(comparison)
+                                : summary(comparison, arguments.folder));
+    return comparison.within_tolerance() ? kFine : kDifferent;
+}
+
+}  // namespace
+
+Subcommand add_compare(CLI::App& app) {
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* compare =
+        app.add_subcommand("compare", "Draw a scene with all renderers and report how they differ");
+    add_scene_argument(*compare, arguments->scene);
+    compare->add_option("-o", arguments->folder, "the report's folder, made if it is not there")
+        ->required()
+        ->type_name("DIR");
+    add_size_option(*compare, arguments->size);
+    compare->add_flag("--json", arguments->json, "print comparison.json's object instead of the table");
+    compare->footer("Exit status: 0 within the tolerance, 1 beyond it, 2 bad input or use.");
+    return {compare, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace twinlight::cli

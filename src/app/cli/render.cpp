@@ -1,0 +1,95 @@
+// twinlight render: one scene by one renderer, as a PNG.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
+
+#include "app/cli/command_line.h"
+#include "app/cli/renderers.h"
+#include "image/file.h"
+#include "image/png.h"
+#include "report/words.h"
+
+namespace twinlight::cli {
+
+namespace {
+
+struct Arguments {
+    std::string scene;
+    std::string renderer;
+    std::optional<Shading> shading;
+    Size size;
+    std::string output;
+};
+
+const std::map<std::string, report::RenderFunction report::Renderers::*> kRenderers = {
+    {"fixed", &report::Renderers::fixed},
+    {"programmable", &report::Renderers::programmable},
+    {"reference", &report::Renderers::reference},
+};
+
+const std::map<std::string, Shading> kShadings = {
+    {"flat", Shading::kFlat},
+    {"gouraud", Shading::kGouraud},
+    {"phong", Shading::kPhong},
+};
+
+// A picture is never silently partial.
+void tell_unsupported(const Frame& frame, const std::string& renderer) {
+    for (Unsupported item : frame.unsupported) {
+        if (std::ranges::find(item.renderers, renderer) == item.renderers.end()) continue;
+        item.renderers = {renderer};
+        fmt::print(stderr, "twinlight: note: {}\n", report::sentence_of(item));
+    }
+}
+
+int run(const Arguments& arguments) {
+    if (arguments.renderer == "fixed" && arguments.shading == Shading::kPhong) {
+        throw UsageError(
+            "the fixed function cannot shade by phong; use --with programmable or --with reference");
+    }
+    const bool to_stdout = arguments.output == "-";
+    if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
+        throw UsageError("-o - would write a PNG's bytes to the terminal; redirect it or name a file");
+    }
+    const Frame frame = load_frame(arguments.scene, arguments.size);
+    const RendererSet renderers(frame.width, frame.height);
+    const report::RenderFunction& render = renderers.functions().*kRenderers.at(arguments.renderer);
+    const std::string png =
+        encode_png(render(frame, {.shading = arguments.shading, .lecture_variants = true}));
+    if (to_stdout) {
+        write_result(png);
+    } else {
+        write_file_atomically(arguments.output, png);
+    }
+    tell_unsupported(frame, arguments.renderer);
+    return kFine;
+}
+
+}  // namespace
+
+Subcommand add_render(CLI::App& app) {
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* render = app.add_subcommand("render", "Draw a scene with one renderer, as a PNG");
+    add_scene_argument(*render, arguments->scene);
+    render
+        ->add_option("--with", arguments->renderer,
+                     "the driver's own lighting, generated shaders, or the reference")
+        ->required()
+        ->type_name("fixed|programmable|reference")
+        ->check(one_of(kRenderers));
+    render
+        ->add_option_function<std::string>(
+            "--shading", [arguments](const std::string& name) { arguments->shading = kShadings.at(name); },
+            "what the scene's glShadeModel says, unless given")
+        ->type_name("flat|gouraud|phong")
+        ->check(one_of(kShadings));
+    add_size_option(*render, arguments->size);
+    render->add_option("-o", arguments->output, "the picture, or - for standard output")
+        ->required()
+        ->type_name("FILE");
+    return {render, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace twinlight::cli

@@ -1,0 +1,17 @@
+#include "app/cli/renderers.h"
+
+#include "fixed/fixed.h"
+#include "reference/reference.h"
+
+namespace twinlight::cli {
+
+RendererSet::RendererSet(int width, int height) : context_(make_offscreen_context(width, height)) {
+    functions_.fixed = fixed::render;
+    functions_.programmable = [this](const Frame& frame, const RenderOptions& options) {
+        return programmable_.render(frame, options);
+    };
+    functions_.reference = reference::render;
+    functions_.edge_pixels = reference::edge_pixels;
+}
+
+}  // namespace twinlight::cli

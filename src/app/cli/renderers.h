@@ -1,0 +1,26 @@
+// The three renderers, with the context that two of them draw in.
+#pragma once
+
+#include <memory>
+
+#include "context/context.h"
+#include "programmable/programmable.h"
+#include "report/comparison.h"
+
+namespace twinlight::cli {
+
+class RendererSet {
+  public:
+    // For pictures of that size. Throws std::runtime_error that says what the driver refused.
+    RendererSet(int width, int height);
+
+    // Valid as long as the set lives.
+    const report::Renderers& functions() const { return functions_; }
+
+  private:
+    std::unique_ptr<OffscreenContext> context_;
+    programmable::Renderer programmable_;  // dies before the context
+    report::Renderers functions_;
+};
+
+}  // namespace twinlight::cli

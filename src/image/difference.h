@@ -1,0 +1,43 @@
+// How two pictures differ: in numbers, and as a picture.
+#pragma once
+
+#include <cstddef>
+
+#include "image/image.h"
+
+namespace twinlight {
+
+// Over one part of two pictures, as an 8-bit framebuffer holds them; all four channels, each on [0,1].
+struct RegionDifference {
+    std::size_t pixels = 0;
+    std::size_t differing = 0;  // pixels of which any channel's code differs
+    double max = 0;             // the largest difference of a channel: a whole number / 255
+    double rms = 0;             // over all channels of all pixels
+    // The first pixel, row by row from the top left, that has `max`: the region's first where nothing
+    // differs, (0,0) where the region is empty.
+    int worst_x = 0, worst_y = 0;
+
+    double differing_share() const {
+        return pixels == 0 ? 0 : static_cast<double>(differing) / static_cast<double>(pixels);
+    }
+};
+
+struct ImageDifference {
+    RegionDifference interior;
+    RegionDifference edge;
+};
+
+// The pixels of the mask are the edge, all others the interior. Throws std::invalid_argument unless both
+// images and the mask have one size.
+ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge);
+
+// A difference too small to see must be amplified, by a factor that is told: the largest power of two, at
+// most 64, that does not take `max` beyond 1.
+int amplification_for(double max);
+
+// Equal pixels are kZeroGrey; towards white, channel by channel, goes the absolute difference times the
+// factor. A difference of alpha, which has no channel to be seen in, shows in all three.
+inline constexpr float kZeroGrey = 0.25F;
+Image difference_picture(const Image& a, const Image& b, int factor);
+
+}  // namespace twinlight

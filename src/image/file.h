@@ -1,0 +1,27 @@
+// Whole files: read in one go, written whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace twinlight {
+
+// what() is one line: "path: reason".
+struct FileError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// The file's bytes, but no more than `max_bytes` of them. Throws FileError.
+std::string read_file(const std::string& path,
+                      std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
+std::string read_standard_input(std::size_t max_bytes);
+
+// Writes aside, in the same folder, then renames: another program sees the old file or the new one. Ctrl-C
+// waits until the file stands. A link is followed; a device or a pipe (/dev/null) is written to in place.
+// Throws FileError, and then leaves nothing behind.
+void write_file_atomically(const std::string& path, std::string_view bytes);
+
+}  // namespace twinlight

@@ -1,0 +1,231 @@
+#include "programmable/assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "programmable/shader_files.h"
+
+namespace twinlight::programmable {
+namespace {
+
+enum class Stage { kVertex, kFragment };
+
+// The switches of #if, and the words that a piece leaves open.
+struct Scope {
+    std::map<std::string, bool, std::less<>> switches;
+    std::vector<std::pair<std::string, std::string>> words;
+};
+
+// ---- From the effects to switches and words ----
+
+// What holds for the whole program.
+Scope scope_of_stage(const EffectSet& effects, Stage stage) {
+    const bool phong = effects.shading == Shading::kPhong;
+    const bool lights_here = effects.lighting && phong == (stage == Stage::kFragment);
+    const bool shininess = effects.shininess != Power::kOne;
+    const bool reflection = effects.highlight == Highlight::kReflection;
+    const bool specular = effects.any_light(&LightEffects::specular);
+
+    bool positional = false, whole_power = shininess, real_power = effects.shininess == Power::kReal;
+    for (int i = 0; i < effects.light_count; ++i) {
+        const LightEffects& light = effects.lights[static_cast<std::size_t>(i)];
+        positional |= !light.directional;
+        whole_power |= light.spot_exponent != Power::kOne;
+        real_power |= light.spot_exponent == Power::kReal;
+    }
+    const bool normalizes_here =
+        stage == Stage::kVertex ? effects.normalize : phong && effects.needs_normal();
+    const bool surface = effects.needs_position_eye() || effects.needs_normal() || effects.needs_color();
+
+    Scope scope;
+    scope.switches = {
+        {"EFFECT_LIGHTING", effects.lighting},
+        {"EFFECT_PHONG", phong},
+        {"EFFECT_CLAMP", effects.clamp},
+        {"EFFECT_TWO_SIDE", effects.two_side},
+        {"EFFECT_LOCAL_VIEWER", effects.local_viewer},
+        {"EFFECT_VERTEX_W", effects.vertex_w},
+        {"EFFECT_NORMALIZE", effects.normalize},
+        {"EFFECT_SEPARATE_SPECULAR", effects.separate_specular},
+        {"EFFECT_REFLECTION", reflection},
+        {"EFFECT_SHININESS", shininess},
+        {"EFFECT_POSITION_EYE", effects.needs_position_eye()},
+        {"EFFECT_NORMAL", effects.needs_normal()},
+        {"EFFECT_COLOR", effects.needs_color()},
+        {"EFFECT_SURFACE", surface},
+        {"EFFECT_TRACKS_AMBIENT", effects.front.tracks_ambient || effects.back.tracks_ambient},
+        {"EFFECT_UNIT", normalizes_here || (lights_here && (positional || effects.local_viewer))},
+        {"EFFECT_VPE_DIR", specular && shininess && (reflection || positional)},
+        {"EFFECT_HIGHLIGHT_BOUND", shininess && !effects.normalize && !phong},
+        {"EFFECT_POWER_WHOLE", whole_power},
+        {"EFFECT_POWER_REAL", real_power},
+    };
+    scope.words = {
+        {"INTERPOLATION", effects.shading == Shading::kFlat ? "flat" : "smooth"},
+        {"SURFACE_PARAMETER", surface ? "Surface surface" : ""},
+        {"SURFACE", surface ? "surface" : ""},
+        {"SPECULAR_SUM", effects.separate_specular ? "lit.secondary" : "lit.primary.rgb"},
+        {"POWER", effects.shininess == Power::kReal ? "real_power" : "whole_power"},
+    };
+    return scope;
+}
+
+Scope scope_of_face(Scope scope, const FaceEffects& face, const char* name) {
+    scope.switches["EFFECT_FACE_TRACKS_EMISSION"] = face.tracks_emission;
+    scope.switches["EFFECT_FACE_TRACKS_AMBIENT"] = face.tracks_ambient;
+    scope.switches["EFFECT_FACE_TRACKS_DIFFUSE"] = face.tracks_diffuse;
+    scope.switches["EFFECT_FACE_TRACKS_SPECULAR"] = face.tracks_specular;
+    scope.words.emplace_back("FACE", name);  // after SURFACE
+    return scope;
+}
+
+Scope scope_of_light(Scope scope, const EffectSet& effects, int number) {
+    const LightEffects& light = effects.lights[static_cast<std::size_t>(number)];
+    const bool shininess = effects.shininess != Power::kOne;
+    const bool reflection = effects.highlight == Highlight::kReflection;
+    const bool cone = light.spot || light.smooth_cone;
+    const bool n_dot_vp = light.diffuse || (light.specular && !reflection);
+    scope.switches.insert({
+        {"EFFECT_LIGHT_DIRECTIONAL", light.directional},
+        {"EFFECT_LIGHT_ATTENUATED", light.attenuated},
+        {"EFFECT_LIGHT_SPOT", light.spot},
+        {"EFFECT_LIGHT_SPOT_EXPONENT", light.spot_exponent != Power::kOne},
+        {"EFFECT_LIGHT_SMOOTH_CONE", light.smooth_cone},
+        {"EFFECT_LIGHT_CONE", cone},
+        {"EFFECT_LIGHT_AMBIENT", light.ambient},
+        {"EFFECT_LIGHT_DIFFUSE", light.diffuse},
+        {"EFFECT_LIGHT_SPECULAR", light.specular},
+        {"EFFECT_LIGHT_N_DOT_VP", n_dot_vp},
+        {"EFFECT_LIGHT_VP_DIR", cone || n_dot_vp || (light.specular && shininess)},
+        {"EFFECT_LIGHT_HALF_DIR",
+         light.specular && shininess && !reflection && light.directional && !effects.local_viewer},
+    });
+    const bool reach = light.attenuated || cone;
+    scope.words.insert(scope.words.begin(),
+                       {{"LIGHTi", fmt::format("light{}", number)},
+                        {"REACH_TIMES ", reach ? "reach * " : ""},
+                        {"SPOT_POWER", light.spot_exponent == Power::kReal ? "real_power" : "whole_power"}});
+    return scope;
+}
+
+// ---- Carrying out the directives ----
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == text.npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t end; (end = text.find(separator)) != text.npos;
+         text.remove_prefix(end + separator.size()))
+        parts.push_back(text.substr(0, end));
+    if (!text.empty()) parts.push_back(text);
+    return parts;
+}
+
+// "A && !B || C" over the scope's switches.
+bool holds(std::string_view condition, const Scope& scope) {
+    const auto term = [&](std::string_view text) {
+        text = trimmed(text);
+        const bool negated = text.starts_with('!');
+        const auto found = scope.switches.find(text.substr(negated));
+        if (found == scope.switches.end())
+            throw std::logic_error(fmt::format("a shader piece asks for an unknown effect: {}", text));
+        return found->second != negated;
+    };
+    return std::ranges::any_of(split(condition, "||"), [&](std::string_view product) {
+        return std::ranges::all_of(split(product, "&&"), term);
+    });
+}
+
+std::string with_words(std::string_view line, const Scope& scope) {
+    std::string result(line);
+    for (const auto& [word, meaning] : scope.words)
+        for (std::size_t at = 0; (at = result.find(word, at)) != result.npos; at += meaning.size())
+            result.replace(at, word.size(), meaning);
+    return result;
+}
+
+std::string_view piece(std::string_view name) {
+    for (const EmbeddedFile& file : kShaderFiles)
+        if (file.name == name) return file.text;
+    throw std::logic_error(fmt::format("there is no shader piece {}", name));
+}
+
+class Assembler {
+  public:
+    explicit Assembler(const EffectSet& effects) : effects_(effects) {}
+
+    std::string text(std::string_view name, Stage stage) {
+        add(name, scope_of_stage(effects_, stage));
+        return std::move(text_);
+    }
+
+  private:
+    struct Branch {
+        bool taken = false;  // this branch's lines are passed on
+        bool done = false;   // a branch of this #if has been taken
+    };
+
+    void add(std::string_view name, const Scope& scope) {
+        std::vector<Branch> branches;
+        const auto passes = [&] { return std::ranges::all_of(branches, &Branch::taken); };
+        for (std::string_view line : split(piece(name), "\n")) {
+            const std::string_view rest =
+                line.starts_with('#') ? trimmed(line.substr(std::min(line.find(' '), line.size()))) : "";
+            if (line.starts_with("#if ")) {
+                const bool taken = passes() && holds(rest, scope);
+                branches.push_back({taken, taken});
+            } else if (line.starts_with("#elif ")) {
+                Branch& branch = branches.back();
+                branch.taken = !branch.done && outer_passes(branches) && holds(rest, scope);
+                branch.done |= branch.taken;
+            } else if (line.starts_with("#else")) {
+                branches.back().taken = !branches.back().done;
+            } else if (line.starts_with("#endif")) {
+                branches.pop_back();
+            } else if (passes()) {
+                add_line(line, rest, scope);
+            }
+        }
+        if (!branches.empty()) throw std::logic_error(fmt::format("{}: an #if has no #endif", name));
+    }
+
+    static bool outer_passes(const std::vector<Branch>& branches) {
+        return std::all_of(branches.begin(), branches.end() - 1, [](const Branch& b) { return b.taken; });
+    }
+
+    void add_line(std::string_view line, std::string_view argument, const Scope& scope) {
+        const std::string_view name = argument.size() > 2 ? argument.substr(1, argument.size() - 2) : "";
+        if (line.starts_with("#include ")) {
+            add(name, scope);
+        } else if (line.starts_with("#for_each_light ")) {
+            for (int i = 0; i < effects_.light_count; ++i) add(name, scope_of_light(scope, effects_, i));
+        } else if (line.starts_with("#for_each_face ")) {
+            add(name, scope_of_face(scope, effects_.front, "front"));
+            if (effects_.two_side) add(name, scope_of_face(scope, effects_.back, "back"));
+        } else if (!line.empty() || (!text_.ends_with("\n\n") && !text_.empty())) {  // no two empty lines
+            text_ += with_words(line, scope) + "\n";
+        }
+    }
+
+    const EffectSet& effects_;
+    std::string text_;
+};
+
+}  // namespace
+
+ShaderSource assemble(const EffectSet& effects) {
+    return {Assembler(effects).text("vertex.glsl", Stage::kVertex),
+            Assembler(effects).text("fragment.glsl", Stage::kFragment)};
+}
+
+}  // namespace twinlight::programmable

@@ -1,0 +1,26 @@
+// Assembly: the GLSL of an EffectSet, put together from the pieces under shaders/.
+//
+// A piece is GLSL with directives at the start of a line, which assembly carries out:
+//
+//   #if EFFECT_A && !EFFECT_B || EFFECT_C  ... #elif ... #else ... #endif     lines for some effects alone
+//   #include "piece.glsl"         the piece
+//   #for_each_light "piece.glsl"  the piece once a light, with LIGHTi replaced by light0, light1, ...
+//   #for_each_face "piece.glsl"   the piece once a face that shows, with FACE replaced by front, back
+//
+// So what an effect does not call for is nowhere in the program's text.
+#pragma once
+
+#include <string>
+
+#include "effect/effect_set.h"
+
+namespace twinlight::programmable {
+
+struct ShaderSource {
+    std::string vertex;
+    std::string fragment;
+};
+
+ShaderSource assemble(const EffectSet& effects);
+
+}  // namespace twinlight::programmable

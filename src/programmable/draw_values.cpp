@@ -1,0 +1,211 @@
+#include "programmable/draw_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <numbers>
+#include <span>
+
+namespace twinlight::programmable {
+namespace {
+
+// A cosine of two unit vectors in float may fall this much short of its value; "PV . s >= cos(cutoff)"
+// includes equality (2.14.1), so the shader compares with a border that is lower by as much.
+constexpr double kCosineRounding = 4.0 / (1 << 23);
+
+float to_float(double x) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(x, -kLargest, kLargest));
+}
+
+glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
+
+double largest_component(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+// The zero vector has no direction and stays 0.
+glm::dvec3 unit(const glm::dvec3& v) {
+    const double biggest = largest_component(v);
+    if (!(biggest > 0)) return glm::dvec3(0);
+    const glm::dvec3 direction = glm::normalize(v / biggest);
+    return largest_component(direction) <= 1 ? direction : glm::dvec3(0);
+}
+
+double cos_deg(double deg) { return deg == 90 ? 0 : std::cos(deg * std::numbers::pi / 180); }
+
+// The power of two not above x; 1 where there is none.
+double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
+
+// ---- Ranges ----
+// The shader squares lengths, and a float's square ends at 1e38 and 1e-38. Lighting does not depend on the
+// unit of length (but for attenuation, whose factors are converted), nor unit normals on theirs. So what is
+// far from 1 is measured in another unit: a power of two, so that nothing is rounded.
+
+bool ordinary(double size) { return size > 1e-12 && size < 1e12; }
+
+double eye_unit(const Draw& draw, const Plan& plan) {
+    glm::dvec4 reach(0);
+    for (const Vertex& v : draw.vertices) reach = glm::max(reach, glm::abs(v.position_object));
+    double size = 0;
+    for (int row = 0; row < 3; ++row) {
+        double sum = 0;
+        for (int column = 0; column < 4; ++column)
+            sum += std::abs(draw.eye_from_object[column][row]) * reach[column];
+        size = std::max(size, sum);
+    }
+    for (const PlannedLight& planned : plan.lights) {
+        const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
+        if (p.w != 0) size = std::max(size, largest_component(rgb(p) / p.w));
+    }
+    return ordinary(size) ? 1 : power_of_two(size);
+}
+
+// The transposed inverse of the modelview matrix's upper 3x3 (2.11.3). RULING: a singular matrix takes every
+// normal to 0.
+glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
+    glm::dmat3 m(draw.eye_from_object);
+    double scale = 0;
+    for (int column = 0; column < 3; ++column) scale = std::max(scale, largest_component(m[column]));
+    scale = power_of_two(scale);
+    m /= scale;
+    if (glm::determinant(m) == 0) return glm::dmat3(0);
+    glm::dmat3 normals = glm::transpose(glm::inverse(m));
+    // Where normals are made unit, the matrix's scale is free.
+    if (plan.effects.normalize || plan.effects.shading == Shading::kPhong) return normals;
+    // RESCALE_NORMAL: 1 / sqrt(m31^2 + m32^2 + m33^2) of the inverse, whose third row is this third column.
+    if (plan.lighting.rescale_normal) return normals / glm::length(normals[2]);
+    return normals / scale;
+}
+
+// ---- Uniforms ----
+
+class Builder {
+  public:
+    Builder(const Draw& draw, const Plan& plan) : draw_(draw), plan_(plan), effects_(plan.effects) {}
+
+    Uniforms build() {
+        matrix("u_clip_from_object", draw_.clip_from_eye * draw_.eye_from_object);
+        if (!effects_.lighting) return std::move(uniforms_);
+        unit_ = effects_.needs_position_eye() ? eye_unit(draw_, plan_) : 1;
+        glm::dmat4 eye_from_object = draw_.eye_from_object;
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
+        matrix("u_eye_from_object", eye_from_object);
+        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix(draw_, plan_));
+
+        vector("u_constant_ambient", plan_.constant_ambient);
+        face("front", plan_.lighting.front, effects_.front);
+        if (effects_.two_side) face("back", plan_.lighting.back, effects_.back);
+        for (std::size_t i = 0; i < plan_.lights.size(); ++i) light(i);
+        return std::move(uniforms_);
+    }
+
+  private:
+    void number(std::string name, double value) { uniforms_[std::move(name)] = {to_float(value)}; }
+    void vector(std::string name, const glm::dvec3& v) {
+        uniforms_[std::move(name)] = {to_float(v.x), to_float(v.y), to_float(v.z)};
+    }
+    template <class Matrix>
+    void matrix(std::string name, const Matrix& m) {
+        std::vector<float>& values = uniforms_[std::move(name)];
+        for (int column = 0; column < Matrix::length(); ++column)
+            for (int row = 0; row < Matrix::length(); ++row) values.push_back(to_float(m[column][row]));
+    }
+
+    // e_cm + a_cm a_cs, but for what follows the vertex's colour.
+    void face(const std::string& name, const Material& material, const FaceEffects& tracked) {
+        glm::dvec3 base(0);
+        if (!tracked.tracks_emission) base += rgb(material.emission);
+        if (!tracked.tracks_ambient) base += rgb(material.ambient) * plan_.constant_ambient;
+        vector(fmt::format("u_{}_base", name), base);
+        number(fmt::format("u_{}_alpha", name), material.diffuse.a);
+        number(fmt::format("u_{}_shininess", name), material.shininess);
+        for (std::size_t i = 0; i < plan_.lights.size(); ++i) {
+            const LightSource& light = source(i);
+            const auto product = [&](const char* term, const glm::dvec4& light_color, const glm::dvec4& color,
+                                     bool tracks) {
+                const glm::dvec3 reaching = plan_.lights[i].constant_reach * rgb(light_color);
+                vector(fmt::format("u_light{}_{}_{}", i, name, term),
+                       tracks ? reaching : reaching * rgb(color));
+            };
+            product("ambient", light.ambient, material.ambient, tracked.tracks_ambient);
+            product("diffuse", light.diffuse, material.diffuse, tracked.tracks_diffuse);
+            product("specular", light.specular, material.specular, tracked.tracks_specular);
+        }
+    }
+
+    void light(std::size_t i) {
+        const LightSource& light = source(i);
+        const LightEffects& effects = effects_.lights[i];
+        const auto name = [&](const char* what) { return fmt::format("u_light{}_{}", i, what); };
+        if (effects.directional) {
+            const glm::dvec3 vp_dir = unit(rgb(light.position_eye));
+            vector(name("direction_eye"), vp_dir);
+            vector(name("half_dir"), unit(vp_dir + glm::dvec3(0, 0, 1)));
+            return;
+        }
+        vector(name("position_eye"), rgb(light.position_eye) / light.position_eye.w / unit_);
+        number(name("constant_attenuation"), light.constant_attenuation);
+        number(name("linear_attenuation"), light.linear_attenuation * unit_);
+        number(name("quadratic_attenuation"), light.quadratic_attenuation * unit_ * unit_);
+        vector(name("spot_direction_eye"), unit(light.spot_direction_eye));
+        number(name("spot_cutoff_cosine"), cos_deg(light.spot_cutoff_deg) - kCosineRounding);
+        number(name("spot_exponent"), light.spot_exponent);
+        if (!light.smooth_cone) return;
+        // RULING: equal cones (and an inner one that is wider) are a step at the outer, which belongs to the
+        // cone: a slope as steep as rounding, below it.
+        const double outer = cos_deg(light.smooth_cone->outer_deg);
+        const double span = cos_deg(light.smooth_cone->inner_deg) - outer;
+        number(name("outer_cosine"), span > 0 ? outer : outer - 2 * kCosineRounding);
+        number(name("cone_slope"), 1 / (span > 0 ? span : kCosineRounding));
+    }
+
+    const LightSource& source(std::size_t i) const {
+        return plan_.lighting.lights[static_cast<std::size_t>(plan_.lights[i].number)];
+    }
+
+    const Draw& draw_;
+    const Plan& plan_;
+    const EffectSet& effects_;
+    double unit_ = 1;  // of length in the shader's eye coordinates
+    Uniforms uniforms_;
+};
+
+}  // namespace
+
+Uniforms uniforms(const Draw& draw, const Plan& plan) { return Builder(draw, plan).build(); }
+
+VertexArray vertex_array(const Draw& draw, const EffectSet& effects) {
+    VertexArray array;
+    if (effects.needs_normal()) {
+        array.normal_offset = array.floats_per_vertex;
+        array.floats_per_vertex += 3;
+    }
+    if (effects.needs_color()) {
+        array.color_offset = array.floats_per_vertex;
+        array.floats_per_vertex += 4;
+    }
+    const bool normals_made_unit = effects.normalize || effects.shading == Shading::kPhong;
+    array.values.reserve(draw.vertices.size() * static_cast<std::size_t>(array.floats_per_vertex));
+    const auto add = [&](const auto& v) {
+        for (int i = 0; i < v.length(); ++i) array.values.push_back(to_float(v[i]));
+    };
+    for (const Vertex& vertex : draw.vertices) {
+        add(vertex.position_object);
+        if (array.normal_offset >= 0) {
+            const double size = largest_component(vertex.normal_object);
+            add(normals_made_unit && !ordinary(size) ? vertex.normal_object / power_of_two(size)
+                                                     : vertex.normal_object);
+        }
+        if (array.color_offset >= 0) add(vertex.color);
+    }
+    return array;
+}
+
+}  // namespace twinlight::programmable

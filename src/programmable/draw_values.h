@@ -1,0 +1,34 @@
+// DrawValues: the numbers that a Draw's program takes, worked out in double precision and rounded to float
+// once.
+//
+// Whatever is the same at every vertex is done here and not in the shader: unit directions, cosines, half
+// vectors of directional lights, the products of the material's and the lights' colours, the matrix of the
+// normals.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "effect/plan.h"
+
+namespace twinlight::programmable {
+
+// By the uniform's name; 1, 3, 9 or 16 floats, matrices by columns.
+using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
+
+// Every uniform that the program of plan.effects has.
+Uniforms uniforms(const Draw& draw, const Plan& plan);
+
+// The attributes of the vertices, one vertex after the other: a_position (4), then a_normal (3) and a_color
+// (4) where the effects call for them.
+struct VertexArray {
+    std::vector<float> values;
+    int floats_per_vertex = 4;
+    int normal_offset = -1;  // in floats; -1: not there
+    int color_offset = -1;
+};
+
+VertexArray vertex_array(const Draw& draw, const EffectSet& effects);
+
+}  // namespace twinlight::programmable

@@ -1,0 +1,95 @@
+#version 130
+#if EFFECT_PHONG
+// The fragment shader: lights each fragment (GL 2.1, section 2.14, of a vertex there).
+#else
+// The fragment shader: the interpolated colours (GL 2.1, section 3.9).
+#endif
+
+#if EFFECT_PHONG
+#if EFFECT_VERTEX_W
+in vec4 v_position_eye;
+#elif EFFECT_POSITION_EYE
+in vec3 v_position_eye;
+#endif
+#if EFFECT_NORMAL
+in vec3 v_normal_eye;
+#endif
+#if EFFECT_COLOR
+in vec4 v_color;
+#endif
+#else
+INTERPOLATION in vec4 v_front_primary;
+#if EFFECT_SEPARATE_SPECULAR
+INTERPOLATION in vec3 v_front_secondary;
+#endif
+#if EFFECT_TWO_SIDE
+INTERPOLATION in vec4 v_back_primary;
+#endif
+#if EFFECT_TWO_SIDE && EFFECT_SEPARATE_SPECULAR
+INTERPOLATION in vec3 v_back_secondary;
+#endif
+#endif
+
+out vec4 fragment_color;
+
+#if EFFECT_PHONG
+#if EFFECT_UNIT
+#include "unit.glsl"
+#endif
+#if EFFECT_VERTEX_W
+#include "divided_by_w.glsl"
+#endif
+#include "lighting.glsl"
+#endif
+
+void main() {
+#if EFFECT_PHONG
+#if EFFECT_SURFACE
+    Surface surface;
+#endif
+#if EFFECT_VERTEX_W
+    surface.position_eye = divided_by_w(v_position_eye);
+#elif EFFECT_POSITION_EYE
+    surface.position_eye = v_position_eye;
+#endif
+#if EFFECT_NORMAL
+    surface.normal_eye = unit(v_normal_eye);  // interpolation shortens it
+#endif
+#if EFFECT_COLOR
+    surface.color = v_color;
+#endif
+#if EFFECT_TWO_SIDE
+    Lit lit;
+    if (gl_FrontFacing) {
+        lit = light_front(SURFACE);
+    } else {
+#if EFFECT_NORMAL
+        surface.normal_eye = -surface.normal_eye;
+#endif
+        lit = light_back(SURFACE);
+    }
+#else
+    Lit lit = light_front(SURFACE);
+#endif
+    vec4 primary = lit.primary;
+#if EFFECT_SEPARATE_SPECULAR
+    vec3 secondary = lit.secondary;
+#endif
+#elif EFFECT_TWO_SIDE
+    vec4 primary = gl_FrontFacing ? v_front_primary : v_back_primary;
+#if EFFECT_SEPARATE_SPECULAR
+    vec3 secondary = gl_FrontFacing ? v_front_secondary : v_back_secondary;
+#endif
+#else
+    vec4 primary = v_front_primary;
+#if EFFECT_SEPARATE_SPECULAR
+    vec3 secondary = v_front_secondary;
+#endif
+#endif
+#if EFFECT_SEPARATE_SPECULAR
+    // The colour sum (section 3.9).
+    fragment_color = vec4(min(primary.rgb + secondary, 1.0), primary.a);
+#else
+    fragment_color = primary;
+#endif
+}

@@ -1,0 +1,75 @@
+    {
+        // LIGHTi.
+#if EFFECT_LIGHT_DIRECTIONAL && EFFECT_LIGHT_VP_DIR
+        vec3 vp_dir = u_LIGHTi_direction_eye;
+#elif EFFECT_LIGHT_VP_DIR || EFFECT_LIGHT_ATTENUATED
+        vec3 vp = u_LIGHTi_position_eye - surface.position_eye;
+#endif
+#if !EFFECT_LIGHT_DIRECTIONAL && EFFECT_LIGHT_VP_DIR
+        vec3 vp_dir = unit(vp);
+#endif
+#if EFFECT_LIGHT_ATTENUATED
+        // att_i = 1 / (k0 + k1 d + k2 d^2); where that is 1/0, it contributes nothing.
+        float light_distance = length(vp);
+        float attenuation_divisor = u_LIGHTi_constant_attenuation +
+            light_distance * (u_LIGHTi_linear_attenuation + light_distance * u_LIGHTi_quadratic_attenuation);
+        float attenuation = attenuation_divisor > 0.0 ? 1.0 / attenuation_divisor : 0.0;
+#endif
+#if EFFECT_LIGHT_SPOT || EFFECT_LIGHT_SMOOTH_CONE
+        // spot_i: PV . s_dli is the cosine of the angle to the cone's axis.
+        float spot_cosine = dot(-vp_dir, u_LIGHTi_spot_direction_eye);
+#endif
+#if EFFECT_LIGHT_SPOT && EFFECT_LIGHT_SPOT_EXPONENT
+        float spot = spot_cosine >= u_LIGHTi_spot_cutoff_cosine
+            ? SPOT_POWER(max(spot_cosine, 0.0), u_LIGHTi_spot_exponent) : 0.0;
+#elif EFFECT_LIGHT_SPOT
+        float spot = spot_cosine >= u_LIGHTi_spot_cutoff_cosine ? 1.0 : 0.0;
+#elif EFFECT_LIGHT_SMOOTH_CONE
+        // Not GL: a cone with a soft border.
+        float spot = clamp((spot_cosine - u_LIGHTi_outer_cosine) * u_LIGHTi_cone_slope, 0.0, 1.0);
+#endif
+#if EFFECT_LIGHT_ATTENUATED && EFFECT_LIGHT_CONE
+        float reach = attenuation * spot;
+#elif EFFECT_LIGHT_ATTENUATED
+        float reach = attenuation;
+#elif EFFECT_LIGHT_CONE
+        float reach = spot;
+#endif
+#if EFFECT_LIGHT_AMBIENT && EFFECT_FACE_TRACKS_AMBIENT
+        lit.primary.rgb += REACH_TIMES surface.color.rgb * u_LIGHTi_FACE_ambient;
+#elif EFFECT_LIGHT_AMBIENT
+        lit.primary.rgb += REACH_TIMES u_LIGHTi_FACE_ambient;
+#endif
+#if EFFECT_LIGHT_N_DOT_VP
+        float n_dot_vp = max(dot(surface.normal_eye, vp_dir), 0.0);
+#endif
+#if EFFECT_LIGHT_DIFFUSE && EFFECT_FACE_TRACKS_DIFFUSE
+        lit.primary.rgb += REACH_TIMES n_dot_vp * (surface.color.rgb * u_LIGHTi_FACE_diffuse);
+#elif EFFECT_LIGHT_DIFFUSE
+        lit.primary.rgb += REACH_TIMES n_dot_vp * u_LIGHTi_FACE_diffuse;
+#endif
+#if EFFECT_LIGHT_SPECULAR && EFFECT_REFLECTION && EFFECT_SHININESS
+        // Not GL: the highlight by reflection, (r . v)^s_rm, without f_i.
+        vec3 reflected_dir = 2.0 * dot(surface.normal_eye, vp_dir) * surface.normal_eye - vp_dir;
+        float highlight = POWER(max(dot(reflected_dir, vpe_dir), 0.0), u_FACE_shininess);
+#elif EFFECT_LIGHT_SPECULAR && EFFECT_REFLECTION
+        float highlight = 1.0;  // (r . v)^0
+#elif EFFECT_LIGHT_SPECULAR && EFFECT_LIGHT_HALF_DIR
+        // f_i (n . h_i)^s_rm; f_i is 0 where the light is behind the surface.
+        float highlight = n_dot_vp > 0.0 ? POWER(max(dot(surface.normal_eye, u_LIGHTi_half_dir), 0.0), u_FACE_shininess) : 0.0;
+#elif EFFECT_LIGHT_SPECULAR && EFFECT_SHININESS
+        // f_i (n . h_i)^s_rm; f_i is 0 where the light is behind the surface.
+        vec3 half_dir = unit(vp_dir + vpe_dir);
+        float highlight = n_dot_vp > 0.0 ? POWER(max(dot(surface.normal_eye, half_dir), 0.0), u_FACE_shininess) : 0.0;
+#elif EFFECT_LIGHT_SPECULAR
+        float highlight = n_dot_vp > 0.0 ? 1.0 : 0.0;  // f_i; (n . h_i)^0 is 1
+#endif
+#if EFFECT_LIGHT_SPECULAR && EFFECT_HIGHLIGHT_BOUND
+        highlight = min(highlight, 1e30);  // normals may be longer than 1; infinity times 0 is no number
+#endif
+#if EFFECT_LIGHT_SPECULAR && EFFECT_FACE_TRACKS_SPECULAR
+        SPECULAR_SUM += REACH_TIMES highlight * (surface.color.rgb * u_LIGHTi_FACE_specular);
+#elif EFFECT_LIGHT_SPECULAR
+        SPECULAR_SUM += REACH_TIMES highlight * u_LIGHTi_FACE_specular;
+#endif
+    }

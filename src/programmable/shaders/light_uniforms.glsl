@@ -1,0 +1,28 @@
+// LIGHTi.
+#if EFFECT_LIGHT_DIRECTIONAL
+uniform vec3 u_LIGHTi_direction_eye;  // VP, of length 1
+#else
+uniform vec3 u_LIGHTi_position_eye;  // P_pli
+#endif
+#if EFFECT_LIGHT_ATTENUATED
+uniform float u_LIGHTi_constant_attenuation;
+uniform float u_LIGHTi_linear_attenuation;
+uniform float u_LIGHTi_quadratic_attenuation;
+#endif
+#if EFFECT_LIGHT_SPOT || EFFECT_LIGHT_SMOOTH_CONE
+uniform vec3 u_LIGHTi_spot_direction_eye;  // s_dli, of length 1
+#endif
+#if EFFECT_LIGHT_SPOT
+uniform float u_LIGHTi_spot_cutoff_cosine;
+#endif
+#if EFFECT_LIGHT_SPOT && EFFECT_LIGHT_SPOT_EXPONENT
+uniform float u_LIGHTi_spot_exponent;  // s_rli
+#endif
+#if EFFECT_LIGHT_SMOOTH_CONE
+uniform float u_LIGHTi_outer_cosine;
+uniform float u_LIGHTi_cone_slope;  // 1 / (cos inner - cos outer)
+#endif
+#if EFFECT_LIGHT_HALF_DIR
+uniform vec3 u_LIGHTi_half_dir;  // h_i, the same at every vertex
+#endif
+

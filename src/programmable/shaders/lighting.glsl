@@ -1,0 +1,35 @@
+// The lighting equation (GL 2.1, section 2.14.1), in eye coordinates:
+//
+//   c_pri = e_cm + a_cm a_cs + sum_i att_i spot_i [ a_cm a_cli + (n . VP_i) d_cm d_cli + f_i (n . h_i)^s_rm s_cm s_cli ]
+//
+// Only what this Draw calls for stands below. Products of a light's and a material's colour come from the
+// processor; where the vertex's colour is the material's, it is multiplied here.
+#if EFFECT_SURFACE
+struct Surface {
+#if EFFECT_POSITION_EYE
+    vec3 position_eye;  // V
+#endif
+#if EFFECT_NORMAL
+    vec3 normal_eye;  // n
+#endif
+#if EFFECT_COLOR
+    vec4 color;  // of the vertex: GL_COLOR_MATERIAL (section 2.14.3)
+#endif
+};
+#endif
+
+struct Lit {
+    vec4 primary;  // c_pri
+#if EFFECT_SEPARATE_SPECULAR
+    vec3 secondary;  // c_sec
+#endif
+};
+
+#if EFFECT_POWER_WHOLE
+#include "power.glsl"
+#endif
+#if EFFECT_TRACKS_AMBIENT
+uniform vec3 u_constant_ambient;  // light from everywhere: a_cs, and a_cli that nothing weakens on its way
+#endif
+#for_each_light "light_uniforms.glsl"
+#for_each_face "face.glsl"

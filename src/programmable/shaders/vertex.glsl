@@ -1,0 +1,115 @@
+#version 130
+// The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11)
+#if EFFECT_PHONG
+// and to eye coordinates, in which the fragment shader lights.
+#elif EFFECT_LIGHTING
+// and to eye coordinates, in which the vertex is lit (section 2.14).
+#else
+// and the vertex's colour.
+#endif
+
+in vec4 a_position;  // in object coordinates
+#if EFFECT_NORMAL
+in vec3 a_normal;
+#endif
+#if EFFECT_COLOR
+in vec4 a_color;
+#endif
+
+uniform mat4 u_clip_from_object;  // the product of the projection and the modelview matrix
+#if EFFECT_POSITION_EYE
+uniform mat4 u_eye_from_object;  // the modelview matrix
+#endif
+#if EFFECT_NORMAL
+uniform mat3 u_eye_from_object_normal;  // the transposed inverse of its upper 3x3 (section 2.11.3)
+#endif
+
+#if EFFECT_PHONG
+#if EFFECT_VERTEX_W
+out vec4 v_position_eye;
+#elif EFFECT_POSITION_EYE
+out vec3 v_position_eye;
+#endif
+#if EFFECT_NORMAL
+out vec3 v_normal_eye;
+#endif
+#if EFFECT_COLOR
+out vec4 v_color;
+#endif
+#else
+// "flat" takes the provoking vertex's value (section 2.14.7, table 2.12).
+INTERPOLATION out vec4 v_front_primary;
+#if EFFECT_SEPARATE_SPECULAR
+INTERPOLATION out vec3 v_front_secondary;
+#endif
+#if EFFECT_TWO_SIDE
+INTERPOLATION out vec4 v_back_primary;
+#endif
+#if EFFECT_TWO_SIDE && EFFECT_SEPARATE_SPECULAR
+INTERPOLATION out vec3 v_back_secondary;
+#endif
+#endif
+
+#if EFFECT_UNIT
+#include "unit.glsl"
+#endif
+#if EFFECT_VERTEX_W && !EFFECT_PHONG
+#include "divided_by_w.glsl"
+#endif
+#if EFFECT_LIGHTING && !EFFECT_PHONG
+#include "lighting.glsl"
+#endif
+
+void main() {
+    gl_Position = u_clip_from_object * a_position;
+#if EFFECT_PHONG
+#include "surface.glsl"
+#if EFFECT_VERTEX_W
+    v_position_eye = position_eye;
+#elif EFFECT_POSITION_EYE
+    v_position_eye = position_eye.xyz;
+#endif
+#if EFFECT_NORMAL
+    v_normal_eye = normal_eye;
+#endif
+#if EFFECT_COLOR
+    v_color = a_color;
+#endif
+#elif EFFECT_LIGHTING
+#include "surface.glsl"
+#if EFFECT_SURFACE
+    Surface surface;
+#endif
+#if EFFECT_VERTEX_W
+    surface.position_eye = divided_by_w(position_eye);
+#elif EFFECT_POSITION_EYE
+    surface.position_eye = position_eye.xyz;
+#endif
+#if EFFECT_NORMAL
+    surface.normal_eye = normal_eye;
+#endif
+#if EFFECT_COLOR
+    surface.color = a_color;
+#endif
+    Lit front = light_front(SURFACE);
+    v_front_primary = front.primary;
+#if EFFECT_SEPARATE_SPECULAR
+    v_front_secondary = front.secondary;
+#endif
+#if EFFECT_TWO_SIDE
+    // The back face has its own material and the opposite normal; which one shows is known per fragment.
+#if EFFECT_NORMAL
+    surface.normal_eye = -normal_eye;
+#endif
+    Lit back = light_back(SURFACE);
+    v_back_primary = back.primary;
+#endif
+#if EFFECT_TWO_SIDE && EFFECT_SEPARATE_SPECULAR
+    v_back_secondary = back.secondary;
+#endif
+#elif EFFECT_CLAMP
+    v_front_primary = clamp(a_color, 0.0, 1.0);  // section 2.14.6
+#else
+    v_front_primary = a_color;
+#endif
+}

@@ -1,0 +1,103 @@
+// Which pictures are drawn, which are held against each other, and what they are held to.
+#include "report/comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+namespace twinlight::report {
+
+namespace {
+
+constexpr RenderOptions kPerVertex = {.shading = std::nullopt, .lecture_variants = false};
+constexpr RenderOptions kPerPixel = {.shading = Shading::kPhong, .lecture_variants = true};
+
+struct PlannedRender {
+    const char* name;
+    RenderFunction Renderers::*renderer;
+    RenderOptions options;
+    bool by_driver;
+};
+const std::array kRenders = {
+    PlannedRender{"fixed", &Renderers::fixed, kPerVertex, true},
+    PlannedRender{"programmable", &Renderers::programmable, kPerVertex, true},
+    PlannedRender{"reference", &Renderers::reference, kPerVertex, false},
+    PlannedRender{"programmable-phong", &Renderers::programmable, kPerPixel, true},
+    PlannedRender{"reference-phong", &Renderers::reference, kPerPixel, false},
+};
+
+struct PlannedPair {
+    std::size_t a, b;  // into kRenders
+    bool judged;
+};
+constexpr std::array kPairs = {
+    PlannedPair{0, 1, true}, PlannedPair{0, 2, true},  PlannedPair{1, 2, true},
+    PlannedPair{3, 4, true}, PlannedPair{0, 3, false},  // what GL's lighting of vertices cannot show
+};
+
+Render render(const PlannedRender& planned, const Frame& frame, const Renderers& renderers) {
+    using Clock = std::chrono::steady_clock;
+    const RenderFunction& draw = renderers.*planned.renderer;
+    if (planned.by_driver) draw(frame, planned.options);
+    const Clock::time_point start = Clock::now();
+    Image image = draw(frame, planned.options);
+    const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
+    return {.name = planned.name, .image = std::move(image), .ms = taken.count()};
+}
+
+}  // namespace
+
+bool Comparison::within_tolerance() const {
+    return std::ranges::none_of(pairs, [](const Pair& pair) { return pair.verdict == Verdict::kBeyond; });
+}
+
+Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
+    const RegionDifference& interior = difference.interior;
+    const bool within = interior.max <= tolerance.max &&
+                        (interior.differing == 0 || interior.differing_share() < tolerance.differing_share);
+    return within ? Verdict::kWithin : Verdict::kBeyond;
+}
+
+Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
+                         const Renderers& renderers, const Progress& progress) {
+    constexpr int kSteps = static_cast<int>(kRenders.size()) + 2;
+    int done = 0;
+    const auto begin_step = [&](std::string_view name) {
+        if (progress) progress(done++, kSteps, name);
+    };
+
+    Comparison result;
+    result.scene = scene;
+    result.driver = driver;
+    result.width = frame.width;
+    result.height = frame.height;
+    result.unsupported = frame.unsupported;
+    for (const PlannedRender& planned : kRenders) {
+        begin_step(planned.name);
+        result.renders.push_back(render(planned, frame, renderers));
+    }
+    begin_step("edges");
+    result.edges = renderers.edge_pixels(frame);
+
+    begin_step("differences");
+    for (const PlannedPair& planned : kPairs) {
+        Pair pair;
+        pair.a = planned.a;
+        pair.b = planned.b;
+        pair.difference = difference(result.a(pair).image, result.b(pair).image, result.edges);
+        if (planned.judged) pair.verdict = judge(pair.difference, result.tolerance);
+        // The interior is what is judged; an edge pixel that is wholly different must not darken it.
+        pair.factor = amplification_for(pair.difference.interior.max);
+        result.pairs.push_back(pair);
+    }
+    return result;
+}
+
+std::string picture_file(const Render& render) { return render.name + ".png"; }
+
+std::string difference_file(const Comparison& comparison, const Pair& pair) {
+    return "difference-" + comparison.a(pair).name + "-" + comparison.b(pair).name + ".png";
+}
+
+}  // namespace twinlight::report

@@ -1,0 +1,57 @@
+// The report's files.
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "image/file.h"
+#include "image/png.h"
+#include "report/comparison.h"
+
+namespace twinlight::report {
+
+namespace {
+
+Image edge_picture(const Comparison& comparison) {
+    Image picture(comparison.width, comparison.height, {0, 0, 0, 1});
+    for (std::size_t i = 0; i < comparison.edges.size(); ++i) {
+        if (comparison.edges[i]) picture.pixels[i] = {1, 1, 1, 1};
+    }
+    return picture;
+}
+
+}  // namespace
+
+EncodedPictures encode_pictures(const Comparison& comparison) {
+    EncodedPictures pictures;
+    for (const Render& render : comparison.renders) pictures.renders.push_back(encode_png(render.image));
+    for (const Pair& pair : comparison.pairs) {
+        pictures.differences.push_back(
+            encode_png(difference_picture(comparison.a(pair).image, comparison.b(pair).image, pair.factor)));
+    }
+    pictures.edges = encode_png(edge_picture(comparison));
+    return pictures;
+}
+
+void write_report(const Comparison& comparison, const std::string& folder) {
+    const EncodedPictures pictures = encode_pictures(comparison);
+    const std::string json = comparison_json(comparison);
+    const std::string page = comparison_page(comparison, pictures);
+
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw FileError(folder + ": " + error.message());
+    const auto write = [&](const std::string& name, const std::string& bytes) {
+        write_file_atomically((std::filesystem::path(folder) / name).string(), bytes);
+    };
+    for (std::size_t i = 0; i < comparison.renders.size(); ++i) {
+        write(picture_file(comparison.renders[i]), pictures.renders[i]);
+    }
+    for (std::size_t i = 0; i < comparison.pairs.size(); ++i) {
+        write(difference_file(comparison, comparison.pairs[i]), pictures.differences[i]);
+    }
+    // The page comes last: where it stands, all it belongs to stands too.
+    write("comparison.json", json);
+    write("index.html", page);
+}
+
+}  // namespace twinlight::report

@@ -1,0 +1,159 @@
+// The report's page: pages/page.html with its {{places}} filled.
+//
+// Tables and pictures are plain HTML, so that the page reads without its script too; the script adds the wipe
+// and the magnifier to what stands there.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+
+#include "report/comparison.h"
+#include "report/pages.h"
+#include "report/words.h"
+
+namespace twinlight::report {
+
+namespace {
+
+std::string_view page_file(std::string_view name) {
+    const auto file = std::ranges::find(kPageFiles, name, &EmbeddedFile::name);
+    if (file == kPageFiles.end())
+        throw std::logic_error("the page's file is not embedded: " + std::string(name));
+    return file->text;
+}
+
+std::string escaped(std::string_view text) {
+    std::string html;
+    for (const char c : text) {
+        switch (c) {
+            case '&': html += "&amp;"; break;
+            case '<': html += "&lt;"; break;
+            case '>': html += "&gt;"; break;
+            case '"': html += "&quot;"; break;
+            default: html += c;
+        }
+    }
+    return html;
+}
+
+// RFC 4648 section 4.
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            group = group << 8 | (k < count ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
+        }
+        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
+}
+
+std::string image(const Comparison& comparison, std::string_view png, std::string_view attributes) {
+    return fmt::format(R"(<img {} width="{}" height="{}" src="data:image/png;base64,{}">)", attributes,
+                       comparison.width, comparison.height, base64(png));
+}
+
+// A picture with its name below; `name` is also what the script's lists call it.
+std::string figure(const Comparison& comparison, std::string_view png, const std::string& name,
+                   std::string_view kind, std::string_view remark) {
+    return fmt::format(
+        "<figure>{}<figcaption>{} <span>{}</span></figcaption></figure>\n",
+        image(comparison, png, fmt::format(R"(alt="{0}" data-name="{0}" data-kind="{1}")", name, kind)), name,
+        remark);
+}
+
+std::string cells(const RegionDifference& region) {
+    const std::string worst =
+        region.differing == 0
+            ? "&ndash;"
+            : fmt::format(
+                  R"(<button type="button" class="place" data-x="{0}" data-y="{1}">{0}, {1}</button>)",
+                  region.worst_x, region.worst_y);
+    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>", grouped(region.differing),
+                       share_of(region), codes_of(region.max),
+                       region.rms == 0 ? "0" : fmt::format("{:.2e}", region.rms), worst);
+}
+
+std::string pair_rows(const Comparison& comparison) {
+    std::string rows;
+    for (const Pair& pair : comparison.pairs) {
+        rows += fmt::format(
+            "<tr><th scope=\"row\">{0}<br>~ {1}</th><td class=\"verdict {2}\">{2}</td>{3}{4}</tr>\n",
+            comparison.a(pair).name, comparison.b(pair).name, word_of(pair.verdict),
+            cells(pair.difference.interior), cells(pair.difference.edge));
+    }
+    return rows;
+}
+
+std::string verdict(const Comparison& comparison) {
+    const std::vector<std::string> sentences = verdict_sentences(comparison);
+    std::string html = "<p>" + escaped(sentences.front()) + "</p>";
+    if (sentences.size() == 1) return html;
+    html += "\n<ul>";
+    for (std::size_t i = 1; i < sentences.size(); ++i) html += "<li>" + escaped(sentences[i]) + "</li>";
+    return html + "</ul>";
+}
+
+std::string unsupported(const Comparison& comparison) {
+    if (comparison.unsupported.empty()) return "<p>Every command of the scene is done by every renderer.</p>";
+    std::string html = "<p>These pictures are not the whole scene:</p>\n<ul>";
+    for (const Unsupported& item : comparison.unsupported)
+        html += "<li>" + escaped(sentence_of(item)) + "</li>\n";
+    return html + "</ul>";
+}
+
+// Replaces each {{name}}; what is put in is not looked at again.
+std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values) {
+    std::string result;
+    for (std::size_t at = 0;;) {
+        const std::size_t open = text.find("{{", at);
+        result += text.substr(at, open - at);
+        if (open == std::string_view::npos) return result;
+        const std::size_t close = text.find("}}", open);
+        const auto value = values.find(text.substr(open + 2, close - open - 2));
+        if (value == values.end()) throw std::logic_error("the page has a place that nothing fills");
+        result += value->second;
+        at = close + 2;
+    }
+}
+
+}  // namespace
+
+std::string comparison_page(const Comparison& comparison, const EncodedPictures& pictures) {
+    std::string renders, differences;
+    for (std::size_t i = 0; i < comparison.renders.size(); ++i) {
+        const Render& render = comparison.renders[i];
+        renders += figure(comparison, pictures.renders[i], render.name, "render",
+                          fmt::format("{:.1f} ms", render.ms));
+    }
+    for (std::size_t i = 0; i < comparison.pairs.size(); ++i) {
+        const Pair& pair = comparison.pairs[i];
+        differences += figure(comparison, pictures.differences[i], name_of(comparison, pair), "difference",
+                              fmt::format("difference &times; {}", pair.factor));
+    }
+    return filled(page_file("page.html"),
+                  {{"scene", escaped(comparison.scene)},
+                   {"driver", escaped(comparison.driver)},
+                   {"size", fmt::format("{} &times; {}", comparison.width, comparison.height)},
+                   {"state", comparison.within_tolerance() ? "within" : "beyond"},
+                   {"verdict", verdict(comparison)},
+                   {"renders", renders},
+                   {"differences", differences},
+                   {"edges", image(comparison, pictures.edges, R"(id="edges" alt="" hidden)")},
+                   {"pair_rows", pair_rows(comparison)},
+                   {"interior_pixels", grouped(comparison.pairs.front().difference.interior.pixels)},
+                   {"edge_pixels", grouped(comparison.pairs.front().difference.edge.pixels)},
+                   {"tolerance", words_of(comparison.tolerance)},
+                   {"unsupported", unsupported(comparison)},
+                   {"style", std::string(page_file("page.css"))},
+                   {"script", std::string(page_file("page.js"))}});
+}
+
+}  // namespace twinlight::report

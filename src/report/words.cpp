@@ -1,0 +1,73 @@
+#include "report/words.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace twinlight::report {
+
+std::string grouped(std::size_t number) {
+    std::string digits = std::to_string(number);
+    for (std::ptrdiff_t i = std::ssize(digits) - 3; i > 0; i -= 3)
+        digits.insert(static_cast<std::size_t>(i), ",");
+    return digits;
+}
+
+std::string codes_of(double max) { return fmt::format("{}/255", std::lround(max * 255)); }
+
+std::string share_of(const RegionDifference& region) {
+    const double percent = 100 * region.differing_share();
+    if (percent == 0) return "0%";
+    if (percent < 0.01) return "< 0.01%";
+    return fmt::format("{:.2f}%", percent);
+}
+
+std::string name_of(const Comparison& comparison, const Pair& pair) {
+    return comparison.a(pair).name + " ~ " + comparison.b(pair).name;
+}
+
+std::string word_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::kWithin: return "within";
+        case Verdict::kBeyond: return "beyond";
+        case Verdict::kInformative: return "informative";
+    }
+    return "";
+}
+
+std::string words_of(const Tolerance& tolerance) {
+    return fmt::format(
+        "no interior channel off by more than {}, fewer than {:g}% of interior pixels differing",
+        codes_of(tolerance.max), 100 * tolerance.differing_share);
+}
+
+std::vector<std::string> verdict_sentences(const Comparison& comparison) {
+    if (comparison.within_tolerance()) {
+        return {"The renderers agree: every judged pair is within the tolerance (" +
+                words_of(comparison.tolerance) + ")."};
+    }
+    std::vector<std::string> sentences = {"The renderers differ: the tolerance (" +
+                                          words_of(comparison.tolerance) + ") is exceeded."};
+    for (const Pair& pair : comparison.pairs) {
+        if (pair.verdict != Verdict::kBeyond) continue;
+        const RegionDifference& interior = pair.difference.interior;
+        sentences.push_back(fmt::format("{}: {} of {} interior pixels differ ({}), by up to {} at ({}, {}).",
+                                        name_of(comparison, pair), grouped(interior.differing),
+                                        grouped(interior.pixels), share_of(interior), codes_of(interior.max),
+                                        interior.worst_x, interior.worst_y));
+    }
+    return sentences;
+}
+
+std::string sentence_of(const Unsupported& unsupported) {
+    std::string renderers;
+    for (std::size_t i = 0; i < unsupported.renderers.size(); ++i) {
+        if (i > 0) renderers += i + 1 == unsupported.renderers.size() ? " and " : ", ";
+        renderers += unsupported.renderers[i];
+    }
+    const std::string count = unsupported.count == 1 ? "once" : fmt::format("{} times", unsupported.count);
+    return fmt::format("{} ({}, {}{}) is not done by {}.", unsupported.name, count,
+                       unsupported.count == 1 ? "at " : "first at ", unsupported.first.str(), renderers);
+}
+
+}  // namespace twinlight::report

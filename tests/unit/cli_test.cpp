@@ -1,0 +1,279 @@
+// The program twinlight, as built: what it prints, what it writes, its exit status.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "image/file.h"
+#include "image/png.h"
+#include "run_program.h"
+
+namespace twinlight {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// A sphere that the default light, which shines along z, lights in its middle.
+constexpr const char* kScene =
+    R"(glMatrixMode(GL_PROJECTION); glOrtho(-1, 1, -1, 1, -1, 1); glMatrixMode(GL_MODELVIEW);
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_DEPTH_TEST);
+glutSolidSphere(0.8, 24, 12);
+)";
+
+class Cli : public testing::Test {
+  protected:
+    // A scene file in the test's folder.
+    std::string scene(const std::string& text, const std::string& name = "scene.gl") {
+        write_file_atomically(in_ / name, text);
+        return in_ / name;
+    }
+    ProgramResult run(const std::vector<std::string>& arguments) {
+        return run_program("twinlight", arguments);
+    }
+
+    // Bad input or use: exit 2, nothing on standard output, one line on standard error, no file in out_.
+    void expect_refused(const ProgramResult& result, const std::string& expected) {
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+        EXPECT_NE(result.err.find(expected), std::string::npos) << result.err << "  expected: " << expected;
+        EXPECT_EQ(out_.names(), std::vector<std::string>());
+    }
+    void expect_scene_refused(const std::string& text, const std::string& expected) {
+        SCOPED_TRACE(text.substr(0, 200));
+        const std::string file = scene(text);
+        expect_refused(run({"render", file, "--with", "reference", "--size", "8x6", "-o", out_ / "p.png"}),
+                       expected);
+        expect_refused(run({"compare", file, "--size", "8x6", "-o", out_ / "report"}), expected);
+    }
+
+    const TemporaryFolder in_, out_;
+};
+
+// ---- Use ----
+
+TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
+    for (const std::vector<std::string>& command :
+         std::vector<std::vector<std::string>>{{}, {"render"}, {"compare"}, {"export"}, {"scenes"}}) {
+        for (const char* flag : {"--help", "-h", "--version"}) {
+            std::vector<std::string> arguments = command;
+            arguments.emplace_back(flag);
+            const ProgramResult result = run(arguments);
+            EXPECT_EQ(result.status, 0);
+            EXPECT_EQ(result.err, "");
+            EXPECT_NE(result.out.find(std::string(flag) == "--version" ? "twinlight 0" : "Usage: twinlight"),
+                      std::string::npos);
+        }
+    }
+}
+
+TEST_F(Cli, RefusesBadUse) {
+    const std::string file = scene(kScene);
+    expect_refused(run({}), "a command is missing: render, compare, export or scenes");
+    expect_refused(run({"rendr"}), "there is no command 'rendr'; did you mean 'render'?");
+    expect_refused(run({"--bogus"}), "'--bogus'");
+    expect_refused(run({"render"}), "SCENE is required; see 'twinlight render --help'");
+    expect_refused(run({"render", file, "--with", "fixed"}), "-o is required");
+    expect_refused(run({"render", file, "-o", out_ / "p.png"}), "--with is required");
+    expect_refused(run({"render", file, "--with", "fixd", "-o", out_ / "p.png"}),
+                   "'fixd' is not one of fixed, ");
+    expect_refused(run({"render", file, "--with", "fixed", "--bogus", "-o", out_ / "p.png"}), "--bogus");
+    expect_refused(run({"render", file, file, "--with", "fixed", "-o", out_ / "p.png"}), "not expected");
+    expect_refused(run({"render", file, "--with", "fixed", "--shading", "phong", "-o", out_ / "p.png"}),
+                   "use --with programmable or --with reference");
+    expect_refused(run({"render", file, "--with", "fixed", "--shading", "smooth", "-o", out_ / "p.png"}),
+                   "flat");
+    expect_refused(run({"compare", file}), "-o is required");
+    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c");
+    expect_refused(run({"scenes", "no-such-scene-at-all"}),
+                   "there is no built-in scene 'no-such-scene-at-all'");
+}
+
+TEST_F(Cli, RefusesSizesOutsideTheLimits) {
+    const std::string file = scene(kScene);
+    for (const char* size : {"640", "x", "640x", "x480", "0x480", "640x0", "-1x5", "8193x1", "1x8193",
+                             "1e3x10", "640x480x2", "99999999999x1", " 640x480", ""}) {
+        expect_refused(run({"render", file, "--with", "fixed", "--size", size, "-o", out_ / "p.png"}),
+                       "--size");
+    }
+}
+
+// ---- Bad scenes ----
+
+TEST_F(Cli, RefusesBadScenesWithTheirPlace) {
+    const std::string file = in_ / "scene.gl";
+    expect_scene_refused("glEnable(GL_LIGHTING);\nglEnabel(GL_LIGHT0);\n", file + ":2:1: ");
+    expect_scene_refused("glEnable();\n", file + ":1:");
+    expect_scene_refused("glEnable(GL_LIGHTING, 1);\n", file + ":1:");
+    expect_scene_refused("glEnable(\"light\");\n", file + ":1:");
+    expect_scene_refused("glShadeModel(GL_SMOTH);\n", file + ":1:14: ");
+    expect_scene_refused("glShadeModel(GL_LIGHT0);\nglutSolidCube(1);\n", file + ":1:1: ");
+    expect_scene_refused("glBegin(GL_TRIANGLES);\nglVertex3f(0, 0, 0);\n", file + ":1:1: ");
+    expect_scene_refused("glutSolidCube(1);\nglEnd();\n", file + ":2:1: ");
+    expect_scene_refused("\nglPushMatrix();\nglutSolidCube(1);\n", file + ":2:1: ");
+    expect_scene_refused("glutSolidCube(1);\nglPopMatrix();\n", file + ":2:1: ");
+    expect_scene_refused("glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 120);\nglutSolidCube(1);\n", file + ":1:1: ");
+    expect_scene_refused("#pragma twinlight specular(mirror)\n", file + ":1:");
+    expect_scene_refused("glEnable(GL_LIGHTING", file + ":1:");
+    expect_scene_refused("/* no end", file + ":1:");
+}
+
+TEST_F(Cli, RefusesScenesThatAreNone) {
+    expect_scene_refused("", "scene.gl");
+    expect_scene_refused("// nothing\n", "scene.gl");
+    expect_scene_refused("glEnable(GL_LIGHTING);\n", "scene.gl");
+    expect_scene_refused(std::string("\x7f"
+                                     "ELF\x02\x01\x01\0\0\n\xff\xfe",
+                                     12),
+                         "scene.gl:1:1: ");
+    expect_scene_refused(std::string(1 << 20, '\0'), "scene.gl:1:1: ");
+    expect_scene_refused(std::string(1 << 20, '('), "scene.gl:1:");
+    expect_scene_refused("glScalef(" + std::string(1 << 20, '(') + "1", "scene.gl:1:");
+    expect_scene_refused("glScalef(" + std::string(1 << 20, '-') + "1", "scene.gl:1:");
+    expect_scene_refused(std::string(1 << 20, 'a') + "();\n", "scene.gl:1:1: ");
+}
+
+TEST_F(Cli, RefusesALineOfAGigabyteUnread) {
+    const ProgramResult result = run_shell("twinlight",
+                                           "head -c 1000000000 /dev/zero | tr '\\0' ' ' | "
+                                           "\"$PROGRAM\" render - --with reference -o " +
+                                               quoted(out_ / "p.png"));
+    expect_refused(result, "is larger than 64 MiB");
+}
+
+TEST_F(Cli, RefusesScenesThatAreNotThere) {
+    const auto render = [&](const std::string& name) {
+        return run({"render", name, "--with", "reference", "-o", out_ / "p.png"});
+    };
+    expect_refused(render(in_ / "none.gl"), in_ / "none.gl: No such file or directory");
+    expect_refused(render(in_.str()), "Is a directory");
+    expect_refused(render("no-such-scene-at-all"), "there is no built-in scene and no file of this name");
+    expect_refused(render("a\nb"), "a\\x0ab");
+    expect_refused(render("game.trace"), "game.trace: traces are not read yet");
+    expect_refused(render("repot"), "did you mean 'report'?");
+}
+
+// ---- Bad outputs ----
+
+TEST_F(Cli, SaysWhereItCannotWrite) {
+    const std::string file = scene(kScene);
+    const auto render = [&](const std::string& output) {
+        return run({"render", file, "--with", "fixed", "--size", "8x6", "-o", output});
+    };
+    expect_refused(render(out_ / "none/p.png"), "No such file or directory");
+    expect_refused(render(out_.str()), "Is a directory");
+    expect_refused(render("/dev/full"), "/dev/full: No space left on device");
+    expect_refused(run({"compare", file, "--size", "8x6", "-o", file}), file);
+    expect_refused(run_shell("twinlight", "\"$PROGRAM\" export " + quoted(file) + " --as c >/dev/full"),
+                   "standard output: No space left on device");
+    expect_refused(run_shell("twinlight", "\"$PROGRAM\" scenes >/dev/full"),
+                   "standard output: No space left on device");
+}
+
+TEST_F(Cli, LeavesNothingBehindWhenTheDiskIsFull) {
+    // ulimit counts blocks of 512 bytes; the reports' files are larger than one.
+    const std::string file = scene(kScene);
+    const ProgramResult result =
+        run_shell("twinlight", "trap '' XFSZ; ulimit -f 1; \"$PROGRAM\" render " + quoted(file) +
+                                   " --with fixed -o " + quoted(out_ / "p.png"));
+    expect_refused(result, "p.png: File too large");
+}
+
+TEST_F(Cli, LeavesNoPartOfAFileWhenItIsInterrupted) {
+    const std::string file = scene(kScene);
+    for (const char* delay : {"0.02", "0.05", "0.1", "0.15", "0.2", "0.25", "0.3", "0.4"}) {
+        run_shell("twinlight", "timeout -s INT " + std::string(delay) + " \"$PROGRAM\" compare " +
+                                   quoted(file) + " -o " + quoted(out_.str()) + " >/dev/null");
+        for (const std::string& name : out_.names()) {
+            EXPECT_TRUE(name.ends_with(".png") || name.ends_with(".json") || name.ends_with(".html")) << name;
+            if (name.ends_with(".png")) {
+                EXPECT_NO_THROW(read_png(out_ / name)) << name;
+            }
+            if (name.ends_with(".json")) {
+                EXPECT_TRUE(json::accept(read_file(out_ / name)));
+            }
+        }
+    }
+}
+
+// ---- What it does ----
+
+TEST_F(Cli, RendersWithEachRenderer) {
+    const std::string file = scene(kScene);
+    for (const char* renderer : {"fixed", "programmable", "reference"}) {
+        const std::string path = out_ / (std::string(renderer) + ".png");
+        const ProgramResult result = run({"render", file, "--with", renderer, "--size", "64x48", "-o", path});
+        EXPECT_EQ(result.status, 0);
+        EXPECT_EQ(result.out + result.err, "");
+        const Image image = read_png(path);
+        EXPECT_EQ(image.width, 64);
+        EXPECT_EQ(image.height, 48);
+        EXPECT_GT(image.at(32, 24)[0], 0.5F) << renderer;
+        EXPECT_EQ(image.at(0, 0)[0], 0) << renderer;
+    }
+}
+
+TEST_F(Cli, RendersFromStandardInputToStandardOutput) {
+    const ProgramResult result =
+        run_shell("twinlight", "\"$PROGRAM\" render - --with fixed --size 16x12 -o - <" +
+                                   quoted(scene(kScene)) + " | cat");
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(decode_png(result.out).width, 16);
+}
+
+TEST_F(Cli, ComparesAndPrintsATable) {
+    const std::string folder = out_ / "a/b";
+    const ProgramResult result = run({"compare", scene(kScene), "--size", "64x48", "-o", folder});
+    EXPECT_EQ(result.status, 0) << result.out;
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("The renderers agree"), std::string::npos);
+    EXPECT_NE(result.out.find(folder + "/index.html"), std::string::npos);
+    EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << "no colours where it is no terminal";
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 12);
+}
+
+TEST_F(Cli, ComparesAndPrintsOneJsonObject) {
+    const ProgramResult result =
+        run({"compare", scene(kScene), "--size", "64x48", "--json", "-o", out_.str()});
+    EXPECT_EQ(result.err, "");
+    const json object = json::parse(result.out);
+    EXPECT_EQ(object["scene"], "scene.gl");
+    EXPECT_EQ(object["size"], json({64, 48}));
+    ASSERT_EQ(object["pairs"].size(), 5U);
+    for (const json& pair : object["pairs"]) {
+        EXPECT_EQ(pair["interior"]["pixels"].get<int>() + pair["edge"]["pixels"].get<int>(), 64 * 48);
+    }
+    EXPECT_EQ(read_file(out_ / "comparison.json"), result.out);
+    for (const json& render : object["renders"]) {
+        EXPECT_TRUE(fs::exists(out_ / render["file"].get<std::string>()));
+    }
+}
+
+TEST_F(Cli, ListsScenes) {
+    const json object = json::parse(run({"scenes", "--json"}).out);
+    const std::string text = run({"scenes"}).out;
+    ASSERT_FALSE(object["scenes"].empty());
+    for (const json& item : object["scenes"]) {
+        EXPECT_NE(text.find(item["name"].get<std::string>()), std::string::npos);
+        EXPECT_NE(item["description"], "");
+    }
+    const ProgramResult report = run({"scenes", "report"});
+    EXPECT_EQ(report.status, 0);
+    EXPECT_NE(report.out.find("glEnable(GL_LIGHTING);"), std::string::npos);
+}
+
+TEST_F(Cli, ExportsAProgramThatCompiles) {
+    const ProgramResult result = run({"export", scene(kScene), "--as", "c"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    write_file_atomically(out_ / "scene.c", result.out);
+    const ProgramResult compiled =
+        run_shell("", "${CC:-gcc} -fsyntax-only -Wall -Werror " + quoted(out_ / "scene.c"));
+    EXPECT_EQ(compiled.status, 0) << compiled.err;
+}
+
+}  // namespace
+}  // namespace twinlight
