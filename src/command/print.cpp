@@ -124,7 +124,7 @@ std::string print_c_program(const CommandList& scene) {
     std::string text = fmt::format(
         "/* {}: a scene of Twinlight as a C program.\n"
         "   Build it with: cc -std=c99 FILE.c -lglut -lGLU -lGL -lm */\n"
-        "#include <GL/glut.h>\n#include <math.h>\n\n"
+        "#include <GL/freeglut.h>\n#include <math.h>\n\n"
         "static void draw_scene(void) {{\n",
         title);
     for (const Command& command : scene.commands) {

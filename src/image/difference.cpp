@@ -21,6 +21,11 @@ Codes absolute_difference(const Rgba& a, const Rgba& b) {
     return codes;
 }
 
+int largest_difference(const Rgba& a, const Rgba& b) {
+    const Codes codes = absolute_difference(a, b);
+    return *std::ranges::max_element(codes);
+}
+
 void check_sizes(const Image& a, const Image& b) {
     if (a.width != b.width || a.height != b.height) {
         throw std::invalid_argument("pictures of different sizes cannot be compared");
@@ -71,6 +76,18 @@ ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge
         }
     }
     return {.interior = interior_region.result(), .edge = edge_region.result()};
+}
+
+Image nearer_of(const Image& image, const Image& first, const Image& second) {
+    check_sizes(image, first);
+    check_sizes(image, second);
+    Image result = first;
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        const int to_first = largest_difference(image.pixels[i], first.pixels[i]);
+        const int to_second = largest_difference(image.pixels[i], second.pixels[i]);
+        if (to_second < to_first) result.pixels[i] = second.pixels[i];
+    }
+    return result;
 }
 
 int amplification_for(double max) {

@@ -31,6 +31,10 @@ struct ImageDifference {
 // images and the mask have one size.
 ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge);
 
+// At each pixel whichever of two right answers is nearer to `image`: the one with the smaller largest difference of a
+// channel, `first` where they are equally near. All of one size.
+Image nearer_of(const Image& image, const Image& first, const Image& second);
+
 // A difference too small to see must be amplified, by a factor that is told: the largest power of two, at
 // most 64, that does not take `max` beyond 1.
 int amplification_for(double max);

@@ -9,7 +9,7 @@ namespace {
 // Collects the primitives; its arguments count positions in the order of sending.
 class Assembler {
   public:
-    explicit Assembler(const Draw& draw) : draw_(draw) {}
+    Assembler(const Draw& draw, QuadCut cut) : draw_(draw), cut_(cut) {}
 
     void point(std::size_t a) { add({.shape = Shape::kPoint, .vertices = {at(a)}, .provoking = at(a)}); }
     void line(std::size_t a, std::size_t b) {
@@ -22,10 +22,15 @@ class Assembler {
              .provoking = at(provoking),
              .boundary = boundary});
     }
-    // The corners in their order around the quadrilateral; cut from a to c.
+    // The corners in their order around the quadrilateral.
     void quad(std::size_t a, std::size_t b, std::size_t c, std::size_t d, std::size_t provoking) {
-        triangle(a, b, c, provoking, {true, true, false});
-        triangle(a, c, d, provoking, {false, true, true});
+        if (cut_ == QuadCut::kFirstToThird) {
+            triangle(a, b, c, provoking, {true, true, false});
+            triangle(a, c, d, provoking, {false, true, true});
+        } else {
+            triangle(a, b, d, provoking, {true, false, true});
+            triangle(b, c, d, provoking, {true, true, false});
+        }
     }
     std::vector<Primitive> take() { return std::move(primitives_); }
 
@@ -37,14 +42,15 @@ class Assembler {
     void add(const Primitive& primitive) { primitives_.push_back(primitive); }
 
     const Draw& draw_;
+    const QuadCut cut_;
     std::vector<Primitive> primitives_;
 };
 
 }  // namespace
 
-std::vector<Primitive> assemble(const Draw& draw) {
+std::vector<Primitive> assemble(const Draw& draw, QuadCut cut) {
     const std::size_t n = draw.count();
-    Assembler out(draw);
+    Assembler out(draw, cut);
     switch (draw.mode) {
         case kGL_POINTS:
             for (std::size_t i = 0; i < n; ++i) out.point(i);

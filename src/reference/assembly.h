@@ -23,9 +23,10 @@ struct Primitive {
                                  true};  // of a triangle: is the edge from vertex i to i+1 on the border
 };
 
-// RULING (2.6.1 leaves the split of quadrilaterals and polygons open): GL_QUADS is cut from its first to its
-// third vertex, GL_QUAD_STRIP from the first to the fourth that was sent, GL_POLYGON into the fan of its
-// first vertex. It is what llvmpipe does with batches that it need not clip.
-std::vector<Primitive> assemble(const Draw& draw);
+// RULING (2.6.1 and 3.5 leave the split of quadrilaterals and polygons open): quadrilaterals are cut as `cut` says,
+// and a picture of the driver may follow either cut at each pixel; GL_POLYGON is the fan of its first vertex.
+// llvmpipe cuts smooth quadrilaterals from the first corner to the third, but from the second to the fourth where a
+// batch is clipped or shaded flat.
+std::vector<Primitive> assemble(const Draw& draw, QuadCut cut);
 
 }  // namespace twinlight::reference

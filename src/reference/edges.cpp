@@ -140,7 +140,7 @@ class EdgeFinder {
 }  // namespace
 
 PixelMask edge_pixels(const Frame& frame) {
-    const Stages stages = run_stages(frame);
+    const Stages stages = run_stages(frame, QuadCut::kFirstToThird);
     // Bytes, not bits: bands write beside each other.
     std::vector<char> mask(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
     for_each_band(frame.height, [&](int y0, int y1) {

@@ -169,10 +169,10 @@ class PieceMaker {
 }  // namespace
 
 std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index,
-                               const std::vector<StageVertex>& vertices) {
+                               const std::vector<StageVertex>& vertices, QuadCut cut) {
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return {};
     PieceMaker maker(draw, draw_index, vertices);
-    for (const Primitive& primitive : assemble(draw)) maker.add(primitive);
+    for (const Primitive& primitive : assemble(draw, cut)) maker.add(primitive);
     return maker.take();
 }
 

@@ -46,7 +46,7 @@ struct Piece {
 
 // The pieces of one Draw, in the order of its primitives.
 std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index,
-                               const std::vector<StageVertex>& vertices);
+                               const std::vector<StageVertex>& vertices, QuadCut cut);
 
 // Depth and weights of a piece at a window position. Weights add up to 1 (of a line or point, at its nearest
 // place).

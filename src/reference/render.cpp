@@ -92,7 +92,7 @@ Rgba rgba(const glm::dvec4& color) {
 }  // namespace
 
 Image render(const Frame& frame, const RenderOptions& options) {
-    const Stages stages = run_stages(frame);
+    const Stages stages = run_stages(frame, options.quad_cut);
     std::vector<Shader> shaders;
     shaders.reserve(stages.draws.size());
     for (const StagedDraw& staged : stages.draws) shaders.emplace_back(staged, options);

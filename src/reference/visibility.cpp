@@ -4,7 +4,7 @@
 
 namespace twinlight::reference {
 
-Stages run_stages(const Frame& frame) {
+Stages run_stages(const Frame& frame, QuadCut cut) {
     Stages stages;
     const auto add_clear = [&](const Clear& clear) {
         stages.clears.push_back(clear);
@@ -21,7 +21,7 @@ Stages run_stages(const Frame& frame) {
         stages.draws.push_back({&draw, vertex_stage(draw)});
         const std::size_t first = stages.pieces.size();
         std::vector<Piece> pieces = make_pieces(draw, static_cast<std::uint32_t>(stages.draws.size() - 1),
-                                                stages.draws.back().vertices);
+                                                stages.draws.back().vertices, cut);
         std::move(pieces.begin(), pieces.end(), std::back_inserter(stages.pieces));
         stages.steps.push_back({.first_piece = first, .end_piece = stages.pieces.size()});
     }

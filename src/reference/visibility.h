@@ -44,7 +44,7 @@ struct Stages {
 };
 
 // Runs vertex stage, assembly, clipping and facing. The frame must outlive the result.
-Stages run_stages(const Frame& frame);
+Stages run_stages(const Frame& frame, QuadCut cut);
 
 // The pixels of whole rows of the window, from row y0 (y up).
 struct VisibleRows {

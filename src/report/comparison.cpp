@@ -36,6 +36,13 @@ constexpr std::array kPairs = {
     PlannedPair{3, 4, true}, PlannedPair{0, 3, false},  // what GL's lighting of vertices cannot show
 };
 
+bool has_quadrilaterals(const Frame& frame) {
+    return std::ranges::any_of(frame.items, [](const auto& item) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        return draw && (draw->mode == kGL_QUADS || draw->mode == kGL_QUAD_STRIP);
+    });
+}
+
 Render render(const PlannedRender& planned, const Frame& frame, const Renderers& renderers) {
     using Clock = std::chrono::steady_clock;
     const RenderFunction& draw = renderers.*planned.renderer;
@@ -43,10 +50,20 @@ Render render(const PlannedRender& planned, const Frame& frame, const Renderers&
     const Clock::time_point start = Clock::now();
     Image image = draw(frame, planned.options);
     const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
-    return {.name = planned.name, .image = std::move(image), .ms = taken.count()};
+    Render result{.name = planned.name, .image = std::move(image), .ms = taken.count()};
+    if (!planned.by_driver && has_quadrilaterals(frame)) {
+        RenderOptions other = planned.options;
+        other.quad_cut = QuadCut::kSecondToFourth;
+        result.other_cut = draw(frame, other);
+    }
+    return result;
 }
 
 }  // namespace
+
+Image Comparison::counterpart(const Pair& pair) const {
+    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut) : b(pair).image;
+}
 
 bool Comparison::within_tolerance() const {
     return std::ranges::none_of(pairs, [](const Pair& pair) { return pair.verdict == Verdict::kBeyond; });
@@ -85,7 +102,7 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
         Pair pair;
         pair.a = planned.a;
         pair.b = planned.b;
-        pair.difference = difference(result.a(pair).image, result.b(pair).image, result.edges);
+        pair.difference = difference(result.a(pair).image, result.counterpart(pair), result.edges);
         if (planned.judged) pair.verdict = judge(pair.difference, result.tolerance);
         // The interior is what is judged; an edge pixel that is wholly different must not darken it.
         pair.factor = amplification_for(pair.difference.interior.max);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,9 @@ struct Render {
     std::string name;  // "fixed", "programmable", "reference", "programmable-phong", "reference-phong"
     Image image;
     double ms = 0;  // one render, the picture read back
+    // The reference's picture with quadrilaterals cut the other way, where the scene has any: the specification
+    // allows both (QuadCut), so another picture is held against whichever is nearer, pixel by pixel.
+    std::optional<Image> other_cut{};
 };
 
 enum class Verdict : std::uint8_t {
@@ -66,6 +70,8 @@ struct Comparison {
 
     const Render& a(const Pair& pair) const { return renders[pair.a]; }
     const Render& b(const Pair& pair) const { return renders[pair.b]; }
+    // b's picture as a's is held against it: of a reference with two cuts, the nearer one at each pixel.
+    Image counterpart(const Pair& pair) const;
     bool within_tolerance() const;  // every judged pair is
 };
 

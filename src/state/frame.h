@@ -155,8 +155,13 @@ struct Frame {
 
 enum class Shading : std::uint8_t { kFlat, kGouraud, kPhong };
 
+// Where a quadrilateral is cut into triangles. The specification leaves it open (3.5: any correct algorithm), it shows
+// wherever colours do not vary linearly over it, and a driver may do now this, now that. Only the reference asks.
+enum class QuadCut : std::uint8_t { kFirstToThird, kSecondToFourth };  // corners in their order around it
+
 struct RenderOptions {
     std::optional<Shading> shading;  // nothing: flat or gouraud, as each Draw's glShadeModel says
+    QuadCut quad_cut = QuadCut::kFirstToThird;
     bool lecture_variants = true;    // false: GL's own model, the pragmas' variants off
 };
 
