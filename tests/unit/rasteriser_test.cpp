@@ -81,20 +81,28 @@ TEST(Coverage, DoesNotDependOnTheNumberOfBands) {
 // ---- Quadrilaterals and polygons: the ruling on their diagonals ----
 
 // White at vertices 1 and 3 of the order around, black at the others: the centre shows which two are joined.
-double centre_of_checkered(Enum mode, std::array<int, 4> order) {
+double centre_of_checkered(Enum mode, std::array<int, 4> order, QuadCut cut = QuadCut::kFirstToThird) {
     const glm::dvec2 around[] = {{0, 0}, {16, 0}, {16, 16}, {0, 16}};
     std::vector<Vertex> vertices;
     for (const int i : order)
         vertices.push_back(vertex(around[i].x, around[i].y, i % 2 ? kWhite : glm::dvec4(0, 0, 0, 1)));
+    RenderOptions options;
+    options.quad_cut = cut;
     // The mean of two pixels on either side of both diagonals is the value where they cross, but for half a
     // pixel.
-    const Image image = draw_window({window_draw(kSize, kSize, mode, vertices)});
+    const Image image = draw_window({window_draw(kSize, kSize, mode, vertices)}, options);
     return (pixel(image, 7, 7).r + pixel(image, 8, 8).r + pixel(image, 7, 8).r + pixel(image, 8, 7).r) / 4;
 }
 
 TEST(Diagonal, OfAQuadJoinsItsFirstAndThirdVertex) {
     EXPECT_LT(centre_of_checkered(kGL_QUADS, {0, 1, 2, 3}), 0.1);
     EXPECT_GT(centre_of_checkered(kGL_QUADS, {1, 2, 3, 0}), 0.9);
+}
+
+TEST(Diagonal, OfAQuadMayJoinTheOtherTwo) {
+    EXPECT_GT(centre_of_checkered(kGL_QUADS, {0, 1, 2, 3}, QuadCut::kSecondToFourth), 0.9);
+    EXPECT_GT(centre_of_checkered(kGL_QUAD_STRIP, {0, 1, 3, 2}, QuadCut::kSecondToFourth), 0.9);
+    EXPECT_LT(centre_of_checkered(kGL_POLYGON, {0, 1, 2, 3}, QuadCut::kSecondToFourth), 0.1);
 }
 
 TEST(Diagonal, OfAPolygonStartsAtItsFirstVertex) {
@@ -162,8 +170,9 @@ TEST(Interpolation, IsNotChangedByClipping) {
         }
     wall.lighting.enabled = longer.lighting.enabled = false;
     // Vertex colours are clamped before clipping (2.14.6): compare the depth, which is not.
-    const reference::Stages a = reference::run_stages(frame_of(kSize, kSize, {wall}));
-    const reference::Stages b = reference::run_stages(frame_of(kSize, kSize, {longer}));
+    const reference::Stages a = reference::run_stages(frame_of(kSize, kSize, {wall}), QuadCut::kFirstToThird);
+    const reference::Stages b =
+        reference::run_stages(frame_of(kSize, kSize, {longer}), QuadCut::kFirstToThird);
     ASSERT_FALSE(b.pieces.empty());
     for (int x = 0; x < kSize; ++x) {
         const glm::dvec2 p = reference::pixel_centre(x, 8);
@@ -253,10 +262,13 @@ TEST(TwoSide, LightsTheBackWithItsMaterialAndTheNormalReversed) {
 
 TEST(PolygonMode, LineDrawsTheBorderWithoutInnerDiagonals) {
     Draw draw = quad(2.3, 3.3, 10.3, 9.3);
+    RenderOptions other_cut;
+    other_cut.quad_cut = QuadCut::kSecondToFourth;
     draw.raster.polygon_mode_front = kGL_LINE;
     Pixels border = rectangle(2, 3, 11, 10);
     for (const auto& inner : rectangle(3, 4, 10, 9)) border.erase(inner);
     EXPECT_EQ(drawn(draw_window({draw})), border);
+    EXPECT_EQ(drawn(draw_window({draw}, other_cut)), border);
 }
 
 TEST(PolygonMode, LineDrawsTheEdgesThatClippingAdds) {  // 2.12: they are boundary edges
