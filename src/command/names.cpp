@@ -56,12 +56,26 @@ std::string enum_name(Enum value) {
     static const auto index = [] {
         std::unordered_map<Enum, std::string_view> names;
         for (const NamedValue& row : gl_names()) {
-            if (row.value > kGL_POLYGON) names.emplace(row.value, row.name);
+            // Bits of glClear share values with GL_LIGHT0 and GL_NEVER; bit_names gives theirs.
+            const bool is_bit = row.name.ends_with("_BIT");
+            if (row.value > kGL_POLYGON && !is_bit) names.emplace(row.value, row.name);
         }
         return names;
     }();
     const auto found = index.find(value);
     return found == index.end() ? fmt::format("{:#x}", value) : std::string(found->second);
+}
+
+std::string bit_names(Enum mask) {
+    std::string shown;
+    const auto join = [&shown](std::string_view name) { shown.append(shown.empty() ? "" : " | ").append(name); };
+    for (const NamedValue& row : gl_names()) {
+        if (!row.name.ends_with("_BIT") || (mask & row.value) == 0) continue;
+        join(row.name);
+        mask &= ~row.value;
+    }
+    if (mask != 0 || shown.empty()) join(fmt::format("{:#x}", mask));
+    return shown;
 }
 
 std::string primitive_name(Enum mode) {

@@ -39,6 +39,7 @@ std::string_view word_name(Word word);
 // and have none; primitive_name gives those of glBegin.
 std::string enum_name(Enum value);
 std::string primitive_name(Enum mode);
+std::string bit_names(Enum mask);  // "GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT"
 
 // The candidate nearest to a misspelt name (Damerau-Levenshtein), or nothing where none is near.
 std::optional<std::string_view> nearest(std::string_view name, const std::vector<std::string_view>& candidates);

@@ -43,21 +43,11 @@ std::string print_real(double value, bool is_float) {
     return fmt::format("{}", value);
 }
 
-std::string print_bits(Enum mask) {
-    std::string shown;
-    for (Enum bit : {kGL_COLOR_BUFFER_BIT, kGL_DEPTH_BUFFER_BIT, kGL_STENCIL_BUFFER_BIT, kGL_ACCUM_BUFFER_BIT}) {
-        if (mask & bit) shown += fmt::format("{}{}", shown.empty() ? "" : " | ", enum_name(bit));
-        mask &= ~bit;
-    }
-    if (mask != 0 || shown.empty()) shown += fmt::format("{}{:#x}", shown.empty() ? "" : " | ", mask);
-    return shown;
-}
-
 std::string print_number(double value, Kind kind) {
     switch (kind) {
         case Kind::kFloat: return print_real(value, true);
         case Kind::kDouble: return print_real(value, false);
-        case Kind::kBitfield: return print_bits(static_cast<Enum>(value));
+        case Kind::kBitfield: return bit_names(static_cast<Enum>(value));
         case Kind::kWord: return std::string(word_name(static_cast<Word>(static_cast<Enum>(value))));
         default: return fmt::format("{}", static_cast<std::int64_t>(value));
     }

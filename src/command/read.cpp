@@ -50,6 +50,7 @@ struct Range {
     double smallest, largest;
 };
 
+// Of the types of whole numbers.
 Range range_of(Kind kind) {
     switch (kind) {
         case Kind::kByte: return {-128, 127};
@@ -63,8 +64,8 @@ Range range_of(Kind kind) {
         case Kind::kBitfield:
         case Kind::kUint:
         case Kind::kWord: return {0, 4294967295.0};
-        case Kind::kFloat: return {-std::numeric_limits<float>::max(), std::numeric_limits<float>::max()};
-        case Kind::kDouble: return {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+        case Kind::kFloat:
+        case Kind::kDouble: break;  // real numbers have no such range
     }
     return {0, 0};
 }
@@ -647,12 +648,12 @@ Number Reader::named_value(const Token& name) {
 double Reader::converted(const Number& number, Kind kind, const Place& place, std::string_view what) {
     const double value = number.value();
     if (kind == Kind::kFloat || kind == Kind::kDouble) {
-        if (!std::isfinite(value)) return value;
-        const Range range = range_of(kind);
-        if (value < range.smallest || value > range.largest) {
+        if (!std::isfinite(value) || kind == Kind::kDouble) return value;
+        const auto rounded = static_cast<float>(value);
+        if (std::isinf(rounded)) {
             fail(place, fmt::format("{} is {}, which does not fit into a GLfloat", what, value));
         }
-        return kind == Kind::kFloat ? static_cast<double>(static_cast<float>(value)) : value;
+        return static_cast<double>(rounded);
     }
     if (kind == Kind::kEnum && number.type != Number::Type::kInteger) {
         fail(place, fmt::format("{} must be a GL name such as GL_LIGHT0, not the number {}", what, value));

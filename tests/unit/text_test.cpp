@@ -1,0 +1,206 @@
+// Reading scenes: what the C statements mean, and what is said about mistakes.
+#include "command/text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace twinlight {
+
+namespace {
+
+std::vector<Command> read(std::string_view text) { return read_scene(text, "scene.gl", "scene").commands; }
+
+std::string error_of(std::string_view text) {
+    try {
+        read(text);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+// The arguments of the only command.
+std::vector<double> arguments_of(std::string_view text) {
+    const std::vector<Command> commands = read(text);
+    EXPECT_EQ(commands.size(), 1u) << text;
+    return commands.empty() ? std::vector<double>{} : commands.front().arguments;
+}
+
+using Values = std::vector<double>;
+
+TEST(Reading, EvaluatesExpressionsWithCsTypes) {
+    EXPECT_EQ(arguments_of("glScaled(4/3, 4.0/3, 7-2*3);"), (Values{1, 4.0 / 3, 1}));
+    EXPECT_EQ(arguments_of("glScaled(-7/2, -(1+2)*3, +5);"), (Values{-3, -9, 5}));
+    EXPECT_EQ(arguments_of("glScaled(0.1f, 0.1, 1/3.0f);"),
+              (Values{static_cast<double>(0.1f), 0.1, static_cast<double>(1 / 3.0f)}));
+    EXPECT_EQ(arguments_of("glScaled(0x10, 010, 10L);"), (Values{16, 8, 10}));
+    EXPECT_EQ(arguments_of("glScaled(.5, 5., 1e-3);"), (Values{0.5, 5, 0.001}));
+    EXPECT_EQ(arguments_of("glRotated(180/M_PI, 1, 0, 0);"), (Values{180 / 3.14159265358979323846, 1, 0, 0}));
+}
+
+TEST(Reading, RoundsToTheTypeOfTheParameter) {
+    EXPECT_EQ(arguments_of("glScalef(0.1, 0.09, 1e-40);"),
+              (Values{static_cast<double>(0.1f), static_cast<double>(0.09f), static_cast<double>(1e-40f)}));
+}
+
+TEST(Reading, JoinsBits) {
+    EXPECT_EQ(arguments_of("glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);"), (Values{0x4100}));
+}
+
+TEST(Reading, CountsLights) { EXPECT_EQ(arguments_of("glEnable(GL_LIGHT0 + 3);"), (Values{0x4003})); }
+
+TEST(Reading, TakesDeclaredScalarsAndArrays) {
+    const char* text =
+        "const GLfloat half = 0.5, key[] = {1, 2*half, 3, 1};\n"
+        "static int n = 64;\n"
+        "glLightfv(GL_LIGHT0, GL_POSITION, key);\n"
+        "glutSolidSphere(key[1], n, n/2);\n";
+    const std::vector<Command> commands = read(text);
+    ASSERT_EQ(commands.size(), 2u);
+    EXPECT_EQ(commands[0].arguments, (Values{0x4000, 0x1203, 1, 1, 3, 1}));
+    EXPECT_EQ(commands[1].arguments, (Values{1, 64, 32}));
+}
+
+TEST(Reading, FillsAShortArrayWithZerosAsCDoes) {
+    EXPECT_EQ(arguments_of("GLfloat v[4] = {1}; glColor4fv(v);"), (Values{1, 0, 0, 0}));
+}
+
+TEST(Reading, TakesPartsOfArrays) {
+    EXPECT_EQ(arguments_of("GLdouble v[] = {1,2,3,4,5,6}; glVertex3dv(v + 3);"), (Values{4, 5, 6}));
+    EXPECT_EQ(arguments_of("GLdouble v[] = {1,2,3,4,5,6}; glVertex3dv(&v[1]);"), (Values{2, 3, 4}));
+}
+
+TEST(Reading, TakesCompoundLiterals) {
+    EXPECT_EQ(arguments_of("glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){1, 0.5, 0.25, 1});"),
+              (Values{0x0404, 0x1201, 1, 0.5, 0.25, 1}));
+    EXPECT_EQ(arguments_of("glNormal3bv((const GLbyte[3]){0, 0, 127});"), (Values{0, 0, 127}));
+}
+
+TEST(Reading, ReadsOnlyAsManyValuesAsThePnameHas) {
+    EXPECT_EQ(arguments_of("glMaterialfv(GL_FRONT, GL_SHININESS, (GLfloat[]){32, 7, 7, 7});"),
+              (Values{0x0404, 0x1601, 32}));
+}
+
+TEST(Reading, PassesOverCommentsIncludesAndOthersPragmas) {
+    const char* text =
+        "#include <GL/gl.h>\n"
+        "#pragma once\n"
+        "/* a comment\n over lines */ glEnable(GL_LIGHTING); // and another\n"
+        ";;\n";
+    EXPECT_EQ(read(text).size(), 1u);
+}
+
+TEST(Reading, UnderstandsTwinlightsPragmas) {
+    const std::vector<Command> commands = read(
+        "#pragma twinlight specular(reflection)\n"
+        "  #pragma twinlight spot_cone(GL_LIGHT7, 12.5, 17.5) // smooth\n"
+        "#pragma twinlight shape(cylinder, 1, 2, 36)");
+    ASSERT_EQ(commands.size(), 3u);
+    EXPECT_EQ(commands[0].word(0), Word::reflection);
+    EXPECT_EQ(commands[1].arguments, (Values{0x4007, 12.5, 17.5}));
+    EXPECT_EQ(commands[2].word(0), Word::cylinder);
+    EXPECT_EQ(commands[2].array().size(), 3u);
+}
+
+TEST(Reading, RemembersWhereACommandStands) {
+    const std::vector<Command> commands = read("\n/* \xE5\x85\x89 */ glEnd();");
+    ASSERT_EQ(commands.size(), 1u);
+    EXPECT_EQ(commands[0].place.str(), "scene.gl:2:9");  // columns count characters, not bytes
+}
+
+// ---- Mistakes: one line with the place, what is wrong, and the nearest known name ----
+
+struct Mistake {
+    const char* text;
+    const char* message;
+};
+
+class Mistakes : public testing::TestWithParam<Mistake> {};
+
+TEST_P(Mistakes, AreTold) {
+    const std::string error = error_of(GetParam().text);
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    EXPECT_NE(error.find(GetParam().message), std::string::npos) << error;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Reading, Mistakes,
+    testing::Values(
+        Mistake{"glEnabel(GL_LIGHTING);", "scene.gl:1:1: unknown command 'glEnabel'; did you mean glEnable?"},
+        Mistake{"glEnable(GL_LIGTH0);", "scene.gl:1:10: unknown name 'GL_LIGTH0'; did you mean GL_LIGHT0?"},
+        Mistake{"glEnable();", "scene.gl:1:10: glEnable takes 1 argument: glEnable(cap); only 0 given"},
+        Mistake{"glScalef(1, 2);", "scene.gl:1:14: glScalef takes 3 arguments: glScalef(x, y, z); only 2 given"},
+        Mistake{"glScalef(1, 2, 3, 4);", "more are given"},
+        Mistake{"glEnable(0.5);", "must be a GL name such as GL_LIGHT0, not the number 0.5"},
+        Mistake{"glVertex2i(0.5, 1);", "must be a whole number, not 0.5"},
+        Mistake{"glNormal3b(0, 0, 128);", "is 128; it must be from -128 to 127"},
+        Mistake{"glColor3f(1e39, 0, 0);", "does not fit into a GLfloat"},
+        Mistake{"glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){1, 2, 3});",
+                "scene.gl:1:35: glLightfv with GL_POSITION reads 4 values, but this array has 3"},
+        Mistake{"GLdouble key[] = {1,2,3,4}; glLightfv(GL_LIGHT0, GL_POSITION, key);",
+                "glLightfv takes an array of GLfloat, but 'key' is one of GLdouble"},
+        Mistake{"GLfloat key[] = {1}; glColor3fv(kye);", "did you mean key?"},
+        Mistake{"GLfloat got[4]; glGetLightfv(GL_LIGHT0, GL_POSITION, got); glColor4fv(got);",
+                "glGetLightfv at scene.gl:1:17 writes to it"},
+        Mistake{"GLfloat v[4]; glColor4fv(v);", "has no value here: it was declared without a value"},
+        Mistake{"GLfloat v[2] = {1,2,3};", "has 3 values, but its length is 2"},
+        Mistake{"GLfloat v = 1; GLfloat v = 2;", "'v' is declared already, at scene.gl:1:9"},
+        Mistake{"GLfloat v[] = {1}; glColor3f(v[1], 0, 0);", "this index lies outside 'v', which has 1 values"},
+        Mistake{"glScaled(1/0, 1, 1);", "division of whole numbers by 0"},
+        Mistake{"glScaled(9223372036854775807 + 1, 1, 1);", "too large"},
+        Mistake{"glScaled(99999999999999999999, 1, 1);", "too large; write it with a point"},
+        Mistake{"glScaled(1.2.3, 1, 1);", "'1.2.3' is not a number"},
+        Mistake{"glEnable(GL_LIGHTING)", "expected ';' after glEnable(...), found the end of the scene"},
+        Mistake{"glEnable(GL_LIGHTING;", "expected ')'"},
+        Mistake{"for (;;) glEnd();", "'for' is not part of a scene"},
+        Mistake{"GLfloat v[] = {1}; v[0] = 2;", "assignments are not part of a scene"},
+        Mistake{"/* open", "scene.gl:1:1: this comment is never closed"},
+        Mistake{"#define N 3", "#define is not part of a scene"},
+        Mistake{"\x01\x02", "scene.gl:1:1: '\\x01' has no place in a scene"},
+        Mistake{"#pragma twinlight speculr(reflection)", "unknown pragma 'speculr'; did you mean specular?"},
+        Mistake{"#pragma twinlight specular(reflecton)", "did you mean reflection?"}));
+
+TEST(Reading, RefusesNestingThatIsTooDeep) {
+    const std::string deep = "glScaled(" + std::string(100'000, '(') + "1" + std::string(100'000, ')') + ",1,1);";
+    EXPECT_NE(error_of(deep).find("nested deeper"), std::string::npos);
+    EXPECT_EQ(arguments_of("glScaled(" + std::string(100'000, '-') + "1.0, 1, 1);")[0], 1);
+}
+
+TEST(Reading, RefusesASceneThatIsTooLong) {
+    EXPECT_NE(error_of(std::string(kMaxSceneBytes + 1, ' ')).find("at most"), std::string::npos);
+}
+
+// ---- Printing ----
+
+TEST(Printing, WritesWhatACompilerTakes) {
+    const auto printed = [](std::string_view text) { return print_command(read(text).front()); };
+    EXPECT_EQ(printed("glLightfv(GL_LIGHT0,GL_POSITION,(GLfloat[]){2,3,4.5,1});"),
+              "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){2, 3, 4.5, 1});");
+    EXPECT_EQ(printed("glBegin(0);"), "glBegin(GL_POINTS);");
+    EXPECT_EQ(printed("glClear(0x4100);"), "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);");
+    EXPECT_EQ(printed("glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);"),
+              "glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);");
+    EXPECT_EQ(printed("GLfloat got[9]; glGetLightfv(GL_LIGHT0, GL_POSITION, got);"),
+              "glGetLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[4]){0});");
+    EXPECT_EQ(printed("glDepthMask(GL_FALSE);"), "glDepthMask(GL_FALSE);");
+    EXPECT_EQ(printed("#pragma twinlight shape(sphere, 1, 64, 32)"), "#pragma twinlight shape(sphere, 1, 64, 32)");
+}
+
+TEST(Printing, KeepsEveryBitOfANumber) {
+    for (double value : {0.1, -0.0, 1e-300, 1e300, 4.9e-324, 1.0 / 3, 123456789012345680.0}) {
+        const Command command{CommandId::glScaled, {value, 1, 1}, {}};
+        const Command back = read(print_command(command)).front();
+        EXPECT_EQ(std::signbit(back.number(0)), std::signbit(value));
+        EXPECT_EQ(back.number(0), value);
+    }
+    for (float value : {0.1f, 0.09f, 1e-45f, std::numeric_limits<float>::max(), 16777216.0f, 1 / 3.0f}) {
+        const Command command{CommandId::glScalef, {static_cast<double>(value), 1, 1}, {}};
+        EXPECT_EQ(read(print_command(command)).front().number(0), static_cast<double>(value));
+    }
+}
+
+}  // namespace
+
+}  // namespace twinlight
