@@ -162,13 +162,10 @@ TEST(Interpolation, OfALineIsPerspectiveCorrect) {
 
 TEST(Interpolation, IsNotChangedByClipping) {
     // The same wall, but its left part behind the eye: what remains has the colours it had.
-    Draw wall = slanted_wall(), longer = slanted_wall();
+    const Draw wall = slanted_wall();
+    Draw longer = slanted_wall();
     for (Vertex& v : longer.vertices)  // from t = 0 back to t = -2: depth -3
-        if (v.color == kRed) {
-            v.position_object = {-9, v.position_object.y < 0 ? 3 : -3, 3, 1};
-            v.color = {3, -2, 0, 1};
-        }
-    wall.lighting.enabled = longer.lighting.enabled = false;
+        if (v.color == kRed) v.position_object = {-9, v.position_object.y < 0 ? 3 : -3, 3, 1};
     // Vertex colours are clamped before clipping (2.14.6): compare the depth, which is not.
     const reference::Stages a = reference::run_stages(frame_of(kSize, kSize, {wall}), QuadCut::kFirstToThird);
     const reference::Stages b =
