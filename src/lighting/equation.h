@@ -34,14 +34,14 @@ namespace twinlight::lighting {
 
 template <class Real>
 struct Material {
-    Vec3<Real> emission, ambient, diffuse, specular;
+    Vec3<Real> emission{}, ambient{}, diffuse{}, specular{};
     Real diffuse_alpha{1};
     Real shininess{0};
 };
 
 template <class Real>
 struct Light {
-    Vec3<Real> ambient, diffuse, specular;
+    Vec3<Real> ambient{}, diffuse{}, specular{};
     Vec3<Real> position_eye{0, 0, 1};
     Real position_w{0};
     bool directional = true;            // position_w is 0
@@ -58,7 +58,7 @@ struct Light {
 
 template <class Real>
 struct Model {
-    Vec3<Real> ambient;
+    Vec3<Real> ambient{};
     bool local_viewer = false;
     bool separate_specular = false;
 
@@ -90,8 +90,7 @@ struct Lit {
     Vec3<Real> magnitude;  // the sum of the magnitudes of c_pri's terms: what an error is held against
 };
 
-// ---- The terms
-// --------------------------------------------------------------------------------------------------
+// ---- The terms ----
 
 // VP and |VP|. P / w - V is written (P - w V) / w, so that w = 0 is no special case: a direction. A negative
 // w flips it.

@@ -1,8 +1,14 @@
 #include "reference/coverage.h"
 
+#include <glm/common.hpp>
+
 namespace twinlight::reference {
 
 namespace {
+
+// In pixels. Where an edge meets two clipping planes at once, rounding leaves an edge of no length and of any
+// direction.
+constexpr double kShortestEdge = 1e-9;
 
 int floor_int(double x) { return static_cast<int>(std::floor(std::clamp(x, -1e9, 1e9))); }
 int ceil_int(double x) { return static_cast<int>(std::ceil(std::clamp(x, -1e9, 1e9))); }
@@ -43,8 +49,11 @@ Edge::Edge(const Corner& from, const Corner& to) : origin_(from.edge_to_next) {
 std::vector<Edge> edges_of(const std::vector<Corner>& polygon) {
     std::vector<Edge> edges;
     edges.reserve(polygon.size());
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        edges.emplace_back(polygon[i], polygon[(i + 1) % polygon.size()]);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Corner &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        const glm::dvec2 way = glm::abs(to.position_window - from.position_window);
+        if (way.x > kShortestEdge || way.y > kShortestEdge) edges.emplace_back(from, to);
+    }
     return edges;
 }
 

@@ -51,6 +51,7 @@ class Edge {
     EdgeOrigin origin_;
 };
 
+// The edges that have a direction; fewer than two of a polygon that is a point.
 std::vector<Edge> edges_of(const std::vector<Corner>& polygon);
 
 // The fragments of a line of width 1 by the diamond exit rule, in their order along it.
@@ -76,6 +77,7 @@ void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment&
             const PixelRect box = bounds(piece.corners, within, 0);
             if (box.y0 >= box.y1 || box.x0 >= box.x1) break;
             const std::vector<Edge> edges = edges_of(piece.corners);
+            if (edges.size() < 2) break;
             for (int y = box.y0; y < box.y1; ++y)
                 for (int x = box.x0; x < box.x1; ++x)
                     if (std::all_of(edges.begin(), edges.end(),

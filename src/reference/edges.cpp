@@ -100,6 +100,7 @@ class EdgeFinder {
         const PixelRect box = bounds(piece.corners, window(), kSnap);
         if (box.y0 >= box.y1 || box.x0 >= box.x1) return;
         const std::vector<Edge> edges = edges_of(piece.corners);
+        if (edges.size() < 2) return;
         for (int y = box.y0; y < box.y1; ++y)
             for (int x = box.x0; x < box.x1; ++x) {
                 if (edge_[rows_.index(x, y)]) continue;

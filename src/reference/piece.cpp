@@ -132,6 +132,7 @@ class PieceMaker {
         const std::vector<ClipVertex> polygon = clip_polygon(whole);
         if (polygon.size() < 3) return;
         std::vector<Corner> corners;
+        corners.reserve(polygon.size());
         for (const ClipVertex& v : polygon)
             corners.push_back({glm::dvec2(window_vertex(viewport, v).position_window), v.edge_to_next});
 

@@ -78,6 +78,7 @@ void for_each_band(int height, const std::function<void(int y0, int y1)>& band) 
     };
     std::vector<std::jthread> helpers;
     const int helper_count = std::min(bands, static_cast<int>(std::thread::hardware_concurrency())) - 1;
+    helpers.reserve(static_cast<std::size_t>(std::max(helper_count, 0)));
     for (int i = 0; i < helper_count; ++i) helpers.emplace_back(work);
     work();
 }
