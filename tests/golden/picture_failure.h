@@ -1,0 +1,18 @@
+// What a failing picture test leaves behind: the two pictures and their amplified difference under build/failed, and the
+// ten worst pixels in the test's output.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "image/image.h"
+
+namespace twinlight {
+
+// The folder of the programs under test: TWINLIGHT_BUILD, or build.
+std::string build_folder();
+
+testing::AssertionResult picture_failure(const std::string& name, const Image& actual, const Image& expected);
+
+}  // namespace twinlight

@@ -1,0 +1,90 @@
+// Every built-in scene: its renderers agree, and its pictures are the golden ones (golden/scenes/NAME/*.png).
+//
+// The golden pictures change only by `make golden CASE=NAME`; look at them before they are committed.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "command/text.h"
+#include "context/context.h"
+#include "fixed/fixed.h"
+#include "image/png.h"
+#include "picture_failure.h"
+#include "programmable/programmable.h"
+#include "reference/reference.h"
+#include "report/comparison.h"
+#include "scenes/scenes.h"
+#include "state/state.h"
+
+namespace twinlight {
+
+namespace {
+
+constexpr int kWidth = 640, kHeight = 480;
+
+std::vector<std::string> scene_names() {
+    std::vector<std::string> names;
+    for (const EmbeddedFile& file : kSceneFiles) names.emplace_back(file.name.substr(0, file.name.rfind(".gl")));
+    return names;
+}
+
+report::Comparison comparison_of(const std::string& name) {
+    const auto file = std::find_if(kSceneFiles.begin(), kSceneFiles.end(),
+                                   [&](const EmbeddedFile& f) { return f.name == name + ".gl"; });
+    const auto scene = std::make_shared<const CommandList>(read_scene(file->text, name + ".gl", name));
+    const Frame frame = make_frame(scene, {.width = kWidth, .height = kHeight});
+    const auto context = make_offscreen_context(kWidth, kHeight);
+    programmable::Renderer shaders;
+    const report::Renderers renderers = {
+        .fixed = fixed::render,
+        .programmable = [&](const Frame& f, const RenderOptions& options) { return shaders.render(f, options); },
+        .reference = reference::render,
+        .edge_pixels = reference::edge_pixels,
+    };
+    return report::compare_scene(frame, name, driver_name(), renderers);
+}
+
+class GoldenScenes : public testing::TestWithParam<std::string> {};
+
+TEST_P(GoldenScenes, AgreeThreeWaysAndWithTheGoldenPictures) {
+    const std::string& name = GetParam();
+    const report::Comparison comparison = comparison_of(name);
+    EXPECT_TRUE(comparison.unsupported.empty());
+    for (const report::Pair& pair : comparison.pairs) {
+        const RegionDifference& interior = pair.difference.interior;
+        EXPECT_NE(pair.verdict, report::Verdict::kBeyond)
+            << fmt::format("{} ~ {}: {} of {} interior pixels differ, by {}/255 at most, at {},{}",
+                           comparison.a(pair).name, comparison.b(pair).name, interior.differing, interior.pixels,
+                           interior.max * 255, interior.worst_x, interior.worst_y);
+    }
+
+    const char* write = std::getenv("TWINLIGHT_WRITE_GOLDEN");
+    const bool writes = write && (std::string_view(write) == "*" || name == write);
+    const std::string folder = "golden/scenes/" + name;
+    for (const report::Render& render : comparison.renders) {
+        const std::string file = folder + "/" + report::picture_file(render);
+        if (writes) {
+            std::filesystem::create_directories(folder);
+            write_png(file, render.image);
+            fmt::print("wrote {}\n", file);
+            continue;
+        }
+        ASSERT_TRUE(std::filesystem::exists(file)) << "there is no " << file << "; make golden CASE=" << name << " writes it";
+        const Image golden = read_png(file);
+        Image actual = render.image;
+        for (Rgba& pixel : actual.pixels) pixel[3] = 1;  // pictures in files have no alpha
+        // Edges may fall to either side on another driver; the interior is held to what two renderers are held to.
+        if (report::judge(difference(actual, golden, comparison.edges), comparison.tolerance) == report::Verdict::kBeyond) {
+            ADD_FAILURE() << picture_failure(name + "-" + render.name, actual, golden).message();
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenScenes, testing::ValuesIn(scene_names()),
+                         [](const testing::TestParamInfo<std::string>& scene) { return scene.param; });
+
+}  // namespace
+
+}  // namespace twinlight
