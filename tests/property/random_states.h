@@ -40,7 +40,7 @@ class Random {
 inline constexpr std::uint64_t kStatesPerStructure = 80;
 CommandList random_state(std::uint64_t seed, int triangles);
 
-// A state in which the driver is known to leave the specification's text (LIGHTING's table of departures), or in which
+// A state in which the driver is known to leave the specification's text (golden/known_differences), or in which
 // the equation is discontinuous at a vertex, so that rounding alone decides. Such vertices are left out by this name.
 struct Exclusion {
     std::string_view name;

@@ -113,7 +113,7 @@ Command random_command(Random& random) {
     }
 }
 
-// Where the driver leaves the text, by the names of golden/known_differences.
+// Where the driver leaves the text (golden/known_differences; tests/golden/known_differences_test.cpp shows each).
 bool is_departure(const Command& command, const State& state) {
     const std::string_view name = command.name();
     const auto owner = owner_of(command.id);
