@@ -109,7 +109,7 @@ struct Renderer::Impl {
             glVertexAttribPointer(
                 index, size, GL_FLOAT, GL_FALSE,
                 static_cast<GLsizei>(static_cast<std::size_t>(array.floats_per_vertex) * sizeof(float)),
-                static_cast<const float*>(nullptr) + offset);
+                reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset) * sizeof(float)));  // NOLINT: GL's offset
         };
         attribute(kPosition, 4, 0);
         attribute(kNormal, 3, array.normal_offset);
