@@ -87,7 +87,7 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"render", file, "--with", "fixed", "--shading", "smooth", "-o", out_ / "p.png"}),
                    "flat");
     expect_refused(run({"compare", file}), "-o is required");
-    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c");
+    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl");
     expect_refused(run({"scenes", "no-such-scene-at-all"}),
                    "there is no built-in scene 'no-such-scene-at-all'");
 }
@@ -273,6 +273,15 @@ TEST_F(Cli, ExportsAProgramThatCompiles) {
     const ProgramResult compiled =
         run_shell("", "${CC:-gcc} -fsyntax-only -Wall -Werror " + quoted(out_ / "scene.c"));
     EXPECT_EQ(compiled.status, 0) << compiled.err;
+}
+
+TEST_F(Cli, ExportsTheShadersOfEachShading) {
+    const std::string file = scene(kScene);
+    const ProgramResult result = run({"export", file, "--as", "glsl"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("void main("), std::string::npos);
+    EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "phong"}).out, result.out);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 
 #include "image/file.h"
 #include "scenes/load.h"
@@ -24,6 +25,12 @@ int parse_side(std::string_view text) {
     const bool whole = error == std::errc() && end == text.data() + text.size();
     return whole && side >= kMinSide && side <= kMaxSide ? side : 0;
 }
+
+const std::map<std::string, Shading> kShadings = {
+    {"flat", Shading::kFlat},
+    {"gouraud", Shading::kGouraud},
+    {"phong", Shading::kPhong},
+};
 
 }  // namespace
 
@@ -51,6 +58,14 @@ void add_size_option(CLI::App& app, Size& size) {
            "the picture's size in pixels")
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", size.width, size.height));
+}
+
+void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {
+    app.add_option_function<std::string>(
+           "--shading", [&shading](const std::string& name) { shading = kShadings.at(name); },
+           "what the scene's glShadeModel says, unless given")
+        ->type_name("flat|gouraud|phong")
+        ->check(one_of(kShadings));
 }
 
 Frame load_frame(const std::string& scene, Size size) {

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -59,6 +60,7 @@ CLI::Validator one_of(const Map& map) {
 
 void add_scene_argument(CLI::App& app, std::string& scene);
 void add_size_option(CLI::App& app, Size& size);
+void add_shading_option(CLI::App& app, std::optional<Shading>& shading);
 
 Frame load_frame(const std::string& scene, Size size);
 

@@ -29,12 +29,6 @@ const std::map<std::string, report::RenderFunction report::Renderers::*> kRender
     {"reference", &report::Renderers::reference},
 };
 
-const std::map<std::string, Shading> kShadings = {
-    {"flat", Shading::kFlat},
-    {"gouraud", Shading::kGouraud},
-    {"phong", Shading::kPhong},
-};
-
 // A picture is never silently partial.
 void tell_unsupported(const Frame& frame, const std::string& renderer) {
     for (Unsupported item : frame.unsupported) {
@@ -79,12 +73,7 @@ Subcommand add_render(CLI::App& app) {
         ->required()
         ->type_name("fixed|programmable|reference")
         ->check(one_of(kRenderers));
-    render
-        ->add_option_function<std::string>(
-            "--shading", [arguments](const std::string& name) { arguments->shading = kShadings.at(name); },
-            "what the scene's glShadeModel says, unless given")
-        ->type_name("flat|gouraud|phong")
-        ->check(one_of(kShadings));
+    add_shading_option(*render, arguments->shading);
     add_size_option(*render, arguments->size);
     render->add_option("-o", arguments->output, "the picture, or - for standard output")
         ->required()
