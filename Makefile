@@ -84,7 +84,8 @@ demo: deps  ## build; open the GLUT window, or write the comparison as a report 
 
 test: deps  ## build; run every test headless (TEST=Filter* runs some)
 	@$(MAKE) test-binary
-	@TWINLIGHT_BUILD=$(BUILD) $(BUILD)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
+	@LSAN_OPTIONS=suppressions=tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(BUILD) \
+	    $(BUILD)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
 
 deps:  ## install what is missing (apt), and nothing else
 	@missing=$$(echo "$$DEPENDENCIES" | while read -r package ask; do \

@@ -275,6 +275,13 @@ TEST_F(Cli, ExportsAProgramThatCompiles) {
     EXPECT_EQ(compiled.status, 0) << compiled.err;
 }
 
+TEST_F(Cli, ExportsTheShapesOfPragmasAsPrimitives) {
+    const ProgramResult result = run({"export", "report", "--as", "c"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.out.find("twinlight shape"), std::string::npos);
+    EXPECT_NE(result.out.find("glBegin(GL_TRIANGLE_FAN);"), std::string::npos);
+}
+
 TEST_F(Cli, ExportsTheShadersOfEachShading) {
     const std::string file = scene(kScene);
     const ProgramResult result = run({"export", file, "--as", "glsl"});

@@ -5,6 +5,7 @@
 #include "app/cli/command_line.h"
 #include "command/text.h"
 #include "programmable/programmable.h"
+#include "shape/primitives.h"
 
 namespace twinlight::cli {
 
@@ -17,7 +18,7 @@ struct Arguments {
 };
 
 const std::map<std::string, std::function<std::string(const Frame&, const RenderOptions&)>> kForms = {
-    {"c", [](const Frame& frame, const RenderOptions&) { return print_c_program(*frame.commands); }},
+    {"c", [](const Frame& frame, const RenderOptions&) { return print_c_program(with_shapes_as_primitives(*frame.commands)); }},
     {"glsl", programmable::shader_source},
 };
 
