@@ -229,8 +229,8 @@ TEST(DemoView, AnInvertedLightIsOnWhereTheSceneSaysOff) {
 TEST(DemoView, WireframeDrawsTheEdgesOfAllFaces) {
     View view;
     view.wireframe = true;
-    for (const Draw& draw :
-         draws_of(apply_view(scene(kPoint + "glPolygonMode(GL_BACK, GL_FILL);" + kPoint), view))) {
+    const CommandList original = scene(kPoint + "glPolygonMode(GL_BACK, GL_FILL);" + kPoint);
+    for (const Draw& draw : draws_of(apply_view(original, view))) {
         EXPECT_EQ(draw.raster.polygon_mode_front, kGL_LINE);
         EXPECT_EQ(draw.raster.polygon_mode_back, kGL_LINE);
     }

@@ -3,6 +3,7 @@
 // never meet.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -22,6 +23,7 @@
 #include "image/file.h"
 #include "image/png.h"
 #include "programmable/programmable.h"
+#include "reference/reference.h"
 #include "scenes/load.h"
 #include "scenes/scenes.h"
 #include "state/state.h"
@@ -81,7 +83,7 @@ const std::filesystem::path& folder() {
 
 // Pictures of failures stay here.
 std::filesystem::path kept_folder() {
-    const std::filesystem::path kept = build_folder() / "failed";
+    std::filesystem::path kept = build_folder() / "failed";
     std::filesystem::create_directories(kept);
     return kept;
 }
@@ -183,7 +185,7 @@ class DemoWindow : public testing::Test {
             ADD_FAILURE() << "no picture; the demo said: " << read_file((folder() / "demo.log").string());
             return {};
         }
-        const Image image = read_png(picture_file_);
+        Image image = read_png(picture_file_);
         std::filesystem::remove(picture_file_);
         return image;
     }
@@ -195,33 +197,36 @@ class DemoWindow : public testing::Test {
         return make_frame(std::make_shared<const CommandList>(apply_view(scene_, controls.view)), options);
     }
 
-    // The same commands on OSMesa. Both libraries hold the same Mesa, so its rasteriser rounds alike: the
-    // pictures are equal, edges too (measured: 13 of 13).
+    // The same commands on OSMesa. Both libraries hold the same Mesa, so interiors are equal bit for bit. A border that
+    // passes within rounding of pixel centres may go to another side: measured 0 edge pixels on these scenes, but 3 of
+    // 33,000 on one whose objects stood on whole pixels (not for the depth buffer's bits; the cause is not known).
     void expect_as_on_osmesa(const Image& actual, const Controls& controls, int width = 640,
                              int height = 480) {
         ASSERT_EQ(actual.width, width);
         ASSERT_EQ(actual.height, height);
         const Frame frame = expected_frame(controls, width, height);
         const auto context = make_offscreen_context(width, height);
-        Image expected = controls.renderer == Renderer::kFixed
-                             ? fixed::render(frame, kOptions)
-                             : programmable::Renderer().render(frame, kOptions);
-        expect_equal(actual, std::move(expected));
+        const Image expected = controls.renderer == Renderer::kFixed
+                                   ? fixed::render(frame, kOptions)
+                                   : programmable::Renderer().render(frame, kOptions);
+        expect_near(actual, expected, reference::edge_pixels(frame), 0);
     }
 
-    // `channel`: by how much one may differ.
-    void expect_equal(const Image& actual, Image expected, double channel = 0) {
+    // `interior`: by how much a channel may differ there.
+    void expect_near(const Image& actual, Image expected, const PixelMask& edges, double interior) {
+        constexpr double kBorderline = 0.001;              // share of edge pixels
         for (Rgba& pixel : expected.pixels) pixel[3] = 1;  // a PNG has no alpha
-        const PixelMask no_edges(expected.pixels.size());
-        const RegionDifference found = difference(actual, expected, no_edges).interior;
-        if (found.max <= channel) return;
+        const ImageDifference found = difference(actual, expected, edges);
+        if (found.interior.max <= interior && found.edge.differing_share() <= kBorderline) return;
         const std::string kept = kept_folder().string();
+        const int factor = amplification_for(std::max(found.interior.max, found.edge.max));
         write_png(kept + "/demo-actual.png", actual);
         write_png(kept + "/demo-expected.png", expected);
-        write_png(kept + "/demo-difference.png",
-                  difference_picture(actual, expected, amplification_for(found.max)));
-        ADD_FAILURE() << found.differing << " pixels differ, by " << found.max << " at most, at "
-                      << found.worst_x << "," << found.worst_y << ": see demo-*.png in " << kept;
+        write_png(kept + "/demo-difference.png", difference_picture(actual, expected, factor));
+        ADD_FAILURE() << found.interior.differing << " interior pixels differ, by " << found.interior.max
+                      << " at most, at " << found.interior.worst_x << "," << found.interior.worst_y << "; "
+                      << found.edge.differing << " of " << found.edge.pixels
+                      << " edge pixels: see demo-*.png in " << kept;
     }
 
     static std::unique_ptr<Xvfb> server_;
@@ -256,13 +261,15 @@ TEST_F(DemoWindow, DrawsTheBuiltInScenesWithBothRenderers) {
     for (const EmbeddedFile& file : kSceneFiles) {
         const std::string name(file.name.substr(0, file.name.rfind(".gl")));
         scene_ = load_scene(name);
-        for (const std::string renderer : {"fixed", "programmable"}) {
-            SCOPED_TRACE(name + " " + renderer);
-            const Ran ran = run(on_display(program() + " " + name + " --with " + renderer +
-                                           " --quit-after 1 --screenshot " + picture_file_));
+        for (const Renderer renderer : {Renderer::kFixed, Renderer::kProgrammable}) {
+            std::string options = name;
+            options += renderer == Renderer::kFixed ? " --with fixed" : " --with programmable";
+            SCOPED_TRACE(options);
+            const Ran ran =
+                run(on_display(program() + " " + options + " --quit-after 1 --screenshot " + picture_file_));
             ASSERT_EQ(ran.status, 0) << ran.output;
             Controls controls = make_controls(expected_frame({}));
-            controls.renderer = renderer == "fixed" ? Renderer::kFixed : Renderer::kProgrammable;
+            controls.renderer = renderer;
             expect_as_on_osmesa(picture(), controls);
         }
     }
@@ -328,12 +335,12 @@ TEST_F(DemoWindow, ShowsTheDifferenceOfTheTwo) {
     const Image actual = picture();
     const Frame frame = expected_frame({});
     const auto context = make_offscreen_context(640, 480);
-    const PixelMask no_edges(640 * 480);
     const Image a = fixed::render(frame, kOptions);
     const Image b = programmable::Renderer().render(frame, kOptions);
+    const PixelMask no_edges(a.pixels.size());
     const int factor = amplification_for(difference(a, b, no_edges).interior.max);
     // Where one code differs between the two libraries, the amplified difference does by `factor` codes.
-    expect_equal(actual, difference_picture(a, b, factor), factor / 255.0);
+    expect_near(actual, difference_picture(a, b, factor), reference::edge_pixels(frame), factor / 255.0);
 }
 
 TEST_F(DemoWindow, KeepsTheProportionsOfThePictureInAnyWindow) {
