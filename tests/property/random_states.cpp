@@ -104,8 +104,10 @@ class Builder {
             for (Enum pname : {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION}) {
                 color("glMaterialfv", {static_cast<double>(face), static_cast<double>(pname)});
             }
-            const double shininess[] = {0, 1, 2, 5, 32, 128, random_.uniform(0, 128)};
-            add("glMaterialf", {static_cast<double>(face), kGL_SHININESS, shininess[structure_.below(7)]});
+            // 0 is seldom: the driver departs from the text there.
+            const double any = random_.uniform(0, 128);
+            const double shininess[] = {0, 1, 2, 5, 32, 64, 128, any, any, any};
+            add("glMaterialf", {static_cast<double>(face), kGL_SHININESS, shininess[structure_.below(10)]});
         }
         if (structure_.chance(0.4)) {
             const Enum modes[] = {kGL_EMISSION, kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_AMBIENT_AND_DIFFUSE};
@@ -117,7 +119,8 @@ class Builder {
     }
 
     void vertex() {
-        if (random_.chance(0.5)) color("glColor4f", {});
+        if (first_vertex_ ? random_.chance(0.9) : random_.chance(0.5)) color("glColor4f", {});
+        first_vertex_ = false;
         const glm::dvec3 n = direction();
         add("glNormal3f", {n.x, n.y, n.z});
         add("glVertex3f", {coordinate(), coordinate(), coordinate()});
@@ -125,6 +128,7 @@ class Builder {
 
     Random structure_;  // what decides which code lights the scene
     Random random_;     // the values
+    bool first_vertex_ = true;
     CommandList list_;
 };
 

@@ -37,7 +37,7 @@ class Random {
 // normals: everything that the equation of 2.14.1 reads. No hard cases: values of moderate size, no coordinate at 0.
 // Seeds k * kStatesPerStructure ... + kStatesPerStructure - 1 share what decides the driver's program (which lights, of
 // which type, ...) and differ in the values, since a program takes a driver a tenth of a second to make.
-inline constexpr std::uint64_t kStatesPerStructure = 80;
+inline constexpr std::uint64_t kStatesPerStructure = 100;
 CommandList random_state(std::uint64_t seed, int triangles);
 
 // A state in which the driver is known to leave the specification's text (golden/known_differences), or in which
