@@ -7,9 +7,11 @@ config ?= release
 CXX ?= g++
 BUILD := $(if $(filter release,$(config)),build,build/$(config))
 
-# Every processor, unless the caller chose a number of jobs.
+# Every processor, unless the caller chose a number of jobs; make's own calls of make share the jobs of the first.
+ifeq (0,$(MAKELEVEL))
 ifeq (,$(findstring -j,$(MAKEFLAGS)))
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
+endif
 endif
 MAKEFLAGS += --no-print-directory --no-builtin-rules
 
