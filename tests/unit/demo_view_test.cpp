@@ -306,14 +306,14 @@ TEST(DemoSummary, NamesSceneRendererShadingAndLights) {
     const CommandList original =
         scene("glEnable(GL_LIGHTING); glEnable(GL_LIGHT1); glEnable(GL_LIGHT4);" + kPoint);
     Controls controls;
-    EXPECT_EQ(summary("lab", controls, frame_of(original)), "lab - fixed - GL_SMOOTH - GL_LIGHT1 4");
+    EXPECT_EQ(summary("lab", controls, frame_of(original)), "lab - fixed - GL_SMOOTH - GL_LIGHT1,4");
     press(controls, '\t');
     press(controls, 'm');
     EXPECT_EQ(summary("lab", controls, frame_of(scene("glEnable(GL_LIGHT0);" + kPoint))),
               "lab - programmable - GL_SMOOTH wireframe - no light");
     press(controls, 'd');
     EXPECT_EQ(summary("lab", controls, frame_of(original), 64),
-              "lab - |fixed - programmable| times 64 - GL_SMOOTH wireframe - GL_LIGHT1 4");
+              "lab - |fixed - programmable| times 64 - GL_SMOOTH wireframe - GL_LIGHT1,4");
 }
 
 TEST(DemoSummary, SaysWhichPictureIsPartial) {

@@ -292,11 +292,11 @@ TEST_F(DemoWindow, AnswersKeysAndMouse) {
     const auto title = [&] { return xdotool("search --name twinlight getwindowname").output; };
 
     check("as it starts", "");
-    EXPECT_EQ(title(), "scene.gl - fixed - GL_SMOOTH - GL_LIGHT0 1 - twinlight\n");
+    EXPECT_EQ(title(), "scene.gl - fixed - GL_SMOOTH - GL_LIGHT0,1 - twinlight\n");
 
     press(controls, '\t');
     check("Tab", "key Tab");
-    EXPECT_EQ(title(), "scene.gl - programmable - GL_SMOOTH - GL_LIGHT0 1 - twinlight\n");
+    EXPECT_EQ(title(), "scene.gl - programmable - GL_SMOOTH - GL_LIGHT0,1 - twinlight\n");
 
     press(controls, 'f');
     press(controls, '1');

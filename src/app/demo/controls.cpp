@@ -155,7 +155,7 @@ std::string summary(const std::string& scene, const Controls& controls, const Fr
     if (controls.view.wireframe) text += " wireframe";
     text += lights_on.empty() ? " - no light" : " - GL_LIGHT";
     for (const std::size_t light : lights_on) {
-        text += (light == *lights_on.begin() ? "" : " ") + std::to_string(light);
+        text += (light == *lights_on.begin() ? "" : ",") + std::to_string(light);
     }
     return text;
 }

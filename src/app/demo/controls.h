@@ -51,7 +51,7 @@ void zoom(Controls& controls, int steps);  // of the wheel; positive: nearer
 
 // ---- What is shown ----
 
-// "report - fixed - GL_SMOOTH - GL_LIGHT0 1 7", of the frame as it is drawn. `amplification`: of the difference.
+// "report - fixed - GL_SMOOTH - GL_LIGHT0,1,7", of the frame as it is drawn. `amplification`: of the difference.
 std::string summary(const std::string& scene, const Controls& controls, const Frame& frame,
                     int amplification = 1);
 

@@ -277,7 +277,7 @@ void Window::draw_overlays() {
         draw_text(keys_help(), kMargin, height_ - kMargin);
     }
     if (controls_.status_shown) {
-        draw_text(summary_ + " - F1: keys", kMargin, kMargin + kLineHeight);
+        draw_text("F1: keys - " + summary_, kMargin, kMargin + kLineHeight);
     }
 }
 
