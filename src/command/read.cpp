@@ -22,12 +22,12 @@ struct NamedType {
 };
 
 constexpr NamedType kTypes[] = {
-    {"float", Kind::kFloat},       {"GLfloat", Kind::kFloat},   {"GLclampf", Kind::kFloat},
-    {"double", Kind::kDouble},     {"GLdouble", Kind::kDouble}, {"GLclampd", Kind::kDouble},
-    {"int", Kind::kInt},           {"GLint", Kind::kInt},       {"GLsizei", Kind::kSizei},
-    {"GLuint", Kind::kUint},       {"GLenum", Kind::kEnum},     {"GLbitfield", Kind::kBitfield},
-    {"short", Kind::kShort},       {"GLshort", Kind::kShort},   {"GLushort", Kind::kUshort},
-    {"GLbyte", Kind::kByte},       {"GLubyte", Kind::kUbyte},   {"GLboolean", Kind::kBoolean},
+    {"float", Kind::kFloat},   {"GLfloat", Kind::kFloat},   {"GLclampf", Kind::kFloat},
+    {"double", Kind::kDouble}, {"GLdouble", Kind::kDouble}, {"GLclampd", Kind::kDouble},
+    {"int", Kind::kInt},       {"GLint", Kind::kInt},       {"GLsizei", Kind::kSizei},
+    {"GLuint", Kind::kUint},   {"GLenum", Kind::kEnum},     {"GLbitfield", Kind::kBitfield},
+    {"short", Kind::kShort},   {"GLshort", Kind::kShort},   {"GLushort", Kind::kUshort},
+    {"GLbyte", Kind::kByte},   {"GLubyte", Kind::kUbyte},   {"GLboolean", Kind::kBoolean},
     {"unsigned", Kind::kUint},
 };
 
@@ -183,19 +183,23 @@ void Reader::statement() {
     if (accept(";")) return;
     if (token_.kind == TokenKind::kPragma) return pragma();
     if (token_.kind != TokenKind::kName) {
-        fail(token_.place, fmt::format("expected a statement such as glEnable(GL_LIGHTING); found {}", shown(token_)));
+        fail(token_.place,
+             fmt::format("expected a statement such as glEnable(GL_LIGHTING); found {}", shown(token_)));
     }
-    const bool declares = token_.is("const") || token_.is("static") || token_.is("signed") || token_.is("unsigned") ||
-                          find_type(token_.text).has_value();
-    if (declares) return declaration();
-    for (std::string_view word : {"for", "while", "do", "if", "else", "switch", "return", "void", "struct", "char"}) {
-        if (token_.is(word)) {
-            fail(token_.place, fmt::format("'{}' is not part of a scene: write the calls out one after the other", word));
+    for (std::string_view word :
+         {"for", "while", "do", "if", "else", "switch", "return", "void", "struct", "char"}) {
+        if (token_.is(word) || (token_.is("static") && ahead_.is(word))) {
+            fail(token_.place,
+                 fmt::format("'{}' is not part of a scene: write the calls out one after the other", word));
         }
     }
+    const bool declares = token_.is("const") || token_.is("static") || token_.is("signed") ||
+                          token_.is("unsigned") || find_type(token_.text).has_value();
+    if (declares) return declaration();
     if (ahead_.is("=") || ahead_.is("[")) {
-        fail(token_.place, fmt::format("assignments are not part of a scene: give {} its value where it is declared",
-                                       quoted(token_.text)));
+        fail(token_.place,
+             fmt::format("assignments are not part of a scene: give {} its value where it is declared",
+                         quoted(token_.text)));
     }
     call();
 }
@@ -256,10 +260,16 @@ void Reader::declaration() {
     do {
         const Token name = token_;
         if (name.kind != TokenKind::kName) {
-            fail(name.place, fmt::format("expected a variable's name, found {}{}", shown(name),
-                                         name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : ""));
+            fail(name.place,
+                 fmt::format("expected a variable's name, found {}{}", shown(name),
+                             name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : ""));
         }
         advance();
+        if (token_.is("(")) {
+            fail(name.place,
+                 fmt::format("functions are not part of a scene: write what {} calls one after the other",
+                             quoted(name.text)));
+        }
         if (variables_.contains(name.text)) {
             fail(name.place, fmt::format("{} is declared already, at {}", quoted(name.text),
                                          variables_.at(name.text).place.str()));
@@ -268,7 +278,8 @@ void Reader::declaration() {
         if (accept("[")) {
             variable.is_array = true;
             const std::size_t length = array_length_in_brackets(0);
-            if (token_.is("[")) fail(token_.place, "arrays of arrays are not part of a scene: declare one array a row");
+            if (token_.is("["))
+                fail(token_.place, "arrays of arrays are not part of a scene: declare one array a row");
             variable.values.assign(length, 0.0);
             if (accept("=")) {
                 const std::vector<double> values = initialiser(kind);
@@ -281,11 +292,13 @@ void Reader::declaration() {
                 variable.known = true;
             }
             if (variable.values.empty()) {
-                fail(name.place, fmt::format("{} needs a length or values: GLfloat {}[4];", quoted(name.text), name.text));
+                fail(name.place, fmt::format("{} needs a length or values: GLfloat {}[4];", quoted(name.text),
+                                             name.text));
             }
         } else if (accept("=")) {
             const Place place = token_.place;
-            variable.values[0] = converted(expression(), kind, place, fmt::format("the value of {}", quoted(name.text)));
+            variable.values[0] =
+                converted(expression(), kind, place, fmt::format("the value of {}", quoted(name.text)));
             variable.known = true;
         }
         variables_.emplace(name.text, std::move(variable));
@@ -348,8 +361,9 @@ void Reader::arguments(Command& command, const Signature& sig) {
         if (parameter.extent == Extent::kRest) {
             while (given > 0 ? accept(",") : !token_.is(")")) {
                 const Place place = token_.place;
-                command.arguments.push_back(converted(expression(), parameter.kind, place,
-                                                      fmt::format("the argument {} of {}", parameter.name, sig.name)));
+                command.arguments.push_back(
+                    converted(expression(), parameter.kind, place,
+                              fmt::format("the argument {} of {}", parameter.name, sig.name)));
                 ++given;
                 if (given > kMaxArrayLength) fail(place, "too many arguments");
             }
@@ -364,8 +378,9 @@ void Reader::arguments(Command& command, const Signature& sig) {
             command.arguments.push_back(word_argument(parameter));
         } else {
             const Place place = token_.place;
-            command.arguments.push_back(converted(expression(), parameter.kind, place,
-                                                  fmt::format("the argument {} of {}", parameter.name, sig.name)));
+            command.arguments.push_back(
+                converted(expression(), parameter.kind, place,
+                          fmt::format("the argument {} of {}", parameter.name, sig.name)));
         }
         ++given;
     }
@@ -397,8 +412,8 @@ void Reader::array_argument(Command& command, const Parameter& parameter) {
             }
             return std::string_view("?");
         };
-        fail(place, fmt::format("{} takes an array of {}, but {} is one of {}", name, type(parameter.kind), given.shown,
-                                type(given.kind)));
+        fail(place, fmt::format("{} takes an array of {}, but {} is one of {}", name, type(parameter.kind),
+                                given.shown, type(given.kind)));
     }
     const bool by_pname = parameter.extent == Extent::kByPname || parameter.extent == Extent::kOutput;
     const std::optional<Enum> pname =
@@ -416,8 +431,8 @@ void Reader::array_argument(Command& command, const Parameter& parameter) {
     if (parameter.extent == Extent::kOutput) {
         if (given.variable) {
             given.variable->known = false;
-            given.variable->unknown_because = fmt::format("{} at {} writes to it, and a scene cannot use the answer",
-                                                          name, command.place.str());
+            given.variable->unknown_because = fmt::format(
+                "{} at {} writes to it, and a scene cannot use the answer", name, command.place.str());
         }
         return;
     }
@@ -448,10 +463,10 @@ ArrayArgument Reader::array() {
     const auto found = variables_.find(name.text);
     if (name.kind != TokenKind::kName || found == variables_.end() || !(found->second.is_array || address)) {
         const auto near = nearest(name.text, visible_names());
-        fail(name.place, fmt::format("expected an array such as (GLfloat[]){{1, 0, 0, 1}} or the name of one, found {}{}",
-                                     shown(name), near && found == variables_.end()
-                                                      ? fmt::format("; did you mean {}?", *near)
-                                                      : ""));
+        fail(name.place,
+             fmt::format("expected an array such as (GLfloat[]){{1, 0, 0, 1}} or the name of one, found {}{}",
+                         shown(name),
+                         near && found == variables_.end() ? fmt::format("; did you mean {}?", *near) : ""));
     }
     advance();
     Variable& variable = found->second;
@@ -469,7 +484,10 @@ ArrayArgument Reader::array() {
         fail(offset_place, fmt::format("this index lies outside {}, which has {} values", quoted(name.text),
                                        variable.values.size()));
     }
-    return {variable.kind, {variable.values.begin() + offset, variable.values.end()}, quoted(name.text), &variable};
+    return {variable.kind,
+            {variable.values.begin() + offset, variable.values.end()},
+            quoted(name.text),
+            &variable};
 }
 
 std::vector<std::string_view> Reader::visible_names() const {
@@ -498,7 +516,8 @@ Number Reader::arithmetic(const Token& op, Number a, Number b) {
         if (overflow) fail(op.place, "this whole number is too large");
         return integer(result);
     }
-    if (o == '|') fail(op.place, "'|' joins whole numbers, such as GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
+    if (o == '|')
+        fail(op.place, "'|' joins whole numbers, such as GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
     const bool is_float = a.type != Number::Type::kDouble && b.type != Number::Type::kDouble;
     const double x = a.value(), y = b.value();
     return real(o == '+' ? x + y : o == '-' ? x - y : o == '*' ? x * y : x / y, is_float);
@@ -546,7 +565,8 @@ Number Reader::unary() {
     }
     Number value = primary();
     if (!negative) return value;
-    if (value.integer == std::numeric_limits<std::int64_t>::min()) fail(token_.place, "this whole number is too large");
+    if (value.integer == std::numeric_limits<std::int64_t>::min())
+        fail(token_.place, "this whole number is too large");
     value.integer = -value.integer;
     value.real = -value.real;
     return value;
@@ -580,7 +600,8 @@ Number Reader::literal(const Token& token) {
         if (error == std::errc::result_out_of_range) {
             // Too small is 0 or a denormal, as in C; too large is an error.
             value = std::strtod(std::string(digits).c_str(), nullptr);
-            if (std::isinf(value)) fail(token.place, fmt::format("{} is too large for a double", quoted(token.text)));
+            if (std::isinf(value))
+                fail(token.place, fmt::format("{} is too large for a double", quoted(token.text)));
         }
         return real(value, is_float);
     }
@@ -589,9 +610,13 @@ Number Reader::literal(const Token& token) {
     const std::string_view significant = digits.substr(hex ? 2 : 0);
     std::int64_t value = 0;
     const auto [end, error] =
-        std::from_chars(significant.data(), significant.data() + significant.size(), value, hex ? 16 : octal ? 8 : 10);
+        std::from_chars(significant.data(), significant.data() + significant.size(), value,
+                        hex     ? 16
+                        : octal ? 8
+                                : 10);
     if (error == std::errc::result_out_of_range) {
-        fail(token.place, fmt::format("{} is too large; write it with a point for a double", quoted(token.text)));
+        fail(token.place,
+             fmt::format("{} is too large; write it with a point for a double", quoted(token.text)));
     }
     if (significant.empty() || end != significant.data() + significant.size()) bad();
     return integer(value);
@@ -612,16 +637,17 @@ Number Reader::named_value(const Token& name) {
         for (const NamedValue& row : gl_names()) names.push_back(row.name);
         const auto near = nearest(name.text, names);
         fail(name.place, fmt::format("unknown name {}{}", quoted(name.text),
-                                     near                 ? fmt::format("; did you mean {}?", *near)
-                                     : token_.is("(")     ? "; a call cannot stand inside an expression"
-                                                          : ""));
+                                     near             ? fmt::format("; did you mean {}?", *near)
+                                     : token_.is("(") ? "; a call cannot stand inside an expression"
+                                                      : ""));
     }
     const Variable& variable = found->second;
     std::size_t index = 0;
     if (variable.is_array) {
         if (!token_.is("[")) {
-            fail(name.place, fmt::format("{} is an array, and a single number is needed here; choose an element: {}[0]",
-                                         quoted(name.text), name.text));
+            fail(name.place,
+                 fmt::format("{} is an array, and a single number is needed here; choose an element: {}[0]",
+                             quoted(name.text), name.text));
         }
         advance();
         const Place place = token_.place;
@@ -635,7 +661,8 @@ Number Reader::named_value(const Token& name) {
         index = static_cast<std::size_t>(n.integer);
     }
     if (!variable.known) {
-        fail(name.place, fmt::format("{} has no value here: {}", quoted(name.text), variable.unknown_because));
+        fail(name.place,
+             fmt::format("{} has no value here: {}", quoted(name.text), variable.unknown_because));
     }
     const double value = variable.values[index];
     if (variable.kind == Kind::kFloat || variable.kind == Kind::kDouble) {
@@ -663,7 +690,8 @@ double Reader::converted(const Number& number, Kind kind, const Place& place, st
     }
     const Range range = range_of(kind);
     if (value < range.smallest || value > range.largest) {
-        fail(place, fmt::format("{} is {}; it must be from {} to {}", what, value, range.smallest, range.largest));
+        fail(place,
+             fmt::format("{} is {}; it must be from {} to {}", what, value, range.smallest, range.largest));
     }
     return value;
 }
@@ -672,7 +700,8 @@ double Reader::converted(const Number& number, Kind kind, const Place& place, st
 
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name) {
     if (text.size() > kMaxSceneBytes) {
-        throw SceneError(fmt::format("{}: this scene has {} bytes; at most {} are read", file, text.size(), kMaxSceneBytes));
+        throw SceneError(fmt::format("{}: this scene has {} bytes; at most {} are read", file, text.size(),
+                                     kMaxSceneBytes));
     }
     return {name, Reader(text, file).read()};
 }
