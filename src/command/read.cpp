@@ -2,8 +2,10 @@
 // over Lexer's tokens; expressions are evaluated as they are read, with C's types (so 4/3 is 1).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <map>
 

@@ -2,6 +2,7 @@
 // arguments in its own types.
 #include <array>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "context/gl.h"

@@ -1,5 +1,6 @@
 #include "reference/visibility.h"
 
+#include <iterator>
 #include <thread>
 
 namespace twinlight::reference {

@@ -40,6 +40,10 @@ struct Both {
 
 // ---- The departures of the driver's state machine ----
 
+void expect_departure(bool departs) {
+    EXPECT_TRUE(departs || !is_listed_driver()) << "the driver keeps to the text now";
+}
+
 struct Departure {
     const char* name;
     void (*show)();
@@ -49,7 +53,7 @@ void single_value_for_a_vector() {
     const Both both("glLightf(GL_LIGHT0, GL_AMBIENT, 1);");
     ASSERT_EQ(both.state.errors().size(), 1u);
     EXPECT_EQ(both.state.errors()[0].code, kGL_INVALID_ENUM);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << "the driver keeps to the text now";
+    expect_departure(glGetError() == GL_NO_ERROR);
 }
 
 void alpha_of_glcolor3() {
@@ -60,7 +64,7 @@ void alpha_of_glcolor3() {
     EXPECT_EQ(both.state.current_color(), glm::dvec4(0.5, 0.5, 0.5, 1));
     std::array<GLfloat, 4> color{};
     glGetFloatv(GL_CURRENT_COLOR, color.data());
-    EXPECT_EQ(color[3], 0.25F) << "the driver keeps to the text now";
+    expect_departure(color[3] == 0.25F);
 }
 
 void color_lost_before_a_new_color_material() {
@@ -72,7 +76,7 @@ void color_lost_before_a_new_color_material() {
     EXPECT_EQ(both.state.get_material(kGL_FRONT, kGL_AMBIENT), (std::vector<double>{1, 1, 1, 1}));
     std::array<GLfloat, 4> ambient{};
     glGetMaterialfv(GL_FRONT, GL_AMBIENT, ambient.data());
-    EXPECT_EQ(ambient[0], 0) << "the driver keeps to the text now";
+    expect_departure(ambient[0] == 0);
 }
 
 constexpr Departure kDepartures[] = {

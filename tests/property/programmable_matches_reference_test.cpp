@@ -111,7 +111,7 @@ Frame one_pixel_a_vertex(const Draw& draw) {
     frame.height = 1;
     for (int i = 0; i < kVertices; ++i) {
         Draw one = draw;
-        one.indices = {static_cast<std::uint32_t>(i)};
+        one.indices.assign(1, static_cast<std::uint32_t>(i));
         one.raster.viewport = {i, 0, 1, 1};
         frame.items.emplace_back(std::move(one));
     }

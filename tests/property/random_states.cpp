@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <stdexcept>
+#include <string>
 
+#include "context/context.h"
 #include "reference/reference.h"
 
 namespace twinlight {
@@ -210,6 +214,17 @@ const std::vector<Exclusion>& exclusions() {
          }},
     };
     return list;
+}
+
+bool is_listed_driver() {
+    constexpr std::string_view kMeasuredOn = "measured on: ";
+    std::ifstream file("golden/known_differences");
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with(kMeasuredOn)) continue;
+        const std::string listed = line.substr(kMeasuredOn.size(), line.find(" (") - kMeasuredOn.size());
+        return driver_name().find(listed + '.') != std::string::npos;
+    }
+    throw std::runtime_error("golden/known_differences does not say on which driver it was measured");
 }
 
 }  // namespace twinlight

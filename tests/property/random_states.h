@@ -50,4 +50,8 @@ struct Exclusion {
 };
 const std::vector<Exclusion>& exclusions();
 
+// Whether the current context's driver is the one on which golden/known_differences was measured. It must show every
+// departure of that list; another driver may have mended some.
+bool is_listed_driver();
+
 }  // namespace twinlight

@@ -1,4 +1,5 @@
 // The shader path over a whole primitive: flat, gouraud and phong; and against the driver's own fixed function.
+#include <algorithm>
 #include <cmath>
 
 #include "command/text.h"

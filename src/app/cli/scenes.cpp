@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 #include "app/cli/command_line.h"
 
 namespace twinlight::cli {
