@@ -5,13 +5,18 @@
 
 config ?= release
 CXX ?= g++
+$(if $(filter release debug sanitize,$(config)),,$(error config is release, debug or sanitize, not '$(config)'))
 BUILD := $(if $(filter release,$(config)),build,build/$(config))
 
-# Every processor, unless the caller chose a number of jobs.
-ifeq (,$(findstring -j,$(MAKEFLAGS)))
+# Every processor, unless the caller chose a number of jobs; a make within make shares its caller's.
+ifeq (0,$(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)))
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 endif
 MAKEFLAGS += --no-print-directory --no-builtin-rules
+# Several goals (make clean test) are made one after the other.
+ifneq (,$(word 2,$(MAKECMDGOALS)))
+.NOTPARALLEL:
+endif
 
 # ---- What has to be installed: one line each, "apt package : how to ask for it" ---------------------------------
 
