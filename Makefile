@@ -93,15 +93,25 @@ test: deps  ## build; run every test headless (TEST=Filter* runs some)
 	    $(BUILD)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
 
 deps:  ## install what is missing (apt), and nothing else
-	@missing=$$(echo "$$DEPENDENCIES" | while read -r package ask; do \
-	    sh -c "$$ask" >/dev/null 2>&1 || printf ' %s' "$$package"; done); \
-	[ -z "$$missing" ] && exit 0; \
+	@missing() { echo "$$DEPENDENCIES" | while read -r package ask; do \
+	    sh -c "$$ask" >/dev/null 2>&1 || printf ' %s' "$$package"; done; }; \
+	packages=$$(missing); \
+	[ -z "$$packages" ] && exit 0; \
 	if ! command -v apt-get >/dev/null; then \
-	    echo "These packages are missing (Debian's names):$$missing" >&2; \
+	    echo "These packages are missing (Debian's names):$$packages" >&2; \
 	    echo "Install them with this system's package manager, then run make again." >&2; exit 1; fi; \
-	sudo=$$([ "$$(id -u)" = 0 ] || echo "sudo "); \
-	line="$${sudo}apt-get install -y --no-install-recommends$$missing"; \
-	echo "$$line"; $${sudo}apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$line
+	if [ "$$(id -u)" = 0 ]; then sudo=; else sudo="sudo "; fi; \
+	line="$${sudo}apt-get update -qq; $${sudo}DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends$$packages"; \
+	echo "$$line"; \
+	if [ -n "$$sudo" ] && ! command -v sudo >/dev/null; then \
+	    echo "That needs root, and there is no sudo here: run it as root, then run make again." >&2; exit 1; fi; \
+	eval "$$line"; \
+	packages=$$(missing); \
+	[ -z "$$packages" ] && exit 0; \
+	echo "Still missing:$$packages" >&2; \
+	case "$$packages" in *osmesa*) \
+	    echo "OSMesa draws without a display; Mesa 25.1 and later do not have it. Debian 12 and 13 do." >&2; esac; \
+	exit 1
 
 golden: deps  ## write golden pictures anew (CASE=scene for one): look at each before it is committed
 	@$(MAKE) test-binary
