@@ -59,13 +59,14 @@ LIBS_gtest := $(shell pkg-config --libs gtest_main 2>/dev/null)
 # ---- Files ------------------------------------------------------------------------------------------------------
 
 SOURCES_library := $(filter-out src/app/%,$(wildcard src/*/*.cpp src/*/*/*.cpp))
-SOURCES_cli := $(wildcard src/app/cli/*.cpp)
-SOURCES_demo := $(wildcard src/app/demo/*.cpp)
+SOURCES_app := $(wildcard src/app/*.cpp)
+SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
+SOURCES_demo := $(SOURCES_app) $(wildcard src/app/demo/*.cpp)
 # What of the demo the tests link: all but GLUT.
 SOURCES_demo_library := $(filter-out src/app/demo/main.cpp src/app/demo/window.cpp,$(SOURCES_demo))
 SOURCES_tests := $(wildcard tests/*/*.cpp)
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
-SOURCES_all := $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder)
+SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder))
 EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp
 FILES_scenes := $(wildcard src/scenes/*.gl)
 FILES_shaders := $(wildcard src/programmable/shaders/*.glsl)

@@ -69,6 +69,57 @@ int write_and_close(Descriptor& file, std::string_view bytes) {
     return file.close();
 }
 
+// A file's bytes, written aside in the same folder. It goes with the object unless it is put in place.
+class PendingFile {
+  public:
+    PendingFile(const std::string& path, std::string_view bytes) : path_(path) {
+        // Where the bytes go: renaming onto a link would replace the link, onto /dev/null the device.
+        struct stat existing {};
+        const bool exists = ::stat(path.c_str(), &existing) == 0;
+        if (exists && S_ISDIR(existing.st_mode)) fail(path, EISDIR);
+        if (exists && !S_ISREG(existing.st_mode)) {
+            Descriptor device(path, O_WRONLY);
+            if (!device.valid()) fail(path, errno);
+            if (const int error = write_and_close(device, bytes); error != 0) fail(path, error);
+            return;
+        }
+        if (exists && ::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a rename would not ask
+        target_ = exists ? std::filesystem::canonical(path).string() : path;
+
+        // The process's number keeps two writers of one file apart.
+        const std::string aside = target_ + "." + std::to_string(::getpid()) + ".part";
+        constexpr mode_t kAsUmaskAllows = 0666;
+        Descriptor file(aside, O_WRONLY | O_CREAT | O_EXCL,
+                        exists ? existing.st_mode & 0777 : kAsUmaskAllows);
+        if (!file.valid()) fail(path, errno);
+        aside_ = aside;
+        if (const int error = write_and_close(file, bytes); error != 0) {
+            remove_aside();
+            fail(path, error);
+        }
+    }
+    ~PendingFile() { remove_aside(); }
+    PendingFile(PendingFile&& other) noexcept
+        : path_(std::move(other.path_)),
+          target_(std::move(other.target_)),
+          aside_(std::exchange(other.aside_, {})) {}
+
+    void put_in_place() {
+        if (aside_.empty()) return;
+        if (::rename(aside_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+        aside_.clear();
+    }
+
+  private:
+    void remove_aside() {
+        if (!aside_.empty()) ::unlink(aside_.c_str());
+    }
+
+    std::string path_;    // as the user has it
+    std::string target_;  // with links followed
+    std::string aside_;   // empty where nothing stands aside
+};
+
 // No more than `max_bytes` of what is left to read; `path` is for the message of a failure.
 std::string read_rest(int descriptor, std::size_t max_bytes, const std::string& path) {
     std::string bytes;
@@ -98,32 +149,16 @@ std::string read_standard_input(std::size_t max_bytes) {
     return read_rest(STDIN_FILENO, max_bytes, "standard input");
 }
 
-void write_file_atomically(const std::string& path, std::string_view bytes) {
-    // Where the bytes go: renaming onto a link would replace the link, onto /dev/null the device.
-    struct stat existing {};
-    const bool exists = ::stat(path.c_str(), &existing) == 0;
-    if (exists && S_ISDIR(existing.st_mode)) fail(path, EISDIR);
-    if (exists && !S_ISREG(existing.st_mode)) {
-        Descriptor device(path, O_WRONLY);
-        if (!device.valid()) fail(path, errno);
-        if (const int error = write_and_close(device, bytes); error != 0) fail(path, error);
-        return;
-    }
-    if (exists && ::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a rename would not ask
-    const std::string target = exists ? std::filesystem::canonical(path).string() : path;
-
-    // The process's number keeps two writers of one file apart.
-    const std::string aside = target + "." + std::to_string(::getpid()) + ".part";
-    constexpr mode_t kAsUmaskAllows = 0666;
+void write_files_atomically(const std::vector<FileToWrite>& files) {
     const SignalsHeld held;
-    Descriptor file(aside, O_WRONLY | O_CREAT | O_EXCL, exists ? existing.st_mode & 0777 : kAsUmaskAllows);
-    if (!file.valid()) fail(path, errno);
-    int error = write_and_close(file, bytes);
-    if (error == 0 && ::rename(aside.c_str(), target.c_str()) != 0) error = errno;
-    if (error != 0) {
-        ::unlink(aside.c_str());
-        fail(path, error);
-    }
+    std::vector<PendingFile> pending;
+    pending.reserve(files.size());
+    for (const auto& [path, bytes] : files) pending.emplace_back(path, bytes);
+    for (PendingFile& file : pending) file.put_in_place();
+}
+
+void write_file_atomically(const std::string& path, std::string_view bytes) {
+    write_files_atomically({{path, bytes}});
 }
 
 }  // namespace twinlight

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace twinlight {
 
@@ -19,9 +20,15 @@ std::string read_file(const std::string& path,
                       std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
 std::string read_standard_input(std::size_t max_bytes);
 
-// Writes aside, in the same folder, then renames: another program sees the old file or the new one. Ctrl-C
-// waits until the file stands. A link is followed; a device or a pipe (/dev/null) is written to in place.
-// Throws FileError, and then leaves nothing behind.
+struct FileToWrite {
+    std::string path;
+    std::string_view bytes;
+};
+
+// Writes all of them aside, each in its own folder, then renames: another program sees the old file or the new
+// one, and where one cannot be written, none is. Ctrl-C waits until the files stand. A link is followed; a
+// device or a pipe (/dev/null) is written to in place. Throws FileError, and then leaves nothing behind.
+void write_files_atomically(const std::vector<FileToWrite>& files);
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
 }  // namespace twinlight

@@ -29,7 +29,8 @@ struct Renderers {
 using Progress = std::function<void(int done, int total, std::string_view next)>;
 
 struct Render {
-    std::string name;  // "fixed", "programmable", "reference", "programmable-phong", "reference-phong"
+    std::string name;     // "fixed", "programmable", "reference", "programmable-phong", "reference-phong"
+    std::string meaning;  // a sentence for who sees the picture
     Image image;
     double ms = 0;  // one render, the picture read back
     // The reference's picture with quadrilaterals cut the other way, where the scene has any: the specification
@@ -114,8 +115,8 @@ EncodedPictures encode_pictures(const Comparison& comparison);
 // A page that holds everything: pictures, style and script are inside.
 std::string comparison_page(const Comparison& comparison, const EncodedPictures& pictures);
 
-// The pictures, comparison.json and index.html, into a folder that is made if it is not there. Everything is
-// encoded before the first file is written. Throws FileError.
+// The pictures, comparison.json and index.html, into a folder that is made if it is not there: all of them or
+// none. Throws FileError.
 void write_report(const Comparison& comparison, const std::string& folder);
 
 }  // namespace twinlight::report

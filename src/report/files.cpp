@@ -25,8 +25,8 @@ EncodedPictures encode_pictures(const Comparison& comparison) {
     EncodedPictures pictures;
     for (const Render& render : comparison.renders) pictures.renders.push_back(encode_png(render.image));
     for (const Pair& pair : comparison.pairs) {
-        pictures.differences.push_back(
-            encode_png(difference_picture(comparison.a(pair).image, comparison.counterpart(pair), pair.factor)));
+        pictures.differences.push_back(encode_png(
+            difference_picture(comparison.a(pair).image, comparison.counterpart(pair), pair.factor)));
     }
     pictures.edges = encode_png(edge_picture(comparison));
     return pictures;
@@ -37,21 +37,28 @@ void write_report(const Comparison& comparison, const std::string& folder) {
     const std::string json = comparison_json(comparison);
     const std::string page = comparison_page(comparison, pictures);
 
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw FileError(folder + ": " + error.message());
-    const auto write = [&](const std::string& name, const std::string& bytes) {
-        write_file_atomically((std::filesystem::path(folder) / name).string(), bytes);
+    std::vector<FileToWrite> files;
+    const auto add = [&](const std::string& name, std::string_view bytes) {
+        files.push_back({(std::filesystem::path(folder) / name).string(), bytes});
     };
     for (std::size_t i = 0; i < comparison.renders.size(); ++i) {
-        write(picture_file(comparison.renders[i]), pictures.renders[i]);
+        add(picture_file(comparison.renders[i]), pictures.renders[i]);
     }
     for (std::size_t i = 0; i < comparison.pairs.size(); ++i) {
-        write(difference_file(comparison, comparison.pairs[i]), pictures.differences[i]);
+        add(difference_file(comparison, comparison.pairs[i]), pictures.differences[i]);
     }
-    // The page comes last: where it stands, all it belongs to stands too.
-    write("comparison.json", json);
-    write("index.html", page);
+    add("comparison.json", json);
+    add("index.html", page);
+
+    std::error_code error;
+    const bool made = std::filesystem::create_directories(folder, error);
+    if (error) throw FileError(folder + ": " + error.message());
+    try {
+        write_files_atomically(files);
+    } catch (const FileError&) {
+        if (made) std::filesystem::remove(folder, error);
+        throw;
+    }
 }
 
 }  // namespace twinlight::report

@@ -62,11 +62,11 @@ std::string image(const Comparison& comparison, std::string_view png, std::strin
 
 // A picture with its name below; `name` is also what the script's lists call it.
 std::string figure(const Comparison& comparison, std::string_view png, const std::string& name,
-                   std::string_view kind, std::string_view remark) {
+                   std::string_view kind, std::string_view remark, std::string_view meaning) {
     return fmt::format(
-        "<figure>{}<figcaption>{} <span>{}</span></figcaption></figure>\n",
+        "<figure>{}<figcaption>{} <span>{}</span><small>{}</small></figcaption></figure>\n",
         image(comparison, png, fmt::format(R"(alt="{0}" data-name="{0}" data-kind="{1}")", name, kind)), name,
-        remark);
+        remark, meaning);
 }
 
 std::string cells(const RegionDifference& region) {
@@ -131,12 +131,12 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
     for (std::size_t i = 0; i < comparison.renders.size(); ++i) {
         const Render& render = comparison.renders[i];
         renders += figure(comparison, pictures.renders[i], render.name, "render",
-                          fmt::format("{:.1f} ms", render.ms));
+                          fmt::format("{:.1f} ms", render.ms), escaped(render.meaning));
     }
     for (std::size_t i = 0; i < comparison.pairs.size(); ++i) {
         const Pair& pair = comparison.pairs[i];
         differences += figure(comparison, pictures.differences[i], name_of(comparison, pair), "difference",
-                              fmt::format("difference &times; {}", pair.factor));
+                              fmt::format("&times; {}", pair.factor), "");
     }
     return filled(page_file("page.html"),
                   {{"scene", escaped(comparison.scene)},

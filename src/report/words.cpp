@@ -42,6 +42,9 @@ std::string words_of(const Tolerance& tolerance) {
 }
 
 std::vector<std::string> verdict_sentences(const Comparison& comparison) {
+    if (comparison.pairs.front().difference.interior.pixels == 0) {  // all pairs share one mask
+        return {"Nothing is judged: every pixel is an edge pixel; try a larger --size."};
+    }
     if (comparison.within_tolerance()) {
         return {"The renderers agree: every judged pair is within the tolerance (" +
                 words_of(comparison.tolerance) + ")."};

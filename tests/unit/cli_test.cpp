@@ -80,8 +80,20 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"render", file, "-o", out_ / "p.png"}), "--with is required");
     expect_refused(run({"render", file, "--with", "fixd", "-o", out_ / "p.png"}),
                    "'fixd' is not one of fixed, ");
-    expect_refused(run({"render", file, "--with", "fixed", "--bogus", "-o", out_ / "p.png"}), "--bogus");
-    expect_refused(run({"render", file, file, "--with", "fixed", "-o", out_ / "p.png"}), "not expected");
+    expect_refused(run({"render", file, "--with", "fixed", "--bogus", "-o", out_ / "p.png"}),
+                   "there is no option '--bogus'; see 'twinlight render --help'");
+    expect_refused(run({"render", file, "--wiht", "fixed", "-o", out_ / "p.png"}),
+                   "there is no option '--wiht'; did you mean '--with'?");
+    expect_refused(run({"render", file, "-q"}), "there is no option '-q'; see 'twinlight render --help'");
+    expect_refused(run({"compare", file, "-o", out_ / "r", "--siz=8x6"}), "did you mean '--size'?");
+    expect_refused(run({"render", file, "extra", "--with", "fixed", "-o", out_ / "p.png"}),
+                   "'extra' is one argument too many");
+    expect_refused(run({"render", file, "--with", "fixed", "-o"}), "-o lacks its value");
+    expect_refused(run({"render", file, "--with", "fixed", "-o", out_ / "p.png", "-o", out_ / "q.png"}),
+                   "-o is given more than once");
+    expect_refused(run({"render", file, "--with", "fixed", "-o", ""}), "-o: the name is empty");
+    expect_refused(run({"compare", file, "-o", ""}), "-o: the name is empty");
+    expect_refused(run({"compare", "", "-o", out_ / "r"}), "SCENE: the name is empty");
     expect_refused(run({"render", file, "--with", "fixed", "--shading", "phong", "-o", out_ / "p.png"}),
                    "use --with programmable or --with reference");
     expect_refused(run({"render", file, "--with", "fixed", "--shading", "smooth", "-o", out_ / "p.png"}),
@@ -180,6 +192,24 @@ TEST_F(Cli, LeavesNothingBehindWhenTheDiskIsFull) {
         run_shell("twinlight", "trap '' XFSZ; ulimit -f 1; \"$PROGRAM\" render " + quoted(file) +
                                    " --with fixed -o " + quoted(out_ / "p.png"));
     expect_refused(result, "p.png: File too large");
+}
+
+TEST_F(Cli, LeavesAnOldReportWholeWhenTheDiskIsFull) {
+    const std::string file = scene(kScene);
+    const auto compare = [&](const std::string& limit, const std::string& folder) {
+        return run_shell("twinlight", limit + "\"$PROGRAM\" compare " + quoted(file) + " --size 64x48 -o " +
+                                          quoted(folder) + " >/dev/null");
+    };
+    // The pictures fit into eight blocks of 512 bytes, the page does not.
+    const std::string limit = "trap '' XFSZ; ulimit -f 8; ";
+    const std::string page_fails = "index.html: File too large";
+    expect_refused(compare(limit, out_ / "new"), page_fails);
+
+    const std::string old = in_ / "old";
+    EXPECT_EQ(compare("", old).status, 0);
+    write_file_atomically(old + "/fixed.png", "of the old report");
+    expect_refused(compare(limit, old), page_fails);
+    EXPECT_EQ(read_file(old + "/fixed.png"), "of the old report");
 }
 
 TEST_F(Cli, LeavesNoPartOfAFileWhenItIsInterrupted) {

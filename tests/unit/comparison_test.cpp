@@ -141,6 +141,12 @@ TEST(Verdict, OfEqualPicturesIsWithin) {
     EXPECT_EQ(verdict_sentences(comparison).size(), 1U);
 }
 
+TEST(Verdict, OfEdgesAloneIsToldAsNone) {
+    Comparison comparison = Stub().compare();
+    comparison.pairs.front().difference.interior.pixels = 0;
+    EXPECT_TRUE(verdict_sentences(comparison).front().starts_with("Nothing is judged"));
+}
+
 TEST(Verdict, NamesThePairsThatDiffer) {
     Stub stub;
     stub.fixed = 0.6F;  // 153 against 128
@@ -263,6 +269,7 @@ TEST(ComparisonPage, HoldsEverythingAndAsksForNothing) {
     }
     for (const Render& render : comparison.renders) {
         EXPECT_NE(page.find("data-name=\"" + render.name + "\""), std::string::npos);
+        EXPECT_NE(render.meaning, "");
     }
     EXPECT_NE(page.find("The renderers agree"), std::string::npos);
     EXPECT_NE(page.find("Every command of the scene is done by every renderer."), std::string::npos);

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -18,14 +17,6 @@ namespace twinlight::cli {
 
 namespace {
 
-// The whole of `text` as a side's length, or 0.
-int parse_side(std::string_view text) {
-    int side = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
-    const bool whole = error == std::errc() && end == text.data() + text.size();
-    return whole && side >= kMinSide && side <= kMaxSide ? side : 0;
-}
-
 const std::map<std::string, Shading> kShadings = {
     {"flat", Shading::kFlat},
     {"gouraud", Shading::kGouraud},
@@ -34,30 +25,11 @@ const std::map<std::string, Shading> kShadings = {
 
 }  // namespace
 
-Size parse_size(const std::string& text) {
-    const std::size_t x = text.find('x');
-    if (x != std::string::npos) {
-        const std::string_view view = text;
-        const Size size = {.width = parse_side(view.substr(0, x)), .height = parse_side(view.substr(x + 1))};
-        if (size.width != 0 && size.height != 0) return size;
-    }
-    throw CLI::ValidationError(
-        "--size", fmt::format("'{}' is not a size; it must be WxH, from {}x{} to {}x{}", text, kMinSide,
-                              kMinSide, kMaxSide, kMaxSide));
-}
-
 void add_scene_argument(CLI::App& app, std::string& scene) {
     app.add_option("SCENE", scene, "a built-in scene's name, a .gl file, or - for standard input")
         ->required()
-        ->type_name("");
-}
-
-void add_size_option(CLI::App& app, Size& size) {
-    app.add_option_function<std::string>(
-           "--size", [&size](const std::string& text) { size = parse_size(text); },
-           "the picture's size in pixels")
-        ->type_name("WxH")
-        ->default_str(fmt::format("{}x{}", size.width, size.height));
+        ->type_name("")
+        ->check(not_empty());
 }
 
 void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {

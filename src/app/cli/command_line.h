@@ -5,26 +5,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "app/program.h"
 #include "command/command.h"
 #include "state/frame.h"
 
 namespace twinlight::cli {
-
-inline constexpr const char* kVersion = "twinlight 0.1";
-
-// Exit status.
-inline constexpr int kFine = 0;
-inline constexpr int kDifferent = 1;  // beyond the tolerance
-inline constexpr int kBadInput = 2;   // or bad use: one line on standard error
-
-// Bad use. what() is one line: what is wrong; how to mend it.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 struct Subcommand {
     CLI::App* app;
@@ -36,16 +24,6 @@ Subcommand add_render(CLI::App& app);
 Subcommand add_compare(CLI::App& app);
 Subcommand add_export(CLI::App& app);
 Subcommand add_scenes(CLI::App& app);
-
-struct Size {
-    int width = 640;
-    int height = 480;
-};
-inline constexpr int kMinSide = 1;
-inline constexpr int kMaxSide = 8192;
-
-// Throws CLI::ValidationError for anything but WxH within the limits.
-Size parse_size(const std::string& text);
 
 // Accepts the keys of a map.
 template <class Map>
@@ -59,7 +37,6 @@ CLI::Validator one_of(const Map& map) {
 }
 
 void add_scene_argument(CLI::App& app, std::string& scene);
-void add_size_option(CLI::App& app, Size& size);
 void add_shading_option(CLI::App& app, std::optional<Shading>& shading);
 
 Frame load_frame(const std::string& scene, Size size);

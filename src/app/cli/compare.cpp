@@ -90,7 +90,8 @@ Subcommand add_compare(CLI::App& app) {
     add_scene_argument(*compare, arguments->scene);
     compare->add_option("-o", arguments->folder, "the report's folder, made if it is not there")
         ->required()
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(not_empty());
     add_size_option(*compare, arguments->size);
     compare->add_flag("--json", arguments->json, "print comparison.json's object instead of the table");
     compare->footer("Exit status: 0 within the tolerance, 1 beyond it, 2 bad input or use.");

@@ -18,7 +18,8 @@ struct Arguments {
 };
 
 const std::map<std::string, std::function<std::string(const Frame&, const RenderOptions&)>> kForms = {
-    {"c", [](const Frame& frame, const RenderOptions&) { return print_c_program(with_shapes_as_primitives(*frame.commands)); }},
+    {"c", [](const Frame& frame,
+             const RenderOptions&) { return print_c_program(with_shapes_as_primitives(*frame.commands)); }},
     {"glsl", programmable::shader_source},
 };
 

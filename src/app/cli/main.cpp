@@ -3,37 +3,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <exception>
-#include <new>
+#include <string>
+#include <vector>
 
 #include "app/cli/command_line.h"
 #include "command/names.h"
-#include "command/text.h"
-#include "image/file.h"
 
 namespace {
 
 using namespace twinlight;
 using namespace twinlight::cli;
-
-// Names from outside may hold anything; a line of ours stays one line.
-std::string one_line(std::string_view text) {
-    std::string line;
-    for (const char c : text) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-        } else {
-            line += c;
-        }
-    }
-    return line;
-}
-
-int fail(std::string_view message) {
-    fmt::print(stderr, "{}\n", message);
-    return kBadInput;
-}
 
 // The names of the subcommands, as a sentence has them.
 std::string listed(const std::vector<std::string>& names) {
@@ -66,9 +45,10 @@ int run(int argc, char** argv) {
         "Runs OpenGL's lighting commands three ways - the driver's fixed function, generated shaders and a\n"
         "double-precision reference - and shows where they differ.",
         "twinlight");
+    const std::string version = std::string("twinlight ") + kVersion;
     app.require_subcommand(1);
     app.set_help_flag("-h,--help", "Print this help and exit");
-    app.set_version_flag("--version", kVersion, "Print the version and exit");
+    app.set_version_flag("--version", version, "Print the version and exit");
     app.footer(
         "'twinlight COMMAND --help' tells a command's options.\n"
         "Exit status: 0 fine, 1 a difference beyond the tolerance, 2 bad input or use.");
@@ -76,34 +56,15 @@ int run(int argc, char** argv) {
     std::vector<std::string> names;
     for (const Subcommand& subcommand : subcommands) {
         names.push_back(subcommand.app->get_name());
-        subcommand.app->set_version_flag("--version", kVersion, "Print the version and exit");
+        subcommand.app->set_version_flag("--version", version, "Print the version and exit");
     }
     check_subcommand(argc, argv, names);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-        const std::vector<CLI::App*> parsed = app.get_subcommands();
-        throw UsageError(fmt::format("{}; see 'twinlight {}--help'", error.what(),
-                                     parsed.empty() ? "" : parsed.front()->get_name() + " "));
-    }
+    if (!parse_command_line(app, argc, argv)) return kFine;
     return std::ranges::find(subcommands, app.get_subcommands().front(), &Subcommand::app)->run();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run(argc, argv);
-    } catch (const SceneError& error) {  // begins with the place, for editors to jump to
-        return fail(one_line(error.what()));
-    } catch (const std::bad_alloc&) {
-        return fail("twinlight: the memory does not suffice; try a smaller --size");
-    } catch (const UsageError& error) {
-        return fail("twinlight: " + one_line(error.what()));
-    } catch (const FileError& error) {
-        return fail("twinlight: " + one_line(error.what()));
-    } catch (const std::exception& error) {  // the driver's refusals: its log may take several lines
-        return fail(fmt::format("twinlight: {}", error.what()));
-    }
+    return run_telling_failures("twinlight", [&] { return run(argc, argv); });
 }

@@ -77,7 +77,8 @@ Subcommand add_render(CLI::App& app) {
     add_size_option(*render, arguments->size);
     render->add_option("-o", arguments->output, "the picture, or - for standard output")
         ->required()
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(not_empty());
     return {render, [arguments] { return run(*arguments); }};
 }
 

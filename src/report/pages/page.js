@@ -152,6 +152,7 @@
             set_pixel(Number(button.dataset.x), Number(button.dataset.y));
             hold(true);
             element("wipe-section").scrollIntoView();
+            stage.focus({preventScroll: true});   // the arrow keys go on from there
         });
     }
 

@@ -1,0 +1,142 @@
+#include "app/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <new>
+#include <vector>
+
+#include "command/names.h"
+#include "command/text.h"
+#include "image/file.h"
+
+namespace twinlight {
+
+namespace {
+
+// The whole of `text` as a side's length, or 0.
+int parse_side(std::string_view text) {
+    int side = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole && side >= kMinSide && side <= kMaxSide ? side : 0;
+}
+
+// CLI11 tells a misspelt option as the one that is missing for it, or as an argument too many.
+void check_option_names(const CLI::App& command, const std::string& name_of_command, int argc, char** argv) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word == "--") return;
+        const bool is_long = word.starts_with("--");
+        const bool is_short = word.starts_with('-') && word.size() > 1;
+        if (!is_long && !is_short) continue;
+        const std::string name(is_long ? word.substr(0, word.find('=')) : word.substr(0, 2));
+        if (std::ranges::find(names, name) != names.end()) continue;
+        // One letter is near to every other.
+        const auto near = is_long ? nearest(name, {names.begin(), names.end()}) : std::nullopt;
+        throw UsageError(fmt::format(
+            "there is no option '{}'; {}", name,
+            near ? fmt::format("did you mean '{}'?", *near) : "see '" + name_of_command + " --help'"));
+    }
+}
+
+// What is wrong, where CLI11's own words are of its counting.
+std::string told(const CLI::App& command, const CLI::ParseError& error) {
+    if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+        return fmt::format("'{}' is one argument too many", command.remaining().front());
+    }
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
+        const std::string_view what = error.what();
+        const std::string name(what.substr(0, what.find(':')));
+        if (const CLI::Option* option = command.get_option_no_throw(name)) {
+            return name + (option->count() > 1 ? " is given more than once" : " lacks its value");
+        }
+    }
+    return error.what();
+}
+
+}  // namespace
+
+Size parse_size(const std::string& text) {
+    const std::size_t x = text.find('x');
+    if (x != std::string::npos) {
+        const std::string_view view = text;
+        const Size size = {.width = parse_side(view.substr(0, x)), .height = parse_side(view.substr(x + 1))};
+        if (size.width != 0 && size.height != 0) return size;
+    }
+    throw CLI::ValidationError(
+        "--size", fmt::format("'{}' is not a size; it must be WxH, from {}x{} to {}x{}", text, kMinSide,
+                              kMinSide, kMaxSide, kMaxSide));
+}
+
+void add_size_option(CLI::App& app, Size& size) {
+    app.add_option_function<std::string>(
+           "--size", [&size](const std::string& text) { size = parse_size(text); },
+           "the picture's size in pixels")
+        ->type_name("WxH")
+        ->default_str(fmt::format("{}x{}", size.width, size.height));
+}
+
+CLI::Validator not_empty() {
+    return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; },
+                          "");
+}
+
+bool parse_command_line(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+        return true;
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            app.exit(error);  // prints what was asked for
+            return false;
+        }
+        const std::vector<CLI::App*> subcommands = app.get_subcommands();
+        const CLI::App& command = subcommands.empty() ? app : *subcommands.front();
+        const std::string name = app.get_name() + (subcommands.empty() ? "" : " " + command.get_name());
+        const bool of_a_value = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr;
+        if (!of_a_value) check_option_names(command, name, argc, argv);
+        throw UsageError(fmt::format("{}; see '{} --help'", told(command, error), name));
+    }
+}
+
+std::string one_line(std::string_view text) {
+    std::string line;
+    for (const char c : text) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+        } else {
+            line += c;
+        }
+    }
+    return line;
+}
+
+int run_telling_failures(std::string_view program, const std::function<int()>& run) {
+    const auto fail = [](const std::string& message) {
+        fmt::print(stderr, "{}\n", message);
+        return kBadInput;
+    };
+    try {
+        return run();
+    } catch (const SceneError& error) {  // begins with the place, for editors to jump to
+        return fail(one_line(error.what()));
+    } catch (const std::bad_alloc&) {
+        return fail(fmt::format("{}: the memory does not suffice; try a smaller --size", program));
+    } catch (const UsageError& error) {
+        return fail(fmt::format("{}: {}", program, one_line(error.what())));
+    } catch (const FileError& error) {
+        return fail(fmt::format("{}: {}", program, one_line(error.what())));
+    } catch (const std::exception& error) {  // the driver's refusals: its log may take several lines
+        return fail(fmt::format("{}: {}", program, error.what()));
+    }
+}
+
+}  // namespace twinlight

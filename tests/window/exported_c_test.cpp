@@ -1,0 +1,86 @@
+// twinlight export --as c, to its end: the program is compiled, runs with the real freeglut under Xvfb, and draws what
+// `twinlight render --with fixed` draws.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "../unit/run_program.h"
+#include "image/difference.h"
+#include "image/file.h"
+#include "image/png.h"
+#include "reference/reference.h"
+#include "scenes/load.h"
+#include "state/state.h"
+#include "xvfb.h"
+
+namespace twinlight {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 480;  // of the exported window
+
+// Takes the place of glutSwapBuffers: the picture goes to standard output, rows from the bottom.
+constexpr const char* kKeepPicture = R"(
+#include <GL/gl.h>
+#include <stdio.h>
+#include <stdlib.h>
+void keep_picture(void) {
+    static unsigned char rgb[640 * 480 * 3];
+    glReadPixels(0, 0, 640, 480, GL_RGB, GL_UNSIGNED_BYTE, rgb);
+    exit(fwrite(rgb, sizeof rgb, 1, stdout) == 1 ? 0 : 1);
+}
+)";
+
+Image picture_of(const std::string& rgb) {
+    Image image(kWidth, kHeight, {0, 0, 0, 1});
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                const auto code = static_cast<unsigned char>(
+                    rgb[static_cast<std::size_t>(((kHeight - 1 - y) * kWidth + x) * 3 + c)]);
+                image.pixels[static_cast<std::size_t>(y * kWidth + x)][static_cast<std::size_t>(c)] =
+                    static_cast<float>(code) / 255;
+            }
+        }
+    }
+    return image;
+}
+
+TEST(ExportedC, DrawsWhatTheFixedFunctionDraws) {
+    const std::string compiler = "${CC:-gcc}";
+    if (run_shell("", "command -v " + compiler).status != 0) GTEST_SKIP() << "there is no C compiler";
+    const Xvfb server;
+    if (!server.running()) GTEST_SKIP() << server.reason();
+
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "keep.c", kKeepPicture);
+    for (const std::string scene : {"report", "lab", "commands"}) {
+        SCOPED_TRACE(scene);
+        const ProgramResult exported = run_program("twinlight", {"export", scene, "--as", "c"});
+        ASSERT_EQ(exported.status, 0) << exported.err;
+        write_file_atomically(folder / "scene.c", exported.out);
+        const ProgramResult compiled = run_shell(
+            "", "cd " + quoted(folder.str()) + " && " + compiler +
+                    " -std=c99 -DglutSwapBuffers=keep_picture scene.c keep.c -o scene -lglut -lGLU -lGL -lm");
+        ASSERT_EQ(compiled.status, 0) << compiled.err;
+        const ProgramResult drawn = run_shell(
+            "", "DISPLAY=" + server.display() + " LIBGL_ALWAYS_SOFTWARE=1 " + quoted(folder / "scene"));
+        ASSERT_EQ(drawn.status, 0) << drawn.err;
+        ASSERT_EQ(drawn.out.size(), std::size_t{kWidth} * kHeight * 3);
+
+        ASSERT_EQ(
+            run_program("twinlight", {"render", scene, "--with", "fixed", "-o", folder / "fixed.png"}).status,
+            0);
+        const Frame frame = make_frame(std::make_shared<const CommandList>(load_scene(scene)), {});
+        const ImageDifference found =
+            difference(picture_of(drawn.out), read_png(folder / "fixed.png"), reference::edge_pixels(frame));
+        // Both libraries hold the same Mesa; edges as in the tests of the window.
+        constexpr double kBorderline = 0.001;
+        EXPECT_EQ(found.interior.differing, 0U) << "by up to " << found.interior.max << " at "
+                                                << found.interior.worst_x << "," << found.interior.worst_y;
+        EXPECT_LE(found.edge.differing_share(), kBorderline);
+    }
+}
+
+}  // namespace
+}  // namespace twinlight
