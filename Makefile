@@ -115,7 +115,7 @@ deps:  ## install what is missing (apt), and nothing else
 	[ -z "$$packages" ] && exit 0; \
 	echo "Still missing:$$packages" >&2; \
 	case "$$packages" in *osmesa*) \
-	    echo "OSMesa draws without a display; Mesa 25.1 and later do not have it. Debian 12 and 13 do." >&2; esac; \
+	    echo "If apt does not know libosmesa6-dev: Mesa has OSMesa up to 25.0, as in Debian 12 and 13." >&2; esac; \
 	exit 1
 
 golden: deps  ## write golden pictures anew (CASE=scene for one): look at each before it is committed
