@@ -5,15 +5,18 @@
 
 config ?= release
 CXX ?= g++
+$(if $(filter release debug sanitize,$(config)),,$(error config is release, debug or sanitize, not '$(config)'))
 BUILD := $(if $(filter release,$(config)),build,build/$(config))
 
-# Every processor, unless the caller chose a number of jobs; make's own calls of make share the jobs of the first.
-ifeq (0,$(MAKELEVEL))
-ifeq (,$(findstring -j,$(MAKEFLAGS)))
+# Every processor, unless the caller chose a number of jobs; a make within make shares its caller's.
+ifeq (0,$(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)))
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 endif
-endif
 MAKEFLAGS += --no-print-directory --no-builtin-rules
+# Several goals (make clean test) are made one after the other.
+ifneq (,$(word 2,$(MAKECMDGOALS)))
+.NOTPARALLEL:
+endif
 
 # ---- What has to be installed: one line each, "apt package : how to ask for it" ---------------------------------
 
@@ -65,10 +68,14 @@ SOURCES_tests := $(wildcard tests/*/*.cpp)
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder))
 EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp
+FILES_scenes := $(wildcard src/scenes/*.gl)
+FILES_shaders := $(wildcard src/programmable/shaders/*.glsl)
+FILES_pages := $(filter-out %.h,$(wildcard src/report/pages/*))
 object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
-OBJECTS_library := $(call object,$(SOURCES_library)) $(EMBEDDED:.cpp=.o)
+OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
+OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 
-.PHONY: all deps demo test test-binary programs golden format check tidy clean help
+.PHONY: all deps demo test test-binary programs golden format check tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -91,15 +98,25 @@ test: deps  ## build; run every test headless (TEST=Filter* runs some)
 	    $(BUILD)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
 
 deps:  ## install what is missing (apt), and nothing else
-	@missing=$$(echo "$$DEPENDENCIES" | while read -r package ask; do \
-	    sh -c "$$ask" >/dev/null 2>&1 || printf ' %s' "$$package"; done); \
-	[ -z "$$missing" ] && exit 0; \
+	@missing() { echo "$$DEPENDENCIES" | while read -r package ask; do \
+	    sh -c "$$ask" >/dev/null 2>&1 || printf ' %s' "$$package"; done; }; \
+	packages=$$(missing); \
+	[ -z "$$packages" ] && exit 0; \
 	if ! command -v apt-get >/dev/null; then \
-	    echo "These packages are missing (Debian's names):$$missing" >&2; \
+	    echo "These packages are missing (Debian's names):$$packages" >&2; \
 	    echo "Install them with this system's package manager, then run make again." >&2; exit 1; fi; \
-	sudo=$$([ "$$(id -u)" = 0 ] || echo "sudo "); \
-	line="$${sudo}apt-get install -y --no-install-recommends$$missing"; \
-	echo "$$line"; $${sudo}apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$line
+	if [ "$$(id -u)" = 0 ]; then sudo=; else sudo="sudo "; fi; \
+	line="$${sudo}apt-get update -qq; $${sudo}DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends$$packages"; \
+	echo "$$line"; \
+	if [ -n "$$sudo" ] && ! command -v sudo >/dev/null; then \
+	    echo "That needs root, and there is no sudo here: run it as root, then run make again." >&2; exit 1; fi; \
+	eval "$$line"; \
+	packages=$$(missing); \
+	[ -z "$$packages" ] && exit 0; \
+	echo "Still missing:$$packages" >&2; \
+	case "$$packages" in *osmesa*) \
+	    echo "If apt does not know libosmesa6-dev: Mesa has OSMesa up to 25.0, as in Debian 12 and 13." >&2; esac; \
+	exit 1
 
 golden: deps  ## write golden pictures anew (CASE=scene for one): look at each before it is committed
 	@$(MAKE) test-binary
@@ -128,46 +145,53 @@ help:  ## this list
 
 # ---- Rules ------------------------------------------------------------------------------------------------------
 
-$(BUILD)/libtwinlight.a: $(OBJECTS_library)
-	@rm -f $@
-	@ar rcs $@ $^
+# Two files that are written when what they hold changes: how to compile, and which files there are.
+flags := $(CXX) $(CXXFLAGS_all) $(LDFLAGS_all)
+files := $(SOURCES_all) $(FILES_scenes) $(FILES_shaders) $(FILES_pages)
+changed = $(if $(subst |$($(1))|,,|$(file <$(BUILD)/$(1))|),force)
+$(BUILD)/flags: $(call changed,flags)
+$(BUILD)/files: $(call changed,files)
+$(BUILD)/flags $(BUILD)/files:
+	@mkdir -p $(@D); printf '%s\n' '$(subst ','\'',$($(@F)))' >$@
 
-$(BUILD)/twinlight: $(call object,$(SOURCES_cli)) $(BUILD)/libtwinlight.a
-	@echo "link $@"
-	@$(CXX) $(LDFLAGS_all) $^ -o $@ $(LIBS_offscreen) $(LIBS)
-
-$(BUILD)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
-	@echo "link $@"
-	@$(CXX) $(LDFLAGS_all) $^ -o $@ $(LIBS_window) $(LIBS)
-
-$(BUILD)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_demo_library)) $(BUILD)/libtwinlight.a
-	@echo "link $@"
-	@$(CXX) $(LDFLAGS_all) $^ -o $@ $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
-
-# What the real freeglut sends for its shapes: the tests hold src/shape against it.
-$(BUILD)/freeglut-recorder: $(call object,$(SOURCES_recorder))
-	@echo "link $@"
-	@$(CXX) $(LDFLAGS_all) $^ -o $@ $(LIBS_window)
-
-$(BUILD)/objects/%.o: %.cpp Makefile
+$(BUILD)/objects/%.o: %.cpp $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D)
 	@$(CXX) $(CXXFLAGS_all) -MMD -MP -c $< -o $@
 
-$(BUILD)/embedded/%.o: $(BUILD)/embedded/%.cpp
-	@$(CXX) $(CXXFLAGS_all) -c $< -o $@
+$(BUILD)/libtwinlight.a: $(OBJECTS_library) $(BUILD)/files
+	@rm -f $@
+	@ar rcs $@ $(OBJECTS_library)
+
+link = @echo "link $@"; $(CXX) $(LDFLAGS_all) $(filter %.o %.a,$^) -o $@
+
+$(BUILD)/twinlight: $(call object,$(SOURCES_cli)) $(BUILD)/libtwinlight.a
+	$(link) $(LIBS_offscreen) $(LIBS)
+
+$(BUILD)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
+	$(link) $(LIBS_window) $(LIBS)
+
+$(BUILD)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_demo_library)) $(BUILD)/libtwinlight.a
+	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
+
+# What the real freeglut sends for its shapes: the tests hold src/shape against it.
+$(BUILD)/freeglut-recorder: $(call object,$(SOURCES_recorder))
+	$(link) $(LIBS_window)
 
 # Files that travel inside the binaries: a table of {name, text} a folder, declared beside the code that reads it.
 embed = @mkdir -p $(@D); { echo '\#include "$(1)"'; echo 'namespace twinlight {'; echo 'const std::vector<EmbeddedFile> $(2) = {'; \
-    for file in $(sort $(filter-out Makefile %.h,$^)); do \
+    for file in $(3); do \
         printf '{"%s", R"twinlight(' "$$(basename $$file)"; cat "$$file"; printf ')twinlight"},\n'; done; \
     echo '};'; echo '}'; } > $@
 
-$(BUILD)/embedded/scenes.cpp: $(wildcard src/scenes/*.gl) src/scenes/scenes.h Makefile
-	$(call embed,scenes/scenes.h,kSceneFiles)
-$(BUILD)/embedded/shaders.cpp: $(wildcard src/programmable/shaders/*.glsl) src/programmable/shader_files.h Makefile
-	$(call embed,programmable/shader_files.h,kShaderFiles)
-$(BUILD)/embedded/pages.cpp: $(wildcard src/report/pages/*) src/report/pages.h Makefile
-	$(call embed,report/pages.h,kPageFiles)
+$(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files Makefile
+	$(call embed,scenes/scenes.h,kSceneFiles,$(sort $(FILES_scenes)))
+$(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files Makefile
+	$(call embed,programmable/shader_files.h,kShaderFiles,$(sort $(FILES_shaders)))
+$(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files Makefile
+	$(call embed,report/pages.h,kPageFiles,$(sort $(FILES_pages)))
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)))
+$(BUILD)/embedded/%.o: $(BUILD)/embedded/%.cpp $(BUILD)/flags
+	@$(CXX) $(CXXFLAGS_all) -MMD -MP -c $< -o $@
+
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)) $(OBJECTS_embedded))
