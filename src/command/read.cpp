@@ -114,7 +114,7 @@ class Reader {
     Reader(std::string_view text, const std::string& file) : lexer_(text, file) { advance(); }
 
     std::vector<Command> read() {
-        while (token_.kind != TokenKind::kEnd) statement();
+        while (token_.kind != TokenKind::kEnd && !program_read_) statement();
         return std::move(commands_);
     }
 
@@ -148,6 +148,7 @@ class Reader {
     // -- statements --
     void statement();
     void declaration();
+    void program();
     void call();
     void pragma();
     void arguments(Command& command, const Signature& sig);
@@ -177,6 +178,7 @@ class Reader {
     Token token_, ahead_;
     bool primed_ = false;
     std::size_t nesting_ = 0;
+    bool program_read_ = false;
     std::map<std::string_view, Variable> variables_;
     std::vector<Command> commands_;
 };
@@ -188,9 +190,10 @@ void Reader::statement() {
         fail(token_.place,
              fmt::format("expected a statement such as glEnable(GL_LIGHTING); found {}", shown(token_)));
     }
+    if (token_.is("static") && ahead_.is("void")) return program();
     for (std::string_view word :
          {"for", "while", "do", "if", "else", "switch", "return", "void", "struct", "char"}) {
-        if (token_.is(word) || (token_.is("static") && ahead_.is(word))) {
+        if (token_.is(word)) {
             fail(token_.place,
                  fmt::format("'{}' is not part of a scene: write the calls out one after the other", word));
         }
@@ -255,6 +258,30 @@ std::vector<double> Reader::initialiser(Kind kind) {
     }
     expect("}", "after the array's values");
     return values;
+}
+
+// A C program as print_c_program writes it: the scene is the body of its first function, draw_scene; what follows only
+// opens a window, and is not read.
+void Reader::program() {
+    const Token first = token_;
+    advance();
+    advance();
+    if (!token_.is("draw_scene")) {
+        fail(first.place, fmt::format("functions are not part of a scene, but for draw_scene of an exported program: write "
+                                      "what {} calls one after the other",
+                                      quoted(token_.text)));
+    }
+    advance();
+    expect("(", "after draw_scene");
+    expect("void", "in draw_scene(void)");
+    expect(")", "after draw_scene(void");
+    if (!token_.is("{")) fail(token_.place, fmt::format("expected '{{' after draw_scene(void), found {}", shown(token_)));
+    advance();
+    while (!token_.is("}")) {
+        if (token_.kind == TokenKind::kEnd) fail(first.place, "this function is never closed; end it with }");
+        statement();
+    }
+    program_read_ = true;
 }
 
 void Reader::declaration() {

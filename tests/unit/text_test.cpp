@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "int main(int argc, char** argv) {",
             "scene.gl:1:5: functions are not part of a scene: write what 'main' calls one after the other"},
-        Mistake{"static void draw_scene(void) {", "'void' is not part of a scene"},
+        Mistake{"void display(void) {", "'void' is not part of a scene"},
         Mistake{"GLfloat v[] = {1}; v[0] = 2;", "assignments are not part of a scene"},
         Mistake{"/* open", "scene.gl:1:1: this comment is never closed"},
         Mistake{"#define N 3", "#define is not part of a scene"},
@@ -194,6 +194,18 @@ TEST(Printing, WritesWhatACompilerTakes) {
     EXPECT_EQ(printed("glDepthMask(GL_FALSE);"), "glDepthMask(GL_FALSE);");
     EXPECT_EQ(printed("#pragma twinlight shape(sphere, 1, 64, 32)"),
               "#pragma twinlight shape(sphere, 1, 64, 32)");
+}
+
+TEST(Printing, WritesACProgramThatReadsBackAsTheScene) {
+    const CommandList scene = read_scene(
+        "#pragma twinlight specular(reflection)\nglutSolidSphere(1, 8, 4); glEnable(GL_LIGHTING);", "scene.gl", "scene");
+    EXPECT_EQ(read(print_c_program(scene)), scene.commands);
+}
+
+TEST(Reading, TakesNoOtherFunctionForTheScene) {
+    EXPECT_NE(error_of("static void display(void) { glEnd(); }").find("functions are not part of a scene"),
+              std::string::npos);
+    EXPECT_NE(error_of("static void draw_scene(void) { glEnd();").find("never closed"), std::string::npos);
 }
 
 TEST(Printing, KeepsEveryBitOfANumber) {
