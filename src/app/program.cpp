@@ -41,9 +41,9 @@ void check_option_names(const CLI::App& command, const std::string& name_of_comm
         if (std::ranges::find(names, name) != names.end()) continue;
         // One letter is near to every other.
         const auto near = is_long ? nearest(name, {names.begin(), names.end()}) : std::nullopt;
-        throw UsageError(fmt::format(
-            "there is no option '{}'; {}", name,
-            near ? fmt::format("did you mean '{}'?", *near) : "see '" + name_of_command + " --help'"));
+        throw UsageError(
+            fmt::format("there is no option '{}'; {}", name,
+                        near ? fmt::format("did you mean '{}'?", *near) : "see '" + name_of_command + " --help'"));
     }
 }
 
@@ -71,22 +71,19 @@ Size parse_size(const std::string& text) {
         const Size size = {.width = parse_side(view.substr(0, x)), .height = parse_side(view.substr(x + 1))};
         if (size.width != 0 && size.height != 0) return size;
     }
-    throw CLI::ValidationError(
-        "--size", fmt::format("'{}' is not a size; it must be WxH, from {}x{} to {}x{}", text, kMinSide,
-                              kMinSide, kMaxSide, kMaxSide));
+    throw CLI::ValidationError("--size", fmt::format("'{}' is not a size; it must be WxH, from {}x{} to {}x{}", text,
+                                                     kMinSide, kMinSide, kMaxSide, kMaxSide));
 }
 
 void add_size_option(CLI::App& app, Size& size) {
     app.add_option_function<std::string>(
-           "--size", [&size](const std::string& text) { size = parse_size(text); },
-           "the picture's size in pixels")
+           "--size", [&size](const std::string& text) { size = parse_size(text); }, "the picture's size in pixels")
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", size.width, size.height));
 }
 
 CLI::Validator not_empty() {
-    return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; },
-                          "");
+    return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, "");
 }
 
 bool parse_command_line(CLI::App& app, int argc, char** argv) {

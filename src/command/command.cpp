@@ -16,11 +16,16 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const std::vector<Signature>& table() {
     using enum Kind;
     static const std::vector<Signature> rows = {
-#define P(name, kind) Parameter{#name, kind, Extent::kValue, 1}
-#define A(name, kind, n) Parameter{#name, kind, Extent::kArray, n}
-#define V(name, kind) Parameter{#name, kind, Extent::kByPname, 0}
-#define Q(name, kind) Parameter{#name, kind, Extent::kOutput, 0}
-#define R(name, kind) Parameter{#name, kind, Extent::kRest, 0}
+#define P(name, kind) \
+    Parameter { #name, kind, Extent::kValue, 1 }
+#define A(name, kind, n) \
+    Parameter { #name, kind, Extent::kArray, n }
+#define V(name, kind) \
+    Parameter { #name, kind, Extent::kByPname, 0 }
+#define Q(name, kind) \
+    Parameter { #name, kind, Extent::kOutput, 0 }
+#define R(name, kind) \
+    Parameter { #name, kind, Extent::kRest, 0 }
 #define GL_COMMAND(name, effect, ...) {#name, Family::kGl, {__VA_ARGS__}},
 #define SHAPE_COMMAND(name, effect, ...) {#name, Family::kShape, {__VA_ARGS__}},
 #define PRAGMA_COMMAND(name, effect, ...) {#name, Family::kPragma, {__VA_ARGS__}},

@@ -27,7 +27,19 @@ enum class CommandId : std::uint16_t {
 
 // The types of arguments: GL's (2.2), and kWord, a word of a pragma.
 enum class Kind : std::uint8_t {
-    kEnum, kBitfield, kBoolean, kByte, kShort, kInt, kSizei, kUbyte, kUshort, kUint, kFloat, kDouble, kWord,
+    kEnum,
+    kBitfield,
+    kBoolean,
+    kByte,
+    kShort,
+    kInt,
+    kSizei,
+    kUbyte,
+    kUshort,
+    kUint,
+    kFloat,
+    kDouble,
+    kWord,
 };
 
 enum class Extent : std::uint8_t {
@@ -112,7 +124,8 @@ struct ParameterInfo {
 };
 
 std::span<const ParameterInfo> parameter_infos();
-const ParameterInfo* find_parameter(Owner owner, Enum pname);  // null for a pname that the owner does not have
+const ParameterInfo* find_parameter(Owner owner,
+                                    Enum pname);  // null for a pname that the owner does not have
 
 // Whose parameters the argument pname of this command names (glLight*, glGetLight*: kLight, ...).
 std::optional<Owner> owner_of(CommandId id);

@@ -94,8 +94,8 @@ void Lexer::directive() {
         return;
     }
     if (name != "include" && name != "pragma") {
-        fail(start, fmt::format("#{} is not part of a scene; only #include (passed over) and #pragma twinlight are",
-                                name));
+        fail(start,
+             fmt::format("#{} is not part of a scene; only #include (passed over) and #pragma twinlight are", name));
     }
     while (position_ < line_end) advance();
 }

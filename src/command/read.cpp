@@ -187,24 +187,21 @@ void Reader::statement() {
     if (accept(";")) return;
     if (token_.kind == TokenKind::kPragma) return pragma();
     if (token_.kind != TokenKind::kName) {
-        fail(token_.place,
-             fmt::format("expected a statement such as glEnable(GL_LIGHTING); found {}", shown(token_)));
+        fail(token_.place, fmt::format("expected a statement such as glEnable(GL_LIGHTING); found {}", shown(token_)));
     }
     if (token_.is("static") && ahead_.is("void")) return program();
-    for (std::string_view word :
-         {"for", "while", "do", "if", "else", "switch", "return", "void", "struct", "char"}) {
+    for (std::string_view word : {"for", "while", "do", "if", "else", "switch", "return", "void", "struct", "char"}) {
         if (token_.is(word)) {
             fail(token_.place,
                  fmt::format("'{}' is not part of a scene: write the calls out one after the other", word));
         }
     }
-    const bool declares = token_.is("const") || token_.is("static") || token_.is("signed") ||
-                          token_.is("unsigned") || find_type(token_.text).has_value();
+    const bool declares = token_.is("const") || token_.is("static") || token_.is("signed") || token_.is("unsigned") ||
+                          find_type(token_.text).has_value();
     if (declares) return declaration();
     if (ahead_.is("=") || ahead_.is("[")) {
-        fail(token_.place,
-             fmt::format("assignments are not part of a scene: give {} its value where it is declared",
-                         quoted(token_.text)));
+        fail(token_.place, fmt::format("assignments are not part of a scene: give {} its value where it is declared",
+                                       quoted(token_.text)));
     }
     call();
 }
@@ -267,15 +264,17 @@ void Reader::program() {
     advance();
     advance();
     if (!token_.is("draw_scene")) {
-        fail(first.place, fmt::format("functions are not part of a scene, but for draw_scene of an exported program: write "
-                                      "what {} calls one after the other",
-                                      quoted(token_.text)));
+        fail(first.place,
+             fmt::format("functions are not part of a scene, but for draw_scene of an exported program: write "
+                         "what {} calls one after the other",
+                         quoted(token_.text)));
     }
     advance();
     expect("(", "after draw_scene");
     expect("void", "in draw_scene(void)");
     expect(")", "after draw_scene(void");
-    if (!token_.is("{")) fail(token_.place, fmt::format("expected '{{' after draw_scene(void), found {}", shown(token_)));
+    if (!token_.is("{"))
+        fail(token_.place, fmt::format("expected '{{' after draw_scene(void), found {}", shown(token_)));
     advance();
     while (!token_.is("}")) {
         if (token_.kind == TokenKind::kEnd) fail(first.place, "this function is never closed; end it with }");
@@ -289,26 +288,23 @@ void Reader::declaration() {
     do {
         const Token name = token_;
         if (name.kind != TokenKind::kName) {
-            fail(name.place,
-                 fmt::format("expected a variable's name, found {}{}", shown(name),
-                             name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : ""));
+            fail(name.place, fmt::format("expected a variable's name, found {}{}", shown(name),
+                                         name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : ""));
         }
         advance();
         if (token_.is("(")) {
-            fail(name.place,
-                 fmt::format("functions are not part of a scene: write what {} calls one after the other",
-                             quoted(name.text)));
+            fail(name.place, fmt::format("functions are not part of a scene: write what {} calls one after the other",
+                                         quoted(name.text)));
         }
         if (variables_.contains(name.text)) {
-            fail(name.place, fmt::format("{} is declared already, at {}", quoted(name.text),
-                                         variables_.at(name.text).place.str()));
+            fail(name.place,
+                 fmt::format("{} is declared already, at {}", quoted(name.text), variables_.at(name.text).place.str()));
         }
         Variable variable{kind, false, {0.0}, false, "it was declared without a value", name.place};
         if (accept("[")) {
             variable.is_array = true;
             const std::size_t length = array_length_in_brackets(0);
-            if (token_.is("["))
-                fail(token_.place, "arrays of arrays are not part of a scene: declare one array a row");
+            if (token_.is("[")) fail(token_.place, "arrays of arrays are not part of a scene: declare one array a row");
             variable.values.assign(length, 0.0);
             if (accept("=")) {
                 const std::vector<double> values = initialiser(kind);
@@ -321,8 +317,8 @@ void Reader::declaration() {
                 variable.known = true;
             }
             if (variable.values.empty()) {
-                fail(name.place, fmt::format("{} needs a length or values: GLfloat {}[4];", quoted(name.text),
-                                             name.text));
+                fail(name.place,
+                     fmt::format("{} needs a length or values: GLfloat {}[4];", quoted(name.text), name.text));
             }
         } else if (accept("=")) {
             const Place place = token_.place;
@@ -390,9 +386,8 @@ void Reader::arguments(Command& command, const Signature& sig) {
         if (parameter.extent == Extent::kRest) {
             while (given > 0 ? accept(",") : !token_.is(")")) {
                 const Place place = token_.place;
-                command.arguments.push_back(
-                    converted(expression(), parameter.kind, place,
-                              fmt::format("the argument {} of {}", parameter.name, sig.name)));
+                command.arguments.push_back(converted(expression(), parameter.kind, place,
+                                                      fmt::format("the argument {} of {}", parameter.name, sig.name)));
                 ++given;
                 if (given > kMaxArrayLength) fail(place, "too many arguments");
             }
@@ -407,9 +402,8 @@ void Reader::arguments(Command& command, const Signature& sig) {
             command.arguments.push_back(word_argument(parameter));
         } else {
             const Place place = token_.place;
-            command.arguments.push_back(
-                converted(expression(), parameter.kind, place,
-                          fmt::format("the argument {} of {}", parameter.name, sig.name)));
+            command.arguments.push_back(converted(expression(), parameter.kind, place,
+                                                  fmt::format("the argument {} of {}", parameter.name, sig.name)));
         }
         ++given;
     }
@@ -441,8 +435,8 @@ void Reader::array_argument(Command& command, const Parameter& parameter) {
             }
             return std::string_view("?");
         };
-        fail(place, fmt::format("{} takes an array of {}, but {} is one of {}", name, type(parameter.kind),
-                                given.shown, type(given.kind)));
+        fail(place, fmt::format("{} takes an array of {}, but {} is one of {}", name, type(parameter.kind), given.shown,
+                                type(given.kind)));
     }
     const bool by_pname = parameter.extent == Extent::kByPname || parameter.extent == Extent::kOutput;
     const std::optional<Enum> pname =
@@ -460,8 +454,8 @@ void Reader::array_argument(Command& command, const Parameter& parameter) {
     if (parameter.extent == Extent::kOutput) {
         if (given.variable) {
             given.variable->known = false;
-            given.variable->unknown_because = fmt::format(
-                "{} at {} writes to it, and a scene cannot use the answer", name, command.place.str());
+            given.variable->unknown_because =
+                fmt::format("{} at {} writes to it, and a scene cannot use the answer", name, command.place.str());
         }
         return;
     }
@@ -510,13 +504,10 @@ ArrayArgument Reader::array() {
         offset = n.type == Number::Type::kInteger ? n.integer : -1;
     }
     if (offset < 0 || offset >= static_cast<std::int64_t>(variable.values.size())) {
-        fail(offset_place, fmt::format("this index lies outside {}, which has {} values", quoted(name.text),
-                                       variable.values.size()));
+        fail(offset_place,
+             fmt::format("this index lies outside {}, which has {} values", quoted(name.text), variable.values.size()));
     }
-    return {variable.kind,
-            {variable.values.begin() + offset, variable.values.end()},
-            quoted(name.text),
-            &variable};
+    return {variable.kind, {variable.values.begin() + offset, variable.values.end()}, quoted(name.text), &variable};
 }
 
 std::vector<std::string_view> Reader::visible_names() const {
@@ -545,8 +536,7 @@ Number Reader::arithmetic(const Token& op, Number a, Number b) {
         if (overflow) fail(op.place, "this whole number is too large");
         return integer(result);
     }
-    if (o == '|')
-        fail(op.place, "'|' joins whole numbers, such as GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
+    if (o == '|') fail(op.place, "'|' joins whole numbers, such as GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
     const bool is_float = a.type != Number::Type::kDouble && b.type != Number::Type::kDouble;
     const double x = a.value(), y = b.value();
     return real(o == '+' ? x + y : o == '-' ? x - y : o == '*' ? x * y : x / y, is_float);
@@ -594,8 +584,7 @@ Number Reader::unary() {
     }
     Number value = primary();
     if (!negative) return value;
-    if (value.integer == std::numeric_limits<std::int64_t>::min())
-        fail(token_.place, "this whole number is too large");
+    if (value.integer == std::numeric_limits<std::int64_t>::min()) fail(token_.place, "this whole number is too large");
     value.integer = -value.integer;
     value.real = -value.real;
     return value;
@@ -629,8 +618,7 @@ Number Reader::literal(const Token& token) {
         if (error == std::errc::result_out_of_range) {
             // Too small is 0 or a denormal, as in C; too large is an error.
             value = std::strtod(std::string(digits).c_str(), nullptr);
-            if (std::isinf(value))
-                fail(token.place, fmt::format("{} is too large for a double", quoted(token.text)));
+            if (std::isinf(value)) fail(token.place, fmt::format("{} is too large for a double", quoted(token.text)));
         }
         return real(value, is_float);
     }
@@ -638,14 +626,12 @@ Number Reader::literal(const Token& token) {
     const bool octal = !hex && digits.size() > 1 && digits[0] == '0';
     const std::string_view significant = digits.substr(hex ? 2 : 0);
     std::int64_t value = 0;
-    const auto [end, error] =
-        std::from_chars(significant.data(), significant.data() + significant.size(), value,
-                        hex     ? 16
-                        : octal ? 8
-                                : 10);
+    const auto [end, error] = std::from_chars(significant.data(), significant.data() + significant.size(), value,
+                                              hex     ? 16
+                                              : octal ? 8
+                                                      : 10);
     if (error == std::errc::result_out_of_range) {
-        fail(token.place,
-             fmt::format("{} is too large; write it with a point for a double", quoted(token.text)));
+        fail(token.place, fmt::format("{} is too large; write it with a point for a double", quoted(token.text)));
     }
     if (significant.empty() || end != significant.data() + significant.size()) bad();
     return integer(value);
@@ -674,9 +660,8 @@ Number Reader::named_value(const Token& name) {
     std::size_t index = 0;
     if (variable.is_array) {
         if (!token_.is("[")) {
-            fail(name.place,
-                 fmt::format("{} is an array, and a single number is needed here; choose an element: {}[0]",
-                             quoted(name.text), name.text));
+            fail(name.place, fmt::format("{} is an array, and a single number is needed here; choose an element: {}[0]",
+                                         quoted(name.text), name.text));
         }
         advance();
         const Place place = token_.place;
@@ -690,8 +675,7 @@ Number Reader::named_value(const Token& name) {
         index = static_cast<std::size_t>(n.integer);
     }
     if (!variable.known) {
-        fail(name.place,
-             fmt::format("{} has no value here: {}", quoted(name.text), variable.unknown_because));
+        fail(name.place, fmt::format("{} has no value here: {}", quoted(name.text), variable.unknown_because));
     }
     const double value = variable.values[index];
     if (variable.kind == Kind::kFloat || variable.kind == Kind::kDouble) {
@@ -719,8 +703,7 @@ double Reader::converted(const Number& number, Kind kind, const Place& place, st
     }
     const Range range = range_of(kind);
     if (value < range.smallest || value > range.largest) {
-        fail(place,
-             fmt::format("{} is {}; it must be from {} to {}", what, value, range.smallest, range.largest));
+        fail(place, fmt::format("{} is {}; it must be from {} to {}", what, value, range.smallest, range.largest));
     }
     return value;
 }
@@ -729,8 +712,8 @@ double Reader::converted(const Number& number, Kind kind, const Place& place, st
 
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name) {
     if (text.size() > kMaxSceneBytes) {
-        throw SceneError(fmt::format("{}: this scene has {} bytes; at most {} are read", file, text.size(),
-                                     kMaxSceneBytes));
+        throw SceneError(
+            fmt::format("{}: this scene has {} bytes; at most {} are read", file, text.size(), kMaxSceneBytes));
     }
     return {name, Reader(text, file).read()};
 }

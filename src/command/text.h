@@ -17,14 +17,14 @@ struct SceneError : std::runtime_error {
 
 // Limits on untrusted text.
 inline constexpr std::size_t kMaxSceneBytes = 64u << 20;
-inline constexpr std::size_t kMaxNesting = 64;         // parentheses in an expression
+inline constexpr std::size_t kMaxNesting = 64;  // parentheses in an expression
 inline constexpr std::size_t kMaxArrayLength = 1 << 20;
 
 // Reads the C dialect. `file` is used in places; `name` in reports. Throws SceneError.
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name);
 
-std::string print_command(const Command& command);    // "glEnable(GL_LIGHT0);", no newline
-std::string print_scene(const CommandList& scene);    // a line a command
+std::string print_command(const Command& command);      // "glEnable(GL_LIGHT0);", no newline
+std::string print_scene(const CommandList& scene);      // a line a command
 std::string print_c_program(const CommandList& scene);  // a freeglut program that draws the scene
 
 }  // namespace twinlight

@@ -14,10 +14,8 @@ namespace {
 class OsmesaContext final : public OffscreenContext {
   public:
     OsmesaContext(int width, int height, ColorBuffer color_buffer) {
-        const int attributes[] = {OSMESA_FORMAT,  OSMESA_RGBA,
-                                  OSMESA_DEPTH_BITS, 24,
-                                  OSMESA_PROFILE, OSMESA_COMPAT_PROFILE,
-                                  0};
+        const int attributes[] = {
+            OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
         context_ = OSMesaCreateContextAttribs(attributes, nullptr);
         if (!context_) throw std::runtime_error("OSMesa gives no compatibility-profile context");
         const bool is_float = color_buffer == ColorBuffer::kFloat;

@@ -85,9 +85,7 @@ struct EffectSet {
         for (int i = 0; i < light_count; ++i) positional |= !lights[static_cast<std::size_t>(i)].directional;
         return positional || local_viewer;
     }
-    bool needs_normal() const {
-        return any_light(&LightEffects::diffuse) || any_light(&LightEffects::specular);
-    }
+    bool needs_normal() const { return any_light(&LightEffects::diffuse) || any_light(&LightEffects::specular); }
     bool needs_color() const { return !lighting || front != FaceEffects{} || back != FaceEffects{}; }
 };
 

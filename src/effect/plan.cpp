@@ -52,8 +52,7 @@ bool all_colors_equal(const Draw& draw) {
 }
 
 // spot_i of a directional light (2.14.1), the same at every vertex; the lecture's cone takes its place where
-// it is set. A cosine at the border belongs to the cone: kRounding is what two roundings to double can take
-// from it.
+// it is set. A cosine at the border belongs to the cone: kRounding is what two roundings to double can take from it.
 double directional_spot(const LightSource& light) {
     constexpr double kRounding = 1e-15;
     const auto cos_deg = [](double deg) { return deg == 90 ? 0 : std::cos(deg * std::numbers::pi / 180); };
@@ -66,8 +65,7 @@ double directional_spot(const LightSource& light) {
         const double outer = cos_deg(light.smooth_cone->outer_deg);
         const double span = cos_deg(light.smooth_cone->inner_deg) - outer;
         if (span > 0) return std::clamp((cosine - outer) / span, 0.0, 1.0);
-        return cosine >= outer - kRounding ? 1
-                                           : 0;  // RULING: equal cones are a step that includes its border
+        return cosine >= outer - kRounding ? 1 : 0;  // RULING: equal cones are a step that includes its border
     }
     if (light.spot_cutoff_deg == 180) return 1;
     if (cosine < cos_deg(light.spot_cutoff_deg) - kRounding) return 0;
@@ -82,8 +80,8 @@ class Planner {
 
     Plan plan() {
         state().enabled = draw_.lighting.enabled;
-        facts().shading = options_.shading.value_or(
-            draw_.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud);
+        facts().shading =
+            options_.shading.value_or(draw_.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud);
         if (facts().shading == Shading::kFlat && draw_.mode == kGL_POINTS) {
             facts().shading = Shading::kGouraud;
             leave_out("flat shading", "a point has one vertex");
@@ -98,9 +96,7 @@ class Planner {
   private:
     EffectSet& facts() { return plan_.effects; }
     LightingState& state() { return plan_.lighting; }
-    void leave_out(std::string what, std::string why) {
-        plan_.left_out.push_back({std::move(what), std::move(why)});
-    }
+    void leave_out(std::string what, std::string why) { plan_.left_out.push_back({std::move(what), std::move(why)}); }
 
     void plan_unlit() {
         leave_out("lighting", "GL_LIGHTING is disabled: the vertex's colour is shown as it is");
@@ -179,8 +175,7 @@ class Planner {
         }
     }
 
-    // Whether a colour of the light meets a material that is not black there: on a face that shows, in some
-    // channel.
+    // Whether a colour of the light meets a material that is not black there: on a face that shows, in some channel.
     bool meets(const glm::dvec4& light_color, glm::dvec4 Material::*color, bool FaceEffects::*tracks) {
         const auto on = [&](const Material& material, const FaceEffects& face) {
             return !is_zero(face.*tracks ? rgb(light_color) : rgb(light_color) * rgb(material.*color));
@@ -213,8 +208,8 @@ class Planner {
             if (!effects.attenuated) {
                 // RULING: 1/0 contributes nothing.
                 planned.constant_reach = k0 > 0 ? 1 / k0 : 0;
-                note("attenuation", fmt::format("its factors are {}, 0, 0: it is {:.6g} at every vertex", k0,
-                                                planned.constant_reach));
+                note("attenuation",
+                     fmt::format("its factors are {}, 0, 0: it is {:.6g} at every vertex", k0, planned.constant_reach));
             }
             effects.spot = is_spot && !light.smooth_cone;
             effects.smooth_cone = light.smooth_cone.has_value();
@@ -227,8 +222,7 @@ class Planner {
         const bool reaches = planned.constant_reach > 0;
         const bool ambient = meets(light.ambient, &Material::ambient, &FaceEffects::tracks_ambient);
         effects.diffuse = reaches && meets(light.diffuse, &Material::diffuse, &FaceEffects::tracks_diffuse);
-        effects.specular =
-            reaches && meets(light.specular, &Material::specular, &FaceEffects::tracks_specular);
+        effects.specular = reaches && meets(light.specular, &Material::specular, &FaceEffects::tracks_specular);
 
         // An ambient term that nothing weakens on its way belongs to the scene's.
         const bool unattenuated = state().light_model.light_ambient == Word::unattenuated;
@@ -244,10 +238,8 @@ class Planner {
             return leave_out(name, why_nothing(light, ambient, reaches));
         if (!effects.ambient && !ambient)
             note("ambient term", "the product of its and the material's ambient colours is 0");
-        if (!effects.diffuse)
-            note("diffuse term", "the product of its and the material's diffuse colours is 0");
-        if (!effects.specular)
-            note("specular term", "the product of its and the material's specular colours is 0");
+        if (!effects.diffuse) note("diffuse term", "the product of its and the material's diffuse colours is 0");
+        if (!effects.specular) note("specular term", "the product of its and the material's specular colours is 0");
         plan_.left_out.insert(plan_.left_out.end(), notes.begin(), notes.end());
         plan_.lights.push_back(planned);
         facts().lights[static_cast<std::size_t>(facts().light_count++)] = effects;
@@ -271,8 +263,7 @@ class Planner {
         facts().separate_specular = model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
         if (!facts().separate_specular)
             leave_out("a separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR");
-        facts().highlight =
-            model.specular == Word::reflection ? Highlight::kReflection : Highlight::kHalfVector;
+        facts().highlight = model.specular == Word::reflection ? Highlight::kReflection : Highlight::kHalfVector;
         facts().shininess = std::max(power_of(state().front.shininess), power_of(state().back.shininess));
         facts().local_viewer = model.local_viewer && facts().shininess != Power::kOne;
         if (facts().shininess == Power::kOne)
@@ -313,10 +304,9 @@ class Planner {
         if (!facts().needs_normal())
             leave_out("normals", "no light has a diffuse or a specular term");
         else if (!state().normalize)
-            leave_out("GL_NORMALIZE",
-                      state().rescale_normal
-                          ? "it is disabled; GL_RESCALE_NORMAL's factor is in the normals' matrix"
-                          : "it is disabled");
+            leave_out("GL_NORMALIZE", state().rescale_normal
+                                          ? "it is disabled; GL_RESCALE_NORMAL's factor is in the normals' matrix"
+                                          : "it is disabled");
     }
 
     const Draw& draw_;

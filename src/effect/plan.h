@@ -18,8 +18,7 @@ struct LeftOut {
 
 struct PlannedLight {
     int number = 0;  // of GL_LIGHTi
-    // The part of att_i spot_i that is the same at every vertex: a constant attenuation, a directional
-    // light's spot.
+    // The part of att_i spot_i that is the same at every vertex: a constant attenuation, a directional light's spot.
     double constant_reach = 1;
 };
 

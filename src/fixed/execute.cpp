@@ -14,25 +14,63 @@ namespace twinlight::fixed {
 namespace {
 
 // The C type of each Kind.
-template <Kind> struct CType;
-template <> struct CType<Kind::kEnum> { using type = GLenum; };
-template <> struct CType<Kind::kBitfield> { using type = GLbitfield; };
-template <> struct CType<Kind::kBoolean> { using type = GLboolean; };
-template <> struct CType<Kind::kByte> { using type = GLbyte; };
-template <> struct CType<Kind::kShort> { using type = GLshort; };
-template <> struct CType<Kind::kInt> { using type = GLint; };
-template <> struct CType<Kind::kSizei> { using type = GLsizei; };
-template <> struct CType<Kind::kUbyte> { using type = GLubyte; };
-template <> struct CType<Kind::kUshort> { using type = GLushort; };
-template <> struct CType<Kind::kUint> { using type = GLuint; };
-template <> struct CType<Kind::kFloat> { using type = GLfloat; };
-template <> struct CType<Kind::kDouble> { using type = GLdouble; };
+template <Kind>
+struct CType;
+template <>
+struct CType<Kind::kEnum> {
+    using type = GLenum;
+};
+template <>
+struct CType<Kind::kBitfield> {
+    using type = GLbitfield;
+};
+template <>
+struct CType<Kind::kBoolean> {
+    using type = GLboolean;
+};
+template <>
+struct CType<Kind::kByte> {
+    using type = GLbyte;
+};
+template <>
+struct CType<Kind::kShort> {
+    using type = GLshort;
+};
+template <>
+struct CType<Kind::kInt> {
+    using type = GLint;
+};
+template <>
+struct CType<Kind::kSizei> {
+    using type = GLsizei;
+};
+template <>
+struct CType<Kind::kUbyte> {
+    using type = GLubyte;
+};
+template <>
+struct CType<Kind::kUshort> {
+    using type = GLushort;
+};
+template <>
+struct CType<Kind::kUint> {
+    using type = GLuint;
+};
+template <>
+struct CType<Kind::kFloat> {
+    using type = GLfloat;
+};
+template <>
+struct CType<Kind::kDouble> {
+    using type = GLdouble;
+};
 
 // A row's parameter as C declares it.
 template <Kind kind, bool is_array, bool is_output>
-using CParameter = std::conditional_t<
-    is_array, std::conditional_t<is_output, typename CType<kind>::type*, const typename CType<kind>::type*>,
-    typename CType<kind>::type>;
+using CParameter =
+    std::conditional_t<is_array,
+                       std::conditional_t<is_output, typename CType<kind>::type*, const typename CType<kind>::type*>,
+                       typename CType<kind>::type>;
 
 // A number as a GL type. Commands hold only what their types can, but a float may be infinite.
 template <class T>
@@ -105,10 +143,16 @@ void draw_shape(const Command& command) {
     glPopClientAttrib();
 }
 
+// Of the pragmas GL can do one: it draws.
+void pragma(const Command& command) {
+    if (command.id == CommandId::pragma_shape) draw_shape(command);
+}
+
 }  // namespace
 
 void execute(const Command& command) {
     switch (command.id) {
+// clang-format off
 #define P(name, kind) CParameter<Kind::kind, false, false>
 #define A(name, kind, n) CParameter<Kind::kind, true, false>
 #define V(name, kind) CParameter<Kind::kind, true, false>
@@ -119,9 +163,8 @@ void execute(const Command& command) {
 #define SHAPE_COMMAND(name, effect, ...) \
     case CommandId::name: return draw_shape(command);
 #define PRAGMA_COMMAND(name, effect, ...) \
-    case CommandId::pragma_##name: \
-        if (CommandId::pragma_##name == CommandId::pragma_shape) draw_shape(command); \
-        return;
+    case CommandId::pragma_##name: return pragma(command);
+// clang-format on
 #include "command/commands.def"
 #undef P
 #undef A

@@ -13,9 +13,9 @@ void reset_matrices() {
     struct Stack {
         GLenum mode, depth;
     };
-    for (const Stack& stack : {Stack{GL_TEXTURE, GL_TEXTURE_STACK_DEPTH},
-                               Stack{GL_PROJECTION, GL_PROJECTION_STACK_DEPTH},
-                               Stack{GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH}}) {
+    for (const Stack& stack :
+         {Stack{GL_TEXTURE, GL_TEXTURE_STACK_DEPTH}, Stack{GL_PROJECTION, GL_PROJECTION_STACK_DEPTH},
+          Stack{GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH}}) {
         glMatrixMode(stack.mode);
         GLint depth = 1;
         glGetIntegerv(stack.depth, &depth);

@@ -65,14 +65,12 @@ struct Region {
 
 ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge) {
     check_sizes(a, b);
-    if (edge.size() != a.pixels.size())
-        throw std::invalid_argument("the edge mask has another size than the pictures");
+    if (edge.size() != a.pixels.size()) throw std::invalid_argument("the edge mask has another size than the pictures");
     Region interior_region, edge_region;
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             const std::size_t i = a.index(x, y);
-            (edge[i] ? edge_region : interior_region)
-                .add(absolute_difference(a.pixels[i], b.pixels[i]), x, y);
+            (edge[i] ? edge_region : interior_region).add(absolute_difference(a.pixels[i], b.pixels[i]), x, y);
         }
     }
     return {.interior = interior_region.result(), .edge = edge_region.result()};

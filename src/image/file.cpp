@@ -18,9 +18,7 @@ namespace twinlight {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& path, int error) {
-    throw FileError(path + ": " + std::strerror(error));
-}
+[[noreturn]] void fail(const std::string& path, int error) { throw FileError(path + ": " + std::strerror(error)); }
 
 class Descriptor {
   public:
@@ -89,8 +87,7 @@ class PendingFile {
         // The process's number keeps two writers of one file apart.
         const std::string aside = target_ + "." + std::to_string(::getpid()) + ".part";
         constexpr mode_t kAsUmaskAllows = 0666;
-        Descriptor file(aside, O_WRONLY | O_CREAT | O_EXCL,
-                        exists ? existing.st_mode & 0777 : kAsUmaskAllows);
+        Descriptor file(aside, O_WRONLY | O_CREAT | O_EXCL, exists ? existing.st_mode & 0777 : kAsUmaskAllows);
         if (!file.valid()) fail(path, errno);
         aside_ = aside;
         if (const int error = write_and_close(file, bytes); error != 0) {
@@ -100,9 +97,7 @@ class PendingFile {
     }
     ~PendingFile() { remove_aside(); }
     PendingFile(PendingFile&& other) noexcept
-        : path_(std::move(other.path_)),
-          target_(std::move(other.target_)),
-          aside_(std::exchange(other.aside_, {})) {}
+        : path_(std::move(other.path_)), target_(std::move(other.target_)), aside_(std::exchange(other.aside_, {})) {}
 
     void put_in_place() {
         if (aside_.empty()) return;
@@ -125,8 +120,7 @@ std::string read_rest(int descriptor, std::size_t max_bytes, const std::string& 
     std::string bytes;
     std::array<char, 1 << 16> block;
     while (bytes.size() < max_bytes) {
-        const ssize_t count =
-            ::read(descriptor, block.data(), std::min(block.size(), max_bytes - bytes.size()));
+        const ssize_t count = ::read(descriptor, block.data(), std::min(block.size(), max_bytes - bytes.size()));
         if (count == 0) break;
         if (count > 0) {
             bytes.append(block.data(), static_cast<std::size_t>(count));
@@ -145,9 +139,7 @@ std::string read_file(const std::string& path, std::size_t max_bytes) {
     return read_rest(file.get(), max_bytes, path);
 }
 
-std::string read_standard_input(std::size_t max_bytes) {
-    return read_rest(STDIN_FILENO, max_bytes, "standard input");
-}
+std::string read_standard_input(std::size_t max_bytes) { return read_rest(STDIN_FILENO, max_bytes, "standard input"); }
 
 void write_files_atomically(const std::vector<FileToWrite>& files) {
     const SignalsHeld held;
@@ -157,8 +149,6 @@ void write_files_atomically(const std::vector<FileToWrite>& files) {
     for (PendingFile& file : pending) file.put_in_place();
 }
 
-void write_file_atomically(const std::string& path, std::string_view bytes) {
-    write_files_atomically({{path, bytes}});
-}
+void write_file_atomically(const std::string& path, std::string_view bytes) { write_files_atomically({{path, bytes}}); }
 
 }  // namespace twinlight

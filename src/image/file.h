@@ -16,8 +16,7 @@ struct FileError : std::runtime_error {
 };
 
 // The file's bytes, but no more than `max_bytes` of them. Throws FileError.
-std::string read_file(const std::string& path,
-                      std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
+std::string read_file(const std::string& path, std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
 std::string read_standard_input(std::size_t max_bytes);
 
 struct FileToWrite {

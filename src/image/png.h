@@ -13,8 +13,7 @@ namespace twinlight {
 
 std::string encode_png(const Image& image);
 
-// Any PNG of 8 bits or fewer; alpha is 1 where the file has none. Throws std::runtime_error with the
-// decoder's reason.
+// Any PNG of 8 bits or fewer; alpha is 1 where the file has none. Throws std::runtime_error with the decoder's reason.
 Image decode_png(std::string_view bytes);
 
 void write_png(const std::string& path, const Image& image);  // atomically: see file.h

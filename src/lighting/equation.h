@@ -1,5 +1,4 @@
-// The lighting equation of GL 2.1, section 2.14.1 (GL 4.6 compatibility profile, section 12.2.1), written
-// once.
+// The lighting equation of GL 2.1, section 2.14.1 (GL 4.6 compatibility profile, section 12.2.1), written once.
 //
 // Real may be float, double, long double or a batch of SIMD lanes: nothing below branches on a Real. Choices
 // between values go through select(mask, a, b); `if` and `?:` test only facts that hold for every lane (bool
@@ -110,8 +109,7 @@ UnitAndLength<Real> toward_light(const Light<Real>& light, Vec3<Real> position_e
 template <class Real>
 Real attenuation(const Light<Real>& light, Real d) {
     if (light.directional) return Real(1);
-    const Real k0 = light.constant_attenuation, k1 = light.linear_attenuation,
-               k2 = light.quadratic_attenuation;
+    const Real k0 = light.constant_attenuation, k1 = light.linear_attenuation, k2 = light.quadratic_attenuation;
     const Real denominator = k0 + d * (k1 + k2 * d);
     return select(denominator > Real(0), representable(Real(1) / denominator), Real(0));
 }
@@ -155,8 +153,8 @@ Real highlight(const Model<Real>& model, const Material<Real>& material, const S
 
 // The sum's i-th summand: att_i spot_i [ a_cm a_cli + (n . VP) d_cm d_cli + f_i (n . h_i)^s_rm s_cm s_cli ].
 template <class Real>
-LightTerms<Real> light_terms(const Model<Real>& model, const Material<Real>& material,
-                             const Surface<Real>& surface, const Light<Real>& light, Vec3<Real> vpe_dir) {
+LightTerms<Real> light_terms(const Model<Real>& model, const Material<Real>& material, const Surface<Real>& surface,
+                             const Light<Real>& light, Vec3<Real> vpe_dir) {
     const auto [vp_dir, distance] = toward_light(light, surface.position_eye);
     LightTerms<Real> t;
     t.attenuation = attenuation(light, distance);
@@ -172,12 +170,10 @@ LightTerms<Real> light_terms(const Model<Real>& model, const Material<Real>& mat
     return t;
 }
 
-// c_pri and c_sec, before the clamp of 2.14.6. `breakdown`, where it is not null, takes one LightTerms a
-// light.
+// c_pri and c_sec, before the clamp of 2.14.6. `breakdown`, where it is not null, takes one LightTerms a light.
 template <class Real>
-Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material,
-                        const Surface<Real>& surface, std::span<const Light<Real>> lights,
-                        LightTerms<Real>* breakdown = nullptr) {
+Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material, const Surface<Real>& surface,
+                        std::span<const Light<Real>> lights, LightTerms<Real>* breakdown = nullptr) {
     const Vec3<Real> vpe_dir = model.local_viewer ? unit(-surface.position_eye) : Vec3<Real>{0, 0, 1};
     Lit<Real> lit;
     lit.alpha = material.diffuse_alpha;
@@ -192,8 +188,7 @@ Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material
         (model.separate_specular ? lit.secondary : lit.primary) += t.specular;
         if (!model.separate_specular) lit.magnitude += magnitudes(t.specular);
     }
-    return {representable(lit.primary), representable(lit.secondary), lit.alpha,
-            representable(lit.magnitude)};
+    return {representable(lit.primary), representable(lit.secondary), lit.alpha, representable(lit.magnitude)};
 }
 
 }  // namespace twinlight::lighting

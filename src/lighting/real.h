@@ -25,8 +25,7 @@ struct Limits {
     static_assert(std::numeric_limits<Real>::is_specialized);
     static constexpr Real largest = std::numeric_limits<Real>::max();
     static constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-    // Between 1 / big and big, squares neither overflow nor lose digits; scale_up brings all that is smaller
-    // there.
+    // Between 1 / big and big, squares neither overflow nor lose digits; scale_up brings all that is smaller there.
     static constexpr Real big = power_of_two<Real>(std::numeric_limits<Real>::max_exponent / 2 - 2);
     static constexpr Real small = Real(1) / big;
     static constexpr Real scale_up = power_of_two<Real>(std::numeric_limits<Real>::max_exponent / 4 * 3);
@@ -98,8 +97,7 @@ UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
     using L = Limits<Real>;
     const Vec3<Real> a = magnitudes(v);
     const Real biggest = larger(larger(a.x, a.y), a.z);
-    const Real scale =
-        select(biggest > L::big, L::scale_down, select(biggest < L::small, L::scale_up, Real(1)));
+    const Real scale = select(biggest > L::big, L::scale_down, select(biggest < L::small, L::scale_up, Real(1)));
     const Vec3<Real> scaled = v * scale;
     const Real scaled_length = length(scaled);
     const Real divisor = select(scaled_length > Real(0), scaled_length, Real(1));

@@ -39,8 +39,7 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
         whole_power |= light.spot_exponent != Power::kOne;
         real_power |= light.spot_exponent == Power::kReal;
     }
-    const bool normalizes_here =
-        stage == Stage::kVertex ? effects.normalize : phong && effects.needs_normal();
+    const bool normalizes_here = stage == Stage::kVertex ? effects.normalize : phong && effects.needs_normal();
     const bool surface = effects.needs_position_eye() || effects.needs_normal() || effects.needs_color();
 
     Scope scope;
@@ -125,8 +124,7 @@ std::string_view trimmed(std::string_view text) {
 
 std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
     std::vector<std::string_view> parts;
-    for (std::size_t end; (end = text.find(separator)) != text.npos;
-         text.remove_prefix(end + separator.size()))
+    for (std::size_t end; (end = text.find(separator)) != text.npos; text.remove_prefix(end + separator.size()))
         parts.push_back(text.substr(0, end));
     if (!text.empty()) parts.push_back(text);
     return parts;

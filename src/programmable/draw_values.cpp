@@ -25,9 +25,7 @@ float to_float(double x) {
 
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
 
-double largest_component(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
+double largest_component(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // The zero vector has no direction and stays 0.
 glm::dvec3 unit(const glm::dvec3& v) {
@@ -55,8 +53,7 @@ double eye_unit(const Draw& draw, const Plan& plan) {
     double size = 0;
     for (int row = 0; row < 3; ++row) {
         double sum = 0;
-        for (int column = 0; column < 4; ++column)
-            sum += std::abs(draw.eye_from_object[column][row]) * reach[column];
+        for (int column = 0; column < 4; ++column) sum += std::abs(draw.eye_from_object[column][row]) * reach[column];
         size = std::max(size, sum);
     }
     for (const PlannedLight& planned : plan.lights) {
@@ -131,8 +128,7 @@ class Builder {
             const auto product = [&](const char* term, const glm::dvec4& light_color, const glm::dvec4& color,
                                      bool tracks) {
                 const glm::dvec3 reaching = plan_.lights[i].constant_reach * rgb(light_color);
-                vector(fmt::format("u_light{}_{}_{}", i, name, term),
-                       tracks ? reaching : reaching * rgb(color));
+                vector(fmt::format("u_light{}_{}_{}", i, name, term), tracks ? reaching : reaching * rgb(color));
             };
             product("ambient", light.ambient, material.ambient, tracked.tracks_ambient);
             product("diffuse", light.diffuse, material.diffuse, tracked.tracks_diffuse);

@@ -1,9 +1,7 @@
-// DrawValues: the numbers that a Draw's program takes, worked out in double precision and rounded to float
-// once.
+// DrawValues: the numbers that a Draw's program takes, worked out in double precision and rounded to float once.
 //
 // Whatever is the same at every vertex is done here and not in the shader: unit directions, cosines, half
-// vectors of directional lights, the products of the material's and the lights' colours, the matrix of the
-// normals.
+// vectors of directional lights, the products of the material's and the lights' colours, the matrix of the normals.
 #pragma once
 
 #include <map>

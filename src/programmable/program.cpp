@@ -32,8 +32,8 @@ std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetSha
 
 [[noreturn]] void refuse(const char* what, const std::string& log, const std::string& source,
                          const EffectSet& effects) {
-    throw std::runtime_error(fmt::format("the driver refuses {}:\n{}\n{}\nfor these effects:\n{}", what, log,
-                                         source, describe(effects)));
+    throw std::runtime_error(
+        fmt::format("the driver refuses {}:\n{}\n{}\nfor these effects:\n{}", what, log, source, describe(effects)));
 }
 
 // A shader object that lives as long as its program is being linked.
@@ -48,8 +48,7 @@ class Shader {
         if (compiled) return;
         const std::string log = log_of(shader_, glGetShaderiv, glGetShaderInfoLog);
         glDeleteShader(shader_);
-        refuse(type == GL_VERTEX_SHADER ? "a vertex shader" : "a fragment shader", log, numbered(source),
-               effects);
+        refuse(type == GL_VERTEX_SHADER ? "a vertex shader" : "a fragment shader", log, numbered(source), effects);
     }
     ~Shader() { glDeleteShader(shader_); }
     Shader(const Shader&) = delete;
@@ -98,8 +97,7 @@ void Program::use(const Uniforms& uniforms) const {
     glUseProgram(program_);
     for (const Slot& slot : slots_) {
         const auto found = uniforms.find(slot.name);
-        if (found == uniforms.end())
-            throw std::logic_error(fmt::format("no value for the uniform {}", slot.name));
+        if (found == uniforms.end()) throw std::logic_error(fmt::format("no value for the uniform {}", slot.name));
         const float* values = found->second.data();
         switch (found->second.size()) {
             case 1: glUniform1fv(slot.location, 1, values); break;

@@ -20,8 +20,7 @@ namespace {
 class StateGuard {
   public:
     StateGuard() {
-        glPushAttrib(GL_VIEWPORT_BIT | GL_DEPTH_BUFFER_BIT | GL_POLYGON_BIT | GL_COLOR_BUFFER_BIT |
-                     GL_ENABLE_BIT);
+        glPushAttrib(GL_VIEWPORT_BIT | GL_DEPTH_BUFFER_BIT | GL_POLYGON_BIT | GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT);
     }
     ~StateGuard() {
         glUseProgram(0);
@@ -92,8 +91,7 @@ struct Renderer::Impl {
             glDrawArrays(draw.mode, 0, count);
         } else {
             glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
-            glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                         static_cast<GLsizeiptr>(draw.indices.size() * sizeof draw.indices[0]),
+            glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(draw.indices.size() * sizeof draw.indices[0]),
                          draw.indices.data(), GL_STREAM_DRAW);
             glDrawElements(draw.mode, count, GL_UNSIGNED_INT, nullptr);
         }
@@ -101,15 +99,16 @@ struct Renderer::Impl {
 
     void upload(const VertexArray& array) const {
         glBindBuffer(GL_ARRAY_BUFFER, vertices);
-        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(array.values.size() * sizeof(float)),
-                     array.values.data(), GL_STREAM_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(array.values.size() * sizeof(float)), array.values.data(),
+                     GL_STREAM_DRAW);
         const auto attribute = [&](Attribute index, int size, int offset) {
             if (offset < 0) return glDisableVertexAttribArray(index);
             glEnableVertexAttribArray(index);
             glVertexAttribPointer(
                 index, size, GL_FLOAT, GL_FALSE,
                 static_cast<GLsizei>(static_cast<std::size_t>(array.floats_per_vertex) * sizeof(float)),
-                reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset) * sizeof(float)));  // NOLINT: GL's offset
+                reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset) *
+                                              sizeof(float)));  // NOLINT: GL's offset
         };
         attribute(kPosition, 4, 0);
         attribute(kNormal, 3, array.normal_offset);
@@ -164,8 +163,7 @@ std::string program_text(const Draw& draw, const Plan& plan) {
     for (std::size_t i = 0; i < plan.lights.size(); ++i)
         text += fmt::format("// light{} is GL_LIGHT{}.\n", i, plan.lights[i].number);
     text += "// What is left out:\n";
-    for (const LeftOut& left_out : plan.left_out)
-        text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
+    for (const LeftOut& left_out : plan.left_out) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
 
     const ShaderSource source = assemble(plan.effects);
     text += "// The uniforms' values:\n";
@@ -173,8 +171,8 @@ std::string program_text(const Draw& draw, const Plan& plan) {
         if (source.vertex.find(name + ";") != source.vertex.npos ||
             source.fragment.find(name + ";") != source.fragment.npos)
             text += fmt::format("//   {} = {}\n", name, fmt::join(values, " "));
-    text += fmt::format("\n// ---- Vertex shader ----\n\n{}\n// ---- Fragment shader ----\n\n{}",
-                        source.vertex, source.fragment);
+    text += fmt::format("\n// ---- Vertex shader ----\n\n{}\n// ---- Fragment shader ----\n\n{}", source.vertex,
+                        source.fragment);
     return text;
 }
 
@@ -195,8 +193,7 @@ std::string shader_source(const Frame& frame, const RenderOptions& options) {
         if (!draw) continue;
         ++number;
         Plan plan = plan_effects(*draw, options);
-        const auto same =
-            std::ranges::find_if(uses, [&](const Use& use) { return use.plan.effects == plan.effects; });
+        const auto same = std::ranges::find_if(uses, [&](const Use& use) { return use.plan.effects == plan.effects; });
         if (same != uses.end())
             ++same->others;
         else

@@ -19,8 +19,7 @@ class Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     // Clears to black and depth 1 and draws the frame into the current colour buffer. Throws
-    // std::runtime_error with the log, the numbered source and the EffectSet when the driver refuses a
-    // shader.
+    // std::runtime_error with the log, the numbered source and the EffectSet when the driver refuses a shader.
     void draw(const Frame& frame, const RenderOptions& options);
     // The same, and reads the picture.
     Image render(const Frame& frame, const RenderOptions& options);

@@ -80,8 +80,7 @@ std::vector<Primitive> assemble(const Draw& draw, QuadCut cut) {
             for (std::size_t i = 0; i + 3 < n; i += 2) out.quad(i, i + 1, i + 3, i + 2, i + 3);
             break;
         case kGL_POLYGON:
-            for (std::size_t i = 0; i + 2 < n; ++i)
-                out.triangle(0, i + 1, i + 2, 0, {i == 0, true, i + 3 == n});
+            for (std::size_t i = 0; i + 2 < n; ++i) out.triangle(0, i + 1, i + 2, 0, {i == 0, true, i + 3 == n});
             break;
     }
     return out.take();

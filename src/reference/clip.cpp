@@ -20,14 +20,11 @@ const std::array<Plane, 6> kPlanes = {{
     {{0, -1, 0, 1}, EdgeOrigin::kSide},
 }};
 
-double signed_distance(const Plane& plane, const ClipVertex& v) {
-    return glm::dot(plane.normal_clip, v.position_clip);
-}
+double signed_distance(const Plane& plane, const ClipVertex& v) { return glm::dot(plane.normal_clip, v.position_clip); }
 
 // The point where the edge meets the plane. Always computed from the inner to the outer vertex, so that two
 // triangles with a common edge get the same point.
-ClipVertex crossing(const ClipVertex& inner, double inner_distance, const ClipVertex& outer,
-                    double outer_distance) {
+ClipVertex crossing(const ClipVertex& inner, double inner_distance, const ClipVertex& outer, double outer_distance) {
     const double t = inner_distance / (inner_distance - outer_distance);
     return {.position_clip = inner.position_clip + t * (outer.position_clip - inner.position_clip),
             .weights = inner.weights + t * (outer.weights - inner.weights)};

@@ -32,8 +32,7 @@ PixelRect bounds(const std::vector<Corner>& polygon, const PixelRect& within, do
         high = {std::max(high.x, corner.position_window.x), std::max(high.y, corner.position_window.y)};
     }
     return {std::max(within.x0, floor_int(low.x - margin)), std::max(within.y0, floor_int(low.y - margin)),
-            std::min(within.x1, floor_int(high.x + margin) + 1),
-            std::min(within.y1, floor_int(high.y + margin) + 1)};
+            std::min(within.x1, floor_int(high.x + margin) + 1), std::min(within.y1, floor_int(high.y + margin) + 1)};
 }
 
 Edge::Edge(const Corner& from, const Corner& to) : origin_(from.edge_to_next) {
@@ -77,11 +76,9 @@ std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_window, cons
 
     const double low = std::min(from_window[major], to_window[major]);
     const double high = std::max(from_window[major], to_window[major]);
-    const int first_visible = major == 0 ? within.x0 : within.y0,
-              end_visible = major == 0 ? within.x1 : within.y1;
+    const int first_visible = major == 0 ? within.x0 : within.y0, end_visible = major == 0 ? within.x1 : within.y1;
     std::vector<std::pair<int, int>> pixels;
-    for (int step = std::max(first_visible, ceil_int(low - 0.5)); step < end_visible && step + 0.5 < high;
-         ++step)
+    for (int step = std::max(first_visible, ceil_int(low - 0.5)); step < end_visible && step + 0.5 < high; ++step)
         pixels.push_back(pixel_at(step));
     if (d[major] < 0) std::reverse(pixels.begin(), pixels.end());
 

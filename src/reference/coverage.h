@@ -29,11 +29,8 @@ class Edge {
     Edge(const Corner& from, const Corner& to);
 
     // The cross product of the edge with the way from its start to `p`: positive inside. Two polygons that
-    // share the edge in opposite directions get exactly opposite values, for both compute it from the same
-    // end.
-    double side(const glm::dvec2& p) const {
-        return sign_ * (way_.x * (p.y - start_.y) - way_.y * (p.x - start_.x));
-    }
+    // share the edge in opposite directions get exactly opposite values, for both compute it from the same end.
+    double side(const glm::dvec2& p) const { return sign_ * (way_.x * (p.y - start_.y) - way_.y * (p.x - start_.x)); }
     // RULING (3.5.1: a centre on a common edge belongs to exactly one polygon; which one is open): left and
     // bottom edges are inside, as llvmpipe has it.
     bool covers(const glm::dvec2& centre) const {
@@ -69,8 +66,8 @@ void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment&
             break;
         }
         case Shape::kLine:
-            for (const auto& [x, y] : line_pixels(glm::dvec2(piece.from.position_window),
-                                                  glm::dvec2(piece.to.position_window), within))
+            for (const auto& [x, y] :
+                 line_pixels(glm::dvec2(piece.from.position_window), glm::dvec2(piece.to.position_window), within))
                 fragment(x, y);
             break;
         case Shape::kTriangle: {

@@ -47,8 +47,7 @@ Vec divided_by_w(const glm::dvec4& position_eye) {
 bool tracks(const ColorMaterial& color_material, Face face, Enum property) {
     const Enum other_face = face == Face::kFront ? kGL_BACK : kGL_FRONT;
     if (!color_material.enabled || color_material.face == other_face) return false;
-    if (color_material.mode == kGL_AMBIENT_AND_DIFFUSE)
-        return property == kGL_AMBIENT || property == kGL_DIFFUSE;
+    if (color_material.mode == kGL_AMBIENT_AND_DIFFUSE) return property == kGL_AMBIENT || property == kGL_DIFFUSE;
     return color_material.mode == property;
 }
 
@@ -83,14 +82,12 @@ lighting::Material<double> DrawLighting::material(Face face, const glm::dvec4& c
             .shininess = base.shininess};
 }
 
-Colors DrawLighting::colors(const glm::dvec4& position_eye, const glm::dvec3& normal_eye,
-                            const glm::dvec4& color, Face face) const {
+Colors DrawLighting::colors(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const glm::dvec4& color,
+                            Face face) const {
     if (!enabled_) return {.primary = color, .magnitude = glm::abs(color)};
     const Vec normal = vec3_cast<Vec>(normal_eye);
-    const lighting::Surface<double> surface{divided_by_w(position_eye),
-                                            face == Face::kFront ? normal : -normal};
-    const lighting::Lit<double> lit =
-        lighting::light_surface<double>(model_, material(face, color), surface, lights_);
+    const lighting::Surface<double> surface{divided_by_w(position_eye), face == Face::kFront ? normal : -normal};
+    const lighting::Lit<double> lit = lighting::light_surface<double>(model_, material(face, color), surface, lights_);
     return {.primary = glm::dvec4(vec3_cast<glm::dvec3>(lit.primary), lit.alpha),
             .secondary = glm::dvec4(vec3_cast<glm::dvec3>(lit.secondary), 1),
             .magnitude = glm::dvec4(vec3_cast<glm::dvec3>(lit.magnitude), std::abs(lit.alpha))};

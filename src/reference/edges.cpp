@@ -16,8 +16,7 @@ namespace twinlight::reference {
 
 namespace {
 
-// Rasterisers snap vertices to a grid, llvmpipe's and most GPUs' is 1/256 pixel; the square grows by that
-// much.
+// Rasterisers snap vertices to a grid, llvmpipe's and most GPUs' is 1/256 pixel; the square grows by that much.
 constexpr double kSnap = 1.0 / 256;
 constexpr double kHalfSquare = 0.5 + kSnap;
 // Lines and points may choose the pixel beside (3.4.1 allows a line to be off by one).
@@ -29,8 +28,7 @@ struct Interval {
     double low = 0, high = 0;
 };
 
-// The depths of a piece over the square about a pixel's centre. A line's or point's own are widened by its
-// slope.
+// The depths of a piece over the square about a pixel's centre. A line's or point's own are widened by its slope.
 Interval depths(const Piece& piece, const glm::dvec2& centre, double half_width) {
     const double depth = depth_at(piece, centre);
     double change = 0;
@@ -63,8 +61,7 @@ Outcome overwrites(const Stages& stages, const Piece& later, const Piece& earlie
     if (!raster.depth_test) return Outcome::kPasses;
     const RasterState& before = stages.draw_of(earlier).raster;
     if (!before.depth_test || !before.depth_mask) return Outcome::kOpen;  // it left no depth to compare with
-    return depth_outcome(raster.depth_func, depths(later, centre, half_width),
-                         depths(earlier, centre, half_width));
+    return depth_outcome(raster.depth_func, depths(later, centre, half_width), depths(earlier, centre, half_width));
 }
 
 // Whether the piece `id`, which touches the square, is certainly not seen in it, for `seen` hides it.
@@ -92,8 +89,7 @@ Touch touch(const std::vector<Edge>& edges, const glm::dvec2& centre) {
 
 class EdgeFinder {
   public:
-    EdgeFinder(const Stages& stages, const VisibleRows& rows)
-        : stages_(stages), rows_(rows), edge_(rows.step.size()) {}
+    EdgeFinder(const Stages& stages, const VisibleRows& rows) : stages_(stages), rows_(rows), edge_(rows.step.size()) {}
 
     void polygon(StepId id) {
         const Piece& piece = stages_.piece(id);
@@ -107,8 +103,7 @@ class EdgeFinder {
                 const Touch how = touch(edges, pixel_centre(x, y));
                 if (how == Touch::kNo) continue;
                 const StepId seen = rows_.step[rows_.index(x, y)];
-                if (seen == id ? how == Touch::kBorder
-                               : !hidden(stages_, id, seen, pixel_centre(x, y), kHalfSquare))
+                if (seen == id ? how == Touch::kBorder : !hidden(stages_, id, seen, pixel_centre(x, y), kHalfSquare))
                     edge_[rows_.index(x, y)] = true;
             }
     }

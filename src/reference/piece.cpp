@@ -17,8 +17,7 @@ glm::dvec3 window_from_ndc(const Viewport& viewport, const glm::dvec3& ndc) {
 }
 
 WindowVertex window_vertex(const Viewport& viewport, const ClipVertex& v) {
-    return {window_from_ndc(viewport, glm::dvec3(v.position_clip) / v.position_clip.w),
-            v.weights / v.position_clip.w};
+    return {window_from_ndc(viewport, glm::dvec3(v.position_clip) / v.position_clip.w), v.weights / v.position_clip.w};
 }
 
 // Twice the signed area in window coordinates, positive when counter-clockwise (2.14.1, equation 2.6).
@@ -37,8 +36,7 @@ double doubled_area(const std::vector<Corner>& corners) {
 void reverse(std::vector<Corner>& corners) {
     std::reverse(corners.begin(), corners.end());
     const EdgeOrigin first = corners[0].edge_to_next;
-    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
-        corners[i].edge_to_next = corners[i + 1].edge_to_next;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) corners[i].edge_to_next = corners[i + 1].edge_to_next;
     corners.back().edge_to_next = first;
 }
 
@@ -69,8 +67,7 @@ double on_plane(const glm::dvec3& plane, const glm::dvec2& position_window) {
     return plane.x * position_window.x + plane.y * position_window.y + plane.z;
 }
 
-// How far along the line the nearest place to `position_window` is, along its major axis: 0 at `from`, 1 at
-// `to`.
+// How far along the line the nearest place to `position_window` is, along its major axis: 0 at `from`, 1 at `to`.
 double along(const Piece& line, const glm::dvec2& position_window) {
     const glm::dvec2 from(line.from.position_window), d = glm::dvec2(line.to.position_window) - from;
     const int major = std::abs(d.x) >= std::abs(d.y) ? 0 : 1;
@@ -79,8 +76,7 @@ double along(const Piece& line, const glm::dvec2& position_window) {
 
 bool culled(const RasterState& raster, Face face) {
     if (!raster.cull_enabled) return false;
-    return raster.cull_face == kGL_FRONT_AND_BACK ||
-           (raster.cull_face == kGL_FRONT) == (face == Face::kFront);
+    return raster.cull_face == kGL_FRONT_AND_BACK || (raster.cull_face == kGL_FRONT) == (face == Face::kFront);
 }
 
 class PieceMaker {
@@ -91,9 +87,7 @@ class PieceMaker {
     void add(const Primitive& primitive) {
         switch (primitive.shape) {
             case Shape::kPoint: point(primitive, Face::kFront, vertex(primitive, 0)); break;
-            case Shape::kLine:
-                line(primitive, Face::kFront, vertex(primitive, 0), vertex(primitive, 1));
-                break;
+            case Shape::kLine: line(primitive, Face::kFront, vertex(primitive, 0), vertex(primitive, 1)); break;
             case Shape::kTriangle: triangle(primitive); break;
         }
     }
@@ -127,8 +121,7 @@ class PieceMaker {
 
     void triangle(const Primitive& primitive) {
         const Viewport& viewport = draw_.raster.viewport;
-        const std::array<ClipVertex, 3> whole = {vertex(primitive, 0), vertex(primitive, 1),
-                                                 vertex(primitive, 2)};
+        const std::array<ClipVertex, 3> whole = {vertex(primitive, 0), vertex(primitive, 1), vertex(primitive, 2)};
         const std::vector<ClipVertex> polygon = clip_polygon(whole);
         if (polygon.size() < 3) return;
         std::vector<Corner> corners;
@@ -140,12 +133,10 @@ class PieceMaker {
         const double area = doubled_area(corners);
         const Face face = (draw_.raster.front_face == kGL_CW ? -area : area) > 0 ? Face::kFront : Face::kBack;
         if (culled(draw_.raster, face)) return;
-        const Enum mode =
-            face == Face::kFront ? draw_.raster.polygon_mode_front : draw_.raster.polygon_mode_back;
+        const Enum mode = face == Face::kFront ? draw_.raster.polygon_mode_front : draw_.raster.polygon_mode_back;
         if (mode == kGL_FILL) {
             Piece piece{.primitive = primitive, .face = face, .draw = draw_index_, .shape = Shape::kTriangle};
-            if (!set_planes(piece, viewport,
-                            {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip}))
+            if (!set_planes(piece, viewport, {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip}))
                 return;
             if (area < 0) reverse(corners);
             piece.corners = std::move(corners);
@@ -169,8 +160,8 @@ class PieceMaker {
 
 }  // namespace
 
-std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index,
-                               const std::vector<StageVertex>& vertices, QuadCut cut) {
+std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
+                               QuadCut cut) {
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return {};
     PieceMaker maker(draw, draw_index, vertices);
     for (const Primitive& primitive : assemble(draw, cut)) maker.add(primitive);
@@ -180,8 +171,7 @@ std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index,
 double depth_at(const Piece& piece, const glm::dvec2& position_window) {
     double depth = piece.from.position_window.z;
     if (piece.shape == Shape::kTriangle) depth = on_plane(piece.depth_plane, position_window);
-    if (piece.shape == Shape::kLine)
-        depth += along(piece, position_window) * (piece.to.position_window.z - depth);
+    if (piece.shape == Shape::kLine) depth += along(piece, position_window) * (piece.to.position_window.z - depth);
     return std::clamp(depth, 0.0, 1.0);
 }
 
@@ -189,8 +179,7 @@ glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window) {
     glm::dvec3 over_w = piece.from.weights_over_w;
     if (piece.shape == Shape::kTriangle)
         for (int i = 0; i < 3; ++i) over_w[i] = on_plane(piece.weight_over_w_planes[i], position_window);
-    if (piece.shape == Shape::kLine)
-        over_w += along(piece, position_window) * (piece.to.weights_over_w - over_w);
+    if (piece.shape == Shape::kLine) over_w += along(piece, position_window) * (piece.to.weights_over_w - over_w);
     return over_w / (over_w.x + over_w.y + over_w.z);
 }
 

@@ -1,5 +1,4 @@
-// Primitives in window coordinates: viewport (2.11.1), facing (2.14.1), culling (3.5.1), polygon mode
-// (3.5.4).
+// Primitives in window coordinates: viewport (2.11.1), facing (2.14.1), culling (3.5.1), polygon mode (3.5.4).
 //
 // In: a Draw's stage vertices and primitives. Out: Pieces, which is what the rasteriser covers pixels with: a
 // clipped polygon, a line, or a point. A piece answers for any window position what the depth is there, and
@@ -21,8 +20,7 @@ namespace twinlight::reference {
 // One point of a piece.
 struct WindowVertex {
     glm::dvec3 position_window{0};
-    glm::dvec3 weights_over_w{
-        0};  // linear in window coordinates; their ratios are the weights (3.4.1, 3.5.1)
+    glm::dvec3 weights_over_w{0};  // linear in window coordinates; their ratios are the weights (3.4.1, 3.5.1)
 };
 
 struct Corner {
@@ -45,11 +43,10 @@ struct Piece {
 };
 
 // The pieces of one Draw, in the order of its primitives.
-std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index,
-                               const std::vector<StageVertex>& vertices, QuadCut cut);
+std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
+                               QuadCut cut);
 
-// Depth and weights of a piece at a window position. Weights add up to 1 (of a line or point, at its nearest
-// place).
+// Depth and weights of a piece at a window position. Weights add up to 1 (of a line or point, at its nearest place).
 double depth_at(const Piece& piece, const glm::dvec2& position_window);
 glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window);
 

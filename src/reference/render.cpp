@@ -14,8 +14,7 @@ Shading shading_of(const Draw& draw, const RenderOptions& options) {
     return draw.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud;
 }
 
-// 3.9: the secondary colour is added to the primary one; the alpha is the primary one's. Both are clamped
-// before.
+// 3.9: the secondary colour is added to the primary one; the alpha is the primary one's. Both are clamped before.
 glm::dvec4 color_sum(const glm::dvec4& primary, const glm::dvec4& secondary) {
     return clamped(glm::dvec4(glm::dvec3(primary) + glm::dvec3(secondary), primary.a));
 }

@@ -21,8 +21,8 @@ Stages run_stages(const Frame& frame, QuadCut cut) {
         const Draw& draw = std::get<Draw>(item);
         stages.draws.push_back({&draw, vertex_stage(draw)});
         const std::size_t first = stages.pieces.size();
-        std::vector<Piece> pieces = make_pieces(draw, static_cast<std::uint32_t>(stages.draws.size() - 1),
-                                                stages.draws.back().vertices, cut);
+        std::vector<Piece> pieces =
+            make_pieces(draw, static_cast<std::uint32_t>(stages.draws.size() - 1), stages.draws.back().vertices, cut);
         std::move(pieces.begin(), pieces.end(), std::back_inserter(stages.pieces));
         stages.steps.push_back({.first_piece = first, .end_piece = stages.pieces.size()});
     }
@@ -74,8 +74,7 @@ void for_each_band(int height, const std::function<void(int y0, int y1)>& band) 
     const int bands = (height + kRowsPerBand - 1) / kRowsPerBand;
     std::atomic<int> next = 0;
     const auto work = [&] {
-        for (int i = next++; i < bands; i = next++)
-            band(i * kRowsPerBand, std::min(height, (i + 1) * kRowsPerBand));
+        for (int i = next++; i < bands; i = next++) band(i * kRowsPerBand, std::min(height, (i + 1) * kRowsPerBand));
     };
     std::vector<std::jthread> helpers;
     const int helper_count = std::min(bands, static_cast<int>(std::thread::hardware_concurrency())) - 1;

@@ -21,8 +21,7 @@ struct StagedDraw {
     std::vector<StageVertex> vertices;
 };
 
-// The frame as the steps of one picture. A step is named by one number: pieces from 0 up, clears from -1
-// down.
+// The frame as the steps of one picture. A step is named by one number: pieces from 0 up, clears from -1 down.
 using StepId = std::int32_t;
 
 struct Step {
@@ -33,8 +32,7 @@ struct Step {
 struct Stages {
     std::vector<StagedDraw> draws;
     std::vector<Piece> pieces;
-    std::vector<Clear>
-        clears;  // clears[-1 - id]; the first is the black, deep picture that every frame starts from
+    std::vector<Clear> clears;  // clears[-1 - id]; the first is the black, deep picture that every frame starts from
     std::vector<std::size_t> pieces_before_clear;  // how many pieces were drawn before it
     std::vector<Step> steps;
 
@@ -53,8 +51,7 @@ struct VisibleRows {
     std::vector<double> depth;
 
     std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width) +
-               static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
 };
 

@@ -23,10 +23,9 @@ struct PlannedRender {
 const std::array kRenders = {
     PlannedRender{"fixed", "The driver's fixed function carries the commands out. It lights vertices.",
                   &Renderers::fixed, kPerVertex, true},
-    PlannedRender{"programmable", "Shaders on the same driver light vertices by GL's model.",
-                  &Renderers::programmable, kPerVertex, true},
-    PlannedRender{"reference",
-                  "The specification's equation in double precision, no driver. It lights vertices.",
+    PlannedRender{"programmable", "Shaders on the same driver light vertices by GL's model.", &Renderers::programmable,
+                  kPerVertex, true},
+    PlannedRender{"reference", "The specification's equation in double precision, no driver. It lights vertices.",
                   &Renderers::reference, kPerVertex, false},
     PlannedRender{"programmable-phong", "Shaders light every pixel and follow the scene's pragmas.",
                   &Renderers::programmable, kPerPixel, true},
@@ -57,8 +56,7 @@ Render render(const PlannedRender& planned, const Frame& frame, const Renderers&
     const Clock::time_point start = Clock::now();
     Image image = draw(frame, planned.options);
     const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
-    Render result{
-        .name = planned.name, .meaning = planned.meaning, .image = std::move(image), .ms = taken.count()};
+    Render result{.name = planned.name, .meaning = planned.meaning, .image = std::move(image), .ms = taken.count()};
     if (!planned.by_driver && has_quadrilaterals(frame)) {
         RenderOptions other = planned.options;
         other.quad_cut = QuadCut::kSecondToFourth;

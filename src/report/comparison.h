@@ -47,9 +47,8 @@ enum class Verdict : std::uint8_t {
 // What a judged pair is held to: in the interior, no channel off by more than max, and a share of the pixels
 // that differ below differing_share.
 struct Tolerance {
-    double max = 1 / 255.0;  // one code: two right roundings of one value may be neighbours
-    double differing_share =
-        0.001;  // as rarely as float and double lie on different sides of a rounding border
+    double max = 1 / 255.0;          // one code: two right roundings of one value may be neighbours
+    double differing_share = 0.001;  // as rarely as float and double lie on different sides of a rounding border
 };
 
 struct Pair {
@@ -80,8 +79,7 @@ Verdict judge(const ImageDifference& difference, const Tolerance& tolerance);
 
 // The per-vertex pictures follow GL's own model (the lecture's variants off), flat or gouraud as the scene
 // says, so that the three can be held against each other; the phong pictures follow the scene's variants.
-// What the driver draws with is drawn twice and the second time is told, for in the first the driver
-// compiles.
+// What the driver draws with is drawn twice and the second time is told, for in the first the driver compiles.
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
                          const Renderers& renderers, const Progress& progress = {});
 

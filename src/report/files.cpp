@@ -25,8 +25,8 @@ EncodedPictures encode_pictures(const Comparison& comparison) {
     EncodedPictures pictures;
     for (const Render& render : comparison.renders) pictures.renders.push_back(encode_png(render.image));
     for (const Pair& pair : comparison.pairs) {
-        pictures.differences.push_back(encode_png(
-            difference_picture(comparison.a(pair).image, comparison.counterpart(pair), pair.factor)));
+        pictures.differences.push_back(
+            encode_png(difference_picture(comparison.a(pair).image, comparison.counterpart(pair), pair.factor)));
     }
     pictures.edges = encode_png(edge_picture(comparison));
     return pictures;

@@ -36,9 +36,8 @@ Json json_of(const Comparison& comparison, const Pair& pair) {
 }  // namespace
 
 std::string comparison_json(const Comparison& comparison) {
-    Json json = {{"scene", comparison.scene},
-                 {"driver", comparison.driver},
-                 {"size", {comparison.width, comparison.height}}};
+    Json json = {
+        {"scene", comparison.scene}, {"driver", comparison.driver}, {"size", {comparison.width, comparison.height}}};
     json["renders"] = Json::array();
     for (const Render& render : comparison.renders) {
         json["renders"].push_back({{"name", render.name}, {"file", picture_file(render)}, {"ms", render.ms}});

@@ -20,8 +20,7 @@ namespace {
 
 std::string_view page_file(std::string_view name) {
     const auto file = std::ranges::find(kPageFiles, name, &EmbeddedFile::name);
-    if (file == kPageFiles.end())
-        throw std::logic_error("the page's file is not embedded: " + std::string(name));
+    if (file == kPageFiles.end()) throw std::logic_error("the page's file is not embedded: " + std::string(name));
     return file->text;
 }
 
@@ -61,21 +60,19 @@ std::string image(const Comparison& comparison, std::string_view png, std::strin
 }
 
 // A picture with its name below; `name` is also what the script's lists call it.
-std::string figure(const Comparison& comparison, std::string_view png, const std::string& name,
-                   std::string_view kind, std::string_view remark, std::string_view meaning) {
-    return fmt::format(
-        "<figure>{}<figcaption>{} <span>{}</span><small>{}</small></figcaption></figure>\n",
-        image(comparison, png, fmt::format(R"(alt="{0}" data-name="{0}" data-kind="{1}")", name, kind)), name,
-        remark, meaning);
+std::string figure(const Comparison& comparison, std::string_view png, const std::string& name, std::string_view kind,
+                   std::string_view remark, std::string_view meaning) {
+    return fmt::format("<figure>{}<figcaption>{} <span>{}</span><small>{}</small></figcaption></figure>\n",
+                       image(comparison, png, fmt::format(R"(alt="{0}" data-name="{0}" data-kind="{1}")", name, kind)),
+                       name, remark, meaning);
 }
 
 std::string cells(const RegionDifference& region) {
     const std::string worst =
         region.differing == 0
             ? "&ndash;"
-            : fmt::format(
-                  R"(<button type="button" class="place" data-x="{0}" data-y="{1}">{0}, {1}</button>)",
-                  region.worst_x, region.worst_y);
+            : fmt::format(R"(<button type="button" class="place" data-x="{0}" data-y="{1}">{0}, {1}</button>)",
+                          region.worst_x, region.worst_y);
     return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>", grouped(region.differing),
                        share_of(region), codes_of(region.max),
                        region.rms == 0 ? "0" : fmt::format("{:.2e}", region.rms), worst);
@@ -84,10 +81,9 @@ std::string cells(const RegionDifference& region) {
 std::string pair_rows(const Comparison& comparison) {
     std::string rows;
     for (const Pair& pair : comparison.pairs) {
-        rows += fmt::format(
-            "<tr><th scope=\"row\">{0}<br>~ {1}</th><td class=\"verdict {2}\">{2}</td>{3}{4}</tr>\n",
-            comparison.a(pair).name, comparison.b(pair).name, word_of(pair.verdict),
-            cells(pair.difference.interior), cells(pair.difference.edge));
+        rows += fmt::format("<tr><th scope=\"row\">{0}<br>~ {1}</th><td class=\"verdict {2}\">{2}</td>{3}{4}</tr>\n",
+                            comparison.a(pair).name, comparison.b(pair).name, word_of(pair.verdict),
+                            cells(pair.difference.interior), cells(pair.difference.edge));
     }
     return rows;
 }
@@ -104,8 +100,7 @@ std::string verdict(const Comparison& comparison) {
 std::string unsupported(const Comparison& comparison) {
     if (comparison.unsupported.empty()) return "<p>Every command of the scene is done by every renderer.</p>";
     std::string html = "<p>These pictures are not the whole scene:</p>\n<ul>";
-    for (const Unsupported& item : comparison.unsupported)
-        html += "<li>" + escaped(sentence_of(item)) + "</li>\n";
+    for (const Unsupported& item : comparison.unsupported) html += "<li>" + escaped(sentence_of(item)) + "</li>\n";
     return html + "</ul>";
 }
 
@@ -130,8 +125,8 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
     std::string renders, differences;
     for (std::size_t i = 0; i < comparison.renders.size(); ++i) {
         const Render& render = comparison.renders[i];
-        renders += figure(comparison, pictures.renders[i], render.name, "render",
-                          fmt::format("{:.1f} ms", render.ms), escaped(render.meaning));
+        renders += figure(comparison, pictures.renders[i], render.name, "render", fmt::format("{:.1f} ms", render.ms),
+                          escaped(render.meaning));
     }
     for (std::size_t i = 0; i < comparison.pairs.size(); ++i) {
         const Pair& pair = comparison.pairs[i];

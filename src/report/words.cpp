@@ -8,8 +8,7 @@ namespace twinlight::report {
 
 std::string grouped(std::size_t number) {
     std::string digits = std::to_string(number);
-    for (std::ptrdiff_t i = std::ssize(digits) - 3; i > 0; i -= 3)
-        digits.insert(static_cast<std::size_t>(i), ",");
+    for (std::ptrdiff_t i = std::ssize(digits) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
     return digits;
 }
 
@@ -36,9 +35,8 @@ std::string word_of(Verdict verdict) {
 }
 
 std::string words_of(const Tolerance& tolerance) {
-    return fmt::format(
-        "no interior channel off by more than {}, fewer than {:g}% of interior pixels differing",
-        codes_of(tolerance.max), 100 * tolerance.differing_share);
+    return fmt::format("no interior channel off by more than {}, fewer than {:g}% of interior pixels differing",
+                       codes_of(tolerance.max), 100 * tolerance.differing_share);
 }
 
 std::vector<std::string> verdict_sentences(const Comparison& comparison) {
@@ -46,11 +44,11 @@ std::vector<std::string> verdict_sentences(const Comparison& comparison) {
         return {"Nothing is judged: every pixel is an edge pixel; try a larger --size."};
     }
     if (comparison.within_tolerance()) {
-        return {"The renderers agree: every judged pair is within the tolerance (" +
-                words_of(comparison.tolerance) + ")."};
+        return {"The renderers agree: every judged pair is within the tolerance (" + words_of(comparison.tolerance) +
+                ")."};
     }
-    std::vector<std::string> sentences = {"The renderers differ: the tolerance (" +
-                                          words_of(comparison.tolerance) + ") is exceeded."};
+    std::vector<std::string> sentences = {"The renderers differ: the tolerance (" + words_of(comparison.tolerance) +
+                                          ") is exceeded."};
     for (const Pair& pair : comparison.pairs) {
         if (pair.verdict != Verdict::kBeyond) continue;
         const RegionDifference& interior = pair.difference.interior;

@@ -41,9 +41,8 @@ CommandList load_scene(const std::string& scene) {
     std::error_code ignored;
     if (!path.has_parent_path() && !path.has_extension() && !std::filesystem::exists(path, ignored)) {
         const auto near = nearest(scene, names);
-        throw SceneError(
-            scene + ": there is no built-in scene and no file of this name; " +
-            (near ? "did you mean '" + std::string(*near) + "'?" : "'twinlight scenes' lists the scenes"));
+        throw SceneError(scene + ": there is no built-in scene and no file of this name; " +
+                         (near ? "did you mean '" + std::string(*near) + "'?" : "'twinlight scenes' lists the scenes"));
     }
     return read_limited(read_file(scene, kReadAtMost), scene, path.filename().string());
 }

@@ -28,8 +28,7 @@ CirclePoint circle_point(int i, int n, int direction) {
 constexpr int kCounterClockwise = 1;
 constexpr int kClockwise = -1;
 
-// Vertices of the table at first, first + stride, ...: around the axis, along a meridian, or one alone on the
-// axis.
+// Vertices of the table at first, first + stride, ...: around the axis, along a meridian, or one alone on the axis.
 struct Ring {
     std::size_t first = 0;
     int count = 1;
@@ -153,8 +152,7 @@ std::vector<ShapePart> freeglut_cube(double size, bool wire) {
 std::vector<ShapePart> freeglut_cone(double base, double height, int slices, int stacks, bool wire) {
     if (slices < 1 || stacks < 1) return {};
 
-    // The side's normal leans by the slope base / height. A cone of no size has none (freeglut divides by
-    // zero).
+    // The side's normal leans by the slope base / height. A cone of no size has none (freeglut divides by zero).
     const double slant = std::hypot(base, height);
     const double outward = slant == 0 ? 0 : height / slant;
     const double upward = slant == 0 ? 0 : base / slant;
@@ -214,8 +212,7 @@ std::vector<ShapePart> freeglut_cylinder(double radius, double height, int slice
     return std::move(table.parts);
 }
 
-std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, int sides, int rings,
-                                      bool wire) {
+std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, int sides, int rings, bool wire) {
     if (sides < 2 || rings < 2) return {};
 
     // inner_radius is the tube's, outer_radius that of the circle around which the tube runs.

@@ -13,7 +13,6 @@ std::vector<ShapePart> freeglut_sphere(double radius, int slices, int stacks, bo
 std::vector<ShapePart> freeglut_cube(double size, bool wire);
 std::vector<ShapePart> freeglut_cone(double base, double height, int slices, int stacks, bool wire);
 std::vector<ShapePart> freeglut_cylinder(double radius, double height, int slices, int stacks, bool wire);
-std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, int sides, int rings,
-                                      bool wire);
+std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, int sides, int rings, bool wire);
 
 }  // namespace twinlight

@@ -126,8 +126,7 @@ std::vector<ShapePart> report_sphere(double radius, int slices, int stacks) {
         }
         parts.push_back(std::move(strip));
     }
-    parts.push_back(
-        fan({-radius * kUp, -kUp}, slices, SeenFrom::kBelow, [&](int i) { return vertex(stacks - 1, i); }));
+    parts.push_back(fan({-radius * kUp, -kUp}, slices, SeenFrom::kBelow, [&](int i) { return vertex(stacks - 1, i); }));
     return parts;
 }
 

@@ -29,8 +29,7 @@ void limit_vertices(std::string_view name, double slices, double stacks) {
 // The sizes after the kind, checked against what the usage names.
 class Sizes {
   public:
-    Sizes(const Command& command, std::string_view usage, std::size_t expected)
-        : command_(command), usage_(usage) {
+    Sizes(const Command& command, std::string_view usage, std::size_t expected) : command_(command), usage_(usage) {
         const std::size_t given = command.arguments.size() - 1;
         if (given != expected) refuse("sizes given: {}; write shape({})", given, usage_);
     }
@@ -44,8 +43,7 @@ class Sizes {
     int count(std::size_t i, std::string_view name, int least) const {
         const double value = command_.number(i);
         if (!(value >= least) || value != std::floor(value)) {
-            refuse("{} of shape({}) is {}; it must be a whole number, {} or more", name, usage_, value,
-                   least);
+            refuse("{} of shape({}) is {}; it must be a whole number, {} or more", name, usage_, value, least);
         }
         limit_vertices(fmt::format("shape({})", usage_), value, 1);
         return static_cast<int>(value);
@@ -62,11 +60,9 @@ constexpr int kLeastStacks = 2;
 
 // cylinder, cylinder_triangles and cone have the same sizes.
 std::vector<ShapePart> tall_shape(const Command& command, std::string_view usage,
-                                  std::vector<ShapePart> construct(double radius, double height,
-                                                                   int slices)) {
+                                  std::vector<ShapePart> construct(double radius, double height, int slices)) {
     const Sizes sizes(command, usage, 3);
-    return construct(sizes.length(1, "radius"), sizes.length(2, "height"),
-                     sizes.count(3, "slices", kLeastSlices));
+    return construct(sizes.length(1, "radius"), sizes.length(2, "height"), sizes.count(3, "slices", kLeastSlices));
 }
 
 std::vector<ShapePart> pragma_shape(const Command& command) {
@@ -75,8 +71,7 @@ std::vector<ShapePart> pragma_shape(const Command& command) {
         case Word::cube: return report_cube(Sizes(command, "cube, size", 1).length(1, "size"));
         case Word::cylinder: return tall_shape(command, "cylinder, radius, height, slices", report_cylinder);
         case Word::cylinder_triangles:
-            return tall_shape(command, "cylinder_triangles, radius, height, slices",
-                              report_cylinder_triangles);
+            return tall_shape(command, "cylinder_triangles, radius, height, slices", report_cylinder_triangles);
         case Word::cone: return tall_shape(command, "cone, radius, height, slices", report_cone);
         case Word::sphere: {
             constexpr std::string_view kUsage = "sphere, radius, slices, stacks";

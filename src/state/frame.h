@@ -59,7 +59,7 @@ struct LightModel {  // 2.14.2, table 2.10
     Enum color_control = kGL_SINGLE_COLOR;
 
     // The lecture's variants: not in GL.
-    Word specular = Word::half_vector;  // or Word::reflection: (r.v)^n
+    Word specular = Word::half_vector;      // or Word::reflection: (r.v)^n
     Word light_ambient = Word::attenuated;  // or Word::unattenuated: ambient outside attenuation and spot
 };
 
@@ -124,9 +124,7 @@ struct Draw {
     Place place;  // of the glBegin or the shape
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }
-    std::uint32_t index(std::size_t i) const {
-        return indices.empty() ? static_cast<std::uint32_t>(i) : indices[i];
-    }
+    std::uint32_t index(std::size_t i) const { return indices.empty() ? static_cast<std::uint32_t>(i) : indices[i]; }
 };
 
 struct Clear {
@@ -163,7 +161,7 @@ enum class QuadCut : std::uint8_t { kFirstToThird, kSecondToFourth };  // corner
 struct RenderOptions {
     std::optional<Shading> shading;  // nothing: flat or gouraud, as each Draw's glShadeModel says
     QuadCut quad_cut = QuadCut::kFirstToThird;
-    bool lecture_variants = true;    // false: GL's own model, the pragmas' variants off
+    bool lecture_variants = true;  // false: GL's own model, the pragmas' variants off
 };
 
 }  // namespace twinlight

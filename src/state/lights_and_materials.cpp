@@ -64,7 +64,8 @@ std::optional<std::vector<double>> State::parameter_values(const Command& c, Own
     }
     if (!is_vector && info->count > 1) {
         raise(kGL_INVALID_ENUM, c,
-              fmt::format("{} sets one value, and {} has {}; use {}v", c.name(), enum_name(pname), info->count, c.name()));
+              fmt::format("{} sets one value, and {} has {}; use {}v", c.name(), enum_name(pname), info->count,
+                          c.name()));
         return std::nullopt;
     }
     const std::size_t first = c.sig().parameters.size() - 1;
@@ -75,11 +76,13 @@ std::optional<std::vector<double>> State::parameter_values(const Command& c, Own
     }
     const bool is_cutoff = pname == kGL_SPOT_CUTOFF;
     const double value = values[0];
-    const bool in_range = value >= info->smallest && value <= info->largest && !(is_cutoff && value > 90 && value != 180);
+    const bool in_range =
+        value >= info->smallest && value <= info->largest && !(is_cutoff && value > 90 && value != 180);
     if (info->meaning == Meaning::kScalar && !in_range) {
-        const std::string range = is_cutoff                      ? "in [0, 90] or 180"
-                                  : std::isinf(info->largest)    ? "0 or more"
-                                                                 : fmt::format("in [{}, {}]", info->smallest, info->largest);
+        const std::string range = is_cutoff ? "in [0, 90] or 180"
+                                  : std::isinf(info->largest)
+                                      ? "0 or more"
+                                      : fmt::format("in [{}, {}]", info->smallest, info->largest);
         raise(kGL_INVALID_VALUE, c, fmt::format("{} is {}; it must be {}", enum_name(pname), value, range));
         return std::nullopt;
     }
@@ -99,8 +102,7 @@ void State::light(const Command& c) {
         // 2.14.1: transformed by the modelview matrix in force at the call; a direction by its upper left 3x3.
         case kGL_POSITION: source->position_eye = modelview() * vec4(*values); break;
         case kGL_SPOT_DIRECTION:
-            source->spot_direction_eye =
-                glm::dmat3(modelview()) * glm::dvec3((*values)[0], (*values)[1], (*values)[2]);
+            source->spot_direction_eye = glm::dmat3(modelview()) * glm::dvec3((*values)[0], (*values)[1], (*values)[2]);
             break;
         case kGL_SPOT_EXPONENT: source->spot_exponent = values->front(); break;
         case kGL_SPOT_CUTOFF: source->spot_cutoff_deg = values->front(); break;
@@ -162,7 +164,8 @@ void State::shade_model(const Command& c) {
 
 void State::color_material(const Command& c) {
     if (!known(c, c.enumerant(0), {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK})) return;
-    if (!known(c, c.enumerant(1), {kGL_EMISSION, kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_AMBIENT_AND_DIFFUSE})) return;
+    if (!known(c, c.enumerant(1), {kGL_EMISSION, kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_AMBIENT_AND_DIFFUSE}))
+        return;
     lighting_.color_material.face = c.enumerant(0);
     lighting_.color_material.mode = c.enumerant(1);
     track_color();
@@ -215,7 +218,8 @@ void State::get_light(const Command& c) {
     const auto self = static_cast<const State*>(this);
     if (!light_source(c, c.enumerant(0))) return;
     if (self->get_light(c.enumerant(0), c.enumerant(1)).empty()) {
-        raise(kGL_INVALID_ENUM, c, fmt::format("{} is given {}, which lights do not have", c.name(), enum_name(c.enumerant(1))));
+        raise(kGL_INVALID_ENUM, c,
+              fmt::format("{} is given {}, which lights do not have", c.name(), enum_name(c.enumerant(1))));
     }
 }
 
@@ -234,7 +238,8 @@ void State::specular_model(const Command& c) {
     if (c.word(0) == Word::half_vector || c.word(0) == Word::reflection) {
         lighting_.light_model.specular = c.word(0);
     } else {
-        raise(kGL_INVALID_ENUM, c, fmt::format("specular({}); expected half_vector or reflection", word_name(c.word(0))));
+        raise(kGL_INVALID_ENUM, c,
+              fmt::format("specular({}); expected half_vector or reflection", word_name(c.word(0))));
     }
 }
 
@@ -242,7 +247,8 @@ void State::ambient_model(const Command& c) {
     if (c.word(0) == Word::attenuated || c.word(0) == Word::unattenuated) {
         lighting_.light_model.light_ambient = c.word(0);
     } else {
-        raise(kGL_INVALID_ENUM, c, fmt::format("ambient({}); expected attenuated or unattenuated", word_name(c.word(0))));
+        raise(kGL_INVALID_ENUM, c,
+              fmt::format("ambient({}); expected attenuated or unattenuated", word_name(c.word(0))));
     }
 }
 

@@ -15,14 +15,30 @@ struct Elsewhere {
     bool changes_pixels;
 };
 constexpr Elsewhere kElsewhere[] = {
-    {kGL_POINT_SMOOTH, true},        {kGL_LINE_SMOOTH, true},         {kGL_LINE_STIPPLE, true},
-    {kGL_POLYGON_SMOOTH, true},      {kGL_POLYGON_STIPPLE, true},     {kGL_FOG, true},
-    {kGL_STENCIL_TEST, true},        {kGL_ALPHA_TEST, true},          {kGL_BLEND, true},
-    {kGL_COLOR_LOGIC_OP, true},      {kGL_SCISSOR_TEST, true},        {kGL_TEXTURE_1D, true},
-    {kGL_TEXTURE_2D, true},          {kGL_CLIP_PLANE0, true},         {kGL_CLIP_PLANE1, true},
-    {kGL_CLIP_PLANE2, true},         {kGL_CLIP_PLANE3, true},         {kGL_CLIP_PLANE4, true},
-    {kGL_CLIP_PLANE5, true},         {kGL_POLYGON_OFFSET_POINT, true}, {kGL_POLYGON_OFFSET_LINE, true},
-    {kGL_POLYGON_OFFSET_FILL, true}, {kGL_COLOR_SUM, true},           {kGL_MULTISAMPLE, false},
+    {kGL_POINT_SMOOTH, true},
+    {kGL_LINE_SMOOTH, true},
+    {kGL_LINE_STIPPLE, true},
+    {kGL_POLYGON_SMOOTH, true},
+    {kGL_POLYGON_STIPPLE, true},
+    {kGL_FOG, true},
+    {kGL_STENCIL_TEST, true},
+    {kGL_ALPHA_TEST, true},
+    {kGL_BLEND, true},
+    {kGL_COLOR_LOGIC_OP, true},
+    {kGL_SCISSOR_TEST, true},
+    {kGL_TEXTURE_1D, true},
+    {kGL_TEXTURE_2D, true},
+    {kGL_CLIP_PLANE0, true},
+    {kGL_CLIP_PLANE1, true},
+    {kGL_CLIP_PLANE2, true},
+    {kGL_CLIP_PLANE3, true},
+    {kGL_CLIP_PLANE4, true},
+    {kGL_CLIP_PLANE5, true},
+    {kGL_POLYGON_OFFSET_POINT, true},
+    {kGL_POLYGON_OFFSET_LINE, true},
+    {kGL_POLYGON_OFFSET_FILL, true},
+    {kGL_COLOR_SUM, true},
+    {kGL_MULTISAMPLE, false},
     {kGL_DITHER, false},
 };
 
@@ -81,7 +97,8 @@ void State::polygon_mode(const Command& c) {
 }
 
 void State::depth_func(const Command& c) {
-    if (known(c, c.enumerant(0), {kGL_NEVER, kGL_LESS, kGL_EQUAL, kGL_LEQUAL, kGL_GREATER, kGL_NOTEQUAL, kGL_GEQUAL, kGL_ALWAYS})) {
+    if (known(c, c.enumerant(0),
+              {kGL_NEVER, kGL_LESS, kGL_EQUAL, kGL_LEQUAL, kGL_GREATER, kGL_NOTEQUAL, kGL_GEQUAL, kGL_ALWAYS})) {
         raster_.depth_func = c.enumerant(0);
     }
 }
@@ -98,10 +115,11 @@ void State::clear(const Command& c) {
     constexpr Enum kBits = kGL_COLOR_BUFFER_BIT | kGL_DEPTH_BUFFER_BIT | kGL_STENCIL_BUFFER_BIT | kGL_ACCUM_BUFFER_BIT;
     const Enum mask = c.enumerant(0);
     if ((mask & ~kBits) != 0) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("glClear is given the bits {:#x}, which name no buffer; expected GL_COLOR_BUFFER_BIT | "
-                                 "GL_DEPTH_BUFFER_BIT",
-                                 mask & ~kBits));
+        return raise(
+            kGL_INVALID_VALUE, c,
+            fmt::format("glClear is given the bits {:#x}, which name no buffer; expected GL_COLOR_BUFFER_BIT | "
+                        "GL_DEPTH_BUFFER_BIT",
+                        mask & ~kBits));
     }
     Clear clear = clear_;
     clear.color = (mask & kGL_COLOR_BUFFER_BIT) != 0;

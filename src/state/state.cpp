@@ -175,8 +175,8 @@ void State::shape(const Command& c) {
 }
 
 void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {
-    const auto found = std::find_if(unsupported_.begin(), unsupported_.end(),
-                                    [&](const Unsupported& u) { return u.name == name; });
+    const auto found =
+        std::find_if(unsupported_.begin(), unsupported_.end(), [&](const Unsupported& u) { return u.name == name; });
     if (found != unsupported_.end()) {
         ++found->count;
     } else {
@@ -215,8 +215,8 @@ Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& o
     const bool draws = std::any_of(frame.items.begin(), frame.items.end(),
                                    [](const auto& item) { return std::holds_alternative<Draw>(item); });
     if (!draws) {
-        throw SceneError(fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
-                                     scene->name));
+        throw SceneError(
+            fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);", scene->name));
     }
     return frame;
 }

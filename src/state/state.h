@@ -117,7 +117,8 @@ class State {
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
     void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
-    double to_real(double c, Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
+    double to_real(double c,
+                   Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
 
     StateOptions options_;
     LightingState lighting_;

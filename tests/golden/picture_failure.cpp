@@ -54,8 +54,8 @@ testing::AssertionResult picture_failure(const std::string& name, const Image& a
         const auto y = worst[i].pixel / static_cast<std::size_t>(actual.width);
         const Rgba& a = actual.pixels[worst[i].pixel];
         const Rgba& e = expected.pixels[worst[i].pixel];
-        failure << fmt::format("\n  {},{}: {} codes off, ({:.3f} {:.3f} {:.3f}) instead of ({:.3f} {:.3f} {:.3f})", x, y,
-                               worst[i].codes, a[0], a[1], a[2], e[0], e[1], e[2]);
+        failure << fmt::format("\n  {},{}: {} codes off, ({:.3f} {:.3f} {:.3f}) instead of ({:.3f} {:.3f} {:.3f})", x,
+                               y, worst[i].codes, a[0], a[1], a[2], e[0], e[1], e[2]);
     }
     return failure;
 }

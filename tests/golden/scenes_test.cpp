@@ -1,6 +1,8 @@
 // Every built-in scene: its renderers agree, and its pictures are the golden ones (golden/scenes/NAME/*.png).
 //
 // The golden pictures change only by `make golden CASE=NAME`; look at them before they are committed.
+#include "scenes/scenes.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +19,6 @@
 #include "programmable/programmable.h"
 #include "reference/reference.h"
 #include "report/comparison.h"
-#include "scenes/scenes.h"
 #include "state/state.h"
 
 namespace twinlight {
@@ -73,12 +74,14 @@ TEST_P(GoldenScenes, AgreeThreeWaysAndWithTheGoldenPictures) {
             fmt::print("wrote {}\n", file);
             continue;
         }
-        ASSERT_TRUE(std::filesystem::exists(file)) << "there is no " << file << "; make golden CASE=" << name << " writes it";
+        ASSERT_TRUE(std::filesystem::exists(file))
+            << "there is no " << file << "; make golden CASE=" << name << " writes it";
         const Image golden = read_png(file);
         Image actual = render.image;
         for (Rgba& pixel : actual.pixels) pixel[3] = 1;  // pictures in files have no alpha
         // Edges may fall to either side on another driver; the interior is held to what two renderers are held to.
-        if (report::judge(difference(actual, golden, comparison.edges), comparison.tolerance) == report::Verdict::kBeyond) {
+        if (report::judge(difference(actual, golden, comparison.edges), comparison.tolerance) ==
+            report::Verdict::kBeyond) {
             ADD_FAILURE() << picture_failure(name + "-" + render.name, actual, golden).message();
         }
     }

@@ -31,8 +31,8 @@ using Color = std::array<double, 4>;
 
 // The colours of GL_TRIANGLES as feedback returns them, in the order of the vertices.
 std::vector<Color> feedback_colors(const CommandList& scene, std::size_t vertices) {
-    constexpr std::size_t kPerVertex = 7;    // GL_3D_COLOR: x, y, z, r, g, b, a
-    constexpr std::size_t kPerPolygon = 2;   // GL_POLYGON_TOKEN, count
+    constexpr std::size_t kPerVertex = 7;   // GL_3D_COLOR: x, y, z, r, g, b, a
+    constexpr std::size_t kPerPolygon = 2;  // GL_POLYGON_TOKEN, count
     std::vector<GLfloat> buffer(vertices * (kPerVertex + kPerPolygon));
     glFeedbackBuffer(static_cast<GLsizei>(buffer.size()), GL_3D_COLOR, buffer.data());
     const fixed::InitialState initial(64, 64);
@@ -101,9 +101,8 @@ TEST(FixedMatchesReference, InUnclampedFloatsOverRandomStates) {
             const bool back = draw.lighting.light_model.two_side && shows_back(lit, i / 3 * 3);
             const Difference found = difference(driver[i], back ? lit[i].back_primary : lit[i].front_primary,
                                                 back ? lit[i].back_magnitude : lit[i].front_magnitude);
-            const auto excluded = std::find_if(exclusions().begin(), exclusions().end(), [&](const Exclusion& e) {
-                return e.applies(draw, draw.vertices[i]);
-            });
+            const auto excluded = std::find_if(exclusions().begin(), exclusions().end(),
+                                               [&](const Exclusion& e) { return e.applies(draw, draw.vertices[i]); });
             if (excluded != exclusions().end()) {
                 ++left_out[&*excluded].vertices;
                 if (!(found.relative <= kBar)) ++left_out[&*excluded].differing;

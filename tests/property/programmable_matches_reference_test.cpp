@@ -39,13 +39,9 @@ class RandomDraw {
         model.specular = chance(0.3) ? Word::reflection : Word::half_vector;
         model.light_ambient = chance(0.3) ? Word::unattenuated : Word::attenuated;
         Material& material = lighting.front;
-        material = {.ambient = color(),
-                    .diffuse = color(),
-                    .specular = color(),
-                    .emission = color(),
-                    .shininess = exponent()};
-        constexpr Enum kModes[] = {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION,
-                                   kGL_AMBIENT_AND_DIFFUSE};
+        material = {
+            .ambient = color(), .diffuse = color(), .specular = color(), .emission = color(), .shininess = exponent()};
+        constexpr Enum kModes[] = {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION, kGL_AMBIENT_AND_DIFFUSE};
         lighting.color_material = {
             .enabled = chance(0.4), .face = kGL_FRONT_AND_BACK, .mode = kModes[random_.below(5)]};
         lighting.normalize = chance(0.5);
@@ -53,10 +49,8 @@ class RandomDraw {
         for (LightSource& light : lighting.lights)
             if (chance(0.3)) light = random_light();
         draw.eye_from_object = glm::translate(glm::dmat4(1), vector(2) - glm::dvec3(0, 0, 3));
-        draw.eye_from_object =
-            glm::rotate(draw.eye_from_object, random_.uniform(0, 6), glm::normalize(vector(1)));
-        if (chance(0.5))
-            draw.eye_from_object = glm::scale(draw.eye_from_object, glm::dvec3(random_.uniform(0.3, 3)));
+        draw.eye_from_object = glm::rotate(draw.eye_from_object, random_.uniform(0, 6), glm::normalize(vector(1)));
+        if (chance(0.5)) draw.eye_from_object = glm::scale(draw.eye_from_object, glm::dvec3(random_.uniform(0.3, 3)));
         draw.clip_from_eye = glm::dmat4(0);  // the middle of the viewport, whatever the position
         draw.clip_from_eye[3][3] = 1;
         for (int i = 0; i < kVertices; ++i)
@@ -73,8 +67,7 @@ class RandomDraw {
     }
     glm::dvec4 color() {
         if (chance(0.2)) return {0, 0, 0, 1};
-        return {random_.uniform(-0.2, 0.5), random_.uniform(0, 0.5), random_.uniform(0, 0.5),
-                random_.uniform(0, 1)};
+        return {random_.uniform(-0.2, 0.5), random_.uniform(0, 0.5), random_.uniform(0, 0.5), random_.uniform(0, 1)};
     }
     double exponent() {
         if (chance(0.2)) return 0;
@@ -137,8 +130,8 @@ void compare_states(const RenderOptions& options) {
                 const double relative = std::abs(actual - expected) / std::max(1.0, v.front_magnitude[c]);
                 worst = std::max(worst, relative);
                 ASSERT_LE(relative, kBar)
-                    << fmt::format("seed {} vertex {} channel {}: {} is not {}\n{}", seed, i, c, actual,
-                                   expected, describe(plan_effects(draw, options).effects));
+                    << fmt::format("seed {} vertex {} channel {}: {} is not {}\n{}", seed, i, c, actual, expected,
+                                   describe(plan_effects(draw, options).effects));
             }
         }
     }

@@ -78,8 +78,9 @@ class Builder {
         color("glLightModelfv", {kGL_LIGHT_MODEL_AMBIENT});
         add("glLightModeli", {kGL_LIGHT_MODEL_LOCAL_VIEWER, structure_.chance(0.5) ? 1.0 : 0.0});
         add("glLightModeli", {kGL_LIGHT_MODEL_TWO_SIDE, structure_.chance(0.5) ? 1.0 : 0.0});
-        add("glLightModeli", {kGL_LIGHT_MODEL_COLOR_CONTROL,
-                              static_cast<double>(structure_.chance(0.3) ? kGL_SEPARATE_SPECULAR_COLOR : kGL_SINGLE_COLOR)});
+        add("glLightModeli",
+            {kGL_LIGHT_MODEL_COLOR_CONTROL,
+             static_cast<double>(structure_.chance(0.3) ? kGL_SEPARATE_SPECULAR_COLOR : kGL_SINGLE_COLOR)});
     }
 
     void light(Enum name) {
@@ -191,17 +192,19 @@ const std::vector<Exclusion>& exclusions() {
              return draw.lighting.color_material.enabled && vertex.color == Vertex{}.color;
          }},
         {"colour material on the back alone of two sides",
-         "2.14.3: all channels of the back's material follow; the driver's program multiplies the red one only", true,
+         "2.14.3: all channels of the back's material follow; the driver's program multiplies the red one "
+         "only",
+         true,
          [](const Draw& draw, const Vertex&) {
              const ColorMaterial& color_material = draw.lighting.color_material;
-             return draw.lighting.light_model.two_side && color_material.enabled &&
-                    color_material.face == kGL_BACK && color_material.mode != kGL_EMISSION;
+             return draw.lighting.light_model.two_side && color_material.enabled && color_material.face == kGL_BACK &&
+                    color_material.mode != kGL_EMISSION;
          }},
         {"vertex at the edge of a spot's cone", "2.14.1: spot_i jumps at the cutoff, and rounding decides", false,
          [](const Draw& draw, const Vertex& vertex) {
              return any_light(draw, [&](const LightSource& light) {
-                 const double cos_angle = glm::dot(-toward(light, eye_position(draw, vertex)),
-                                                   glm::normalize(light.spot_direction_eye));
+                 const double cos_angle =
+                     glm::dot(-toward(light, eye_position(draw, vertex)), glm::normalize(light.spot_direction_eye));
                  return light.spot_cutoff_deg != 180 &&
                         std::abs(cos_angle - std::cos(light.spot_cutoff_deg * M_PI / 180)) < kJump;
              });

@@ -17,9 +17,7 @@ class Random {
     explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ULL + 0x2545F4914F6CDD1DULL) {
         for (int i = 0; i < 4; ++i) next();
     }
-    double uniform(double low, double high) {
-        return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
-    }
+    double uniform(double low, double high) { return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53; }
     int below(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
     bool chance(double probability) { return uniform(0, 1) < probability; }
 

@@ -14,7 +14,8 @@ namespace {
 double random_bits(Random& random, Kind kind) {
     const auto bits = static_cast<std::uint32_t>(random.uniform(0, 4294967296.0));
     switch (kind) {
-        case Kind::kEnum: return gl_names()[static_cast<std::size_t>(random.below(static_cast<int>(gl_names().size())))].value;
+        case Kind::kEnum:
+            return gl_names()[static_cast<std::size_t>(random.below(static_cast<int>(gl_names().size())))].value;
         case Kind::kBitfield: return static_cast<double>(bits & 0x4700);
         case Kind::kBoolean:
         case Kind::kUbyte: return bits & 0xFF;
@@ -52,7 +53,8 @@ Command random_command(Random& random, CommandId id) {
                 if (info.owner == owner_of(id)) pnames.push_back(info.pname);
             }
             if (random.chance(0.5)) {
-                command.arguments.back() = pnames[static_cast<std::size_t>(random.below(static_cast<int>(pnames.size())))];
+                command.arguments.back() =
+                    pnames[static_cast<std::size_t>(random.below(static_cast<int>(pnames.size())))];
             }
             count = array_length(id, command.enumerant(command.arguments.size() - 1)).value_or(random.below(5));
         }

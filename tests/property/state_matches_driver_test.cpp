@@ -119,7 +119,8 @@ Command random_command(Random& random) {
 bool is_departure(const Command& command, const State& state) {
     const std::string_view name = command.name();
     const auto owner = owner_of(command.id);
-    const bool is_single = !command.sig().parameters.empty() && command.sig().parameters.back().extent == Extent::kValue;
+    const bool is_single =
+        !command.sig().parameters.empty() && command.sig().parameters.back().extent == Extent::kValue;
     if (owner && is_single && !name.starts_with("glGet")) {
         // glLightf(..., GL_AMBIENT, ...): 2.14.2 says INVALID_ENUM; the driver takes the value as the first of four.
         const ParameterInfo* info = find_parameter(*owner, command.enumerant(command.sig().scalars() - 2));
@@ -195,16 +196,20 @@ void expect_same_state(const State& state) {
     for (const auto& scalar : scalars) {
         EXPECT_EQ(floats(scalar.pname, 1)[0], scalar.value) << fmt::format("{:#x}", scalar.pname);
     }
-    expect_near(floats(GL_POLYGON_MODE, 2), {static_cast<double>(raster.polygon_mode_front),
-                                             static_cast<double>(raster.polygon_mode_back)}, "polygon mode");
-    expect_near(floats(GL_VIEWPORT, 4), {static_cast<double>(raster.viewport.x), static_cast<double>(raster.viewport.y),
-                                         static_cast<double>(raster.viewport.width),
-                                         static_cast<double>(raster.viewport.height)}, "viewport");
+    expect_near(floats(GL_POLYGON_MODE, 2),
+                {static_cast<double>(raster.polygon_mode_front), static_cast<double>(raster.polygon_mode_back)},
+                "polygon mode");
+    expect_near(floats(GL_VIEWPORT, 4),
+                {static_cast<double>(raster.viewport.x), static_cast<double>(raster.viewport.y),
+                 static_cast<double>(raster.viewport.width), static_cast<double>(raster.viewport.height)},
+                "viewport");
     expect_near(floats(GL_LIGHT_MODEL_AMBIENT, 4), list(lighting.light_model.ambient), "scene ambient");
     expect_near(floats(GL_CURRENT_COLOR, 4), list(state.current_color()), "current colour");
     const glm::dvec3 normal = state.current_normal();
     expect_near(floats(GL_CURRENT_NORMAL, 3), {normal.x, normal.y, normal.z}, "current normal");
-    const auto matrix = [](const glm::dmat4& m) { return std::vector<double>(glm::value_ptr(m), glm::value_ptr(m) + 16); };
+    const auto matrix = [](const glm::dmat4& m) {
+        return std::vector<double>(glm::value_ptr(m), glm::value_ptr(m) + 16);
+    };
     expect_near(floats(GL_MODELVIEW_MATRIX, 16), matrix(state.modelview()), "modelview");
     expect_near(floats(GL_PROJECTION_MATRIX, 16), matrix(state.projection()), "projection");
 }
@@ -239,8 +244,7 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
             const GLenum got = glGetError();
             errors += got != GL_NO_ERROR ? 1 : 0;
             EXPECT_EQ(got, first_expected) << "seed " << seed << ", after " << print_command(command) << " in\n"
-                                           << print_scene(sequence)
-                                           << (raised ? state.errors().back().message : "");
+                                           << print_scene(sequence) << (raised ? state.errors().back().message : "");
             while (glGetError() != GL_NO_ERROR) {
             }
             first_expected = GL_NO_ERROR;

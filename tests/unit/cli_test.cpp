@@ -30,9 +30,7 @@ class Cli : public testing::Test {
         write_file_atomically(in_ / name, text);
         return in_ / name;
     }
-    ProgramResult run(const std::vector<std::string>& arguments) {
-        return run_program("twinlight", arguments);
-    }
+    ProgramResult run(const std::vector<std::string>& arguments) { return run_program("twinlight", arguments); }
 
     // Bad input or use: exit 2, nothing on standard output, one line on standard error, no file in out_.
     void expect_refused(const ProgramResult& result, const std::string& expected) {
@@ -45,8 +43,7 @@ class Cli : public testing::Test {
     void expect_scene_refused(const std::string& text, const std::string& expected) {
         SCOPED_TRACE(text.substr(0, 200));
         const std::string file = scene(text);
-        expect_refused(run({"render", file, "--with", "reference", "--size", "8x6", "-o", out_ / "p.png"}),
-                       expected);
+        expect_refused(run({"render", file, "--with", "reference", "--size", "8x6", "-o", out_ / "p.png"}), expected);
         expect_refused(run({"compare", file, "--size", "8x6", "-o", out_ / "report"}), expected);
     }
 
@@ -78,8 +75,7 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"render"}), "SCENE is required; see 'twinlight render --help'");
     expect_refused(run({"render", file, "--with", "fixed"}), "-o is required");
     expect_refused(run({"render", file, "-o", out_ / "p.png"}), "--with is required");
-    expect_refused(run({"render", file, "--with", "fixd", "-o", out_ / "p.png"}),
-                   "'fixd' is not one of fixed, ");
+    expect_refused(run({"render", file, "--with", "fixd", "-o", out_ / "p.png"}), "'fixd' is not one of fixed, ");
     expect_refused(run({"render", file, "--with", "fixed", "--bogus", "-o", out_ / "p.png"}),
                    "there is no option '--bogus'; see 'twinlight render --help'");
     expect_refused(run({"render", file, "--wiht", "fixed", "-o", out_ / "p.png"}),
@@ -96,20 +92,17 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"compare", "", "-o", out_ / "r"}), "SCENE: the name is empty");
     expect_refused(run({"render", file, "--with", "fixed", "--shading", "phong", "-o", out_ / "p.png"}),
                    "use --with programmable or --with reference");
-    expect_refused(run({"render", file, "--with", "fixed", "--shading", "smooth", "-o", out_ / "p.png"}),
-                   "flat");
+    expect_refused(run({"render", file, "--with", "fixed", "--shading", "smooth", "-o", out_ / "p.png"}), "flat");
     expect_refused(run({"compare", file}), "-o is required");
     expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl");
-    expect_refused(run({"scenes", "no-such-scene-at-all"}),
-                   "there is no built-in scene 'no-such-scene-at-all'");
+    expect_refused(run({"scenes", "no-such-scene-at-all"}), "there is no built-in scene 'no-such-scene-at-all'");
 }
 
 TEST_F(Cli, RefusesSizesOutsideTheLimits) {
     const std::string file = scene(kScene);
-    for (const char* size : {"640", "x", "640x", "x480", "0x480", "640x0", "-1x5", "8193x1", "1x8193",
-                             "1e3x10", "640x480x2", "99999999999x1", " 640x480", ""}) {
-        expect_refused(run({"render", file, "--with", "fixed", "--size", size, "-o", out_ / "p.png"}),
-                       "--size");
+    for (const char* size : {"640", "x", "640x", "x480", "0x480", "640x0", "-1x5", "8193x1", "1x8193", "1e3x10",
+                             "640x480x2", "99999999999x1", " 640x480", ""}) {
+        expect_refused(run({"render", file, "--with", "fixed", "--size", size, "-o", out_ / "p.png"}), "--size");
     }
 }
 
@@ -189,8 +182,8 @@ TEST_F(Cli, LeavesNothingBehindWhenTheDiskIsFull) {
     // ulimit counts blocks of 512 bytes; the reports' files are larger than one.
     const std::string file = scene(kScene);
     const ProgramResult result =
-        run_shell("twinlight", "trap '' XFSZ; ulimit -f 1; \"$PROGRAM\" render " + quoted(file) +
-                                   " --with fixed -o " + quoted(out_ / "p.png"));
+        run_shell("twinlight", "trap '' XFSZ; ulimit -f 1; \"$PROGRAM\" render " + quoted(file) + " --with fixed -o " +
+                                   quoted(out_ / "p.png"));
     expect_refused(result, "p.png: File too large");
 }
 
@@ -215,8 +208,8 @@ TEST_F(Cli, LeavesAnOldReportWholeWhenTheDiskIsFull) {
 TEST_F(Cli, LeavesNoPartOfAFileWhenItIsInterrupted) {
     const std::string file = scene(kScene);
     for (const char* delay : {"0.02", "0.05", "0.1", "0.15", "0.2", "0.25", "0.3", "0.4"}) {
-        run_shell("twinlight", "timeout -s INT " + std::string(delay) + " \"$PROGRAM\" compare " +
-                                   quoted(file) + " -o " + quoted(out_.str()) + " >/dev/null");
+        run_shell("twinlight", "timeout -s INT " + std::string(delay) + " \"$PROGRAM\" compare " + quoted(file) +
+                                   " -o " + quoted(out_.str()) + " >/dev/null");
         for (const std::string& name : out_.names()) {
             EXPECT_TRUE(name.ends_with(".png") || name.ends_with(".json") || name.ends_with(".html")) << name;
             if (name.ends_with(".png")) {
@@ -247,9 +240,8 @@ TEST_F(Cli, RendersWithEachRenderer) {
 }
 
 TEST_F(Cli, RendersFromStandardInputToStandardOutput) {
-    const ProgramResult result =
-        run_shell("twinlight", "\"$PROGRAM\" render - --with fixed --size 16x12 -o - <" +
-                                   quoted(scene(kScene)) + " | cat");
+    const ProgramResult result = run_shell(
+        "twinlight", "\"$PROGRAM\" render - --with fixed --size 16x12 -o - <" + quoted(scene(kScene)) + " | cat");
     EXPECT_EQ(result.err, "");
     EXPECT_EQ(decode_png(result.out).width, 16);
 }
@@ -266,8 +258,7 @@ TEST_F(Cli, ComparesAndPrintsATable) {
 }
 
 TEST_F(Cli, ComparesAndPrintsOneJsonObject) {
-    const ProgramResult result =
-        run({"compare", scene(kScene), "--size", "64x48", "--json", "-o", out_.str()});
+    const ProgramResult result = run({"compare", scene(kScene), "--size", "64x48", "--json", "-o", out_.str()});
     EXPECT_EQ(result.err, "");
     const json object = json::parse(result.out);
     EXPECT_EQ(object["scene"], "scene.gl");
@@ -300,8 +291,7 @@ TEST_F(Cli, ExportsAProgramThatCompiles) {
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.err, "");
     write_file_atomically(out_ / "scene.c", result.out);
-    const ProgramResult compiled =
-        run_shell("", "${CC:-gcc} -fsyntax-only -Wall -Werror " + quoted(out_ / "scene.c"));
+    const ProgramResult compiled = run_shell("", "${CC:-gcc} -fsyntax-only -Wall -Werror " + quoted(out_ / "scene.c"));
     EXPECT_EQ(compiled.status, 0) << compiled.err;
 }
 

@@ -49,8 +49,7 @@ struct Stub {
                 .reference = renderer("reference", reference),
                 .edge_pixels = [](const Frame& frame) {
                     PixelMask mask(static_cast<std::size_t>(frame.width * frame.height));
-                    for (int y = 0; y < frame.height; ++y)
-                        mask[static_cast<std::size_t>(y * frame.width)] = true;
+                    for (int y = 0; y < frame.height; ++y) mask[static_cast<std::size_t>(y * frame.width)] = true;
                     return mask;
                 }};
     }
@@ -159,9 +158,8 @@ TEST(Verdict, NamesThePairsThatDiffer) {
     EXPECT_EQ(pair_named(comparison, "fixed ~ programmable-phong").verdict, Verdict::kInformative);
     const std::vector<std::string> sentences = verdict_sentences(comparison);
     ASSERT_EQ(sentences.size(), 3U);
-    EXPECT_EQ(
-        sentences[1],
-        "fixed ~ programmable: 1,170 of 1,170 interior pixels differ (100.00%), by up to 25/255 at (1, 0).");
+    EXPECT_EQ(sentences[1],
+              "fixed ~ programmable: 1,170 of 1,170 interior pixels differ (100.00%), by up to 25/255 at (1, 0).");
 }
 
 TEST(Verdict, IsNotGivenForPhongAgainstFixed) {
@@ -209,8 +207,7 @@ TEST_F(ReportTest, HoldsEveryPictureTheNumbersAndThePage) {
         "reference.png",
     };
     EXPECT_EQ(names, expected);
-    EXPECT_EQ(read_png((out / "fixed.png").string()).pixels[0],
-              quantised(comparison.renders[0].image).pixels[0]);
+    EXPECT_EQ(read_png((out / "fixed.png").string()).pixels[0], quantised(comparison.renders[0].image).pixels[0]);
 }
 
 TEST_F(ReportTest, SaysWhereItCannotBeWritten) {
@@ -280,9 +277,8 @@ TEST(ComparisonPage, NamesWhatIsNotDrawn) {
     Comparison comparison = stub.compare();
     comparison.unsupported.push_back(fog(1));
     const std::string page = comparison_page(comparison, encode_pictures(comparison));
-    EXPECT_NE(
-        page.find("glEnable(GL_FOG) (once, at scene.gl:3:1) is not done by programmable and reference."),
-        std::string::npos);
+    EXPECT_NE(page.find("glEnable(GL_FOG) (once, at scene.gl:3:1) is not done by programmable and reference."),
+              std::string::npos);
 }
 
 TEST(Words, GroupDigitsAndRoundShares) {

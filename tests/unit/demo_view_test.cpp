@@ -93,8 +93,7 @@ TEST(DemoView, KeepsTheCentreOfGluLookAtInTheMiddle) {
     // Eye and centre are 7 apart: (2,3,6).
     const CommandList original = scene("gluLookAt(3, 5, 7,  1, 2, 1,  0, 1, 0);" + kPoint);
     for (const double zoom : {0.5, 1.0, 4.0}) {
-        const glm::dmat4 eye_from_world =
-            draws_of(apply_view(original, turned(77, -20, zoom)))[0].eye_from_object;
+        const glm::dmat4 eye_from_world = draws_of(apply_view(original, turned(77, -20, zoom)))[0].eye_from_object;
         expect_point(eye_from_world * glm::dvec4(1, 2, 1, 1), {0, 0, -7 / zoom});
     }
 }
@@ -124,13 +123,12 @@ TEST(DemoView, ALightSetBeforeGluLookAtStaysAtTheCamera) {
 
 TEST(DemoView, EveryGluLookAtOfAFreshMatrixGetsTheOrbit) {
     const CommandList again = apply_view(
-        scene(kLookAt + kPoint + "glLoadIdentity();" + kLookAt + "glTranslatef(1, 0, 0);" + kPoint),
-        turned(90, 0));
+        scene(kLookAt + kPoint + "glLoadIdentity();" + kLookAt + "glTranslatef(1, 0, 0);" + kPoint), turned(90, 0));
     EXPECT_EQ(orbits_in(again), 2);
     expect_point(draws_of(again)[1].eye_from_object * glm::dvec4(0, 0, 1, 1), {1, 0, -6});
 
-    const CommandList pushed = apply_view(
-        scene("glPushMatrix();" + kLookAt + kPoint + "glPopMatrix();" + kLookAt + kPoint), turned(90, 0));
+    const CommandList pushed =
+        apply_view(scene("glPushMatrix();" + kLookAt + kPoint + "glPopMatrix();" + kLookAt + kPoint), turned(90, 0));
     EXPECT_EQ(orbits_in(pushed), 2);
     const std::vector<Draw> draws = draws_of(pushed);
     EXPECT_EQ(distance(draws[0].eye_from_object, draws[1].eye_from_object), 0);
@@ -138,20 +136,18 @@ TEST(DemoView, EveryGluLookAtOfAFreshMatrixGetsTheOrbit) {
 
 TEST(DemoView, AMatrixThatHasTheOrbitDoesNotGetItTwice) {
     const std::string model_look_at = "glPushMatrix(); gluLookAt(1, 1, 1, 0, 0, 0, 0, 1, 0);";
-    EXPECT_EQ(
-        orbits_in(apply_view(scene(kLookAt + model_look_at + kPoint + "glPopMatrix();"), turned(90, 0))), 1);
+    EXPECT_EQ(orbits_in(apply_view(scene(kLookAt + model_look_at + kPoint + "glPopMatrix();"), turned(90, 0))), 1);
 }
 
 TEST(DemoView, WhatIsDrawnAfterGlLoadIdentityAloneStaysAtTheCamera) {
     // A crosshair: moving the eye of gluLookAt would not move it either.
-    const CommandList seen = apply_view(
-        scene(kLookAt + kPoint + "glLoadIdentity(); glTranslatef(0, 0, -2);" + kPoint), turned(90, 0));
+    const CommandList seen =
+        apply_view(scene(kLookAt + kPoint + "glLoadIdentity(); glTranslatef(0, 0, -2);" + kPoint), turned(90, 0));
     expect_point(draws_of(seen)[1].eye_from_object * glm::dvec4(0, 0, 0, 1), {0, 0, -2});
 }
 
 TEST(DemoView, AGluLookAtInTheProjectionIsOrbitedThere) {
-    const std::string text =
-        "glMatrixMode(GL_PROJECTION);" + kLookAt + "glMatrixMode(GL_MODELVIEW);" + kPoint;
+    const std::string text = "glMatrixMode(GL_PROJECTION);" + kLookAt + "glMatrixMode(GL_MODELVIEW);" + kPoint;
     const Draw draw = draws_of(apply_view(scene(text), turned(90, 0)))[0];
     expect_point(draw.clip_from_eye * glm::dvec4(0, 0, 1, 1), {1, 0, -5});
     EXPECT_EQ(draw.eye_from_object, glm::dmat4(1));
@@ -183,8 +179,7 @@ TEST(DemoView, TheProjectionStaysAsItIs) {
     const std::string projection = "glMatrixMode(GL_PROJECTION); gluPerspective(45, 1.5, 1, 10);";
     const std::string rest = "glMatrixMode(GL_MODELVIEW); glTranslatef(0, 0, -5);" + kPoint;
     const CommandList original = scene(projection + rest);
-    EXPECT_EQ(draws_of(apply_view(original, turned(50, 20)))[0].clip_from_eye,
-              draws_of(original)[0].clip_from_eye);
+    EXPECT_EQ(draws_of(apply_view(original, turned(50, 20)))[0].clip_from_eye, draws_of(original)[0].clip_from_eye);
 }
 
 TEST(DemoView, TheMiddleIsThatOfAllPointsInEyeSpace) {
@@ -205,14 +200,13 @@ TEST(DemoView, TheShadeModelIsThatOfTheView) {
     for (const Enum mode : {kGL_FLAT, kGL_SMOOTH}) {
         View view;
         view.shade_model = mode;
-        for (const Draw& draw : draws_of(apply_view(original, view)))
-            EXPECT_EQ(draw.lighting.shade_model, mode);
+        for (const Draw& draw : draws_of(apply_view(original, view))) EXPECT_EQ(draw.lighting.shade_model, mode);
     }
 }
 
 TEST(DemoView, AnInvertedLightIsOnWhereTheSceneSaysOff) {
-    const CommandList original = scene(kPoint + "glEnable(GL_LIGHT2);" + kPoint +
-                                       "glDisable(GL_LIGHT2); glEnable(GL_LIGHT3);" + kPoint);
+    const CommandList original =
+        scene(kPoint + "glEnable(GL_LIGHT2);" + kPoint + "glDisable(GL_LIGHT2); glEnable(GL_LIGHT3);" + kPoint);
     View view;
     view.light_inverted[2] = true;
     const std::vector<Draw> before = draws_of(original), after = draws_of(apply_view(original, view));
@@ -220,8 +214,7 @@ TEST(DemoView, AnInvertedLightIsOnWhereTheSceneSaysOff) {
     for (std::size_t d = 0; d < after.size(); ++d) {
         for (std::size_t i = 0; i < kMaxLights; ++i) {
             const bool was_on = before[d].lighting.lights[i].enabled;
-            EXPECT_EQ(after[d].lighting.lights[i].enabled, i == 2 ? !was_on : was_on)
-                << "draw " << d << " light " << i;
+            EXPECT_EQ(after[d].lighting.lights[i].enabled, i == 2 ? !was_on : was_on) << "draw " << d << " light " << i;
         }
     }
 }
@@ -303,8 +296,7 @@ TEST(DemoKeys, ZoomingBackGivesTheSameView) {
 }
 
 TEST(DemoSummary, NamesSceneRendererShadingAndLights) {
-    const CommandList original =
-        scene("glEnable(GL_LIGHTING); glEnable(GL_LIGHT1); glEnable(GL_LIGHT4);" + kPoint);
+    const CommandList original = scene("glEnable(GL_LIGHTING); glEnable(GL_LIGHT1); glEnable(GL_LIGHT4);" + kPoint);
     Controls controls;
     EXPECT_EQ(summary("lab", controls, frame_of(original)), "lab - fixed - GL_SMOOTH - GL_LIGHT1,4");
     press(controls, '\t');

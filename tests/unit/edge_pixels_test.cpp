@@ -6,9 +6,7 @@
 namespace twinlight {
 namespace {
 
-PixelMask edges(std::initializer_list<Draw> draws) {
-    return reference::edge_pixels(frame_of(kSize, kSize, draws));
-}
+PixelMask edges(std::initializer_list<Draw> draws) { return reference::edge_pixels(frame_of(kSize, kSize, draws)); }
 
 Pixels marked(const PixelMask& mask) {
     Pixels pixels;
@@ -22,8 +20,7 @@ Draw without_diagonal(Draw draw) {  // one triangle that the viewport cuts to a 
     draw.mode = kGL_TRIANGLES;
     const Vertex& v = draw.vertices[0];
     const double z = v.position_object.z;
-    draw.vertices = {vertex(-100, -100, v.color, z), vertex(300, -100, v.color, z),
-                     vertex(-100, 300, v.color, z)};
+    draw.vertices = {vertex(-100, -100, v.color, z), vertex(300, -100, v.color, z), vertex(-100, 300, v.color, z)};
     return draw;
 }
 
@@ -65,14 +62,13 @@ TEST(EdgePixels, AreWhereSurfacesCutEachOther) {
 }
 
 TEST(EdgePixels, AreAllOfTwoSurfacesThatLieInEachOther) {
-    EXPECT_EQ(marked(edges({without_diagonal(deep_quad(kRed, 0.5)),
-                            without_diagonal(deep_quad(kGreen, 0.5, kGL_LEQUAL))})),
-              rectangle(0, 0, 16, 16));
+    EXPECT_EQ(
+        marked(edges({without_diagonal(deep_quad(kRed, 0.5)), without_diagonal(deep_quad(kGreen, 0.5, kGL_LEQUAL))})),
+        rectangle(0, 0, 16, 16));
 }
 
 TEST(EdgePixels, AreLinesWithTheirNeighbours) {
-    EXPECT_EQ(marked(edges({window_draw(kSize, kSize, kGL_POINTS, {vertex(5.5, 6.5)})})),
-              rectangle(4, 5, 7, 8));
+    EXPECT_EQ(marked(edges({window_draw(kSize, kSize, kGL_POINTS, {vertex(5.5, 6.5)})})), rectangle(4, 5, 7, 8));
     EXPECT_EQ(marked(edges({window_draw(kSize, kSize, kGL_LINES, {vertex(3.5, 6.5), vertex(8.5, 6.5)})})),
               rectangle(2, 5, 9, 8));
 }

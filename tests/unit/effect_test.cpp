@@ -38,9 +38,7 @@ Draw with_vertex_colors(Draw draw = lit_triangle()) {
     return draw;
 }
 
-EffectSet facts(const Draw& draw, const RenderOptions& options = {}) {
-    return plan_effects(draw, options).effects;
-}
+EffectSet facts(const Draw& draw, const RenderOptions& options = {}) { return plan_effects(draw, options).effects; }
 
 // Why `what` is left out; empty if it is not.
 std::string reason(const Draw& draw, const std::string& what, const RenderOptions& options = {}) {

@@ -12,8 +12,7 @@ namespace {
 
 void expect_finite(const Lit<double>& lit) {
     for (const D& c : {lit.primary, lit.secondary, lit.magnitude})
-        EXPECT_TRUE(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z))
-            << c.x << ' ' << c.y << ' ' << c.z;
+        EXPECT_TRUE(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z)) << c.x << ' ' << c.y << ' ' << c.z;
 }
 
 TEST(Ruling, ALightAtTheVertexAddsItsAmbientOnly) {
@@ -64,8 +63,7 @@ TEST(Ruling, SquaresMayOverflowOrUnderflow) {
     for (const double scale : {1e-320, 1e-300, 1e-160, 1e160, 1e300}) {
         Case c;
         c.place_light({0, 3 * scale, 4 * scale}, 0);
-        // A denormal number has only some digits left: 1e-320 is 2024 units, so 4e-4 of its direction is
-        // lost.
+        // A denormal number has only some digits left: 1e-320 is 2024 units, so 4e-4 of its direction is lost.
         const double digits_lost = scale < 1e-307 ? 1e-3 : 0;
         EXPECT_NEAR(c.red(), 0.8, kArithmetic + digits_lost) << scale;
         c.place_light({0, 3 * scale, 4 * scale});
@@ -83,11 +81,9 @@ TEST(Ruling, NoCornerOfTheParametersGivesNaNOrInfinity) {
                 for (const double exponent : {0.0, 1.0, 128.0, -1.0})
                     for (const double color : {0.0, 1.0, big, -big}) {
                         Case c;
-                        c.model = {
-                            .ambient = {color, 1, 1}, .local_viewer = true, .separate_specular = k == 0};
+                        c.model = {.ambient = {color, 1, 1}, .local_viewer = true, .separate_specular = k == 0};
                         c.model.reflection = exponent == 1;
-                        c.material = {{color, 1, 1}, {1, color, 1}, {color, 1, 1}, {1, 1, color}, 1,
-                                      exponent};
+                        c.material = {{color, 1, 1}, {1, color, 1}, {color, 1, 1}, {1, 1, color}, 1, exponent};
                         c.surface = {{coordinate, 0, -coordinate}, {color, 0, 1}};
                         c.place_light({coordinate, -coordinate, 0}, w);
                         c.light().ambient = c.light().diffuse = c.light().specular = {color, color, color};

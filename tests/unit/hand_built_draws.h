@@ -27,8 +27,7 @@ inline LightingState dark() {
     lighting.enabled = true;
     lighting.lights[0].enabled = true;
     lighting.light_model.ambient = {0, 0, 0, 1};
-    for (Material* material : {&lighting.front, &lighting.back})
-        material->ambient = material->diffuse = {0, 0, 0, 1};
+    for (Material* material : {&lighting.front, &lighting.back}) material->ambient = material->diffuse = {0, 0, 0, 1};
     return lighting;
 }
 
@@ -37,10 +36,8 @@ inline LightingState dark() {
 inline Draw square(const LightingState& lighting = dark()) {
     Draw draw;
     draw.mode = kGL_QUADS;
-    for (const glm::dvec2 corner :
-         {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
-        draw.vertices.push_back(
-            {.position_object = {corner, 0, 1}, .normal_object = {0, 0, 1}, .color = {1, 1, 1, 1}});
+    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
+        draw.vertices.push_back({.position_object = {corner, 0, 1}, .normal_object = {0, 0, 1}, .color = {1, 1, 1, 1}});
     draw.clip_from_eye[2][2] = 0;
     draw.lighting = lighting;
     return draw;
@@ -50,8 +47,7 @@ inline Draw square(const LightingState& lighting = dark()) {
 inline Draw point(const glm::dvec3& position, const LightingState& lighting = dark()) {
     Draw draw;
     draw.mode = kGL_POINTS;
-    draw.vertices = {
-        {.position_object = glm::dvec4(position, 1), .normal_object = {0, 0, 1}, .color = {1, 1, 1, 1}}};
+    draw.vertices = {{.position_object = glm::dvec4(position, 1), .normal_object = {0, 0, 1}, .color = {1, 1, 1, 1}}};
     draw.clip_from_eye = glm::dmat4(0);
     draw.clip_from_eye[3][3] = 1;
     draw.lighting = lighting;

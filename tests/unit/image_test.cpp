@@ -26,9 +26,7 @@ class FileTest : public testing::Test {
     ~FileTest() override { fs::remove_all(folder_); }
 
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::ptrdiff_t files() const {
-        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
-    }
+    std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
 
     fs::path folder_;
 };
@@ -107,17 +105,14 @@ TEST_F(FileTest, SaysPathAndReason) {
     EXPECT_EQ(message_of([&] { read_file(path("none")); }), path("none") + ": No such file or directory");
     EXPECT_EQ(message_of([&] { write_file_atomically(path("none/f"), "x"); }),
               path("none/f") + ": No such file or directory");
-    EXPECT_EQ(message_of([&] { write_file_atomically(folder_.string(), "x"); }),
-              folder_.string() + ": Is a directory");
+    EXPECT_EQ(message_of([&] { write_file_atomically(folder_.string(), "x"); }), folder_.string() + ": Is a directory");
     write_file_atomically(path("f"), "x");
-    EXPECT_EQ(message_of([&] { write_file_atomically(path("f/g"), "x"); }),
-              path("f/g") + ": Not a directory");
+    EXPECT_EQ(message_of([&] { write_file_atomically(path("f/g"), "x"); }), path("f/g") + ": Not a directory");
     EXPECT_EQ(files(), 1);
 }
 
 TEST_F(FileTest, OnAFullDiskIsAnError) {
-    EXPECT_EQ(message_of([] { write_file_atomically("/dev/full", "x"); }),
-              "/dev/full: No space left on device");
+    EXPECT_EQ(message_of([] { write_file_atomically("/dev/full", "x"); }), "/dev/full: No space left on device");
 }
 
 TEST_F(FileTest, LeavesDevicesWhatTheyAre) {

@@ -50,8 +50,9 @@ TEST(Layers, IncludeOnlyWhatTheyMay) {
             if (names_gl) {
                 EXPECT_TRUE(layer == "context" || path.starts_with("src/app/demo/"))
                     << path << " includes " << name << "; GL's headers come through context/gl.h";
-                EXPECT_TRUE(!name.starts_with("GL/freeglut") && !name.starts_with("GL/glut") ? true
-                            : path.starts_with("src/app/demo/"))
+                EXPECT_TRUE(!name.starts_with("GL/freeglut") && !name.starts_with("GL/glut")
+                                ? true
+                                : path.starts_with("src/app/demo/"))
                     << path << " includes GLUT, which belongs to the demo alone";
             }
             if (!is_own) continue;

@@ -34,7 +34,7 @@ TEST(Names, ReadBackAsTheSameValue) {
 
 TEST(Names, FindTheNearestToAMisspeltOne) {
     const std::vector<std::string_view> candidates = {"GL_LIGHT0", "GL_LIGHTING", "GL_SPOT_CUTOFF"};
-    EXPECT_EQ(nearest("GL_LIGTHING", candidates), "GL_LIGHTING");   // two letters swapped
+    EXPECT_EQ(nearest("GL_LIGTHING", candidates), "GL_LIGHTING");  // two letters swapped
     EXPECT_EQ(nearest("GL_SPOT_CUTOF", candidates), "GL_SPOT_CUTOFF");
     EXPECT_EQ(nearest("xyz", candidates), std::nullopt);
     EXPECT_EQ(nearest("", candidates), std::nullopt);

@@ -82,8 +82,7 @@ TEST(ProgrammableHardCases, VeryLongAndVeryShortVectorsHaveTheirDirection) {
         draw.vertices[0].normal_object = {0, 0, 1};
         draw.eye_from_object = glm::scale(glm::dmat4(1), glm::dvec3(scale));
         expect_color(color(draw), grey(0.8));
-        // A positional light, as far from the vertex as the scene is large; attenuated by 1 / (1 + d /
-        // scale).
+        // A positional light, as far from the vertex as the scene is large; attenuated by 1 / (1 + d / scale).
         draw.lighting.lights[0].position_eye.w = 1;
         draw.lighting.lights[0].linear_attenuation = 1 / scale;
         expect_color(color(draw), grey(0.4));

@@ -28,8 +28,7 @@ TEST(Programmable, ClampsAtTheVertexBeforeItInterpolates) {
 
 TEST(Programmable, ClampsEachFragmentInPhongShading) {
     const Image image = picture(ramp(), 8, kPhong);
-    for (int x = 0; x < 8; ++x)
-        EXPECT_NEAR(image.at(x, 4)[0], std::min(1.0, 2 - (x + 0.5) / 4), kFloatArithmetic);
+    for (int x = 0; x < 8; ++x) EXPECT_NEAR(image.at(x, 4)[0], std::min(1.0, 2 - (x + 0.5) / 4), kFloatArithmetic);
 }
 
 TEST(Programmable, FindsInPhongShadingTheHighlightThatGouraudMisses) {
@@ -50,8 +49,7 @@ TEST(Programmable, MakesInterpolatedNormalsUnitInPhongShading) {
     LightingState lighting = dark();
     lighting.front.diffuse = grey(1);
     Draw draw = square(lighting);
-    for (Vertex& v : draw.vertices)
-        v.normal_object = {v.position_object.x * kHalfRoot3, 0, 0.5};  // +-60 degrees
+    for (Vertex& v : draw.vertices) v.normal_object = {v.position_object.x * kHalfRoot3, 0, 0.5};  // +-60 degrees
     EXPECT_NEAR(picture(draw, 9, kPhong).at(4, 4)[0], 1, kFloatArithmetic);
     EXPECT_NEAR(picture(draw, 9).at(4, 4)[0], 0.5, kFloatArithmetic);
 }
@@ -110,9 +108,8 @@ TEST(Programmable, TakesEachPrimitivesProvokingVertexFromTheDriver) {
                     int differing = 0;
                     for (std::size_t i = 0; i < ours.pixels.size(); ++i)
                         differing += ours.pixels[i] != drivers.pixels[i];
-                    EXPECT_EQ(differing, 0)
-                        << fmt::format("mode {} shade model {:#x} polygon mode {:#x} indexed {}", mode,
-                                       shade_model, polygon_mode, indexed);
+                    EXPECT_EQ(differing, 0) << fmt::format("mode {} shade model {:#x} polygon mode {:#x} indexed {}",
+                                                           mode, shade_model, polygon_mode, indexed);
                 }
 }
 
@@ -121,8 +118,8 @@ TEST(Programmable, FollowsTable212sProvokingVertexOfPolygonsQuadsAndStrips) {
         Enum mode;
         std::size_t provoking;  // of the first primitive
     };
-    for (const Case& c : {Case{kGL_POLYGON, 0}, Case{kGL_QUADS, 3}, Case{kGL_QUAD_STRIP, 3},
-                          Case{kGL_TRIANGLES, 2}, Case{kGL_TRIANGLE_STRIP, 2}, Case{kGL_TRIANGLE_FAN, 2}}) {
+    for (const Case& c : {Case{kGL_POLYGON, 0}, Case{kGL_QUADS, 3}, Case{kGL_QUAD_STRIP, 3}, Case{kGL_TRIANGLES, 2},
+                          Case{kGL_TRIANGLE_STRIP, 2}, Case{kGL_TRIANGLE_FAN, 2}}) {
         Draw draw = square();
         draw.mode = c.mode;
         if (c.mode == kGL_QUAD_STRIP) std::swap(draw.vertices[2], draw.vertices[3]);
@@ -131,8 +128,7 @@ TEST(Programmable, FollowsTable212sProvokingVertexOfPolygonsQuadsAndStrips) {
         for (Vertex& v : draw.vertices) v.color = grey(0.25);
         draw.vertices[c.provoking].color = grey(0.75);
         const Image image = picture(draw, 8, {.shading = Shading::kFlat});
-        EXPECT_EQ(image.at(5, 6)[0], 0.75f)
-            << "mode " << c.mode;  // near (1, -1), which is in each first primitive
+        EXPECT_EQ(image.at(5, 6)[0], 0.75f) << "mode " << c.mode;  // near (1, -1), which is in each first primitive
     }
 }
 
@@ -180,8 +176,7 @@ TEST(Programmable, DrawsWhatTheDriversFixedFunctionDraws) {
         const Image before = fixed::render(frame, {.shading = shading});
         Renderer renderer;
         const Image ours = renderer.render(frame, {.shading = shading});
-        EXPECT_EQ(fixed::render(frame, {.shading = shading}).pixels, before.pixels)
-            << "the context is as it was";
+        EXPECT_EQ(fixed::render(frame, {.shading = shading}).pixels, before.pixels) << "the context is as it was";
         int differing = 0;
         double largest = 0;
         for (std::size_t i = 0; i < ours.pixels.size(); ++i) {

@@ -19,8 +19,8 @@ TEST(ShaderText, HoldsOnlyWhatIsCalledFor) {
     lighting.front.diffuse = {1, 1, 1, 1};
     const std::string text = vertex_shader(square(lighting));
     for (const char* absent :
-         {"#if", "EFFECT_", "power", "attenuation;", "float spot", "u_light0_spot", "u_eye_from_object;",
-          "half_dir", "_specular", "u_back", "a_color", "light1", "LIGHTi", "FACE", "unit("})
+         {"#if", "EFFECT_", "power", "attenuation;", "float spot", "u_light0_spot", "u_eye_from_object;", "half_dir",
+          "_specular", "u_back", "a_color", "light1", "LIGHTi", "FACE", "unit("})
         EXPECT_EQ(text.find(absent), text.npos) << absent << " in\n" << text;
     EXPECT_NE(text.find("u_light0_front_diffuse"), text.npos);
 }
@@ -114,8 +114,7 @@ TEST(Programmable, SquaresWholeExponentsUpTo128) {
 TEST(Programmable, LooksFromTheOriginWithALocalViewer) {
     LightingState lighting = shiny(2);
     lighting.light_model.local_viewer = true;
-    // The light is above the vertex, the viewer at 45 degrees, the half vector at 22.5: cos^2 = (1 + cos 45)
-    // / 2.
+    // The light is above the vertex, the viewer at 45 degrees, the half vector at 22.5: cos^2 = (1 + cos 45) / 2.
     const double highlight = (1 + std::sqrt(0.5)) / 2;
     expect_color(color(point({-3, 0, -3}, lighting)), {highlight, highlight / 2, 0, 1});
     lighting.lights[0].position_eye = {-3, 0, 9, 1};
@@ -261,8 +260,7 @@ TEST(Programmable, TracksTheVertexColorByFaceAndMode) {
                           {kGL_SPECULAR, {rest + 1.0 / 8, rest - 1.0 / 8, rest - 1.0 / 8, 1}},
                           {kGL_AMBIENT_AND_DIFFUSE, {rest + 2.0 / 8, rest - 2.0 / 8, rest - 2.0 / 8, 0.75}}};
     for (const Case& c : cases)
-        for (const bool same_color :
-             {true, false})  // one colour becomes the material's, several an attribute
+        for (const bool same_color : {true, false})  // one colour becomes the material's, several an attribute
             for (const bool attenuated : {false, true})
                 for (const RenderOptions& options : {RenderOptions{}, kPhong}) {
                     LightingState lighting = dark();
@@ -310,8 +308,7 @@ TEST(Programmable, DividesTheVertexByItsW) {
     lighting.lights[0].linear_attenuation = 1;
     Draw draw = point({0, 0, 0}, lighting);
     draw.vertices[0].position_object = {0, 0, -2, 2};  // at distance 2
-    for (const RenderOptions& options : {RenderOptions{}, kPhong})
-        expect_color(color(draw, options), grey(0.5));
+    for (const RenderOptions& options : {RenderOptions{}, kPhong}) expect_color(color(draw, options), grey(0.5));
 }
 
 }  // namespace

@@ -20,8 +20,7 @@ class Flat {
   public:
     Flat(Enum mode, const std::vector<Point>& points) {
         std::vector<Vertex> vertices;
-        for (const Point& p : points)
-            vertices.push_back(vertex(p.x, p.y, color_of(static_cast<int>(vertices.size()))));
+        for (const Point& p : points) vertices.push_back(vertex(p.x, p.y, color_of(static_cast<int>(vertices.size()))));
         Draw draw = window_draw(kWide, kWide, mode, vertices);
         draw.lighting.shade_model = kGL_FLAT;
         image_ = reference::render(frame_of(kWide, kWide, {draw}), {});
@@ -115,8 +114,8 @@ TEST(ProvokingVertex, ColoursWhatClippingLeavesEvenIfItIsOutside) {
 }
 
 TEST(ProvokingVertex, CountsIndicesInTheOrderTheyAreSent) {
-    Draw draw = window_draw(kWide, kWide, kGL_TRIANGLES,
-                            {vertex(0, 0, kRed), vertex(10, 0, kGreen), vertex(0, 10, kBlue)});
+    Draw draw =
+        window_draw(kWide, kWide, kGL_TRIANGLES, {vertex(0, 0, kRed), vertex(10, 0, kGreen), vertex(0, 10, kBlue)});
     draw.indices = {1, 2, 0};
     draw.lighting.shade_model = kGL_FLAT;
     EXPECT_EQ(pixel(reference::render(frame_of(kWide, kWide, {draw}), {}), 2, 2), kRed);

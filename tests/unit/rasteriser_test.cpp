@@ -37,18 +37,15 @@ TEST(Coverage, CountsEveryCentreOnceAmongTrianglesThatShareEdges) {
     std::uniform_real_distribution<double> anywhere(0, kSize);
     std::uniform_int_distribution<int> pixel_number(0, kSize - 1);
     for (int round = 0; round < 200; ++round) {
-        const glm::dvec2 hub = round % 2
-                                   ? glm::dvec2(anywhere(random), anywhere(random))
-                                   : reference::pixel_centre(pixel_number(random), pixel_number(random));
-        const glm::dvec2 rim[] = {{0, 0},  {anywhere(random), 0}, {kSize, 0}, {kSize, kSize}, {0, kSize},
-                                  {0, 7.5}};
+        const glm::dvec2 hub = round % 2 ? glm::dvec2(anywhere(random), anywhere(random))
+                                         : reference::pixel_centre(pixel_number(random), pixel_number(random));
+        const glm::dvec2 rim[] = {{0, 0}, {anywhere(random), 0}, {kSize, 0}, {kSize, kSize}, {0, kSize}, {0, 7.5}};
         std::vector<int> count(kSize * kSize);
         for (int i = 0; i < 6; ++i) {
             reference::Piece piece;
             piece.shape = reference::Shape::kTriangle;
             piece.corners = {{hub}, {rim[i]}, {rim[(i + 1) % 6]}};
-            reference::for_each_pixel(piece, {0, 0, kSize, kSize},
-                                      [&](int x, int y) { ++count[y * kSize + x]; });
+            reference::for_each_pixel(piece, {0, 0, kSize, kSize}, [&](int x, int y) { ++count[y * kSize + x]; });
         }
         for (const int n : count) ASSERT_EQ(n, 1) << "round " << round << ", hub " << hub.x << ' ' << hub.y;
     }
@@ -68,10 +65,9 @@ TEST(Coverage, StaysInsideTheViewport) {
 
 TEST(Coverage, DoesNotDependOnTheNumberOfBands) {
     // 40 rows are three bands; each has the same picture as a frame of its own would.
-    const Frame frame =
-        frame_of(kSize, 40,
-                 {window_draw(kSize, 40, kGL_TRIANGLES,
-                              {vertex(1, 1, kRed), vertex(15, 3, kGreen), vertex(7, 39, kBlue)})});
+    const Frame frame = frame_of(
+        kSize, 40,
+        {window_draw(kSize, 40, kGL_TRIANGLES, {vertex(1, 1, kRed), vertex(15, 3, kGreen), vertex(7, 39, kBlue)})});
     const Image once = reference::render(frame, {}), again = reference::render(frame, {});
     EXPECT_EQ(once.pixels, again.pixels);
     EXPECT_EQ(drawn(once).count({7, 15}), 1u);
@@ -88,8 +84,7 @@ double centre_of_checkered(Enum mode, std::array<int, 4> order, QuadCut cut = Qu
         vertices.push_back(vertex(around[i].x, around[i].y, i % 2 ? kWhite : glm::dvec4(0, 0, 0, 1)));
     RenderOptions options;
     options.quad_cut = cut;
-    // The mean of two pixels on either side of both diagonals is the value where they cross, but for half a
-    // pixel.
+    // The mean of two pixels on either side of both diagonals is the value where they cross, but for half a pixel.
     const Image image = draw_window({window_draw(kSize, kSize, mode, vertices)}, options);
     return (pixel(image, 7, 7).r + pixel(image, 8, 8).r + pixel(image, 7, 8).r + pixel(image, 8, 7).r) / 4;
 }
@@ -118,8 +113,8 @@ TEST(Diagonal, OfAQuadStripJoinsItsFirstAndFourthVertex) {
 // ---- Interpolation ----
 
 TEST(Interpolation, IsLinearInTheWindowWithoutPerspective) {
-    const Image image = draw_window({window_draw(
-        kSize, kSize, kGL_TRIANGLES, {vertex(0, 0, kRed), vertex(16, 0, kGreen), vertex(0, 16, kBlue)})});
+    const Image image = draw_window(
+        {window_draw(kSize, kSize, kGL_TRIANGLES, {vertex(0, 0, kRed), vertex(16, 0, kGreen), vertex(0, 16, kBlue)})});
     const double x = 4.5 / 16, y = 6.5 / 16;
     const glm::dvec4 color = pixel(image, 4, 6);
     EXPECT_NEAR(color.r, 1 - x - y, kFloat);
@@ -135,8 +130,7 @@ Draw slanted_wall() {
     wall.mode = kGL_QUADS;
     wall.raster.viewport = {0, 0, kSize, kSize};
     wall.clip_from_eye = glm::frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 10.0);
-    for (const auto& [x, y, z] :
-         {std::array{-1.0, -1.0, -1.0}, {3.0, -3.0, -3.0}, {3.0, 3.0, -3.0}, {-1.0, 1.0, -1.0}})
+    for (const auto& [x, y, z] : {std::array{-1.0, -1.0, -1.0}, {3.0, -3.0, -3.0}, {3.0, 3.0, -3.0}, {-1.0, 1.0, -1.0}})
         wall.vertices.push_back({.position_object = {x, y, z, 1}, .color = z == -1 ? kRed : kGreen});
     return wall;
 }
@@ -168,8 +162,7 @@ TEST(Interpolation, IsNotChangedByClipping) {
         if (v.color == kRed) v.position_object = {-9, v.position_object.y < 0 ? 3 : -3, 3, 1};
     // Vertex colours are clamped before clipping (2.14.6): compare the depth, which is not.
     const reference::Stages a = reference::run_stages(frame_of(kSize, kSize, {wall}), QuadCut::kFirstToThird);
-    const reference::Stages b =
-        reference::run_stages(frame_of(kSize, kSize, {longer}), QuadCut::kFirstToThird);
+    const reference::Stages b = reference::run_stages(frame_of(kSize, kSize, {longer}), QuadCut::kFirstToThird);
     ASSERT_FALSE(b.pieces.empty());
     for (int x = 0; x < kSize; ++x) {
         const glm::dvec2 p = reference::pixel_centre(x, 8);
@@ -210,9 +203,8 @@ TEST(Clipping, OfPositionsWithoutAWindowPlaceIsQuiet) {
 }
 
 TEST(Clipping, DropsPointsWhoseCentreIsOutside) {
-    EXPECT_EQ(
-        drawn(draw_window({window_draw(kSize, kSize, kGL_POINTS, {vertex(-0.1, 3), vertex(3.5, 3.5)})})),
-        (Pixels{{3, 3}}));
+    EXPECT_EQ(drawn(draw_window({window_draw(kSize, kSize, kGL_POINTS, {vertex(-0.1, 3), vertex(3.5, 3.5)})})),
+              (Pixels{{3, 3}}));
 }
 
 // ---- Facing, culling, polygon mode ----
@@ -270,8 +262,7 @@ TEST(PolygonMode, LineDrawsTheBorderWithoutInnerDiagonals) {
 
 TEST(PolygonMode, LineDrawsTheEdgesThatClippingAdds) {  // 2.12: they are boundary edges
     Draw draw = quad(2.3, 3.3, 10.3, 13.3);
-    for (Vertex& v : draw.vertices)
-        v.position_object.z = v.position_object.y > 5 ? -2 : 0;  // the far plane halves it
+    for (Vertex& v : draw.vertices) v.position_object.z = v.position_object.y > 5 ? -2 : 0;  // the far plane halves it
     draw.raster.polygon_mode_front = kGL_LINE;
     EXPECT_EQ(drawn(draw_window({draw})).count({6, 8}), 1u);
 }
@@ -313,9 +304,8 @@ TEST(Line, OfADiagonalTouchesOnePixelAColumn) {
 }
 
 TEST(Point, FillsThePixelThatHoldsIt) {
-    EXPECT_EQ(
-        drawn(draw_window({window_draw(kSize, kSize, kGL_POINTS, {vertex(5.99, 5.01), vertex(8, 9.5)})})),
-        (Pixels{{5, 5}, {8, 9}}));
+    EXPECT_EQ(drawn(draw_window({window_draw(kSize, kSize, kGL_POINTS, {vertex(5.99, 5.01), vertex(8, 9.5)})})),
+              (Pixels{{5, 5}, {8, 9}}));
 }
 
 // ---- Depth and clearing (4.1.5, 4.2.3) ----
@@ -324,14 +314,12 @@ TEST(Depth, FunctionsCompareTheIncomingWithTheStoredValue) {
     const struct {
         Enum func;
         bool nearer, equal, farther;  // does it pass
-    } cases[] = {{kGL_NEVER, false, false, false},  {kGL_LESS, true, false, false},
-                 {kGL_EQUAL, false, true, false},   {kGL_LEQUAL, true, true, false},
-                 {kGL_GREATER, false, false, true}, {kGL_NOTEQUAL, true, false, true},
-                 {kGL_GEQUAL, false, true, true},   {kGL_ALWAYS, true, true, true}};
+    } cases[] = {{kGL_NEVER, false, false, false}, {kGL_LESS, true, false, false},    {kGL_EQUAL, false, true, false},
+                 {kGL_LEQUAL, true, true, false},  {kGL_GREATER, false, false, true}, {kGL_NOTEQUAL, true, false, true},
+                 {kGL_GEQUAL, false, true, true},  {kGL_ALWAYS, true, true, true}};
     for (const auto& c : cases) {
         const auto passes = [&](double depth) {
-            return pixel(draw_window({deep_quad(kRed, 0.5), deep_quad(kGreen, depth, c.func)}), 5, 5) ==
-                   kGreen;
+            return pixel(draw_window({deep_quad(kRed, 0.5), deep_quad(kGreen, depth, c.func)}), 5, 5) == kGreen;
         };
         EXPECT_EQ(passes(0.25), c.nearer) << std::hex << c.func;
         EXPECT_EQ(passes(0.5), c.equal) << std::hex << c.func;

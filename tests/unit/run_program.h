@@ -33,8 +33,7 @@ class TemporaryFolder {
     // The names of what it holds, sorted.
     std::vector<std::string> names() const {
         std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(path_))
-            names.push_back(entry.path().filename());
+        for (const auto& entry : std::filesystem::directory_iterator(path_)) names.push_back(entry.path().filename());
         std::ranges::sort(names);
         return names;
     }
@@ -60,8 +59,7 @@ inline std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-// Runs a line of shell, in which $PROGRAM is the program; standard input is empty unless the line says
-// otherwise.
+// Runs a line of shell, in which $PROGRAM is the program; standard input is empty unless the line says otherwise.
 inline ProgramResult run_shell(const std::string& program, const std::string& line) {
     const TemporaryFolder folder;
     const std::string command = "PROGRAM=" + quoted(build_folder() + "/" + program) + "; { " + line +

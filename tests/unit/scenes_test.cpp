@@ -17,13 +17,9 @@
 namespace twinlight {
 namespace {
 
-std::string name_of(const EmbeddedFile& file) {
-    return std::string(file.name.substr(0, file.name.rfind(".gl")));
-}
+std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
 
-CommandList read(const EmbeddedFile& file) {
-    return read_scene(file.text, std::string(file.name), name_of(file));
-}
+CommandList read(const EmbeddedFile& file) { return read_scene(file.text, std::string(file.name), name_of(file)); }
 
 std::string_view text_of(std::string_view name) {
     for (const EmbeddedFile& file : kSceneFiles) {
@@ -52,8 +48,7 @@ std::vector<Draw> draws(const Frame& frame) {
 TEST(Scenes, BeginWithACommentThatSaysWhatTheyAre) {
     for (const EmbeddedFile& file : kSceneFiles) {
         EXPECT_TRUE(file.text.starts_with("// ")) << file.name;
-        EXPECT_NE(file.text.substr(0, file.text.find('\n')).find(' ', 3), std::string_view::npos)
-            << file.name;
+        EXPECT_NE(file.text.substr(0, file.text.find('\n')).find(' ', 3), std::string_view::npos) << file.name;
     }
 }
 
@@ -80,9 +75,8 @@ TEST(Scenes, CompileAsC) {
     if (std::system("command -v cc >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no C compiler";
     for (const EmbeddedFile& file : kSceneFiles) {
         const std::string path = testing::TempDir() + "twinlight_" + name_of(file) + ".c";
-        std::ofstream(path)
-            << "#include <GL/freeglut.h>\n#include <math.h>\nvoid draw(void);\nvoid draw(void) {\n"
-            << file.text << "\n}\n";
+        std::ofstream(path) << "#include <GL/freeglut.h>\n#include <math.h>\nvoid draw(void);\nvoid draw(void) {\n"
+                            << file.text << "\n}\n";
         const std::string compile =
             "cc -std=c99 -pedantic-errors -Wall -Werror -Wno-unknown-pragmas -fsyntax-only " + path;
         EXPECT_EQ(std::system(compile.c_str()), 0) << compile;
@@ -107,8 +101,7 @@ TEST(SceneCommands, UsesEveryPrimitiveTypeAndEveryWord) {
         if (command.sig().parameters.front().kind == Kind::kWord) used.insert(command.word(0));
     }
     EXPECT_EQ(modes.size(), 10u);
-    for (const NamedValue& word : words())
-        EXPECT_TRUE(used.contains(static_cast<Word>(word.value))) << word.name;
+    for (const NamedValue& word : words()) EXPECT_TRUE(used.contains(static_cast<Word>(word.value))) << word.name;
 }
 
 void expect_reach_of_50(const LightSource& light) {

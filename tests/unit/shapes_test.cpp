@@ -1,5 +1,4 @@
-// Shapes by derivation: unit normals, positions on the surface, outward winding, closed surfaces, the order
-// of sending.
+// Shapes by derivation: unit normals, positions on the surface, outward winding, closed surfaces, the order of sending.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,9 +64,7 @@ std::vector<Triangle> triangles(const std::vector<ShapePart>& parts) {
 }
 
 glm::dvec3 area_vector(const Triangle& t) {
-    return glm::cross(t[1].position_object - t[0].position_object,
-                      t[2].position_object - t[0].position_object) /
-           2.0;
+    return glm::cross(t[1].position_object - t[0].position_object, t[2].position_object - t[0].position_object) / 2.0;
 }
 
 // Corners that lie together are one point of the surface.
@@ -75,8 +72,7 @@ class Points {
   public:
     std::size_t number(const glm::dvec3& position) {
         constexpr double kApart = 1e-9;
-        const std::array<std::int64_t, 3> key{std::llround(position.x / kApart),
-                                              std::llround(position.y / kApart),
+        const std::array<std::int64_t, 3> key{std::llround(position.x / kApart), std::llround(position.y / kApart),
                                               std::llround(position.z / kApart)};
         return numbers_.try_emplace(key, numbers_.size()).first->second;
     }
@@ -97,8 +93,7 @@ Topology topology(const std::vector<ShapePart>& parts) {
     Topology result;
     int faces = 0;
     for (const Triangle& triangle : triangles(parts)) {
-        if (glm::length(area_vector(triangle)) < 1e-12)
-            continue;  // at a pole a strip sends triangles without area
+        if (glm::length(area_vector(triangle)) < 1e-12) continue;  // at a pole a strip sends triangles without area
         ++faces;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t from = points.number(triangle[i].position_object);
@@ -143,8 +138,7 @@ TEST(Shapes, HaveUnitNormals) {
     for (const Command& solid : kSolids) {
         SCOPED_TRACE(label(solid));
         for (const ShapePart& part : shape_parts(solid)) {
-            for (const ShapeVertex& v : part.vertices)
-                EXPECT_NEAR(glm::length(v.normal_object), 1, kRounding);
+            for (const ShapeVertex& v : part.vertices) EXPECT_NEAR(glm::length(v.normal_object), 1, kRounding);
         }
     }
 }
@@ -171,8 +165,7 @@ TEST(Shapes, HaveNormalsOnTheSideThatTheirTrianglesFace) {
     }
 }
 
-// The volume of a prism over a regular polygon of n corners, and of a pyramid: the vertices are exactly on
-// the surface.
+// The volume of a prism over a regular polygon of n corners, and of a pyramid: the vertices are exactly on the surface.
 TEST(Shapes, EncloseWhatTheirSizesSay) {
     const auto polygon = [](double radius, int n) {
         return n * radius * radius * std::sin(2 * std::numbers::pi / n) / 2;
@@ -182,16 +175,13 @@ TEST(Shapes, EncloseWhatTheirSizesSay) {
     EXPECT_NEAR(volume(shape_parts(shape(CommandId::glutSolidCylinder, {0.5, 2, 9, 3}))), 2 * polygon(0.5, 9),
                 kRounding);
     EXPECT_NEAR(volume(shape_parts(pragma(Word::cylinder, {0.5, 2, 9}))), 2 * polygon(0.5, 9), kRounding);
-    EXPECT_NEAR(volume(shape_parts(pragma(Word::cylinder_triangles, {0.5, 2, 9}))), 2 * polygon(0.5, 9),
-                kRounding);
-    EXPECT_NEAR(volume(shape_parts(shape(CommandId::glutSolidCone, {1, 3, 9, 4}))), polygon(1, 9),
-                3 * kRounding);
+    EXPECT_NEAR(volume(shape_parts(pragma(Word::cylinder_triangles, {0.5, 2, 9}))), 2 * polygon(0.5, 9), kRounding);
+    EXPECT_NEAR(volume(shape_parts(shape(CommandId::glutSolidCone, {1, 3, 9, 4}))), polygon(1, 9), 3 * kRounding);
     EXPECT_NEAR(volume(shape_parts(pragma(Word::cone, {1, 3, 9}))), polygon(1, 9), 3 * kRounding);
 }
 
 TEST(Shapes, OfSpheresLieOnThemWithTheirNormalsAlongTheRadius) {
-    for (const Command& sphere :
-         {shape(CommandId::glutSolidSphere, {1.5, 7, 5}), pragma(Word::sphere, {1.5, 7, 5})}) {
+    for (const Command& sphere : {shape(CommandId::glutSolidSphere, {1.5, 7, 5}), pragma(Word::sphere, {1.5, 7, 5})}) {
         for (const ShapePart& part : shape_parts(sphere)) {
             for (const ShapeVertex& v : part.vertices) {
                 EXPECT_LE(glm::distance(v.position_object, 1.5 * v.normal_object), 1.5 * kRounding);
@@ -212,8 +202,7 @@ TEST(Shapes, OfToriLieOnThem) {
     }
 }
 
-// The side of a cone falls by h over r: the normal there rises by r over h, and is at right angles to the
-// slant.
+// The side of a cone falls by h over r: the normal there rises by r over h, and is at right angles to the slant.
 TEST(Shapes, OfConesHaveNormalsAtRightAnglesToTheSlant) {
     const ShapePart side = shape_parts(pragma(Word::cone, {1, 2, 8})).front();
     for (std::size_t i = 1; i < side.vertices.size(); ++i) {
@@ -253,8 +242,7 @@ TEST(ReportShapes, AreOfTheReportsPrimitives) {
               (std::vector<Batch>{{kFan, 10}, {kFan, 10}, {kStrip, 18}}));
     EXPECT_EQ(batches(shape_parts(pragma(Word::cylinder_triangles, {1, 1, 8}))),
               (std::vector<Batch>{{kFan, 10}, {kFan, 10}, {kGL_TRIANGLES, 48}}));
-    EXPECT_EQ(batches(shape_parts(pragma(Word::cone, {1, 1, 8}))),
-              (std::vector<Batch>{{kFan, 10}, {kFan, 10}}));
+    EXPECT_EQ(batches(shape_parts(pragma(Word::cone, {1, 1, 8}))), (std::vector<Batch>{{kFan, 10}, {kFan, 10}}));
     EXPECT_EQ(batches(shape_parts(pragma(Word::sphere, {1, 8, 5}))),
               (std::vector<Batch>{{kFan, 10}, {kStrip, 18}, {kStrip, 18}, {kStrip, 18}, {kFan, 10}}));
 }
@@ -292,8 +280,7 @@ TEST(ReportShapes, OfLoneTrianglesAreShadedUnevenly) {
 
 // Table 2.12: vertex i+2 colours triangle i of a strip or fan when flat shaded.
 TEST(Shapes, HaveTheProvokingVerticesOfTheirOrder) {
-    // freeglut's sphere: lower ring first, so the first triangle between two rings takes its colour from the
-    // lower one.
+    // freeglut's sphere: lower ring first, so the first triangle between two rings takes its colour from the lower one.
     const std::vector<ShapePart> sphere = shape_parts(shape(CommandId::glutSolidSphere, {1, 4, 4}));
     ASSERT_EQ(sphere.size(), 4u);
     EXPECT_NEAR(sent(sphere[1], 0).position_object.z, 0, kRounding);
@@ -315,9 +302,8 @@ TEST(FreeglutShapesOfNoCount, GiveNoParts) {
          {shape(CommandId::glutSolidSphere, {1, 0, 8}), shape(CommandId::glutSolidSphere, {1, 8, 1}),
           shape(CommandId::glutSolidSphere, {1, -8, 8}), shape(CommandId::glutWireSphere, {1, 8, -8}),
           shape(CommandId::glutSolidCone, {1, 1, -3, 1}), shape(CommandId::glutWireCone, {1, 1, 3, 0}),
-          shape(CommandId::glutSolidCylinder, {1, 1, -2e9, 1}),
-          shape(CommandId::glutWireCylinder, {1, 1, 0, 1}), shape(CommandId::glutSolidTorus, {1, 2, 1, 8}),
-          shape(CommandId::glutWireTorus, {1, 2, 8, -2e9})}) {
+          shape(CommandId::glutSolidCylinder, {1, 1, -2e9, 1}), shape(CommandId::glutWireCylinder, {1, 1, 0, 1}),
+          shape(CommandId::glutSolidTorus, {1, 2, 1, 8}), shape(CommandId::glutWireTorus, {1, 2, 8, -2e9})}) {
         EXPECT_TRUE(shape_parts(nothing).empty()) << label(nothing);
     }
 }

@@ -1,5 +1,4 @@
-// Frames built by hand for the tests of the reference: small windows in which one unit of object space is one
-// pixel.
+// Frames built by hand for the tests of the reference: small windows in which one unit of object space is one pixel.
 #pragma once
 
 #include <cstdint>
@@ -71,9 +70,9 @@ inline Pixels rectangle(int x0, int y0, int x1, int y1) {
 }
 
 inline Draw quad(double x0, double y0, double x1, double y1, const glm::dvec4& color = kWhite, double z = 0) {
-    return window_draw(kSize, kSize, kGL_QUADS,
-                       {vertex(x0, y0, color, z), vertex(x1, y0, color, z), vertex(x1, y1, color, z),
-                        vertex(x0, y1, color, z)});
+    return window_draw(
+        kSize, kSize, kGL_QUADS,
+        {vertex(x0, y0, color, z), vertex(x1, y0, color, z), vertex(x1, y1, color, z), vertex(x0, y1, color, z)});
 }
 
 // Fills the window at one depth.

@@ -143,7 +143,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"glOrtho(1, 1, -1, 1, 0, 1);", kGL_INVALID_VALUE, "left != right"},
         Refused{"glViewport(0, 0, -1, 5);", kGL_INVALID_VALUE, "-1 x 5"},
         Refused{"glClear(3);", kGL_INVALID_VALUE, "name no buffer"},
-        Refused{"glGetMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, (GLfloat[4]){0});", kGL_INVALID_ENUM, "GL_FRONT, GL_BACK"},
+        Refused{"glGetMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, (GLfloat[4]){0});", kGL_INVALID_ENUM,
+                "GL_FRONT, GL_BACK"},
         Refused{"glScaled(INFINITY, 1, 1);", kGL_INVALID_VALUE, "not finite"},
         Refused{"glColor3f(NAN, 1, 1);", kGL_INVALID_VALUE, "not finite"},
         Refused{"#pragma twinlight specular(cube)", kGL_INVALID_ENUM, "half_vector or reflection"},
@@ -175,14 +176,15 @@ TEST(MaterialState, BothFacesAndBothColoursAreSetTogether) {
 }
 
 TEST(MaterialState, FollowsTheColourFromTheMomentOfEnable) {
-    const State state = after("glColor3f(1, 0, 0); glColorMaterial(GL_FRONT, GL_EMISSION); glEnable(GL_COLOR_MATERIAL);");
+    const State state =
+        after("glColor3f(1, 0, 0); glColorMaterial(GL_FRONT, GL_EMISSION); glEnable(GL_COLOR_MATERIAL);");
     EXPECT_EQ(state.lighting().front.emission, glm::dvec4(1, 0, 0, 1));
     EXPECT_EQ(state.lighting().back.emission, glm::dvec4(0, 0, 0, 1));
 }
 
 TEST(MaterialState, KeepsTheColourWhenTrackingEnds) {
-    const State state = after(
-        "glEnable(GL_COLOR_MATERIAL); glColor3f(1, 0, 0); glDisable(GL_COLOR_MATERIAL); glColor3f(0, 1, 0);");
+    const State state =
+        after("glEnable(GL_COLOR_MATERIAL); glColor3f(1, 0, 0); glDisable(GL_COLOR_MATERIAL); glColor3f(0, 1, 0);");
     EXPECT_EQ(state.lighting().front.diffuse, glm::dvec4(1, 0, 0, 1));
 }
 
@@ -196,15 +198,16 @@ TEST(MaterialState, IsNotChangedByGlMaterialWhileItTracks) {
 }
 
 TEST(MaterialState, BetweenBeginAndTheFirstVertexBelongsToTheDraw) {
-    const Frame frame = frame_of(
-        "glBegin(GL_POINTS); glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 0); glEnd();");
+    const Frame frame =
+        frame_of("glBegin(GL_POINTS); glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 0); glEnd();");
     EXPECT_EQ(first_draw(frame).lighting.front.shininess, 7);
     EXPECT_TRUE(frame.unsupported.empty());
 }
 
 TEST(MaterialState, BetweenVerticesIsNamedAsUnsupported) {
     const Frame frame = frame_of(
-        "glBegin(GL_LINES); glVertex2f(0, 0); glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 1); glEnd();");
+        "glBegin(GL_LINES); glVertex2f(0, 0); glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 1); "
+        "glEnd();");
     ASSERT_EQ(frame.unsupported.size(), 1u);
     EXPECT_EQ(frame.unsupported[0].name, "glMaterialf between the vertices of a glBegin");
     EXPECT_EQ(frame.unsupported[0].first.str(), "scene.gl:1:38");

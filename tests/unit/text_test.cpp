@@ -131,8 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"glEnabel(GL_LIGHTING);", "scene.gl:1:1: unknown command 'glEnabel'; did you mean glEnable?"},
         Mistake{"glEnable(GL_LIGTH0);", "scene.gl:1:10: unknown name 'GL_LIGTH0'; did you mean GL_LIGHT0?"},
         Mistake{"glEnable();", "scene.gl:1:10: glEnable takes 1 argument: glEnable(cap); only 0 given"},
-        Mistake{"glScalef(1, 2);",
-                "scene.gl:1:14: glScalef takes 3 arguments: glScalef(x, y, z); only 2 given"},
+        Mistake{"glScalef(1, 2);", "scene.gl:1:14: glScalef takes 3 arguments: glScalef(x, y, z); only 2 given"},
         Mistake{"glScalef(1, 2, 3, 4);", "more are given"},
         Mistake{"glEnable(0.5);", "must be a GL name such as GL_LIGHT0, not the number 0.5"},
         Mistake{"glVertex2i(0.5, 1);", "must be a whole number, not 0.5"},
@@ -148,18 +147,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"GLfloat v[4]; glColor4fv(v);", "has no value here: it was declared without a value"},
         Mistake{"GLfloat v[2] = {1,2,3};", "has 3 values, but its length is 2"},
         Mistake{"GLfloat v = 1; GLfloat v = 2;", "'v' is declared already, at scene.gl:1:9"},
-        Mistake{"GLfloat v[] = {1}; glColor3f(v[1], 0, 0);",
-                "this index lies outside 'v', which has 1 values"},
+        Mistake{"GLfloat v[] = {1}; glColor3f(v[1], 0, 0);", "this index lies outside 'v', which has 1 values"},
         Mistake{"glScaled(1/0, 1, 1);", "division of whole numbers by 0"},
         Mistake{"glScaled(9223372036854775807 + 1, 1, 1);", "too large"},
         Mistake{"glScaled(99999999999999999999, 1, 1);", "too large; write it with a point"},
         Mistake{"glScaled(1.2.3, 1, 1);", "'1.2.3' is not a number"},
         Mistake{"glEnable(GL_LIGHTING)", "expected ';' after glEnable(...), found the end of the scene"},
-        Mistake{"glEnable(GL_LIGHTING;", "expected ')'"},
-        Mistake{"for (;;) glEnd();", "'for' is not part of a scene"},
-        Mistake{
-            "int main(int argc, char** argv) {",
-            "scene.gl:1:5: functions are not part of a scene: write what 'main' calls one after the other"},
+        Mistake{"glEnable(GL_LIGHTING;", "expected ')'"}, Mistake{"for (;;) glEnd();", "'for' is not part of a scene"},
+        Mistake{"int main(int argc, char** argv) {",
+                "scene.gl:1:5: functions are not part of a scene: write what 'main' calls one after the other"},
         Mistake{"void display(void) {", "'void' is not part of a scene"},
         Mistake{"GLfloat v[] = {1}; v[0] = 2;", "assignments are not part of a scene"},
         Mistake{"/* open", "scene.gl:1:1: this comment is never closed"},
@@ -169,8 +165,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"#pragma twinlight specular(reflecton)", "did you mean reflection?"}));
 
 TEST(Reading, RefusesNestingThatIsTooDeep) {
-    const std::string deep =
-        "glScaled(" + std::string(100'000, '(') + "1" + std::string(100'000, ')') + ",1,1);";
+    const std::string deep = "glScaled(" + std::string(100'000, '(') + "1" + std::string(100'000, ')') + ",1,1);";
     EXPECT_NE(error_of(deep).find("nested deeper"), std::string::npos);
     EXPECT_EQ(arguments_of("glScaled(" + std::string(100'000, '-') + "1.0, 1, 1);")[0], 1);
 }
@@ -192,13 +187,13 @@ TEST(Printing, WritesWhatACompilerTakes) {
     EXPECT_EQ(printed("GLfloat got[9]; glGetLightfv(GL_LIGHT0, GL_POSITION, got);"),
               "glGetLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[4]){0});");
     EXPECT_EQ(printed("glDepthMask(GL_FALSE);"), "glDepthMask(GL_FALSE);");
-    EXPECT_EQ(printed("#pragma twinlight shape(sphere, 1, 64, 32)"),
-              "#pragma twinlight shape(sphere, 1, 64, 32)");
+    EXPECT_EQ(printed("#pragma twinlight shape(sphere, 1, 64, 32)"), "#pragma twinlight shape(sphere, 1, 64, 32)");
 }
 
 TEST(Printing, WritesACProgramThatReadsBackAsTheScene) {
-    const CommandList scene = read_scene(
-        "#pragma twinlight specular(reflection)\nglutSolidSphere(1, 8, 4); glEnable(GL_LIGHTING);", "scene.gl", "scene");
+    const CommandList scene =
+        read_scene("#pragma twinlight specular(reflection)\nglutSolidSphere(1, 8, 4); glEnable(GL_LIGHTING);",
+                   "scene.gl", "scene");
     EXPECT_EQ(read(print_c_program(scene)), scene.commands);
 }
 

@@ -33,9 +33,7 @@ LitVertex light(const Draw& draw, const RenderOptions& options = {}, bool clamp 
 }
 double red(const Draw& draw) { return light(draw).front_primary.r; }
 
-void scale(Draw& draw, const glm::dvec3& factors) {
-    draw.eye_from_object = glm::scale(glm::dmat4(1), factors);
-}
+void scale(Draw& draw, const glm::dvec3& factors) { draw.eye_from_object = glm::scale(glm::dmat4(1), factors); }
 
 // ---- Positions ----
 
@@ -170,8 +168,7 @@ TEST(Colours, OfTheMagnitudeBoundThePrimaryColour) {
 TEST(ColorMaterial, ReplacesWhatItTracksAndNothingElse) {
     struct Modes {
         Enum mode;
-        glm::dvec4
-            expected;  // emission + ambient * scene ambient + diffuse * light, from the colour where tracked
+        glm::dvec4 expected;  // emission + ambient * scene ambient + diffuse * light, from the colour where tracked
     };
     const glm::dvec4 color = {0.5, 0.25, 0.125, 0.75};
     Draw draw = lit_vertex();
@@ -241,8 +238,7 @@ TEST(Pictures, InPhongLightEveryPixelByItsOwnNormal) {
     const double s = 4.5 / 16;                  // from (1, 0, 0) to (0, 0, 1), made unit again
     constexpr double kFloat = 1.0 / (1 << 23);  // an Image holds floats
     EXPECT_NEAR(pixel(draw_window({draw}), 4, 6).r, s, kFloat);
-    EXPECT_NEAR(pixel(draw_window({draw}, {.shading = Shading::kPhong}), 4, 6).r, s / std::hypot(s, 1 - s),
-                kFloat);
+    EXPECT_NEAR(pixel(draw_window({draw}, {.shading = Shading::kPhong}), 4, 6).r, s / std::hypot(s, 1 - s), kFloat);
 }
 
 TEST(Pictures, InPhongShowAHighlightThatGouraudMisses) {  // LECTURES: "specular may be lost"
@@ -254,8 +250,8 @@ TEST(Pictures, InPhongShowAHighlightThatGouraudMisses) {  // LECTURES: "specular
 }
 
 TEST(Pictures, TakeTheShadingOfTheOptionsBeforeTheDraws) {
-    Draw draw = window_draw(kSize, kSize, kGL_TRIANGLES,
-                            {vertex(0, 0, kRed), vertex(16, 0, kGreen), vertex(0, 16, kBlue)});
+    Draw draw =
+        window_draw(kSize, kSize, kGL_TRIANGLES, {vertex(0, 0, kRed), vertex(16, 0, kGreen), vertex(0, 16, kBlue)});
     draw.lighting.shade_model = kGL_FLAT;
     EXPECT_EQ(pixel(draw_window({draw}), 2, 2), kBlue);
     EXPECT_NE(pixel(draw_window({draw}, {.shading = Shading::kGouraud}), 2, 2), kBlue);

@@ -1,6 +1,5 @@
 // twinlight-demo as a user meets it: the real program on libGL under Xvfb, keys and mouse from xdotool, its
-// pictures against OSMesa's of the same commands. The demo is a process of its own, so the two GL libraries
-// never meet.
+// pictures against OSMesa's of the same commands. The demo is a process of its own, so the two GL libraries never meet.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -98,8 +97,8 @@ struct Ran {
 
 Ran run(const std::string& command) {
     Ran ran;
-    FILE* pipe = ::popen(
-        ("{ export ASAN_OPTIONS=" + std::string(kSanitizer) + "; " + command + "; } 2>&1").c_str(), "r");
+    FILE* pipe =
+        ::popen(("{ export ASAN_OPTIONS=" + std::string(kSanitizer) + "; " + command + "; } 2>&1").c_str(), "r");
     if (pipe == nullptr) return ran;
     char piece[4096];
     while (const std::size_t n = std::fread(piece, 1, sizeof piece, pipe)) ran.output.append(piece, n);
@@ -200,15 +199,13 @@ class DemoWindow : public testing::Test {
     // The same commands on OSMesa. Both libraries hold the same Mesa, so interiors are equal bit for bit. A border that
     // passes within rounding of pixel centres may go to another side: measured 0 edge pixels on these scenes, but 3 of
     // 33,000 on one whose objects stood on whole pixels (not for the depth buffer's bits; the cause is not known).
-    void expect_as_on_osmesa(const Image& actual, const Controls& controls, int width = 640,
-                             int height = 480) {
+    void expect_as_on_osmesa(const Image& actual, const Controls& controls, int width = 640, int height = 480) {
         ASSERT_EQ(actual.width, width);
         ASSERT_EQ(actual.height, height);
         const Frame frame = expected_frame(controls, width, height);
         const auto context = make_offscreen_context(width, height);
-        const Image expected = controls.renderer == Renderer::kFixed
-                                   ? fixed::render(frame, kOptions)
-                                   : programmable::Renderer().render(frame, kOptions);
+        const Image expected = controls.renderer == Renderer::kFixed ? fixed::render(frame, kOptions)
+                                                                     : programmable::Renderer().render(frame, kOptions);
         expect_near(actual, expected, reference::edge_pixels(frame), 0);
     }
 
@@ -225,8 +222,8 @@ class DemoWindow : public testing::Test {
         write_png(kept + "/demo-difference.png", difference_picture(actual, expected, factor));
         ADD_FAILURE() << found.interior.differing << " interior pixels differ, by " << found.interior.max
                       << " at most, at " << found.interior.worst_x << "," << found.interior.worst_y << "; "
-                      << found.edge.differing << " of " << found.edge.pixels
-                      << " edge pixels: see demo-*.png in " << kept;
+                      << found.edge.differing << " of " << found.edge.pixels << " edge pixels: see demo-*.png in "
+                      << kept;
     }
 
     static std::unique_ptr<Xvfb> server_;
@@ -243,9 +240,8 @@ TEST_F(DemoWindow, WritesTheScreenshotOfAScript) {
         Renderer renderer = Renderer::kFixed;
         int width = 640, height = 480;
     };
-    for (const Script& script :
-         {Script{"", ""}, Script{"--with programmable", "", Renderer::kProgrammable},
-          Script{"--size 320x200", "f1++", Renderer::kFixed, 320, 200}, Script{"", "\tm2-"}}) {
+    for (const Script& script : {Script{"", ""}, Script{"--with programmable", "", Renderer::kProgrammable},
+                                 Script{"--size 320x200", "f1++", Renderer::kFixed, 320, 200}, Script{"", "\tm2-"}}) {
         SCOPED_TRACE(script.options + " --keys " + script.keys);
         const Ran ran = run(on_display(program() + " " + scene_file_ + " " + script.options + " --keys '" +
                                        script.keys + "' --quit-after 2 --screenshot " + picture_file_));
@@ -276,8 +272,7 @@ TEST_F(DemoWindow, DrawsTheBuiltInScenesWithBothRenderers) {
 }
 
 TEST_F(DemoWindow, AnswersKeysAndMouse) {
-    if (run("command -v xdotool").status != 0)
-        GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
+    if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
     RunningDemo demo(server_->display(), {scene_file_, "--screenshot", picture_file_});
     // The pointer stands in the window, which therefore has the keys: no window manager runs here.
     ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight").status, 0);
@@ -328,8 +323,7 @@ TEST_F(DemoWindow, AnswersKeysAndMouse) {
 }
 
 TEST_F(DemoWindow, ShowsTheDifferenceOfTheTwo) {
-    ASSERT_EQ(run(on_display(program() + " " + scene_file_ + " --keys d --quit-after 1 --screenshot " +
-                             picture_file_))
+    ASSERT_EQ(run(on_display(program() + " " + scene_file_ + " --keys d --quit-after 1 --screenshot " + picture_file_))
                   .status,
               0);
     const Image actual = picture();
@@ -344,13 +338,11 @@ TEST_F(DemoWindow, ShowsTheDifferenceOfTheTwo) {
 }
 
 TEST_F(DemoWindow, KeepsTheProportionsOfThePictureInAnyWindow) {
-    if (run("command -v xdotool").status != 0)
-        GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
+    if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
     RunningDemo demo(server_->display(), {scene_file_, "--screenshot", picture_file_, "--size", "320x240"});
     ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight windowsize --sync 700 300").status, 0);
     xdotool("mousemove 300 200");
-    // The window's size reaches the demo as an event of its own: the first picture may still be of the old
-    // one.
+    // The window's size reaches the demo as an event of its own: the first picture may still be of the old one.
     Image image;
     ASSERT_TRUE(wait_for([&] {
         xdotool("key s");
@@ -381,8 +373,7 @@ TEST_F(DemoWindow, RefusesBadInputInOneLine) {
     expect_refusal(run(on_display(program() + " " + (folder() / "none.gl").string())), "none.gl");
     expect_refusal(run(on_display(program() + " bicycle")), "bicycle: ");
     const std::string nowhere = (folder() / "none" / "picture.png").string();
-    expect_refusal(run(on_display(program() + " " + scene_file_ + " --quit-after 1 --screenshot " + nowhere)),
-                   nowhere);
+    expect_refusal(run(on_display(program() + " " + scene_file_ + " --quit-after 1 --screenshot " + nowhere)), nowhere);
     expect_refusal(run(program() + " --size 0x5"), "--size");
     expect_refusal(run(program() + " --with reference"), "--with");
     expect_refusal(run(program() + " --quit-after 0"), "--quit-after: Value 0 not in range 1 to ");

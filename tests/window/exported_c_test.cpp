@@ -36,8 +36,8 @@ Image picture_of(const std::string& rgb) {
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
             for (int c = 0; c < 3; ++c) {
-                const auto code = static_cast<unsigned char>(
-                    rgb[static_cast<std::size_t>(((kHeight - 1 - y) * kWidth + x) * 3 + c)]);
+                const auto code =
+                    static_cast<unsigned char>(rgb[static_cast<std::size_t>(((kHeight - 1 - y) * kWidth + x) * 3 + c)]);
                 image.pixels[static_cast<std::size_t>(y * kWidth + x)][static_cast<std::size_t>(c)] =
                     static_cast<float>(code) / 255;
             }
@@ -59,25 +59,23 @@ TEST(ExportedC, DrawsWhatTheFixedFunctionDraws) {
         const ProgramResult exported = run_program("twinlight", {"export", scene, "--as", "c"});
         ASSERT_EQ(exported.status, 0) << exported.err;
         write_file_atomically(folder / "scene.c", exported.out);
-        const ProgramResult compiled = run_shell(
-            "", "cd " + quoted(folder.str()) + " && " + compiler +
-                    " -std=c99 -DglutSwapBuffers=keep_picture scene.c keep.c -o scene -lglut -lGLU -lGL -lm");
+        const ProgramResult compiled =
+            run_shell("", "cd " + quoted(folder.str()) + " && " + compiler +
+                              " -std=c99 -DglutSwapBuffers=keep_picture scene.c keep.c -o scene -lglut -lGLU -lGL -lm");
         ASSERT_EQ(compiled.status, 0) << compiled.err;
-        const ProgramResult drawn = run_shell(
-            "", "DISPLAY=" + server.display() + " LIBGL_ALWAYS_SOFTWARE=1 " + quoted(folder / "scene"));
+        const ProgramResult drawn =
+            run_shell("", "DISPLAY=" + server.display() + " LIBGL_ALWAYS_SOFTWARE=1 " + quoted(folder / "scene"));
         ASSERT_EQ(drawn.status, 0) << drawn.err;
         ASSERT_EQ(drawn.out.size(), std::size_t{kWidth} * kHeight * 3);
 
-        ASSERT_EQ(
-            run_program("twinlight", {"render", scene, "--with", "fixed", "-o", folder / "fixed.png"}).status,
-            0);
+        ASSERT_EQ(run_program("twinlight", {"render", scene, "--with", "fixed", "-o", folder / "fixed.png"}).status, 0);
         const Frame frame = make_frame(std::make_shared<const CommandList>(load_scene(scene)), {});
         const ImageDifference found =
             difference(picture_of(drawn.out), read_png(folder / "fixed.png"), reference::edge_pixels(frame));
         // Both libraries hold the same Mesa; edges as in the tests of the window.
         constexpr double kBorderline = 0.001;
-        EXPECT_EQ(found.interior.differing, 0U) << "by up to " << found.interior.max << " at "
-                                                << found.interior.worst_x << "," << found.interior.worst_y;
+        EXPECT_EQ(found.interior.differing, 0U)
+            << "by up to " << found.interior.max << " at " << found.interior.worst_x << "," << found.interior.worst_y;
         EXPECT_LE(found.edge.differing_share(), kBorderline);
     }
 }

@@ -88,15 +88,14 @@ struct Recording {
 std::vector<Recording> record(const std::string& display) {
     const char* build = std::getenv("TWINLIGHT_BUILD");
     // freeglut frees nothing at exit: a leak checker would call that a failure.
-    std::string command = "ASAN_OPTIONS=detect_leaks=0 DISPLAY=" + display + " '" +
-                          (build ? build : "build") + "/freeglut-recorder'";
+    std::string command =
+        "ASAN_OPTIONS=detect_leaks=0 DISPLAY=" + display + " '" + (build ? build : "build") + "/freeglut-recorder'";
     for (const std::string& call : kCalls) command += " '" + call + "'";
     std::FILE* pipe = ::popen((command + " 2>/dev/null").c_str(), "r");
     std::string text;
     if (pipe) {
         std::vector<char> buffer(1 << 16);
-        while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
-            text.append(buffer.data(), n);
+        while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), n);
         EXPECT_EQ(::pclose(pipe), 0) << command;
     }
 

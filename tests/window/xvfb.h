@@ -35,8 +35,8 @@ class Xvfb {
             ::fcntl(ready[1], F_SETFD, 0);
             const int null = ::open("/dev/null", O_RDWR);
             for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(null, fd);
-            ::execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", screen.c_str(),
-                     "-nolisten", "tcp", nullptr);
+            ::execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", screen.c_str(), "-nolisten",
+                     "tcp", nullptr);
             ::_exit(127);
         }
         ::close(ready[1]);

@@ -33,15 +33,15 @@ std::string colored(const std::string& text, report::Verdict verdict) {
 std::string line(std::string_view name, std::string_view part, const RegionDifference& region) {
     const bool any = region.differing > 0;
     return fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}", name, part,
-                       report::grouped(region.differing), report::share_of(region),
-                       report::codes_of(region.max), any ? fmt::format("{:.1e}", region.rms) : "0",
+                       report::grouped(region.differing), report::share_of(region), report::codes_of(region.max),
+                       any ? fmt::format("{:.1e}", region.rms) : "0",
                        any ? fmt::format("{},{}", region.worst_x, region.worst_y) : "-");
 }
 
 // Two lines a pair: its first name beside the interior, its second beside the edges.
 std::string table(const report::Comparison& comparison) {
-    std::string text = fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}  {}\n", "pair", "",
-                                   "differing", "share", "max", "rms", "worst x,y", "verdict");
+    std::string text = fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}  {}\n", "pair", "", "differing",
+                                   "share", "max", "rms", "worst x,y", "verdict");
     for (const report::Pair& pair : comparison.pairs) {
         text += line(comparison.a(pair).name, "interior", pair.difference.interior) + "  " +
                 colored(report::word_of(pair.verdict), pair.verdict) + "\n";
@@ -53,8 +53,8 @@ std::string table(const report::Comparison& comparison) {
 }
 
 std::string summary(const report::Comparison& comparison, const std::string& folder) {
-    std::string text = fmt::format("{}, {} x {}, {}\n\n", comparison.scene, comparison.width,
-                                   comparison.height, comparison.driver);
+    std::string text =
+        fmt::format("{}, {} x {}, {}\n\n", comparison.scene, comparison.width, comparison.height, comparison.driver);
     text += table(comparison) + "\ntime:";
     for (const report::Render& render : comparison.renders) {
         text += fmt::format("{} {} {:.1f} ms", text.back() == ':' ? "" : ",", render.name, render.ms);
@@ -71,13 +71,12 @@ int run(const Arguments& arguments) {
     {
         ProgressBar bar;
         const RendererSet renderers(frame.width, frame.height);
-        comparison = report::compare_scene(
-            frame, frame.commands->name, driver_name(), renderers.functions(),
-            [&](int done, int total, std::string_view next) { bar.show(done, total, next); });
+        comparison =
+            report::compare_scene(frame, frame.commands->name, driver_name(), renderers.functions(),
+                                  [&](int done, int total, std::string_view next) { bar.show(done, total, next); });
     }
     report::write_report(comparison, arguments.folder);
-    write_result(arguments.json ? report::comparison_json(comparison)
-                                : summary(comparison, arguments.folder));
+    write_result(arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder));
     return comparison.within_tolerance() ? kFine : kDifferent;
 }
 
@@ -85,8 +84,7 @@ int run(const Arguments& arguments) {
 
 Subcommand add_compare(CLI::App& app) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* compare =
-        app.add_subcommand("compare", "Draw a scene with all renderers and report how they differ");
+    CLI::App* compare = app.add_subcommand("compare", "Draw a scene with all renderers and report how they differ");
     add_scene_argument(*compare, arguments->scene);
     compare->add_option("-o", arguments->folder, "the report's folder, made if it is not there")
         ->required()

@@ -40,10 +40,7 @@ Subcommand add_export(CLI::App& app) {
     CLI::App* exporting =
         app.add_subcommand("export", "Print a scene as a freeglut program in C, or the shaders that draw it");
     add_scene_argument(*exporting, arguments->scene);
-    exporting->add_option("--as", arguments->form, "the form")
-        ->required()
-        ->type_name("c|glsl")
-        ->check(one_of(kForms));
+    exporting->add_option("--as", arguments->form, "the form")->required()->type_name("c|glsl")->check(one_of(kForms));
     add_shading_option(*exporting, arguments->shading);
     return {exporting, [arguments] { return run(*arguments); }};
 }

@@ -30,8 +30,7 @@ void check_subcommand(int argc, char** argv, const std::vector<std::string>& nam
     const std::string name = argv[1];
     if (name.starts_with('-')) {
         if (name == "-h" || name == "--help" || name == "--version") return;
-        throw UsageError("a command comes before '" + name + "': " + listed(names) +
-                         "; see 'twinlight --help'");
+        throw UsageError("a command comes before '" + name + "': " + listed(names) + "; see 'twinlight --help'");
     }
     if (std::ranges::find(names, name) != names.end()) return;
     const auto near = nearest(name, {names.begin(), names.end()});

@@ -40,8 +40,7 @@ void tell_unsupported(const Frame& frame, const std::string& renderer) {
 
 int run(const Arguments& arguments) {
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kPhong) {
-        throw UsageError(
-            "the fixed function cannot shade by phong; use --with programmable or --with reference");
+        throw UsageError("the fixed function cannot shade by phong; use --with programmable or --with reference");
     }
     const bool to_stdout = arguments.output == "-";
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
@@ -50,8 +49,7 @@ int run(const Arguments& arguments) {
     const Frame frame = load_frame(arguments.scene, arguments.size);
     const RendererSet renderers(frame.width, frame.height);
     const report::RenderFunction& render = renderers.functions().*kRenderers.at(arguments.renderer);
-    const std::string png =
-        encode_png(render(frame, {.shading = arguments.shading, .lecture_variants = true}));
+    const std::string png = encode_png(render(frame, {.shading = arguments.shading, .lecture_variants = true}));
     if (to_stdout) {
         write_result(png);
     } else {
@@ -67,9 +65,7 @@ Subcommand add_render(CLI::App& app) {
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* render = app.add_subcommand("render", "Draw a scene with one renderer, as a PNG");
     add_scene_argument(*render, arguments->scene);
-    render
-        ->add_option("--with", arguments->renderer,
-                     "the driver's own lighting, generated shaders, or the reference")
+    render->add_option("--with", arguments->renderer, "the driver's own lighting, generated shaders, or the reference")
         ->required()
         ->type_name("fixed|programmable|reference")
         ->check(one_of(kRenderers));

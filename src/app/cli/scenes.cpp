@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/command_line.h"
 
@@ -20,9 +19,7 @@ struct Arguments {
 
 using Json = nlohmann::ordered_json;
 
-std::string name_of(const EmbeddedFile& file) {
-    return std::string(file.name.substr(0, file.name.rfind(".gl")));
-}
+std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
 
 // A scene's first comment line says what it is.
 std::string description_of(const EmbeddedFile& file) {
@@ -57,8 +54,7 @@ int run(const Arguments& arguments) {
     for (const EmbeddedFile& file : kSceneFiles) {
         names.push_back(name_of(file));
         if (names.back() != arguments.name) continue;
-        const Json json = {
-            {"name", arguments.name}, {"description", description_of(file)}, {"text", file.text}};
+        const Json json = {{"name", arguments.name}, {"description", description_of(file)}, {"text", file.text}};
         write_result(arguments.json ? json.dump(2) + "\n" : std::string(file.text));
         return kFine;
     }

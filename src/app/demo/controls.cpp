@@ -8,8 +8,7 @@
 namespace twinlight::demo {
 namespace {
 
-constexpr double kDegreesPerPixel =
-    0.5;  // a drag across the 640 pixels of the window: a little less than once around
+constexpr double kDegreesPerPixel = 0.5;  // a drag across the 640 pixels of the window: a little less than once around
 constexpr double kDegreesPerArrow = 5;
 constexpr double kZoomPerStep = 1.1;
 constexpr double kMostZoom = 20;
@@ -22,8 +21,7 @@ void turn(Controls& controls, double yaw_deg, double pitch_deg) {
 }
 
 void toggle_shade_model(Controls& controls) {
-    const bool flat =
-        controls.view.shade_model ? *controls.view.shade_model == kGL_FLAT : controls.scene_is_flat;
+    const bool flat = controls.view.shade_model ? *controls.view.shade_model == kGL_FLAT : controls.scene_is_flat;
     controls.view.shade_model = flat ? kGL_SMOOTH : kGL_FLAT;
 }
 
@@ -41,8 +39,7 @@ constexpr int kF1 = kSpecialKey + 1, kLeft = kSpecialKey + 100, kUp = kSpecialKe
 // Rows without a label are further keys of the row above.
 constexpr Key kKeys[] = {
     {'\t', '\t', "Tab", "fixed function or programmable", [](Controls& c, int) { toggle_renderer(c); }},
-    {'d', 'd', "d", "the amplified difference of the two",
-     [](Controls& c, int) { c.difference = !c.difference; }},
+    {'d', 'd', "d", "the amplified difference of the two", [](Controls& c, int) { c.difference = !c.difference; }},
     {'f', 'f', "f", "GL_FLAT or GL_SMOOTH", [](Controls& c, int) { toggle_shade_model(c); }},
     {'1', '8', "1 .. 8", "GL_LIGHT0 .. GL_LIGHT7 off or on",
      [](Controls& c, int nth) {
@@ -61,8 +58,7 @@ constexpr Key kKeys[] = {
     {'-', '-', "", "", [](Controls& c, int) { zoom(c, -1); }},
     {'r', 'r', "r", "the scene as it is written again", [](Controls& c, int) { c.view = c.initial_view; }},
     {'s', 's', "s", "save the picture", [](Controls& c, int) { c.save_asked = true; }},
-    {'h', 'h', "h", "hide or show the status line",
-     [](Controls& c, int) { c.status_shown = !c.status_shown; }},
+    {'h', 'h', "h", "hide or show the status line", [](Controls& c, int) { c.status_shown = !c.status_shown; }},
     {kF1, kF1, "F1, ?", "these keys", toggle_keys},
     {'?', '?', "", "", toggle_keys},
     {kEscape, kEscape, "Esc, q", "quit", quit},
@@ -79,8 +75,7 @@ std::vector<const Draw*> draws(const Frame& frame) {
 
 // A picture is never silently partial.
 bool is_partial(const Controls& controls, const Frame& frame) {
-    const std::string shown =
-        controls.renderer == Renderer::kFixed && !controls.difference ? "fixed" : "programmable";
+    const std::string shown = controls.renderer == Renderer::kFixed && !controls.difference ? "fixed" : "programmable";
     return std::ranges::any_of(frame.unsupported, [&](const Unsupported& item) {
         return std::ranges::find(item.renderers, shown) != item.renderers.end();
     });
@@ -93,8 +88,8 @@ Controls make_controls(const Frame& frame) {
     controls.initial_view.pivot_eye = middle_of(frame);
     controls.view = controls.initial_view;
     const auto all = draws(frame);
-    controls.scene_is_flat = std::all_of(
-        all.begin(), all.end(), [](const Draw* draw) { return draw->lighting.shade_model == kGL_FLAT; });
+    controls.scene_is_flat =
+        std::all_of(all.begin(), all.end(), [](const Draw* draw) { return draw->lighting.shade_model == kGL_FLAT; });
     return controls;
 }
 
@@ -116,8 +111,7 @@ std::string keys_help() {
     std::string help;
     for (const Key& key : keys()) {
         if (key.label.empty()) continue;
-        help += std::string(key.label) + std::string(widest + 2 - key.label.size(), ' ') +
-                std::string(key.what) + "\n";
+        help += std::string(key.label) + std::string(widest + 2 - key.label.size(), ' ') + std::string(key.what) + "\n";
     }
     return help;
 }
@@ -132,8 +126,7 @@ void zoom(Controls& controls, int steps) {
     controls.view.zoom = std::clamp(std::pow(kZoomPerStep, step), 1 / kMostZoom, kMostZoom);
 }
 
-std::string summary(const std::string& scene, const Controls& controls, const Frame& frame,
-                    int amplification) {
+std::string summary(const std::string& scene, const Controls& controls, const Frame& frame, int amplification) {
     std::set<std::string> shade_models;
     std::set<std::size_t> lights_on;
     for (const Draw* draw : draws(frame)) {
@@ -161,12 +154,10 @@ std::string summary(const std::string& scene, const Controls& controls, const Fr
 }
 
 Viewport fit(int wanted_width, int wanted_height, int window_width, int window_height) {
-    const double scale = std::min(static_cast<double>(window_width) / wanted_width,
-                                  static_cast<double>(window_height) / wanted_height);
-    const int width =
-        std::clamp(static_cast<int>(std::lround(scale * wanted_width)), 1, std::max(window_width, 1));
-    const int height =
-        std::clamp(static_cast<int>(std::lround(scale * wanted_height)), 1, std::max(window_height, 1));
+    const double scale =
+        std::min(static_cast<double>(window_width) / wanted_width, static_cast<double>(window_height) / wanted_height);
+    const int width = std::clamp(static_cast<int>(std::lround(scale * wanted_width)), 1, std::max(window_width, 1));
+    const int height = std::clamp(static_cast<int>(std::lround(scale * wanted_height)), 1, std::max(window_height, 1));
     return {(window_width - width) / 2, (window_height - height) / 2, width, height};
 }
 

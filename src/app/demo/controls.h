@@ -52,8 +52,7 @@ void zoom(Controls& controls, int steps);  // of the wheel; positive: nearer
 // ---- What is shown ----
 
 // "report - fixed - GL_SMOOTH - GL_LIGHT0,1,7", of the frame as it is drawn. `amplification`: of the difference.
-std::string summary(const std::string& scene, const Controls& controls, const Frame& frame,
-                    int amplification = 1);
+std::string summary(const std::string& scene, const Controls& controls, const Frame& frame, int amplification = 1);
 
 // The largest picture of the proportions wanted that fits the window, in its middle.
 Viewport fit(int wanted_width, int wanted_height, int window_width, int window_height);

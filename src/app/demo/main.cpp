@@ -15,9 +15,8 @@ using namespace twinlight;
 constexpr int kMaxFrames = 1'000'000;
 
 int run(int argc, char** argv) {
-    CLI::App app(
-        "Draws a scene in a window with the driver's fixed function and with shaders, and switches it live.",
-        "twinlight-demo");
+    CLI::App app("Draws a scene in a window with the driver's fixed function and with shaders, and switches it live.",
+                 "twinlight-demo");
     app.footer("Keys:\n" + demo::keys_help());
     app.set_version_flag("--version", std::string("twinlight-demo ") + kVersion);
 

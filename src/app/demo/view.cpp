@@ -67,16 +67,13 @@ std::optional<Enum> look_at_mode(const CommandList& scene) {
 class OrbitWriter {
   public:
     OrbitWriter(const View& view, const CommandList& scene)
-        : view_(view),
-          look_at_mode_(look_at_mode(scene)),
-          orbit_mode_(look_at_mode_.value_or(kGL_MODELVIEW)) {}
+        : view_(view), look_at_mode_(look_at_mode(scene)), orbit_mode_(look_at_mode_.value_or(kGL_MODELVIEW)) {}
 
     void write(const Command& command, std::vector<Command>& out) {
         const bool own_mode = mode_ == orbit_mode_;
         if (look_at_mode_) {
             if (command.id == CommandId::gluLookAt && own_mode) turn(look_at_pivot(command), out);
-        } else if (draws(command) ||
-                   (own_mode && (transforms(command.id) || command.id == CommandId::glPushMatrix))) {
+        } else if (draws(command) || (own_mode && (transforms(command.id) || command.id == CommandId::glPushMatrix))) {
             turn(view_.pivot_eye, out);
         } else if (own_mode && is_load_matrix(command.id)) {
             // orbit * the loaded matrix
@@ -84,8 +81,7 @@ class OrbitWriter {
             turned_.back() = false;
             turn(view_.pivot_eye, out);
             Command product = command;
-            product.id =
-                command.id == CommandId::glLoadMatrixf ? CommandId::glMultMatrixf : CommandId::glMultMatrixd;
+            product.id = command.id == CommandId::glLoadMatrixf ? CommandId::glMultMatrixf : CommandId::glMultMatrixd;
             out.push_back(std::move(product));
             return;
         }
@@ -102,8 +98,7 @@ class OrbitWriter {
         if (turned_.back()) return;
         turned_.back() = true;
         const bool switch_mode = mode_ != orbit_mode_;  // a scene that draws while another matrix is current
-        if (switch_mode)
-            out.push_back(make_command(CommandId::glMatrixMode, {static_cast<double>(orbit_mode_)}));
+        if (switch_mode) out.push_back(make_command(CommandId::glMatrixMode, {static_cast<double>(orbit_mode_)}));
         out.push_back(mult_matrix(orbit(view_, pivot_eye)));
         if (switch_mode) out.push_back(make_command(CommandId::glMatrixMode, {static_cast<double>(mode_)}));
     }
@@ -144,8 +139,7 @@ CommandList apply_view(const CommandList& scene, const View& view) {
 
     // The view's state comes first; the scene's own commands for it are then dropped.
     if (view.shade_model) {
-        seen.commands.push_back(
-            make_command(CommandId::glShadeModel, {static_cast<double>(*view.shade_model)}));
+        seen.commands.push_back(make_command(CommandId::glShadeModel, {static_cast<double>(*view.shade_model)}));
     }
     if (view.wireframe) {
         seen.commands.push_back(make_command(CommandId::glPolygonMode, {kGL_FRONT_AND_BACK, kGL_LINE}));

@@ -1,8 +1,6 @@
-// View: what the window changes about a scene, as pure functions from commands to commands. Neither GL nor
-// GLUT here.
+// View: what the window changes about a scene, as pure functions from commands to commands. Neither GL nor GLUT here.
 //
-// The scene that is shown is an ordinary CommandList again, so both renderers, and the tests, draw the same
-// thing.
+// The scene that is shown is an ordinary CommandList again, so both renderers, and the tests, draw the same thing.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// freeglut's part of the demo. Its callbacks carry a pointer to the Window (the ...Ucall functions of
-// freeglut 3.4).
+// freeglut's part of the demo. Its callbacks carry a pointer to the Window (the ...Ucall functions of freeglut 3.4).
 //
 // Each frame: the renderer draws at the window's lower left corner, where a scene's own glViewport expects to
 // be. That picture is what s and --screenshot write. Only then come the bars, the overlays and the swap.
@@ -36,8 +35,7 @@ static_assert(GLUT_KEY_F1 == 1 && GLUT_KEY_LEFT == 100 && GLUT_KEY_UP == 101 && 
 constexpr int kWheelUp = 3, kWheelDown = 4;   // how freeglut reports the wheel as buttons
 constexpr int kLineHeight = 15, kMargin = 6;  // of the overlays, in pixels; the font is 8 by 13
 
-// The two renderers are to be held against each other, so both follow GL's own model, without the lecture's
-// variants.
+// The two renderers are to be held against each other, so both follow GL's own model, without the lecture's variants.
 constexpr RenderOptions kOptions = {.shading = {}, .lecture_variants = false};
 
 // The title says "(partial)" of a picture; which commands it lacks stands on the terminal.
@@ -154,27 +152,22 @@ int Window::run() {
     char* arguments[] = {program, nullptr};
     glutInitErrorFuncUcall(refuse, nullptr);
     glutInit(&argument_count, arguments);
-    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE |
-                        GLUT_DEPTH);  // no GLUT_MULTISAMPLE: one sample, as in OSMesa
+    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);  // no GLUT_MULTISAMPLE: one sample, as in OSMesa
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
     glutInitWindowSize(options_.width, options_.height);
     glutCreateWindow("twinlight-demo");
 
     glutDisplayFuncUcall([](void* w) { guarded(w, [](Window& self) { self.display(); }); }, this);
-    glutReshapeFuncUcall([](int width, int height,
-                            void* w) { guarded(w, [=](Window& self) { self.reshape(width, height); }); },
-                         this);
+    glutReshapeFuncUcall(
+        [](int width, int height, void* w) { guarded(w, [=](Window& self) { self.reshape(width, height); }); }, this);
     glutKeyboardFuncUcall(
-        [](unsigned char code, int, int, void* w) { guarded(w, [=](Window& self) { self.key(code); }); },
-        this);
+        [](unsigned char code, int, int, void* w) { guarded(w, [=](Window& self) { self.key(code); }); }, this);
     glutSpecialFuncUcall(
-        [](int code, int, int, void* w) { guarded(w, [=](Window& self) { self.key(kSpecialKey + code); }); },
-        this);
+        [](int code, int, int, void* w) { guarded(w, [=](Window& self) { self.key(kSpecialKey + code); }); }, this);
     glutMouseFuncUcall([](int button, int state, int x, int y,
                           void* w) { guarded(w, [=](Window& self) { self.mouse(button, state, x, y); }); },
                        this);
-    glutMotionFuncUcall([](int x, int y, void* w) { guarded(w, [=](Window& self) { self.motion(x, y); }); },
-                        this);
+    glutMotionFuncUcall([](int x, int y, void* w) { guarded(w, [=](Window& self) { self.motion(x, y); }); }, this);
     // Its programs must go while their context is current.
     glutCloseFuncUcall([](void* w) { static_cast<Window*>(w)->programmable_.reset(); }, this);
 

@@ -15,7 +15,7 @@ struct WindowOptions {
     Renderer renderer = Renderer::kFixed;
     std::string keys;        // pressed before the first frame
     std::string screenshot;  // the file that s writes
-    int quit_after = 0;  // frames, then the picture is written if `screenshot` is given; 0: the user quits
+    int quit_after = 0;      // frames, then the picture is written if `screenshot` is given; 0: the user quits
 };
 
 // Shows the scene until the user quits; answers the exit status. Throws SceneError for a scene with a GL

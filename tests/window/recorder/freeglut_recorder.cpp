@@ -59,8 +59,7 @@ void GLAPIENTRY glNormalPointer(GLenum type, GLsizei stride, const void* pointer
 
 void GLAPIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) {
     std::printf("draw %u %d\n", mode, count);
-    for (GLsizei i = 0; i < count; ++i)
-        print_vertex(static_cast<std::size_t>(first) + static_cast<std::size_t>(i));
+    for (GLsizei i = 0; i < count; ++i) print_vertex(static_cast<std::size_t>(first) + static_cast<std::size_t>(i));
 }
 
 void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
