@@ -106,7 +106,8 @@ deps:  ## install what is missing (apt), and nothing else
 	    echo "These packages are missing (Debian's names):$$packages" >&2; \
 	    echo "Install them with this system's package manager, then run make again." >&2; exit 1; fi; \
 	if [ "$$(id -u)" = 0 ]; then sudo=; else sudo="sudo "; fi; \
-	line="$${sudo}apt-get update -qq; $${sudo}DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends$$packages"; \
+	line="$${sudo}apt-get update -qq; $${sudo}DEBIAN_FRONTEND=noninteractive"; \
+	line="$$line apt-get install -y --no-install-recommends$$packages"; \
 	echo "$$line"; \
 	if [ -n "$$sudo" ] && ! command -v sudo >/dev/null; then \
 	    echo "That needs root, and there is no sudo here: run it as root, then run make again." >&2; exit 1; fi; \
