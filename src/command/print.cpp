@@ -24,6 +24,7 @@ std::string_view c_type_name(Kind kind) {
         case Kind::kUint: return "GLuint";
         case Kind::kFloat: return "GLfloat";
         case Kind::kDouble: return "GLdouble";
+        case Kind::kSizeiptr: return "GLsizeiptr";
         case Kind::kWord: break;  // words stand in pragmas only, never in arrays
     }
     return "";

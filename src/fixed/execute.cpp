@@ -64,6 +64,10 @@ template <>
 struct CType<Kind::kDouble> {
     using type = GLdouble;
 };
+template <>
+struct CType<Kind::kSizeiptr> {
+    using type = GLsizeiptr;
+};
 
 // A row's parameter as C declares it.
 template <Kind kind, bool is_array, bool is_output>
@@ -158,6 +162,7 @@ void execute(const Command& command) {
 #define V(name, kind) CParameter<Kind::kind, true, false>
 #define Q(name, kind) CParameter<Kind::kind, true, true>
 #define R(name, kind) double
+#define B(name) const void*
 #define GL_COMMAND(name, effect, ...) \
     case CommandId::name: return Call<__VA_ARGS__>::make(&::name, command);
 #define SHAPE_COMMAND(name, effect, ...) \
@@ -171,6 +176,7 @@ void execute(const Command& command) {
 #undef V
 #undef Q
 #undef R
+#undef B
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
 #undef PRAGMA_COMMAND

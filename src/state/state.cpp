@@ -133,6 +133,7 @@ double State::to_real(double c, Kind kind) const {
         case Kind::kUint:
         case Kind::kEnum:
         case Kind::kBitfield:
+        case Kind::kSizeiptr:
         case Kind::kWord: return c / 4294967295.0;
         case Kind::kFloat:
         case Kind::kDouble: return c;
