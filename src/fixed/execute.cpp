@@ -173,6 +173,8 @@ void pragma(const Command& command) {
 }  // namespace
 
 void execute(const Command& command) {
+    // Offscreen there is one colour buffer, and it has another name than a window's.
+    if (command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE) return;
     switch (command.id) {
 // clang-format off
 #define P(name, kind) Value<Kind::kind>

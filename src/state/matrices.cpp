@@ -48,7 +48,7 @@ glm::dmat4 ortho_matrix(double l, double r, double b, double t, double n, double
 
 State::MatrixStack& State::stack() {
     if (a_.matrix_mode == kGL_MODELVIEW) return modelview_;
-    return a_.matrix_mode == kGL_PROJECTION ? projection_ : texture_;
+    return a_.matrix_mode == kGL_PROJECTION ? projection_ : texture_[a_.active_unit];
 }
 
 std::size_t State::stack_limit() const {
@@ -98,7 +98,7 @@ void State::clip_plane(const Command& c) {
     if (plane < kGL_CLIP_PLANE0 || plane >= kGL_CLIP_PLANE0 + kMaxClipPlanes) {
         return raise(
             kGL_INVALID_ENUM, c,
-            fmt::format("glClipPlane is given {}; expected GL_CLIP_PLANE0 to GL_CLIP_PLANE7", enum_name(plane)));
+            fmt::format("glClipPlane is given {}; expected GL_CLIP_PLANE0 to GL_CLIP_PLANE0 + 7", enum_name(plane)));
     }
     const glm::dvec4 equation(c.number(1), c.number(2), c.number(3), c.number(4));
     const bool singular = glm::determinant(modelview()) == 0;

@@ -125,14 +125,21 @@ class State {
     void fog(const Command&);
     void pixel_store(const Command&);
     void bind_texture(const Command&);
+    void active_texture(const Command&);
     void tex_image(const Command&);
     void tex_sub_image(const Command&);
+    void build_mipmaps(const Command&);
     void tex_parameter(const Command&);
     void tex_env(const Command&);
     void push_attrib(const Command&);
     void pop_attrib(const Command&);
     void load_transpose_matrix(const Command&);
     void mult_transpose_matrix(const Command&);
+    void blend_equation(const Command&);
+    void draw_buffer(const Command&);
+    void elsewhere_state(const Command&);
+    void elsewhere_drawing(const Command&);
+    void elsewhere_vertex(const Command&);
     void specular_model(const Command&);
     void ambient_model(const Command&);
     void spot_cone(const Command&);
@@ -148,7 +155,10 @@ class State {
     // The texture that a glTex* command changes: one that no Draw holds. Null, and the error, for a wrong target.
     Texture* writable_texture(const Command& command, Enum target);
     std::shared_ptr<Texture>& bound_texture(Enum target);
-    std::shared_ptr<const Texture> complete_texture() const;
+    std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target);
+    std::shared_ptr<const Texture> complete_texture(const TextureBindings& bindings) const;
+    TextureBindings& unit() { return a_.units[a_.active_unit]; }
+    const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
     bool check_pixel_type(const Command& command, const PixelSource& source);
     std::optional<std::vector<glm::dvec4>> pixels(const Command& command, const PixelSource& source);
     void generate_mipmaps(Texture& texture) const;
@@ -172,7 +182,8 @@ class State {
     Attributes a_;
     TextureObjects textures_;
     PixelStore pixel_store_;
-    MatrixStack modelview_{{}}, projection_{{}}, texture_{{}};
+    MatrixStack modelview_{{}}, projection_{{}};
+    std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
     std::vector<SavedAttributes> attribute_stack_;
     std::optional<Draw> open_;  // between Begin and End
     std::vector<std::variant<Clear, Draw>> items_;
