@@ -68,10 +68,18 @@ bool operator==(const Command& a, const Command& b) {
     return a.id == b.id && a.arguments == b.arguments && same_memory;
 }
 
-std::size_t Signature::scalars() const {
-    const bool has_array = !parameters.empty() && parameters.back().extent != Extent::kValue &&
-                           parameters.back().extent != Extent::kPointer;
-    return parameters.size() - (has_array ? 1 : 0);
+namespace {
+
+bool is_array(const Parameter& parameter) {
+    return parameter.extent != Extent::kValue && parameter.extent != Extent::kPointer;
+}
+
+}  // namespace
+
+std::size_t Signature::scalars() const { return parameters.size() - (first_array() < parameters.size() ? 1 : 0); }
+
+std::size_t Signature::first_array() const {
+    return static_cast<std::size_t>(std::find_if(parameters.begin(), parameters.end(), is_array) - parameters.begin());
 }
 
 std::string Signature::usage() const {
@@ -130,8 +138,8 @@ std::optional<Owner> owner_of(CommandId id) {
 
 std::optional<int> array_length(CommandId id, std::optional<Enum> pname) {
     const Signature& sig = signature(id);
-    const Parameter& last = sig.parameters.back();
-    if (last.extent == Extent::kArray) return last.count;
+    const Parameter& array = sig.parameters.at(sig.first_array());
+    if (array.extent == Extent::kArray) return array.count;
     const std::optional<Owner> owner = owner_of(id);
     const ParameterInfo* info = owner && pname ? find_parameter(*owner, *pname) : nullptr;
     return info ? std::optional(info->count) : std::nullopt;

@@ -67,8 +67,11 @@ struct Signature {
     Family family = Family::kGl;
     std::vector<Parameter> parameters;
 
-    // How many of the parameters are single values (an array, if any, follows them).
+    // How many of the parameters are single values.
     std::size_t scalars() const;
+    // Where the array stands among the parameters; how many there are where there is none. Only an array of a fixed length
+    // may have others after it.
+    std::size_t first_array() const;
     // "glLightfv(light, pname, params)": for messages.
     std::string usage() const;
 };
@@ -96,7 +99,7 @@ struct Memory {
     std::vector<std::byte> bytes;
 };
 
-// The arguments one after the other, the elements of an array argument last. Each is held as a double that has
+// The arguments one after the other, an array argument as its elements. Each is held as a double that has
 // exactly the value the C type of its parameter would have (every GL type fits into a double).
 struct Command {
     CommandId id{};
@@ -112,7 +115,9 @@ struct Command {
     Enum enumerant(std::size_t i) const { return static_cast<Enum>(arguments[i]); }
     Word word(std::size_t i) const { return static_cast<Word>(enumerant(i)); }
     // The elements of the array argument (empty if the command has none).
-    std::span<const double> array() const { return std::span(arguments).subspan(sig().scalars()); }
+    std::span<const double> array() const {
+        return std::span(arguments).subspan(sig().first_array(), arguments.size() - sig().scalars());
+    }
 
     // Equal commands do the same; where they stand does not matter.
     friend bool operator==(const Command& a, const Command& b);

@@ -87,14 +87,15 @@ std::string print_array(const Command& command, const Parameter& parameter) {
 std::string print_command(const Command& command) {
     const Signature& sig = command.sig();
     std::vector<std::string> arguments;
-    for (std::size_t i = 0; i < sig.parameters.size(); ++i) {
-        const Parameter& parameter = sig.parameters[i];
+    std::size_t next = 0;
+    for (const Parameter& parameter : sig.parameters) {
         if (parameter.extent == Extent::kValue) {
-            arguments.push_back(print_value(command, parameter, command.number(i)));
+            arguments.push_back(print_value(command, parameter, command.number(next++)));
         } else if (parameter.extent == Extent::kRest) {
             for (double value : command.array()) arguments.push_back(print_number(value, parameter.kind));
         } else {
             arguments.push_back(print_array(command, parameter));
+            next += command.array().size();
         }
     }
     if (sig.family == Family::kPragma) {

@@ -11,10 +11,12 @@ namespace twinlight {
 
 namespace {
 
-TEST(Names, HaveTheValuesOfTheSystemsHeader) {
+TEST(Names, HaveTheValuesOfTheSystemsHeaders) {
 #define ENUM(name, value) EXPECT_EQ(kGL_##name, static_cast<Enum>(GL_##name)) << "GL_" #name;
+#define GLU_ENUM(name, value) EXPECT_EQ(kGLU_##name, static_cast<Enum>(GLU_##name)) << "GLU_" #name;
 #include "command/enums.def"
 #undef ENUM
+#undef GLU_ENUM
 }
 
 TEST(Names, StandInTheTableOnce) {
@@ -49,10 +51,16 @@ TEST(Commands, StandInTheTableOnceAndFindThemselves) {
     }
 }
 
-TEST(Commands, HaveAnArrayOnlyAsTheLastParameter) {
+TEST(Commands, HaveOneArrayAtTheMostAndLastUnlessItsLengthIsFixed) {
     for (const Signature& sig : signatures()) {
-        for (std::size_t i = 0; i + 1 < sig.parameters.size(); ++i) {
-            EXPECT_EQ(sig.parameters[i].extent, Extent::kValue) << sig.usage();
+        const std::size_t array = sig.first_array();
+        for (std::size_t i = 0; i < sig.parameters.size(); ++i) {
+            const Extent extent = sig.parameters[i].extent;
+            if (i != array) {
+                EXPECT_TRUE(extent == Extent::kValue || extent == Extent::kPointer) << sig.usage();
+            } else if (i + 1 < sig.parameters.size()) {
+                EXPECT_EQ(extent, Extent::kArray) << sig.usage();
+            }
         }
     }
 }
