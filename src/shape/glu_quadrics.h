@@ -1,0 +1,27 @@
+// What GLU 1.3 sends for gluSphere, gluCylinder, gluDisk and gluPartialDisk, and the object that says how.
+#pragma once
+
+#include <vector>
+
+#include "shape/shape.h"
+
+namespace twinlight {
+
+// GLU 1.3 section 6.1, the initial values.
+struct Quadric {
+    Enum normals = kGLU_SMOOTH;
+    bool texture = false;
+    Enum orientation = kGLU_OUTSIDE;
+    Enum draw_style = kGLU_FILL;
+};
+
+// Lengths in object units, angles in degrees. Throw std::invalid_argument, with a message, for arguments that GLU refuses
+// with GLU_INVALID_VALUE, and for shapes beyond the limits of shape.h.
+std::vector<ShapePart> glu_sphere(const Quadric& quadric, double radius, int slices, int stacks);
+std::vector<ShapePart> glu_cylinder(const Quadric& quadric, double base, double top, double height, int slices,
+                                    int stacks);
+std::vector<ShapePart> glu_disk(const Quadric& quadric, double inner, double outer, int slices, int loops);
+std::vector<ShapePart> glu_partial_disk(const Quadric& quadric, double inner, double outer, int slices, int loops,
+                                        double start_deg, double sweep_deg);
+
+}  // namespace twinlight
