@@ -30,6 +30,7 @@ const std::vector<Signature>& table() {
     Parameter { #name, kSizeiptr, Extent::kPointer, 0 }
 #define GL_COMMAND(name, effect, ...) {#name, Family::kGl, {__VA_ARGS__}},
 #define SHAPE_COMMAND(name, effect, ...) {#name, Family::kShape, {__VA_ARGS__}},
+#define QUADRIC_COMMAND(name, effect, ...) {#name, Family::kQuadric, {__VA_ARGS__}},
 #define PRAGMA_COMMAND(name, effect, ...) {#name, Family::kPragma, {__VA_ARGS__}},
 #include "command/commands.def"
 #undef P
@@ -40,6 +41,7 @@ const std::vector<Signature>& table() {
 #undef B
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
     };
     return rows;

@@ -25,7 +25,8 @@ std::string_view c_type_name(Kind kind) {
         case Kind::kFloat: return "GLfloat";
         case Kind::kDouble: return "GLdouble";
         case Kind::kSizeiptr: return "GLsizeiptr";
-        case Kind::kWord: break;  // words stand in pragmas only, never in arrays
+        case Kind::kQuadric: break;  // neither do quadrics stand in arrays
+        case Kind::kWord: break;     // words stand in pragmas only, never in arrays
     }
     return "";
 }
@@ -50,6 +51,7 @@ std::string print_number(double value, Kind kind) {
         case Kind::kDouble: return print_real(value, false);
         case Kind::kBitfield: return bit_names(static_cast<Enum>(value));
         case Kind::kWord: return std::string(word_name(static_cast<Word>(static_cast<Enum>(value))));
+        case Kind::kQuadric: return fmt::format("quadric{}", value);
         default: return fmt::format("{}", static_cast<std::int64_t>(value));
     }
 }
@@ -86,6 +88,9 @@ std::string print_array(const Command& command, const Parameter& parameter) {
 
 std::string print_command(const Command& command) {
     const Signature& sig = command.sig();
+    if (command.id == CommandId::gluNewQuadric) {
+        return fmt::format("GLUquadric* {} = gluNewQuadric();", print_number(command.number(0), Kind::kQuadric));
+    }
     std::vector<std::string> arguments;
     std::size_t next = 0;
     for (const Parameter& parameter : sig.parameters) {

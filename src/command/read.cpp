@@ -24,13 +24,29 @@ struct NamedType {
 };
 
 constexpr NamedType kTypes[] = {
-    {"float", Kind::kFloat},   {"GLfloat", Kind::kFloat},       {"GLclampf", Kind::kFloat},
-    {"double", Kind::kDouble}, {"GLdouble", Kind::kDouble},     {"GLclampd", Kind::kDouble},
-    {"int", Kind::kInt},       {"GLint", Kind::kInt},           {"GLsizei", Kind::kSizei},
-    {"GLuint", Kind::kUint},   {"GLenum", Kind::kEnum},         {"GLbitfield", Kind::kBitfield},
-    {"short", Kind::kShort},   {"GLshort", Kind::kShort},       {"GLushort", Kind::kUshort},
-    {"GLbyte", Kind::kByte},   {"GLubyte", Kind::kUbyte},       {"GLboolean", Kind::kBoolean},
-    {"unsigned", Kind::kUint}, {"GLsizeiptr", Kind::kSizeiptr}, {"GLintptr", Kind::kSizeiptr},
+    {"float", Kind::kFloat},
+    {"GLfloat", Kind::kFloat},
+    {"GLclampf", Kind::kFloat},
+    {"double", Kind::kDouble},
+    {"GLdouble", Kind::kDouble},
+    {"GLclampd", Kind::kDouble},
+    {"int", Kind::kInt},
+    {"GLint", Kind::kInt},
+    {"GLsizei", Kind::kSizei},
+    {"GLuint", Kind::kUint},
+    {"GLenum", Kind::kEnum},
+    {"GLbitfield", Kind::kBitfield},
+    {"short", Kind::kShort},
+    {"GLshort", Kind::kShort},
+    {"GLushort", Kind::kUshort},
+    {"GLbyte", Kind::kByte},
+    {"GLubyte", Kind::kUbyte},
+    {"GLboolean", Kind::kBoolean},
+    {"unsigned", Kind::kUint},
+    {"GLsizeiptr", Kind::kSizeiptr},
+    {"GLintptr", Kind::kSizeiptr},
+    {"GLUquadric", Kind::kQuadric},
+    {"GLUquadricObj", Kind::kQuadric},
 };
 
 std::optional<Kind> find_type(std::string_view name) {
@@ -65,6 +81,7 @@ Range range_of(Kind kind) {
         case Kind::kEnum:
         case Kind::kBitfield:
         case Kind::kUint:
+        case Kind::kQuadric:
         case Kind::kWord: return {0, 4294967295.0};
         case Kind::kSizeiptr: return {-9007199254740992.0, 9007199254740992.0};  // what a double holds exactly
         case Kind::kFloat:
@@ -163,6 +180,13 @@ class Reader {
     Number unary();
     Number primary();
     Number named_value(const Token& name);
+
+    // -- GLU's quadrics: the values of pointers to them are their numbers --
+    void quadric_assignment();
+    double quadric_value();
+    double quadric_argument(const Signature& sig);
+
+    // -- literals and operators --
     Number literal(const Token& token);
     static Number arithmetic(const Token& op, Number a, Number b);
 
@@ -182,6 +206,7 @@ class Reader {
     bool program_read_ = false;
     std::map<std::string_view, Variable> variables_;
     std::vector<Command> commands_;
+    double quadrics_ = 0;  // made so far
 };
 
 void Reader::statement() {
@@ -200,6 +225,10 @@ void Reader::statement() {
     const bool declares = token_.is("const") || token_.is("static") || token_.is("signed") || token_.is("unsigned") ||
                           find_type(token_.text).has_value();
     if (declares) return declaration();
+    const auto variable = variables_.find(token_.text);
+    if (ahead_.is("=") && variable != variables_.end() && variable->second.kind == Kind::kQuadric) {
+        return quadric_assignment();
+    }
     if (ahead_.is("=") || ahead_.is("[")) {
         fail(token_.place, fmt::format("assignments are not part of a scene: give {} its value where it is declared",
                                        quoted(token_.text)));
@@ -287,6 +316,7 @@ void Reader::program() {
 void Reader::declaration() {
     const Kind kind = type_name();
     do {
+        if (kind == Kind::kQuadric) expect("*", "after GLUquadric: scenes have pointers to quadrics only");
         const Token name = token_;
         if (name.kind != TokenKind::kName) {
             fail(name.place, fmt::format("expected a variable's name, found {}{}", shown(name),
@@ -302,7 +332,12 @@ void Reader::declaration() {
                  fmt::format("{} is declared already, at {}", quoted(name.text), variables_.at(name.text).place.str()));
         }
         Variable variable{kind, false, {0.0}, false, "it was declared without a value", name.place};
-        if (accept("[")) {
+        if (kind == Kind::kQuadric) {
+            if (accept("=")) {
+                variable.values[0] = quadric_value();
+                variable.known = true;
+            }
+        } else if (accept("[")) {
             variable.is_array = true;
             const std::size_t length = array_length_in_brackets(0);
             if (token_.is("[")) fail(token_.place, "arrays of arrays are not part of a scene: declare one array a row");
@@ -344,6 +379,10 @@ void Reader::call() {
         fail(name.place, fmt::format("unknown command {}{}", quoted(name.text),
                                      near ? fmt::format("; did you mean {}?", *near)
                                           : "; docs/scene-language.md lists the commands of a scene"));
+    }
+    if (*id == CommandId::gluNewQuadric) {
+        quadric_value();
+        return expect(";", "after gluNewQuadric()");
     }
     advance();
     Command command{*id, {}, name.place};
@@ -401,6 +440,8 @@ void Reader::arguments(Command& command, const Signature& sig) {
             array_argument(command, parameter);
         } else if (parameter.kind == Kind::kWord) {
             command.arguments.push_back(word_argument(parameter));
+        } else if (parameter.kind == Kind::kQuadric) {
+            command.arguments.push_back(quadric_argument(sig));
         } else {
             const Place place = token_.place;
             command.arguments.push_back(converted(expression(), parameter.kind, place,
@@ -515,6 +556,50 @@ std::vector<std::string_view> Reader::visible_names() const {
     std::vector<std::string_view> names;
     for (const auto& [name, variable] : variables_) names.push_back(name);
     return names;
+}
+
+// ---- GLU's quadrics ----
+
+// q = gluNewQuadric();
+void Reader::quadric_assignment() {
+    Variable& variable = variables_.at(token_.text);
+    advance();
+    expect("=", "in the assignment");
+    variable.values[0] = quadric_value();
+    variable.known = true;
+    expect(";", "after the assignment");
+}
+
+// gluNewQuadric(), the name of a quadric, NULL or 0 for none.
+double Reader::quadric_value() {
+    const Token token = token_;
+    advance();
+    if (token.is("gluNewQuadric")) {
+        expect("(", "after gluNewQuadric");
+        expect(")", "after gluNewQuadric(: it takes no arguments");
+        commands_.push_back({CommandId::gluNewQuadric, {++quadrics_}, token.place});
+        return quadrics_;
+    }
+    if (token.is("NULL") || (token.kind == TokenKind::kNumber && token.text == "0")) return 0;
+    const auto found = variables_.find(token.text);
+    if (token.kind != TokenKind::kName || found == variables_.end() || found->second.kind != Kind::kQuadric) {
+        const auto near = nearest(token.text, visible_names());
+        fail(token.place,
+             fmt::format("expected gluNewQuadric() or the name of a GLUquadric*, found {}{}", shown(token),
+                         near && found == variables_.end() ? fmt::format("; did you mean {}?", *near) : ""));
+    }
+    if (!found->second.known) {
+        fail(token.place, fmt::format("{} has no value here: {}; write {} = gluNewQuadric();", quoted(token.text),
+                                      found->second.unknown_because, token.text));
+    }
+    return found->second.values[0];
+}
+
+double Reader::quadric_argument(const Signature& sig) {
+    const Place place = token_.place;
+    const double quadric = quadric_value();
+    if (quadric == 0) fail(place, fmt::format("{} is given no quadric; make one by gluNewQuadric()", sig.name));
+    return quadric;
 }
 
 // ---- Expressions ----
@@ -658,6 +743,9 @@ Number Reader::named_value(const Token& name) {
                                                       : ""));
     }
     const Variable& variable = found->second;
+    if (variable.kind == Kind::kQuadric) {
+        fail(name.place, fmt::format("{} is a quadric, and a number is needed here", quoted(name.text)));
+    }
     std::size_t index = 0;
     if (variable.is_array) {
         if (!token_.is("[")) {

@@ -120,11 +120,12 @@ struct Call {
     }
 };
 
-void draw_shape(const Command& command) {
+void draw_arrays(const std::vector<ShapePart>& parts) {
     // As freeglut does: vertex arrays of floats, current colour and state.
     glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
-    for (const ShapePart& part : shape_parts(command)) {
+    for (const ShapePart& part : parts) {
         std::vector<std::array<GLfloat, 3>> positions, normals;
+        std::vector<std::array<GLfloat, 2>> tex_coords;
         positions.reserve(part.vertices.size());
         normals.reserve(part.vertices.size());
         const auto floats = [](const glm::dvec3& v) {
@@ -133,11 +134,18 @@ void draw_shape(const Command& command) {
         for (const ShapeVertex& v : part.vertices) {
             positions.push_back(floats(v.position_object));
             normals.push_back(floats(v.normal_object));
+            if (part.sends_tex_coords) {
+                tex_coords.push_back({static_cast<GLfloat>(v.tex_coord.x), static_cast<GLfloat>(v.tex_coord.y)});
+            }
         }
         glEnableClientState(GL_VERTEX_ARRAY);
         glEnableClientState(GL_NORMAL_ARRAY);
         glVertexPointer(3, GL_FLOAT, 0, positions.data());
         glNormalPointer(GL_FLOAT, 0, normals.data());
+        if (part.sends_tex_coords) {
+            glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+            glTexCoordPointer(2, GL_FLOAT, 0, tex_coords.data());
+        }
         if (part.indices.empty()) {
             glDrawArrays(part.mode, 0, static_cast<GLsizei>(positions.size()));
         } else {
@@ -147,14 +155,19 @@ void draw_shape(const Command& command) {
     glPopClientAttrib();
 }
 
+}  // namespace
+
+void Executor::draw_shape(const Command& command) {
+    if (draws_quadric(command)) return quadrics_.execute(command);
+    draw_arrays(shape_parts(command));
+}
+
 // Of the pragmas GL can do one: it draws.
-void pragma(const Command& command) {
+void Executor::pragma(const Command& command) {
     if (command.id == CommandId::pragma_shape) draw_shape(command);
 }
 
-}  // namespace
-
-void execute(const Command& command) {
+void Executor::execute(const Command& command) {
     switch (command.id) {
 // clang-format off
 #define P(name, kind) CParameter<Kind::kind, false, false>
@@ -167,6 +180,8 @@ void execute(const Command& command) {
     case CommandId::name: return Call<__VA_ARGS__>::make(&::name, command);
 #define SHAPE_COMMAND(name, effect, ...) \
     case CommandId::name: return draw_shape(command);
+#define QUADRIC_COMMAND(name, effect, ...) \
+    case CommandId::name: return quadrics_.execute(command);
 #define PRAGMA_COMMAND(name, effect, ...) \
     case CommandId::pragma_##name: return pragma(command);
 // clang-format on
@@ -179,6 +194,7 @@ void execute(const Command& command) {
 #undef B
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
     }
 }

@@ -44,9 +44,10 @@ void draw(const Frame& frame, const RenderOptions& options) {
     const InitialState initial(frame.width, frame.height);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (options.shading) glShadeModel(*options.shading == Shading::kFlat ? GL_FLAT : GL_SMOOTH);
+    Executor executor;
     for (const Command& command : frame.commands->commands) {
         if (options.shading && command.id == CommandId::glShadeModel) continue;
-        execute(command);
+        executor.execute(command);
     }
     glFinish();
 }

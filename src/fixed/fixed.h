@@ -2,13 +2,24 @@
 #pragma once
 
 #include "command/command.h"
+#include "fixed/quadrics.h"
 #include "image/image.h"
 #include "state/frame.h"
 
 namespace twinlight::fixed {
 
-// One command to the driver. Pragmas that GL has no command for do nothing, but shape(...) draws.
-void execute(const Command& command);
+// Executes commands in the current context, and keeps the objects that they make outside it.
+class Executor {
+  public:
+    // One command to the driver. Pragmas that GL has no command for do nothing, but shape(...) draws.
+    void execute(const Command& command);
+
+  private:
+    void draw_shape(const Command& command);
+    void pragma(const Command& command);
+
+    Quadrics quadrics_;
+};
 
 // Keeps what commands change to itself: GL's initial state while it lives, as the context had it before afterwards.
 // Needs a context that is in GL's initial state but for its viewport.

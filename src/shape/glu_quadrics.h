@@ -1,19 +1,12 @@
-// What GLU 1.3 sends for gluSphere, gluCylinder, gluDisk and gluPartialDisk, and the object that says how.
+// What GLU sends for gluSphere, gluCylinder, gluDisk and gluPartialDisk.
 #pragma once
 
 #include <vector>
 
+#include "shape/quadric.h"
 #include "shape/shape.h"
 
 namespace twinlight {
-
-// GLU 1.3 section 6.1, the initial values.
-struct Quadric {
-    Enum normals = kGLU_SMOOTH;
-    bool texture = false;
-    Enum orientation = kGLU_OUTSIDE;
-    Enum draw_style = kGLU_FILL;
-};
 
 // Lengths in object units, angles in degrees. Throw std::invalid_argument, with a message, for arguments that GLU refuses
 // with GLU_INVALID_VALUE, and for shapes beyond the limits of shape.h.

@@ -1,5 +1,5 @@
 // The state machine's frame: dispatch from the table of commands, errors, Begin and End, the Draws.
-// What the commands do stands in lights_and_materials.cpp, matrices.cpp and raster.cpp.
+// What the commands do stands in lights_and_materials.cpp, matrices.cpp, raster.cpp and shapes.cpp.
 #include "state/state.h"
 
 #include <fmt/format.h>
@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "command/text.h"
-#include "shape/shape.h"
 
 namespace twinlight {
 
@@ -37,10 +36,12 @@ void State::apply(const Command& command) {
     static constexpr Row kRows[] = {
 #define GL_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
 #define SHAPE_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
+#define QUADRIC_COMMAND(name, effect, ...) {&State::effect, true},  // no GL, so legal anywhere
 #define PRAGMA_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
 #include "command/commands.def"
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
     };
     const Row& row = kRows[static_cast<std::size_t>(command.id)];
@@ -134,6 +135,7 @@ double State::to_real(double c, Kind kind) const {
         case Kind::kEnum:
         case Kind::kBitfield:
         case Kind::kSizeiptr:
+        case Kind::kQuadric:
         case Kind::kWord: return c / 4294967295.0;
         case Kind::kFloat:
         case Kind::kDouble: return c;
@@ -155,24 +157,6 @@ Draw State::new_draw(Enum mode, const Place& place) {
         note_unsupported(fmt::format("glEnable({})", enum_name(cap)), where, {"programmable", "reference"});
     }
     return draw;
-}
-
-void State::shape(const Command& c) {
-    std::vector<ShapePart> parts;
-    try {
-        parts = shape_parts(c);
-    } catch (const std::invalid_argument& error) {
-        return raise(kGL_INVALID_VALUE, c, error.what());
-    }
-    for (ShapePart& part : parts) {
-        Draw draw = new_draw(part.mode, c.place);
-        draw.vertices.reserve(part.vertices.size());
-        for (const ShapeVertex& v : part.vertices) {
-            draw.vertices.push_back({glm::dvec4(v.position_object, 1), v.normal_object, current_.color});
-        }
-        draw.indices = std::move(part.indices);
-        items_.emplace_back(std::move(draw));
-    }
 }
 
 void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {

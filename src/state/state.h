@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command/command.h"
+#include "shape/quadric.h"
 #include "state/frame.h"
 
 namespace twinlight {
@@ -100,6 +101,10 @@ class State {
     void clear(const Command&);
     void flush(const Command&);
     void shape(const Command&);
+    void new_quadric(const Command&);
+    void delete_quadric(const Command&);
+    void set_quadric(const Command&);
+    void quadric_shape(const Command&);
     void specular_model(const Command&);
     void ambient_model(const Command&);
     void spot_cone(const Command&);
@@ -116,6 +121,8 @@ class State {
     MatrixStack& stack();
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
+    void send_shape(const Command& command, std::vector<ShapePart> parts);
+    Quadric* quadric(const Command& command);  // its first argument; null, and the error, where there is none
     void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
     double to_real(double c,
                    Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
@@ -127,7 +134,9 @@ class State {
     Clear clear_;     // the clear colour and depth
     Enum matrix_mode_ = kGL_MODELVIEW;
     MatrixStack modelview_{{}}, projection_{{}}, texture_{{}};
-    std::optional<Draw> open_;  // between Begin and End
+    std::optional<Draw> open_;                  // between Begin and End
+    std::map<double, Quadric> quadrics_;        // by number
+    std::map<double, Place> deleted_quadrics_;  // where gluDeleteQuadric stood
     std::vector<std::variant<Clear, Draw>> items_;
     std::vector<Unsupported> unsupported_;
     std::vector<GlError> errors_;

@@ -227,6 +227,7 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
     for (std::uint64_t seed = 1; seed <= kSequences && !testing::Test::HasFailure(); ++seed) {
         const fixed::InitialState initial(64, 48);
         State state({.width = 64, .height = 48});
+        fixed::Executor executor;
         Random random(seed);
         CommandList sequence;
         bool open = false;  // glGetError is not legal between glBegin and glEnd
@@ -234,7 +235,7 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
         const auto carry_out = [&](const Command& command) {
             sequence.commands.push_back(command);
             const std::size_t before = state.errors().size();
-            fixed::execute(command);
+            executor.execute(command);
             state.apply(command);
             const bool raised = state.errors().size() > before;
             if (raised && first_expected == GL_NO_ERROR) first_expected = state.errors().back().code;
