@@ -135,7 +135,21 @@ std::optional<Owner> owner_of(CommandId id) {
     if (name.starts_with("glLightModel")) return Owner::kLightModel;
     if (name.starts_with("glLight") || name.starts_with("glGetLight")) return Owner::kLight;
     if (name.starts_with("glMaterial") || name.starts_with("glGetMaterial")) return Owner::kMaterial;
+    if (name.starts_with("glFog")) return Owner::kFog;
+    if (name.starts_with("glTexEnv") || name.starts_with("glGetTexEnv")) return Owner::kTexEnv;
+    if (name.starts_with("glTexParameter") || name.starts_with("glGetTexParameter")) return Owner::kTexture;
+    if (name.starts_with("glPixelStore")) return Owner::kPixelStore;
     return std::nullopt;
+}
+
+const ParameterInfo* parameter_info(const Command& command) {
+    const std::optional<Owner> owner = owner_of(command.id);
+    if (!owner) return nullptr;
+    const std::vector<Parameter>& parameters = command.sig().parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (parameters[i].name == "pname") return find_parameter(*owner, command.enumerant(i));
+    }
+    return nullptr;
 }
 
 std::optional<int> array_length(CommandId id, std::optional<Enum> pname) {

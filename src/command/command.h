@@ -131,9 +131,18 @@ struct CommandList {
     std::vector<Command> commands;
 };
 
-// ---- The parameters of lights, materials and the light model (parameters.def) ----
+// ---- The parameters of lights, materials, the light model, fog, textures and pixel storage (parameters.def) ----
 
-enum class Owner : std::uint8_t { kLight, kMaterial, kLightModel };
+enum class Owner : std::uint8_t {
+    kLight,
+    kMaterial,
+    kLightModel,
+    kFog,
+    kTexEnv,
+    kTexFilterControl,
+    kTexture,
+    kPixelStore
+};
 enum class Meaning : std::uint8_t { kColor, kPosition, kDirection, kScalar, kEnum };
 
 struct ParameterInfo {
@@ -150,6 +159,9 @@ const ParameterInfo* find_parameter(Owner owner,
 
 // Whose parameters the argument pname of this command names (glLight*, glGetLight*: kLight, ...).
 std::optional<Owner> owner_of(CommandId id);
+
+// The parameter that the argument pname of this command names; null where it has none, or names none of its owner's.
+const ParameterInfo* parameter_info(const Command& command);
 
 // How many elements the command's array argument has; the pname decides where the table says so. For an unknown pname
 // the answer is nothing (the driver would raise GL_INVALID_ENUM and read none).

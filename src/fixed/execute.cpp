@@ -105,6 +105,18 @@ struct Argument<Element*> {
     std::array<std::remove_const_t<Element>, kLongestArray> values{};
 };
 
+// A pointer into the command's memory, or the offset into a buffer object that stands in its place.
+template <>
+struct Argument<const void*> {
+    Argument(const Command& command, std::size_t i) {
+        const auto offset = static_cast<std::ptrdiff_t>(command.number(i));
+        value = command.memory ? command.memory->bytes.data() + offset : nullptr;
+        if (!command.memory) value = reinterpret_cast<const void*>(offset);  // NOLINT: GL's way to give an offset
+    }
+    const void* get() { return value; }
+    const void* value = nullptr;
+};
+
 // `Declared` are the parameters as the table declares them: a row that disagrees with the header does not compile.
 template <class... Declared>
 struct Call {

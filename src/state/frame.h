@@ -97,7 +97,7 @@ struct PolygonOffset {  // 3.5.5
     bool point = false, line = false, fill = false;  // GL_POLYGON_OFFSET_POINT, _LINE, _FILL
 };
 
-inline constexpr int kMaxClipPlanes = 6;
+inline constexpr int kMaxClipPlanes = 8;  // GL asks for six at least (table 6.29); Mesa has eight
 
 struct RasterState {
     Viewport viewport;
@@ -123,9 +123,10 @@ struct RasterState {
 // internal format (table 3.15) as numbers in [0,1], rounded to the bits of the internal format; the others are 0
 // (alpha 1). Row 0 is t = 0.
 struct TextureImage {
-    int width = 0, height = 1;      // without the border (borders are refused)
-    Enum base_format = kGL_RGBA;    // GL_ALPHA, _LUMINANCE, _LUMINANCE_ALPHA, _INTENSITY, _RGB or _RGBA
-    std::vector<glm::vec4> texels;  // (R, G, B, A); of luminance or intensity R = G = B = the value
+    int width = 0, height = 1;        // without the border (borders are refused)
+    Enum base_format = kGL_RGBA;      // GL_ALPHA, _LUMINANCE, _LUMINANCE_ALPHA, _INTENSITY, _RGB or _RGBA
+    Enum internal_format = kGL_RGBA;  // as it was asked for: the levels of a complete texture have the same
+    std::vector<glm::vec4> texels{};    // (R, G, B, A); of luminance or intensity R = G = B = the value
 
     const glm::vec4& texel(int x, int y) const {
         return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
@@ -134,7 +135,7 @@ struct TextureImage {
 
 struct Texture {                       // 3.8.4, table 3.18
     Enum target = kGL_TEXTURE_2D;      // or GL_TEXTURE_1D
-    std::vector<TextureImage> levels;  // levels[0] is the base; empty images where none was given
+    std::vector<TextureImage> levels{};  // levels[0] is the base; empty images where none was given
     Enum min_filter = kGL_NEAREST_MIPMAP_LINEAR;
     Enum mag_filter = kGL_LINEAR;
     Enum wrap_s = kGL_REPEAT;

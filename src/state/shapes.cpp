@@ -22,15 +22,16 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts) {
     for (ShapePart& part : parts) {
         Draw draw = new_draw(part.mode, c.place);
         draw.vertices.reserve(part.vertices.size());
-        const Vertex before = current_;
+        const Vertex before = a_.current;
         for (std::size_t i = 0; i < part.vertices.size(); ++i) {
             const ShapeVertex& sent = part.vertices[i];
-            if (i >= part.first_normal) current_.normal_object = sent.normal_object;
-            if (part.sends_tex_coords) current_.tex_coord = glm::dvec4(sent.tex_coord, 0, 1);
-            draw.vertices.push_back(current_);
-            draw.vertices.back().position_object = glm::dvec4(sent.position_object, 1);
+            if (i >= part.first_normal) a_.current.normal_object = sent.normal_object;
+            if (part.sends_tex_coords) a_.current.tex_coord = glm::dvec4(sent.tex_coord, 0, 1);
+            Vertex& vertex = draw.vertices.emplace_back(a_.current);
+            vertex.position_object = glm::dvec4(sent.position_object, 1);
+            vertex.material = 0;
         }
-        if (!part.immediate) current_ = before;
+        if (!part.immediate) a_.current = before;
         draw.indices = std::move(part.indices);
         items_.emplace_back(std::move(draw));
     }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "command/text.h"
+#include "state/capabilities.h"
 
 namespace twinlight {
 
@@ -16,7 +17,7 @@ namespace {
 
 // What may stand between Begin and End (2.6.3), by effect.
 constexpr bool legal_inside(std::string_view effect) {
-    for (std::string_view legal : {"vertex", "normal", "color", "tex_coord", "material", "begin", "end"}) {
+    for (std::string_view legal : {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end"}) {
         if (effect == legal) return true;  // begin and end say themselves what is wrong
     }
     return false;
@@ -25,7 +26,7 @@ constexpr bool legal_inside(std::string_view effect) {
 }  // namespace
 
 State::State(const StateOptions& options) : options_(options) {
-    raster_.viewport = {0, 0, options.width, options.height};
+    a_.raster.viewport = a_.fragment.scissor.box = {0, 0, options.width, options.height};
 }
 
 void State::apply(const Command& command) {
@@ -82,6 +83,7 @@ void State::begin(const Command& c) {
                      fmt::format("glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
                                  enum_name(c.enumerant(0))));
     }
+    a_.current.material = 0;
     open_ = new_draw(c.enumerant(0), c.place);
 }
 
@@ -93,28 +95,33 @@ void State::end(const Command& c) {
 
 void State::vertex(const Command& c) {
     if (!open_) return;  // 2.7: undefined outside Begin and End, no error; here it does nothing, as in the driver
-    current_.position_object = {0, 0, 0, 1};
+    a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
-        current_.position_object[static_cast<int>(i)] = c.number(i);
+        a_.current.position_object[static_cast<int>(i)] = c.number(i);
     }
-    open_->vertices.push_back(current_);
+    open_->vertices.push_back(a_.current);
 }
 
 void State::normal(const Command& c) {
     const Kind kind = c.sig().parameters[0].kind;
-    for (int i = 0; i < 3; ++i) current_.normal_object[i] = to_real(c.number(static_cast<std::size_t>(i)), kind);
+    for (int i = 0; i < 3; ++i) a_.current.normal_object[i] = to_real(c.number(static_cast<std::size_t>(i)), kind);
 }
 
 void State::color(const Command& c) {
     const Kind kind = c.sig().parameters[0].kind;
-    current_.color.a = 1;
+    a_.current.color.a = 1;
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
-        current_.color[static_cast<int>(i)] = to_real(c.number(i), kind);
+        a_.current.color[static_cast<int>(i)] = to_real(c.number(i), kind);
     }
     track_color();
 }
 
-void State::tex_coord(const Command&) {}  // accepted; without a texture it changes no pixel
+void State::tex_coord(const Command& c) {
+    a_.current.tex_coord = {0, 0, 0, 1};
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+        a_.current.tex_coord[static_cast<int>(i)] = c.number(i);
+    }
+}
 
 // Table 2.9: how integers stand for colours and normals.
 double State::to_real(double c, Kind kind) const {
@@ -148,13 +155,25 @@ double State::to_real(double c, Kind kind) const {
 Draw State::new_draw(Enum mode, const Place& place) {
     Draw draw;
     draw.mode = mode;
-    draw.lighting = lighting_;
-    draw.raster = raster_;
+    draw.lighting = a_.lighting;
+    draw.raster = a_.raster;
     draw.eye_from_object = modelview();
     draw.clip_from_eye = projection();
     draw.place = place;
-    for (const auto& [cap, where] : enabled_elsewhere_) {
-        note_unsupported(fmt::format("glEnable({})", enum_name(cap)), where, {"programmable", "reference"});
+    draw.texture = {.texture = complete_texture(),
+                    .env_mode = a_.texture.env_mode,
+                    .env_color = a_.texture.env_color,
+                    .lod_bias = a_.texture.lod_bias,
+                    .texture_matrix = texture_.back().matrix};
+    draw.fog = a_.fog;
+    draw.fragment = a_.fragment;
+    for (std::size_t i = 0; i < a_.clip_planes.size(); ++i) {
+        if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
+    }
+    for (const Elsewhere& row : capabilities_elsewhere()) {
+        const auto on = a_.elsewhere.find(row.cap);
+        if (!row.changes_pixels || on == a_.elsewhere.end()) continue;
+        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), on->second, {"programmable", "reference"});
     }
     return draw;
 }
@@ -173,6 +192,9 @@ std::optional<GlError> State::unfinished() const {
     if (open_) return GlError{kGL_INVALID_OPERATION, open_->place, "this glBegin has no glEnd"};
     for (const MatrixStack* s : {&modelview_, &projection_, &texture_}) {
         if (s->size() > 1) return GlError{kGL_STACK_OVERFLOW, s->back().pushed, "this glPushMatrix has no glPopMatrix"};
+    }
+    if (!attribute_stack_.empty()) {
+        return GlError{kGL_STACK_OVERFLOW, attribute_stack_.back().pushed, "this glPushAttrib has no glPopAttrib"};
     }
     return std::nullopt;
 }
