@@ -120,13 +120,13 @@ struct Argument<const void*> {
 // `Declared` are the parameters as the table declares them: a row that disagrees with the header does not compile.
 template <class... Declared>
 struct Call {
-    template <class... Actual, std::size_t... I>
-    static void make(void (*function)(Actual...), const Command& command, std::index_sequence<I...>) {
+    template <class Result, class... Actual, std::size_t... I>
+    static void make(Result (*function)(Actual...), const Command& command, std::index_sequence<I...>) {
         static_assert((std::is_same_v<Declared, Actual> && ...), "commands.def disagrees with GL's header");
         function(Argument<Actual>(command, I).get()...);
     }
-    template <class... Actual>
-    static void make(void (*function)(Actual...), const Command& command) {
+    template <class Result, class... Actual>
+    static void make(Result (*function)(Actual...), const Command& command) {
         static_assert(sizeof...(Declared) == sizeof...(Actual), "commands.def disagrees with GL's header");
         make(function, command, std::index_sequence_for<Actual...>{});
     }

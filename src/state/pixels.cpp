@@ -138,7 +138,6 @@ std::optional<InternalFormat> internal_format(double name) {
         case kGL_LUMINANCE8: return same(kGL_LUMINANCE, 8);
         case 2:
         case kGL_LUMINANCE_ALPHA:
-        case kGL_LUMINANCE4_ALPHA4:
         case kGL_LUMINANCE6_ALPHA2:
         case kGL_LUMINANCE8_ALPHA8: return same(kGL_LUMINANCE_ALPHA, 8);
         case 3:
@@ -162,9 +161,10 @@ std::optional<InternalFormat> internal_format(double name) {
         case kGL_LUMINANCE16_ALPHA16: return same(kGL_LUMINANCE_ALPHA, 16);
         case kGL_INTENSITY12:
         case kGL_INTENSITY16: return same(kGL_INTENSITY, 16);
+        case kGL_LUMINANCE4_ALPHA4: return same(kGL_LUMINANCE_ALPHA, 4);
         case kGL_R3_G3_B2: return InternalFormat{kGL_RGB, 3, 3, 2, 8};
-        case kGL_RGB4:
-        case kGL_RGB5: return InternalFormat{kGL_RGB, 5, 6, 5, 8};
+        case kGL_RGB4: return same(kGL_RGB, 4);
+        case kGL_RGB5: return same(kGL_RGB, 5);
         case kGL_RGB10: return same(kGL_RGB, 10);
         case kGL_RGB12:
         case kGL_RGB16: return same(kGL_RGB, 16);

@@ -25,8 +25,8 @@ struct InternalFormat {
 // The components and bits of an internalformat argument: 1 to 4, a base format or a sized one (table 3.16). Nothing for
 // names that are none, or that Twinlight does not hold (depth, compressed, sRGB).
 //
-// RULING (3.8.1: the resolution is the implementation's choice): 8 bits a component where the name gives no size; what
-// the name says from 8 bits on; below, the smallest that llvmpipe has for it.
+// RULING (3.8.1: the resolution is the implementation's choice): 8 bits a component where the name gives no size, else
+// what the name says, but 8 for one component alone and 16 for 12: what llvmpipe has.
 std::optional<InternalFormat> internal_format(double name);
 
 // How many values a pixel of `format` has; nothing for formats that carry no colour.

@@ -132,6 +132,7 @@ class State {
     void bind_texture(const Command&);
     void tex_image(const Command&);
     void tex_sub_image(const Command&);
+    void build_mipmaps(const Command&);
     void tex_parameter(const Command&);
     void tex_env(const Command&);
     void push_attrib(const Command&);
