@@ -154,7 +154,8 @@ const ParameterInfo* parameter_info(const Command& command) {
 
 std::optional<int> array_length(CommandId id, std::optional<Enum> pname) {
     const Signature& sig = signature(id);
-    const Parameter& array = sig.parameters.at(sig.first_array());
+    if (sig.first_array() == sig.parameters.size()) return std::nullopt;
+    const Parameter& array = sig.parameters[sig.first_array()];
     if (array.extent == Extent::kArray) return array.count;
     const std::optional<Owner> owner = owner_of(id);
     const ParameterInfo* info = owner && pname ? find_parameter(*owner, *pname) : nullptr;

@@ -119,7 +119,9 @@ struct Command {
     Word word(std::size_t i) const { return static_cast<Word>(enumerant(i)); }
     // The elements of the array argument (empty if the command has none).
     std::span<const double> array() const {
-        return std::span(arguments).subspan(sig().first_array(), arguments.size() - sig().scalars());
+        const std::size_t scalars = sig().scalars();
+        if (arguments.size() <= scalars) return {};
+        return std::span(arguments).subspan(sig().first_array(), arguments.size() - scalars);
     }
 
     // Equal commands do the same; where they stand does not matter.

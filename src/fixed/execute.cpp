@@ -174,6 +174,8 @@ void Executor::draw_shape(const Command& command) {
     draw_arrays(shape_parts(command));
 }
 
+void execute(const Command& command) { Executor().execute(command); }
+
 // Of the pragmas GL can do one: it draws.
 void Executor::pragma(const Command& command) {
     if (command.id == CommandId::pragma_shape) draw_shape(command);

@@ -21,6 +21,9 @@ class Executor {
     Quadrics quadrics_;
 };
 
+// One command by itself, without such objects: GLU's quadrics need an Executor.
+void execute(const Command& command);
+
 // Keeps what commands change to itself: GL's initial state while it lives, as the context had it before afterwards.
 // Needs a context that is in GL's initial state but for its viewport.
 class InitialState {
