@@ -190,11 +190,11 @@ std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, 
     // inner_radius is the tube's, outer_radius that of the circle around which the tube runs.
     Table table;
     for (int ring = 0; ring < rings; ++ring) {
-        const auto [ring_cosine, ring_sine] = circle_point(ring, rings, kCounterClockwise);
+        const CirclePoint turn = circle_point(ring, rings, kCounterClockwise);  // no bindings: clang 14 captures none
         table.add_ring(sides, [&](double cosine, double sine) {
             const double from_axis = outer_radius + inner_radius * cosine;
-            return ShapeVertex{{ring_cosine * from_axis, ring_sine * from_axis, inner_radius * sine},
-                               {ring_cosine * cosine, ring_sine * cosine, sine}};
+            return ShapeVertex{{turn.cosine * from_axis, turn.sine * from_axis, inner_radius * sine},
+                               {turn.cosine * cosine, turn.sine * cosine, sine}};
         });
     }
     const auto stride = static_cast<std::size_t>(sides);

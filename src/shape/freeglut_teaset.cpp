@@ -52,7 +52,8 @@ class Grid {
         Grid grid(side);
         const double last = static_cast<double>(side - 1);
         for (std::size_t i = 0; i < grid.vertices_.size(); ++i) {
-            const double u = static_cast<double>(i / side) / last, v = static_cast<double>(i % side) / last;
+            const std::size_t row = i / side, column = i % side;
+            const double u = static_cast<double>(row) / last, v = static_cast<double>(column) / last;
             const glm::dvec3 along_v = weighted(points, bernstein(u), bernstein_derivative(v));
             const glm::dvec3 along_u = weighted(points, bernstein_derivative(u), bernstein(v));
             grid.vertices_[i] = {

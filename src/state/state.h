@@ -182,7 +182,7 @@ class State {
     PixelStore pixel_store_;
     MatrixStack modelview_{{}}, projection_{{}}, texture_{{}};
     std::vector<SavedAttributes> attribute_stack_;
-    std::optional<Draw> open_;  // between Begin and End
+    std::optional<Draw> open_;                  // between Begin and End
     std::map<double, Quadric> quadrics_;        // by number
     std::map<double, Place> deleted_quadrics_;  // where gluDeleteQuadric stood
     std::vector<std::variant<Clear, Draw>> items_;
