@@ -32,8 +32,10 @@ void restore_enables(Attributes& now, const Attributes& saved) {
     now.fragment.blend = saved.fragment.blend;
     now.fragment.color_sum = saved.fragment.color_sum;
     now.fog.enabled = saved.fog.enabled;
-    now.texture.enabled_1d = saved.texture.enabled_1d;
-    now.texture.enabled_2d = saved.texture.enabled_2d;
+    for (std::size_t i = 0; i < saved.units.size(); ++i) {
+        now.units[i].enabled_1d = saved.units[i].enabled_1d;
+        now.units[i].enabled_2d = saved.units[i].enabled_2d;
+    }
 }
 
 void restore_lighting(LightingState& now, const LightingState& saved) {
@@ -97,7 +99,10 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     if (bit(kGL_COLOR_BUFFER_BIT)) restore_color_buffer(now, saved);
     if (bit(kGL_HINT_BIT)) now.hints = saved.hints;
     if (bit(kGL_LIST_BIT)) now.list_base = saved.list_base;
-    if (bit(kGL_TEXTURE_BIT)) now.texture = saved.texture;
+    if (bit(kGL_TEXTURE_BIT)) {
+        now.units = saved.units;
+        now.active_unit = saved.active_unit;
+    }
     if (bit(kGL_SCISSOR_BIT)) now.fragment.scissor = saved.fragment.scissor;
     for (const Elsewhere& row : capabilities_elsewhere()) {
         if (!bit(row.group) && !bit(kGL_ENABLE_BIT)) continue;
@@ -143,8 +148,10 @@ void State::pop_attrib(const Command& c) {
     restore(a_, saved.attributes, saved.mask);
     if ((saved.mask & kGL_TEXTURE_BIT) == 0) return;
     // What was deleted in between is bound no more (3.8.12).
-    for (auto* bound : {&a_.texture.bound_1d, &a_.texture.bound_2d}) {
-        if (*bound != 0 && !textures_.named.contains(*bound)) *bound = 0;
+    for (TextureBindings& one : a_.units) {
+        for (auto* bound : {&one.bound_1d, &one.bound_2d}) {
+            if (*bound != 0 && !textures_.named.contains(*bound)) *bound = 0;
+        }
     }
     restore_parameters(*writable_texture(c, kGL_TEXTURE_1D), saved.texture_1d);
     restore_parameters(*writable_texture(c, kGL_TEXTURE_2D), saved.texture_2d);

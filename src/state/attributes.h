@@ -18,7 +18,10 @@ struct TextureObjects {
     std::shared_ptr<Texture> default_2d = std::make_shared<Texture>();
 };
 
-// Unit 0: its bindings, capabilities and environment (3.8.13).
+inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: two at least (table 6.31), eight in Mesa
+
+// A texture unit: its bindings, capabilities and environment (3.8.13, 3.8.16). Draws are textured by unit 0; where
+// another is on, that is named as unsupported.
 struct TextureBindings {
     std::uint32_t bound_1d = 0, bound_2d = 0;
     bool enabled_1d = false, enabled_2d = false;
@@ -59,7 +62,8 @@ struct Attributes {
     RasterState raster;  // without the clip planes, which a Draw gets from clip_planes
     FragmentState fragment;
     Fog fog;
-    TextureBindings texture;
+    std::array<TextureBindings, kMaxTextureUnits> units;
+    std::size_t active_unit = 0;  // glActiveTexture's
     std::array<ClipPlane, kMaxClipPlanes> clip_planes;
     Vertex current;  // colour, normal, texture coordinates, edge flag
     Clear clear;     // the clear colour and depth

@@ -59,8 +59,8 @@ bool* State::followed_capability(Enum cap) {
         case kGL_BLEND: return &a_.fragment.blend;
         case kGL_COLOR_SUM: return &a_.fragment.color_sum;
         case kGL_FOG: return &a_.fog.enabled;
-        case kGL_TEXTURE_1D: return &a_.texture.enabled_1d;
-        case kGL_TEXTURE_2D: return &a_.texture.enabled_2d;
+        case kGL_TEXTURE_1D: return &unit().enabled_1d;
+        case kGL_TEXTURE_2D: return &unit().enabled_2d;
         default: return nullptr;
     }
 }

@@ -50,6 +50,14 @@ void State::blend_func(const Command& c) {
     f.blend_dst_alpha = separate ? c.enumerant(3) : f.blend_dst;
 }
 
+void State::blend_equation(const Command& c) {
+    const Enum mode = c.enumerant(0);
+    if (!known(c, mode, {kGL_FUNC_ADD, kGL_FUNC_SUBTRACT, kGL_FUNC_REVERSE_SUBTRACT, kGL_MIN, kGL_MAX})) return;
+    if (mode != kGL_FUNC_ADD) {
+        note_unsupported(fmt::format("glBlendEquation({})", enum_name(mode)), c.place, {"programmable", "reference"});
+    }
+}
+
 void State::blend_color(const Command& c) { a_.fragment.blend_color = clamped(four(c)); }
 
 void State::color_mask(const Command& c) {
@@ -68,7 +76,7 @@ void State::fog(const Command& c) {
         case kGL_FOG_DENSITY: a_.fog.density = values->front(); break;
         case kGL_FOG_START: a_.fog.start = values->front(); break;
         case kGL_FOG_END: a_.fog.end = values->front(); break;
-        case kGL_FOG_COLOR: a_.fog.color = {(*values)[0], (*values)[1], (*values)[2], (*values)[3]}; break;
+        case kGL_FOG_COLOR: a_.fog.color = clamped({(*values)[0], (*values)[1], (*values)[2], (*values)[3]}); break;
         case kGL_FOG_COORD_SRC:
             if (!known(c, name, {kGL_FRAGMENT_DEPTH, kGL_FOG_COORD})) break;
             if (name == kGL_FOG_COORD)

@@ -126,15 +126,15 @@ struct TextureImage {
     int width = 0, height = 1;        // without the border (borders are refused)
     Enum base_format = kGL_RGBA;      // GL_ALPHA, _LUMINANCE, _LUMINANCE_ALPHA, _INTENSITY, _RGB or _RGBA
     Enum internal_format = kGL_RGBA;  // as it was asked for: the levels of a complete texture have the same
-    std::vector<glm::vec4> texels{};    // (R, G, B, A); of luminance or intensity R = G = B = the value
+    std::vector<glm::vec4> texels{};  // (R, G, B, A); of luminance or intensity R = G = B = the value
 
     const glm::vec4& texel(int x, int y) const {
         return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
     }
 };
 
-struct Texture {                       // 3.8.4, table 3.18
-    Enum target = kGL_TEXTURE_2D;      // or GL_TEXTURE_1D
+struct Texture {                         // 3.8.4, table 3.18
+    Enum target = kGL_TEXTURE_2D;        // or GL_TEXTURE_1D
     std::vector<TextureImage> levels{};  // levels[0] is the base; empty images where none was given
     Enum min_filter = kGL_NEAREST_MIPMAP_LINEAR;
     Enum mag_filter = kGL_LINEAR;

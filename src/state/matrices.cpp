@@ -48,7 +48,7 @@ glm::dmat4 ortho_matrix(double l, double r, double b, double t, double n, double
 
 State::MatrixStack& State::stack() {
     if (a_.matrix_mode == kGL_MODELVIEW) return modelview_;
-    return a_.matrix_mode == kGL_PROJECTION ? projection_ : texture_;
+    return a_.matrix_mode == kGL_PROJECTION ? projection_ : texture_[a_.active_unit];
 }
 
 std::size_t State::stack_limit() const {

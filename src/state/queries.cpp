@@ -125,7 +125,7 @@ std::vector<double> State::get(Enum pname) const {
                                  of_pixel_store(pixel_store_, pname)}) {
         if (!answer.empty()) return answer;
     }
-    const glm::dmat4 &texture = texture_.back().matrix, &m = modelview(), &p = projection();
+    const glm::dmat4 &texture = texture_[a_.active_unit].back().matrix, &m = modelview(), &p = projection();
     switch (pname) {
         case kGL_CURRENT_COLOR: return list(a_.current.color);
         case kGL_CURRENT_NORMAL: {
@@ -143,11 +143,15 @@ std::vector<double> State::get(Enum pname) const {
         case kGL_TRANSPOSE_TEXTURE_MATRIX: return list(glm::transpose(texture));
         case kGL_MODELVIEW_STACK_DEPTH: return one(modelview_.size());
         case kGL_PROJECTION_STACK_DEPTH: return one(projection_.size());
-        case kGL_TEXTURE_STACK_DEPTH: return one(texture_.size());
+        case kGL_TEXTURE_STACK_DEPTH: return one(texture_[a_.active_unit].size());
         case kGL_ATTRIB_STACK_DEPTH: return one(attribute_stack_.size());
+        case kGL_ACTIVE_TEXTURE: return one(kGL_TEXTURE0 + a_.active_unit);
         case kGL_LIST_BASE: return one(a_.list_base);
-        case kGL_TEXTURE_BINDING_1D: return one(a_.texture.bound_1d);
-        case kGL_TEXTURE_BINDING_2D: return one(a_.texture.bound_2d);
+        case kGL_TEXTURE_BINDING_1D: return one(unit().bound_1d);
+        case kGL_TEXTURE_BINDING_2D: return one(unit().bound_2d);
+        case kGL_LIST_INDEX: return one(lists_.open_name);
+        case kGL_LIST_MODE: return one(lists_.open_name == 0 ? 0 : lists_.open_mode);
+        case kGL_MAX_LIST_NESTING: return one(kMaxListNesting);
         case kGL_MAX_LIGHTS: return one(kMaxLights);
         case kGL_MAX_CLIP_PLANES: return one(kMaxClipPlanes);
         case kGL_MAX_TEXTURE_SIZE: return one(kMaxTextureSize);
@@ -161,10 +165,10 @@ std::vector<double> State::get_clip_plane(Enum plane) const {
 }
 
 std::vector<double> State::get_tex_env(Enum target, Enum pname) const {
-    if (target == kGL_TEXTURE_FILTER_CONTROL && pname == kGL_TEXTURE_LOD_BIAS) return one(a_.texture.lod_bias);
+    if (target == kGL_TEXTURE_FILTER_CONTROL && pname == kGL_TEXTURE_LOD_BIAS) return one(unit().lod_bias);
     if (target != kGL_TEXTURE_ENV) return {};
-    if (pname == kGL_TEXTURE_ENV_MODE) return one(a_.texture.env_mode);
-    return pname == kGL_TEXTURE_ENV_COLOR ? list(a_.texture.env_color) : Answer{};
+    if (pname == kGL_TEXTURE_ENV_MODE) return one(unit().env_mode);
+    return pname == kGL_TEXTURE_ENV_COLOR ? list(unit().env_color) : Answer{};
 }
 
 std::vector<double> State::get_tex_parameter(Enum target, Enum pname) const {

@@ -57,12 +57,24 @@ void State::set_quadric(const Command& c) {
 }
 
 void State::quadric_shape(const Command& c) {
-    const Quadric* q = quadric(c);
+    const Quadric* q = lists_.quadric ? lists_.quadric : quadric(c);
     if (!q) return;
     try {
         send_shape(c, quadric_parts(*q, c));
     } catch (const std::invalid_argument& error) {
         raise(kGLU_INVALID_VALUE, c, error.what());
+    }
+}
+
+bool State::can_send(const Command& c) {
+    const Quadric* q = quadric(c);
+    if (!q) return false;
+    try {
+        quadric_parts(*q, c);
+        return true;
+    } catch (const std::invalid_argument& error) {
+        raise(kGLU_INVALID_VALUE, c, error.what());
+        return false;
     }
 }
 

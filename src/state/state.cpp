@@ -17,7 +17,8 @@ namespace {
 
 // What may stand between Begin and End (2.6.3), by effect.
 constexpr bool legal_inside(std::string_view effect) {
-    for (std::string_view legal : {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end"}) {
+    for (std::string_view legal : {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end",
+                                   "elsewhere_vertex", "call_list", "call_lists"}) {
         if (effect == legal) return true;  // begin and end say themselves what is wrong
     }
     return false;
@@ -30,6 +31,10 @@ State::State(const StateOptions& options) : options_(options) {
 }
 
 void State::apply(const Command& command) {
+    if (!compile(command)) carry_out(command);
+}
+
+void State::carry_out(const Command& command) {
     struct Row {
         void (State::*effect)(const Command&);
         bool legal_inside;
@@ -160,11 +165,18 @@ Draw State::new_draw(Enum mode, const Place& place) {
     draw.eye_from_object = modelview();
     draw.clip_from_eye = projection();
     draw.place = place;
-    draw.texture = {.texture = complete_texture(),
-                    .env_mode = a_.texture.env_mode,
-                    .env_color = a_.texture.env_color,
-                    .lod_bias = a_.texture.lod_bias,
-                    .texture_matrix = texture_.back().matrix};
+    draw.texture = {.texture = complete_texture(a_.units[0]),
+                    .env_mode = a_.units[0].env_mode,
+                    .env_color = a_.units[0].env_color,
+                    .lod_bias = a_.units[0].lod_bias,
+                    .texture_matrix = texture_[0].back().matrix};
+    if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) {
+        note_unsupported("glTexEnv(GL_COMBINE)", place, {"programmable", "reference"});
+    }
+    for (std::size_t i = 1; i < a_.units.size(); ++i) {
+        if (!complete_texture(a_.units[i])) continue;
+        note_unsupported(fmt::format("texture unit {}", i), place, {"programmable", "reference"});
+    }
     draw.fog = a_.fog;
     draw.fragment = a_.fragment;
     for (std::size_t i = 0; i < a_.clip_planes.size(); ++i) {
@@ -189,8 +201,13 @@ void State::note_unsupported(const std::string& name, const Place& place, std::v
 }
 
 std::optional<GlError> State::unfinished() const {
+    if (lists_.open_name != 0) {
+        return GlError{kGL_INVALID_OPERATION, lists_.opened, "this glNewList has no glEndList"};
+    }
     if (open_) return GlError{kGL_INVALID_OPERATION, open_->place, "this glBegin has no glEnd"};
-    for (const MatrixStack* s : {&modelview_, &projection_, &texture_}) {
+    std::vector<const MatrixStack*> stacks{&modelview_, &projection_};
+    for (const MatrixStack& one : texture_) stacks.push_back(&one);
+    for (const MatrixStack* s : stacks) {
         if (s->size() > 1) return GlError{kGL_STACK_OVERFLOW, s->back().pushed, "this glPushMatrix has no glPopMatrix"};
     }
     if (!attribute_stack_.empty()) {

@@ -9,6 +9,7 @@
 #include "shape/quadric.h"
 #include "state/attributes.h"
 #include "state/frame.h"
+#include "state/lists.h"
 #include "state/pixels.h"
 
 namespace twinlight {
@@ -130,19 +131,35 @@ class State {
     void fog(const Command&);
     void pixel_store(const Command&);
     void bind_texture(const Command&);
+    void active_texture(const Command&);
     void tex_image(const Command&);
     void tex_sub_image(const Command&);
     void build_mipmaps(const Command&);
     void tex_parameter(const Command&);
     void tex_env(const Command&);
+    void gen_lists(const Command&);
+    void new_list(const Command&);
+    void end_list(const Command&);
+    void delete_lists(const Command&);
+    void list_base(const Command&);
+    void call_list(const Command&);
+    void call_lists(const Command&);
     void push_attrib(const Command&);
     void pop_attrib(const Command&);
     void load_transpose_matrix(const Command&);
     void mult_transpose_matrix(const Command&);
+    void blend_equation(const Command&);
+    void draw_buffer(const Command&);
+    void elsewhere_state(const Command&);
+    void elsewhere_drawing(const Command&);
+    void elsewhere_vertex(const Command&);
     void specular_model(const Command&);
     void ambient_model(const Command&);
     void spot_cone(const Command&);
 
+    void carry_out(const Command& command);
+    bool compile(const Command& command);
+    void execute_list(const Command& command, std::uint32_t name);
     void raise(Enum code, const Command& command, std::string message);
     // Whether `value` is one of `allowed`; raises GL_INVALID_ENUM if not.
     bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);
@@ -154,7 +171,10 @@ class State {
     // The texture that a glTex* command changes: one that no Draw holds. Null, and the error, for a wrong target.
     Texture* writable_texture(const Command& command, Enum target);
     std::shared_ptr<Texture>& bound_texture(Enum target);
-    std::shared_ptr<const Texture> complete_texture() const;
+    std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target);
+    std::shared_ptr<const Texture> complete_texture(const TextureBindings& bindings) const;
+    TextureBindings& unit() { return a_.units[a_.active_unit]; }
+    const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
     bool check_pixel_type(const Command& command, const PixelSource& source);
     std::optional<std::vector<glm::dvec4>> pixels(const Command& command, const PixelSource& source);
     void generate_mipmaps(Texture& texture) const;
@@ -165,6 +185,7 @@ class State {
     Draw new_draw(Enum mode, const Place& place);
     void send_shape(const Command& command, std::vector<ShapePart> parts);
     Quadric* quadric(const Command& command);  // its first argument; null, and the error, where there is none
+    bool can_send(const Command& command);     // whether its quadric can be sent; false, and the error, if not
     void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
     double to_real(double c,
                    Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
@@ -180,7 +201,9 @@ class State {
     Attributes a_;
     TextureObjects textures_;
     PixelStore pixel_store_;
-    MatrixStack modelview_{{}}, projection_{{}}, texture_{{}};
+    Lists lists_;
+    MatrixStack modelview_{{}}, projection_{{}};
+    std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
     std::vector<SavedAttributes> attribute_stack_;
     std::optional<Draw> open_;                  // between Begin and End
     std::map<double, Quadric> quadrics_;        // by number

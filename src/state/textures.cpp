@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "state/pixels.h"
 #include "state/state.h"
 
 namespace twinlight {
 
-std::shared_ptr<Texture>& State::bound_texture(Enum target) {
-    const std::uint32_t name = target == kGL_TEXTURE_1D ? a_.texture.bound_1d : a_.texture.bound_2d;
+std::shared_ptr<Texture>& State::bound_texture(Enum target) { return texture_of(unit(), target); }
+
+std::shared_ptr<Texture>& State::texture_of(const TextureBindings& bindings, Enum target) {
+    const std::uint32_t name = target == kGL_TEXTURE_1D ? bindings.bound_1d : bindings.bound_2d;
     if (name == 0) return target == kGL_TEXTURE_1D ? textures_.default_1d : textures_.default_2d;
     return textures_.named[name];
 }
@@ -36,7 +39,18 @@ void State::bind_texture(const Command& c) {
                                      enum_name(texture->target), enum_name(target)));
         }
     }
-    (target == kGL_TEXTURE_1D ? a_.texture.bound_1d : a_.texture.bound_2d) = name;
+    (target == kGL_TEXTURE_1D ? unit().bound_1d : unit().bound_2d) = name;
+}
+
+// 3.8.16: which unit the commands on textures and on the texture matrix mean.
+void State::active_texture(const Command& c) {
+    const Enum texture = c.enumerant(0);
+    if (texture < kGL_TEXTURE0 || texture >= kGL_TEXTURE0 + kMaxTextureUnits) {
+        return raise(kGL_INVALID_ENUM, c,
+                     fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(texture),
+                                 kMaxTextureUnits - 1));
+    }
+    a_.active_unit = texture - kGL_TEXTURE0;
 }
 
 void State::tex_parameter(const Command& c) {
@@ -68,7 +82,8 @@ void State::tex_parameter(const Command& c) {
         case kGL_TEXTURE_WRAP_T: return set(&Texture::wrap_t, wraps);
         case kGL_TEXTURE_WRAP_R: known(c, name, wraps); return;  // of no use to one and two dimensions
         case kGL_TEXTURE_BORDER_COLOR:
-            writable_texture(c, target)->border_color = {(*values)[0], (*values)[1], (*values)[2], (*values)[3]};
+            writable_texture(c, target)->border_color =
+                glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0);
             return;
         case kGL_TEXTURE_PRIORITY:
             writable_texture(c, target)->priority = std::clamp(values->front(), 0.0, 1.0);
@@ -88,25 +103,25 @@ void State::tex_env(const Command& c) {
         case kGL_TEXTURE_ENV_MODE: {
             const auto mode = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
             if (known(c, mode, {kGL_MODULATE, kGL_DECAL, kGL_REPLACE, kGL_BLEND, kGL_ADD, kGL_COMBINE})) {
-                a_.texture.env_mode = mode;
+                unit().env_mode = mode;
             }
             break;
         }
         case kGL_TEXTURE_ENV_COLOR:
-            a_.texture.env_color = {(*values)[0], (*values)[1], (*values)[2], (*values)[3]};
+            unit().env_color = glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0);
             break;
-        case kGL_TEXTURE_LOD_BIAS: a_.texture.lod_bias = values->front(); break;
+        case kGL_TEXTURE_LOD_BIAS: unit().lod_bias = values->front(); break;
         default: break;
     }
 }
 
 // The texture that a Draw gets: of the enabled targets the one of more dimensions (3.8.15), if it is complete (3.8.10):
 // its base level is there, and with a mipmap filter all levels down to 1 x 1, each half the size and of one format.
-std::shared_ptr<const Texture> State::complete_texture() const {
-    if (!a_.texture.enabled_1d && !a_.texture.enabled_2d) return nullptr;
+std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bindings) const {
+    if (!bindings.enabled_1d && !bindings.enabled_2d) return nullptr;
     auto* self = const_cast<State*>(this);  // NOLINT: bound_texture changes nothing that exists
     std::shared_ptr<const Texture> texture =
-        self->bound_texture(a_.texture.enabled_2d ? kGL_TEXTURE_2D : kGL_TEXTURE_1D);
+        self->texture_of(bindings, bindings.enabled_2d ? kGL_TEXTURE_2D : kGL_TEXTURE_1D);
     if (!texture || texture->levels.empty() || texture->levels[0].texels.empty()) return nullptr;
     if (texture->min_filter == kGL_NEAREST || texture->min_filter == kGL_LINEAR) return texture;
     int width = texture->levels[0].width, height = texture->levels[0].height;

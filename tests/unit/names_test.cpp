@@ -51,16 +51,12 @@ TEST(Commands, StandInTheTableOnceAndFindThemselves) {
     }
 }
 
-TEST(Commands, HaveOneArrayAtTheMostAndLastUnlessItsLengthIsFixed) {
+TEST(Commands, HaveAnArrayWhoseLengthIsNotKnownOnlyAsTheLastArgument) {
     for (const Signature& sig : signatures()) {
-        const std::size_t array = sig.first_array();
-        for (std::size_t i = 0; i < sig.parameters.size(); ++i) {
+        for (std::size_t i = 0; i + 1 < sig.c_arguments(); ++i) {
             const Extent extent = sig.parameters[i].extent;
-            if (i != array) {
-                EXPECT_TRUE(extent == Extent::kValue || extent == Extent::kPointer) << sig.usage();
-            } else if (i + 1 < sig.parameters.size()) {
-                EXPECT_EQ(extent, Extent::kArray) << sig.usage();
-            }
+            EXPECT_TRUE(extent != Extent::kByPname && extent != Extent::kOutput && extent != Extent::kRest)
+                << sig.usage();
         }
     }
 }

@@ -83,11 +83,14 @@ TEST(QuadricReading, TellsMistakes) {
     EXPECT_EQ(error_of("GLUquadric q;"),
               "scene.gl:1:12: expected '*' after GLUquadric: scenes have pointers to quadrics only, found 'q'");
     EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(1);"),
-              "scene.gl:1:31: expected ')' after gluNewQuadric(: it takes no arguments, found '1'");
+              "scene.gl:1:31: expected ')' after the arguments of gluNewQuadric, found '1'");
     EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(); gluQuadricNormals(q, GLU_SMOTH);"),
               "scene.gl:1:55: unknown name 'GLU_SMOTH'; did you mean GLU_SMOOTH?");
-    EXPECT_EQ(error_of("GLUquadric* q[2];").substr(0, 15), "scene.gl:1:14: ");
-    EXPECT_EQ(error_of("int q = 1; q = gluNewQuadric();").substr(0, 15), "scene.gl:1:12: ");
+    EXPECT_EQ(error_of("GLUquadric* q[2];"), "scene.gl:1:13: arrays of quadrics are not part of a scene: declare each");
+    EXPECT_EQ(error_of("int q = gluNewQuadric();"),
+              "scene.gl:1:9: gluNewQuadric returns a quadric: declare 'q' as a GLUquadric*");
+    EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(); glLightfv(GL_LIGHT0, GL_POSITION, &q);"),
+              "scene.gl:1:69: a scene has no pointers to pointers to quadrics");
 }
 
 const char* const kProgram =
@@ -190,6 +193,20 @@ TEST(QuadricState, OfFlatSpheresStartsWithTheCurrentNormal) {
     EXPECT_EQ(draws[0].vertices[1].normal_object, glm::dvec3(1, 0, 0));
     EXPECT_NE(draws[0].vertices[2].normal_object, glm::dvec3(1, 0, 0));
     EXPECT_EQ(draws[1].vertices[0].normal_object, draws[0].vertices.back().normal_object);
+}
+
+// A list holds the calls that GLU made, not the quadric that it made them for.
+TEST(QuadricState, InAListIsTheQuadricAsItWasThen) {
+    const std::string text =
+        "GLUquadric* q = gluNewQuadric(); glNewList(1, GL_COMPILE);"
+        "gluQuadricDrawStyle(q, GLU_POINT); gluSphere(q, 1, 8, 6); gluQuadricDrawStyle(q, GLU_LINE);"
+        "glEndList(); gluDeleteQuadric(q); glCallList(1);";
+    const std::vector<Draw> draws = draws_of(text);
+    ASSERT_EQ(draws.size(), 1u);
+    EXPECT_EQ(draws[0].mode, kGL_POINTS);
+    EXPECT_EQ(
+        error_of("GLUquadric* q = gluNewQuadric();\nglNewList(1, GL_COMPILE);\ngluSphere(q, 1, 1, 6); glEndList();"),
+        "scene.gl:3:1: gluSphere needs slices >= 2, stacks >= 1 and radius >= 0 (GLU_INVALID_VALUE)");
 }
 
 // ---- What holds in every style ----
