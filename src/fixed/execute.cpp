@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "context/gl.h"
+#include "fixed/draw_parts.h"
 #include "fixed/fixed.h"
 #include "shape/shape.h"
 
@@ -138,46 +139,11 @@ struct Call {
     }
 };
 
-void draw_arrays(const std::vector<ShapePart>& parts) {
-    // As freeglut does: vertex arrays of floats, current colour and state.
-    glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
-    for (const ShapePart& part : parts) {
-        std::vector<std::array<GLfloat, 3>> positions, normals;
-        std::vector<std::array<GLfloat, 2>> tex_coords;
-        positions.reserve(part.vertices.size());
-        normals.reserve(part.vertices.size());
-        const auto floats = [](const glm::dvec3& v) {
-            return std::array{static_cast<GLfloat>(v.x), static_cast<GLfloat>(v.y), static_cast<GLfloat>(v.z)};
-        };
-        for (const ShapeVertex& v : part.vertices) {
-            positions.push_back(floats(v.position_object));
-            normals.push_back(floats(v.normal_object));
-            if (part.sends_tex_coords) {
-                tex_coords.push_back({static_cast<GLfloat>(v.tex_coord.x), static_cast<GLfloat>(v.tex_coord.y)});
-            }
-        }
-        glEnableClientState(GL_VERTEX_ARRAY);
-        glEnableClientState(GL_NORMAL_ARRAY);
-        glVertexPointer(3, GL_FLOAT, 0, positions.data());
-        glNormalPointer(GL_FLOAT, 0, normals.data());
-        if (part.sends_tex_coords) {
-            glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-            glTexCoordPointer(2, GL_FLOAT, 0, tex_coords.data());
-        }
-        if (part.indices.empty()) {
-            glDrawArrays(part.mode, 0, static_cast<GLsizei>(positions.size()));
-        } else {
-            glDrawElements(part.mode, static_cast<GLsizei>(part.indices.size()), GL_UNSIGNED_INT, part.indices.data());
-        }
-    }
-    glPopClientAttrib();
-}
-
 }  // namespace
 
 void Executor::draw_shape(const Command& command) {
     if (draws_quadric(command)) return quadrics_.execute(command);
-    draw_arrays(shape_parts(command));
+    draw_by_arrays(shape_parts(command));
 }
 
 // Of the pragmas GL can do one: it draws.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "context/gl.h"
+#include "fixed/draw_parts.h"
 
 namespace twinlight::fixed {
 
@@ -69,25 +70,6 @@ void Quadrics::draw(const Entry& entry, const Command& command) {
         case CommandId::gluPartialDisk:
             return gluPartialDisk(object, number(1), number(2), count(3), count(4), number(5), number(6));
         default: throw std::invalid_argument(std::string(command.name()) + " draws no quadric");
-    }
-}
-
-void draw_immediately(const std::vector<ShapePart>& parts) {
-    for (const ShapePart& part : parts) {
-        glBegin(part.mode);
-        for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-            const ShapeVertex& v = part.vertices[i];
-            if (i >= part.first_normal) {
-                glNormal3f(static_cast<GLfloat>(v.normal_object.x), static_cast<GLfloat>(v.normal_object.y),
-                           static_cast<GLfloat>(v.normal_object.z));
-            }
-            if (part.sends_tex_coords) {
-                glTexCoord2f(static_cast<GLfloat>(v.tex_coord.x), static_cast<GLfloat>(v.tex_coord.y));
-            }
-            glVertex3f(static_cast<GLfloat>(v.position_object.x), static_cast<GLfloat>(v.position_object.y),
-                       static_cast<GLfloat>(v.position_object.z));
-        }
-        glEnd();
     }
 }
 

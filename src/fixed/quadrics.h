@@ -3,7 +3,6 @@
 
 #include <map>
 #include <memory>
-#include <vector>
 
 #include "command/command.h"
 #include "shape/quadric.h"
@@ -31,8 +30,5 @@ class Quadrics {
 
     std::map<double, Entry> entries_;
 };
-
-// Vertices between glBegin and glEnd, as floats.
-void draw_immediately(const std::vector<ShapePart>& parts);
 
 }  // namespace twinlight::fixed

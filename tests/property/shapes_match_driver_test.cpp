@@ -158,5 +158,39 @@ TEST_F(ShapesAndTheDriver, AgreeOnPicturesOfFreeglutsSolids) {
     for (const std::string& solid : kSolids) expect_same_picture("glutSolid" + solid + ";");
 }
 
+// The program's arrays and buffer objects stay as they are, and out of it.
+TEST_F(ShapesAndTheDriver, LeavesTheProgramsArraysAlone) {
+    const fixed::InitialState initial(kWidth, kHeight);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const std::array<GLfloat, 3> red{1, 0, 0};  // too short for any shape
+    GLuint buffer = 0;
+    glGenBuffers(1, &buffer);
+    glEnableClientState(GL_COLOR_ARRAY);
+    glColorPointer(3, GL_FLOAT, 0, red.data());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glColor3f(0, 1, 0);
+    fixed::Executor executor;
+    executor.execute(Command{CommandId::glutSolidCube, {1}, {}});
+    EXPECT_EQ(read_pixels(kWidth, kHeight).at(kWidth / 2, kHeight / 2), (Rgba{0, 1, 0, 1}));
+    GLint bound = 0;
+    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
+    EXPECT_EQ(static_cast<GLuint>(bound), buffer);
+    EXPECT_TRUE(glIsEnabled(GL_COLOR_ARRAY));
+    EXPECT_FALSE(glIsEnabled(GL_VERTEX_ARRAY));
+    EXPECT_FALSE(glIsEnabled(GL_NORMAL_ARRAY));
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glDisableClientState(GL_COLOR_ARRAY);
+    glDeleteBuffers(1, &buffer);
+}
+
+// Compiled into a list, and called.
+TEST_F(ShapesAndTheDriver, AgreeOnPicturesOfShapesInLists) {
+    expect_same_picture(
+        "GLUquadric* q = gluNewQuadric(); glNewList(1, GL_COMPILE); gluQuadricNormals(q, GLU_FLAT);"
+        "gluCylinder(q, 0.8, 0.4, 1, 9, 2); glutSolidTeapot(0.5); glEndList();"
+        "gluQuadricNormals(q, GLU_NONE); glCallList(1); gluDeleteQuadric(q);");
+}
+
 }  // namespace
 }  // namespace twinlight
