@@ -26,6 +26,8 @@ const std::vector<Signature>& table() {
     Parameter { #name, kind, Extent::kOutput, 0 }
 #define R(name, kind) \
     Parameter { #name, kind, Extent::kRest, 0 }
+#define B(name) \
+    Parameter { #name, kSizeiptr, Extent::kPointer, 0 }
 #define GL_COMMAND(name, effect, ...) {#name, Family::kGl, {__VA_ARGS__}},
 #define SHAPE_COMMAND(name, effect, ...) {#name, Family::kShape, {__VA_ARGS__}},
 #define PRAGMA_COMMAND(name, effect, ...) {#name, Family::kPragma, {__VA_ARGS__}},
@@ -35,6 +37,7 @@ const std::vector<Signature>& table() {
 #undef V
 #undef Q
 #undef R
+#undef B
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
 #undef PRAGMA_COMMAND
@@ -59,8 +62,15 @@ std::optional<CommandId> find(const std::unordered_map<std::string_view, Command
 
 }  // namespace
 
+bool operator==(const Command& a, const Command& b) {
+    const bool same_memory = a.memory == b.memory || (a.memory && b.memory && a.memory->kind == b.memory->kind &&
+                                                      a.memory->bytes == b.memory->bytes);
+    return a.id == b.id && a.arguments == b.arguments && same_memory;
+}
+
 std::size_t Signature::scalars() const {
-    const bool has_array = !parameters.empty() && parameters.back().extent != Extent::kValue;
+    const bool has_array = !parameters.empty() && parameters.back().extent != Extent::kValue &&
+                           parameters.back().extent != Extent::kPointer;
     return parameters.size() - (has_array ? 1 : 0);
 }
 
@@ -115,7 +125,21 @@ std::optional<Owner> owner_of(CommandId id) {
     if (name.starts_with("glLightModel")) return Owner::kLightModel;
     if (name.starts_with("glLight") || name.starts_with("glGetLight")) return Owner::kLight;
     if (name.starts_with("glMaterial") || name.starts_with("glGetMaterial")) return Owner::kMaterial;
+    if (name.starts_with("glFog")) return Owner::kFog;
+    if (name.starts_with("glTexEnv") || name.starts_with("glGetTexEnv")) return Owner::kTexEnv;
+    if (name.starts_with("glTexParameter") || name.starts_with("glGetTexParameter")) return Owner::kTexture;
+    if (name.starts_with("glPixelStore")) return Owner::kPixelStore;
     return std::nullopt;
+}
+
+const ParameterInfo* parameter_info(const Command& command) {
+    const std::optional<Owner> owner = owner_of(command.id);
+    if (!owner) return nullptr;
+    const std::vector<Parameter>& parameters = command.sig().parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (parameters[i].name == "pname") return find_parameter(*owner, command.enumerant(i));
+    }
+    return nullptr;
 }
 
 std::optional<int> array_length(CommandId id, std::optional<Enum> pname) {

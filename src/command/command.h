@@ -3,6 +3,7 @@
 // What a command looks like (its Signature) stands in commands.def, once; CommandId enumerates the rows.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -39,11 +40,13 @@ enum class Kind : std::uint8_t {
     kUint,
     kFloat,
     kDouble,
+    kSizeiptr,  // of sizes and offsets in buffer objects (2.9)
     kWord,
 };
 
 enum class Extent : std::uint8_t {
     kValue,    // one value
+    kPointer,  // a pointer to memory, or an offset into a buffer object: one value, the offset; see Command::memory
     kArray,    // an array of `count` values
     kByPname,  // an array whose length the argument pname decides
     kOutput,   // the same, written by the command
@@ -86,12 +89,22 @@ struct Place {
     std::string str() const;  // "scene.gl:14:22"
 };
 
+// What a pointer argument points at: the bytes from where it points on, as far as is known. `kind` is the C type that
+// they were declared with (kUbyte where that is not known), for printing.
+struct Memory {
+    Kind kind = Kind::kUbyte;
+    std::vector<std::byte> bytes;
+};
+
 // The arguments one after the other, the elements of an array argument last. Each is held as a double that has
 // exactly the value the C type of its parameter would have (every GL type fits into a double).
 struct Command {
     CommandId id{};
     std::vector<double> arguments;
     Place place;
+    // Of a command with a pointer argument: null for a null pointer or an offset into a buffer object. The argument
+    // itself is the offset in bytes, into the memory or into the buffer object that is bound.
+    std::shared_ptr<const Memory> memory = nullptr;
 
     const Signature& sig() const { return signature(id); }
     std::string_view name() const { return sig().name; }
@@ -102,7 +115,7 @@ struct Command {
     std::span<const double> array() const { return std::span(arguments).subspan(sig().scalars()); }
 
     // Equal commands do the same; where they stand does not matter.
-    friend bool operator==(const Command& a, const Command& b) { return a.id == b.id && a.arguments == b.arguments; }
+    friend bool operator==(const Command& a, const Command& b);
 };
 
 struct CommandList {
@@ -110,9 +123,18 @@ struct CommandList {
     std::vector<Command> commands;
 };
 
-// ---- The parameters of lights, materials and the light model (parameters.def) ----
+// ---- The parameters of lights, materials, the light model, fog, textures and pixel storage (parameters.def) ----
 
-enum class Owner : std::uint8_t { kLight, kMaterial, kLightModel };
+enum class Owner : std::uint8_t {
+    kLight,
+    kMaterial,
+    kLightModel,
+    kFog,
+    kTexEnv,
+    kTexFilterControl,
+    kTexture,
+    kPixelStore
+};
 enum class Meaning : std::uint8_t { kColor, kPosition, kDirection, kScalar, kEnum };
 
 struct ParameterInfo {
@@ -129,6 +151,9 @@ const ParameterInfo* find_parameter(Owner owner,
 
 // Whose parameters the argument pname of this command names (glLight*, glGetLight*: kLight, ...).
 std::optional<Owner> owner_of(CommandId id);
+
+// The parameter that the argument pname of this command names; null where it has none, or names none of its owner's.
+const ParameterInfo* parameter_info(const Command& command);
 
 // How many elements the command's array argument has; the pname decides where the table says so. For an unknown pname
 // the answer is nothing (the driver would raise GL_INVALID_ENUM and read none).

@@ -67,6 +67,7 @@ std::string enum_name(Enum value) {
 }
 
 std::string bit_names(Enum mask) {
+    if (mask == kGL_ALL_ATTRIB_BITS) return "GL_ALL_ATTRIB_BITS";
     std::string shown;
     const auto join = [&shown](std::string_view name) { shown.append(shown.empty() ? "" : " | ").append(name); };
     for (const NamedValue& row : gl_names()) {

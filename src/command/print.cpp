@@ -24,6 +24,7 @@ std::string_view c_type_name(Kind kind) {
         case Kind::kUint: return "GLuint";
         case Kind::kFloat: return "GLfloat";
         case Kind::kDouble: return "GLdouble";
+        case Kind::kSizeiptr: return "GLsizeiptr";
         case Kind::kWord: break;  // words stand in pragmas only, never in arrays
     }
     return "";
@@ -53,8 +54,10 @@ std::string print_number(double value, Kind kind) {
     }
 }
 
-bool is_color_control(const Command& command) {
-    return owner_of(command.id) == Owner::kLightModel && command.enumerant(0) == kGL_LIGHT_MODEL_COLOR_CONTROL;
+// Whether the values that a pname asks for are names: glFogi(GL_FOG_MODE, GL_LINEAR).
+bool takes_names(const Command& command) {
+    const ParameterInfo* info = parameter_info(command);
+    return info && info->meaning == Meaning::kEnum;
 }
 
 std::string print_value(const Command& command, const Parameter& parameter, double value) {
@@ -62,7 +65,7 @@ std::string print_value(const Command& command, const Parameter& parameter, doub
         const Enum e = static_cast<Enum>(value);
         return command.id == CommandId::glBegin ? primitive_name(e) : enum_name(e);
     }
-    const bool named = parameter.name.starts_with("param") && is_color_control(command) && value > kGL_POLYGON &&
+    const bool named = parameter.name.starts_with("param") && takes_names(command) && value > kGL_POLYGON &&
                        value == std::trunc(value) && value <= 0xFFFF;
     if (named) return enum_name(static_cast<Enum>(value));
     if (parameter.kind == Kind::kBoolean && (value == 0 || value == 1)) return value == 0 ? "GL_FALSE" : "GL_TRUE";

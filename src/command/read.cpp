@@ -24,13 +24,13 @@ struct NamedType {
 };
 
 constexpr NamedType kTypes[] = {
-    {"float", Kind::kFloat},   {"GLfloat", Kind::kFloat},   {"GLclampf", Kind::kFloat},
-    {"double", Kind::kDouble}, {"GLdouble", Kind::kDouble}, {"GLclampd", Kind::kDouble},
-    {"int", Kind::kInt},       {"GLint", Kind::kInt},       {"GLsizei", Kind::kSizei},
-    {"GLuint", Kind::kUint},   {"GLenum", Kind::kEnum},     {"GLbitfield", Kind::kBitfield},
-    {"short", Kind::kShort},   {"GLshort", Kind::kShort},   {"GLushort", Kind::kUshort},
-    {"GLbyte", Kind::kByte},   {"GLubyte", Kind::kUbyte},   {"GLboolean", Kind::kBoolean},
-    {"unsigned", Kind::kUint},
+    {"float", Kind::kFloat},   {"GLfloat", Kind::kFloat},       {"GLclampf", Kind::kFloat},
+    {"double", Kind::kDouble}, {"GLdouble", Kind::kDouble},     {"GLclampd", Kind::kDouble},
+    {"int", Kind::kInt},       {"GLint", Kind::kInt},           {"GLsizei", Kind::kSizei},
+    {"GLuint", Kind::kUint},   {"GLenum", Kind::kEnum},         {"GLbitfield", Kind::kBitfield},
+    {"short", Kind::kShort},   {"GLshort", Kind::kShort},       {"GLushort", Kind::kUshort},
+    {"GLbyte", Kind::kByte},   {"GLubyte", Kind::kUbyte},       {"GLboolean", Kind::kBoolean},
+    {"unsigned", Kind::kUint}, {"GLsizeiptr", Kind::kSizeiptr}, {"GLintptr", Kind::kSizeiptr},
 };
 
 std::optional<Kind> find_type(std::string_view name) {
@@ -66,6 +66,7 @@ Range range_of(Kind kind) {
         case Kind::kBitfield:
         case Kind::kUint:
         case Kind::kWord: return {0, 4294967295.0};
+        case Kind::kSizeiptr: return {-9007199254740992.0, 9007199254740992.0};  // what a double holds exactly
         case Kind::kFloat:
         case Kind::kDouble: break;  // real numbers have no such range
     }

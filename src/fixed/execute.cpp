@@ -64,6 +64,10 @@ template <>
 struct CType<Kind::kDouble> {
     using type = GLdouble;
 };
+template <>
+struct CType<Kind::kSizeiptr> {
+    using type = GLsizeiptr;
+};
 
 // A row's parameter as C declares it.
 template <Kind kind, bool is_array, bool is_output>
@@ -101,16 +105,28 @@ struct Argument<Element*> {
     std::array<std::remove_const_t<Element>, kLongestArray> values{};
 };
 
+// A pointer into the command's memory, or the offset into a buffer object that stands in its place.
+template <>
+struct Argument<const void*> {
+    Argument(const Command& command, std::size_t i) {
+        const auto offset = static_cast<std::ptrdiff_t>(command.number(i));
+        value = command.memory ? command.memory->bytes.data() + offset : nullptr;
+        if (!command.memory) value = reinterpret_cast<const void*>(offset);  // NOLINT: GL's way to give an offset
+    }
+    const void* get() { return value; }
+    const void* value = nullptr;
+};
+
 // `Declared` are the parameters as the table declares them: a row that disagrees with the header does not compile.
 template <class... Declared>
 struct Call {
-    template <class... Actual, std::size_t... I>
-    static void make(void (*function)(Actual...), const Command& command, std::index_sequence<I...>) {
+    template <class Result, class... Actual, std::size_t... I>
+    static void make(Result (*function)(Actual...), const Command& command, std::index_sequence<I...>) {
         static_assert((std::is_same_v<Declared, Actual> && ...), "commands.def disagrees with GL's header");
         function(Argument<Actual>(command, I).get()...);
     }
-    template <class... Actual>
-    static void make(void (*function)(Actual...), const Command& command) {
+    template <class Result, class... Actual>
+    static void make(Result (*function)(Actual...), const Command& command) {
         static_assert(sizeof...(Declared) == sizeof...(Actual), "commands.def disagrees with GL's header");
         make(function, command, std::index_sequence_for<Actual...>{});
     }
@@ -151,6 +167,8 @@ void pragma(const Command& command) {
 }  // namespace
 
 void execute(const Command& command) {
+    // Offscreen there is one colour buffer, and it has another name than a window's.
+    if (command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE) return;
     switch (command.id) {
 // clang-format off
 #define P(name, kind) CParameter<Kind::kind, false, false>
@@ -158,6 +176,7 @@ void execute(const Command& command) {
 #define V(name, kind) CParameter<Kind::kind, true, false>
 #define Q(name, kind) CParameter<Kind::kind, true, true>
 #define R(name, kind) double
+#define B(name) const void*
 #define GL_COMMAND(name, effect, ...) \
     case CommandId::name: return Call<__VA_ARGS__>::make(&::name, command);
 #define SHAPE_COMMAND(name, effect, ...) \
@@ -171,6 +190,7 @@ void execute(const Command& command) {
 #undef V
 #undef Q
 #undef R
+#undef B
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
 #undef PRAGMA_COMMAND

@@ -91,16 +91,94 @@ struct Viewport {
     int width = 0, height = 0;
 };
 
+struct PolygonOffset {  // 3.5.5
+    double factor = 0;
+    double units = 0;
+    bool point = false, line = false, fill = false;  // GL_POLYGON_OFFSET_POINT, _LINE, _FILL
+};
+
+inline constexpr int kMaxClipPlanes = 8;  // GL asks for six at least (table 6.29); Mesa has eight
+
 struct RasterState {
     Viewport viewport;
+    double depth_near = 0, depth_far = 1;  // glDepthRange (2.11.1)
     Enum front_face = kGL_CCW;
     bool cull_enabled = false;
     Enum cull_face = kGL_BACK;
     Enum polygon_mode_front = kGL_FILL;
     Enum polygon_mode_back = kGL_FILL;
+    PolygonOffset polygon_offset;
+    double line_width = 1;  // 3.4: rounded to a whole number of pixels, 1 at least, without smoothing
+    double point_size = 1;  // 3.3: the same
+    std::array<std::optional<glm::dvec4>, kMaxClipPlanes>
+        clip_planes_eye;  // the enabled ones (2.12), in eye coordinates
     bool depth_test = false;
     Enum depth_func = kGL_LESS;
     bool depth_mask = true;
+};
+
+// ---- What happens to its fragments: textures (3.8), fog (3.10), the per-fragment operations (4.1) ----
+
+// One level of a texture. Texels are what GL keeps of the image after its transfer: the components of the base
+// internal format (table 3.15) as numbers in [0,1], rounded to the bits of the internal format; the others are 0
+// (alpha 1). Row 0 is t = 0.
+struct TextureImage {
+    int width = 0, height = 1;        // without the border (borders are refused)
+    Enum base_format = kGL_RGBA;      // GL_ALPHA, _LUMINANCE, _LUMINANCE_ALPHA, _INTENSITY, _RGB or _RGBA
+    Enum internal_format = kGL_RGBA;  // as it was asked for: the levels of a complete texture have the same
+    std::vector<glm::vec4> texels{};  // (R, G, B, A); of luminance or intensity R = G = B = the value
+
+    const glm::vec4& texel(int x, int y) const {
+        return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
+};
+
+struct Texture {                         // 3.8.4, table 3.18
+    Enum target = kGL_TEXTURE_2D;        // or GL_TEXTURE_1D
+    std::vector<TextureImage> levels{};  // levels[0] is the base; empty images where none was given
+    Enum min_filter = kGL_NEAREST_MIPMAP_LINEAR;
+    Enum mag_filter = kGL_LINEAR;
+    Enum wrap_s = kGL_REPEAT;
+    Enum wrap_t = kGL_REPEAT;
+    glm::dvec4 border_color{0, 0, 0, 0};
+    double priority = 1;
+    bool generate_mipmap = false;
+};
+
+struct TextureUnit {
+    std::shared_ptr<const Texture>
+        texture;                   // what the Draw is textured with: null where that is off, or incomplete (3.8.10)
+    Enum env_mode = kGL_MODULATE;  // 3.8.13: or GL_DECAL, GL_REPLACE, GL_BLEND, GL_ADD
+    glm::dvec4 env_color{0, 0, 0, 0};
+    double lod_bias = 0;           // of GL_TEXTURE_FILTER_CONTROL
+    glm::dmat4 texture_matrix{1};  // what every texture coordinate is multiplied by (2.11.2)
+};
+
+struct Fog {  // 3.10; the colour is blended in with f by the distance to the eye's plane, |z_eye|
+    bool enabled = false;
+    Enum mode = kGL_EXP;  // or GL_LINEAR, GL_EXP2
+    double density = 1;
+    double start = 0;
+    double end = 1;
+    glm::dvec4 color{0, 0, 0, 0};
+};
+
+struct Scissor {  // 4.1.2
+    bool enabled = false;
+    Viewport box;
+};
+
+struct FragmentState {
+    Scissor scissor;
+    bool alpha_test = false;  // 4.1.4
+    Enum alpha_func = kGL_ALWAYS;
+    double alpha_ref = 0;
+    bool blend = false;  // 4.1.8, GL_FUNC_ADD
+    Enum blend_src = kGL_ONE, blend_dst = kGL_ZERO;
+    Enum blend_src_alpha = kGL_ONE, blend_dst_alpha = kGL_ZERO;  // the same, but for glBlendFuncSeparate
+    glm::dvec4 blend_color{0, 0, 0, 0};
+    std::array<bool, 4> color_mask{true, true, true, true};  // 4.2.2
+    bool color_sum = false;  // 3.9: without lighting; with it the secondary colour is always added
 };
 
 // ---- Draws ----
@@ -109,6 +187,14 @@ struct Vertex {
     glm::dvec4 position_object{0, 0, 0, 1};
     glm::dvec3 normal_object{0, 0, 1};
     glm::dvec4 color{1, 1, 1, 1};
+    glm::dvec4 tex_coord{0, 0, 0, 1};
+    bool edge_flag = true;  // 2.6.2: of independent triangles, quadrilaterals and polygons; the edge to the next vertex
+    std::uint32_t material = 0;  // which of Draw::materials; 0 where there are none
+};
+
+// Both faces' materials.
+struct Materials {
+    Material front, back;
 };
 
 // One batch of primitives, with the state that draws it.
@@ -119,6 +205,12 @@ struct Draw {
 
     LightingState lighting;
     RasterState raster;
+    TextureUnit texture;
+    Fog fog;
+    FragmentState fragment;
+    // Where glMaterial stands between glBegin and glEnd: the materials that the vertices name. materials[0] is then
+    // lighting.front and lighting.back. Empty where the whole Draw has one material.
+    std::vector<Materials> materials;
     glm::dmat4 eye_from_object{1};
     glm::dmat4 clip_from_eye{1};
     Place place;  // of the glBegin or the shape
@@ -130,6 +222,8 @@ struct Draw {
 struct Clear {
     bool color = false;
     bool depth = false;
+    Scissor scissor{};  // 4.2.3: clearing obeys the scissor and the colour mask
+    std::array<bool, 4> color_mask{true, true, true, true};
     glm::dvec4 clear_color{0, 0, 0, 0};
     double clear_depth = 1;
 };

@@ -42,7 +42,7 @@ bool tracks(const ColorMaterial& color_material, Enum one_face, Enum property) {
 }  // namespace
 
 LightSource* State::light_source(const Command& c, Enum light) {
-    if (light >= kGL_LIGHT0 && light < kGL_LIGHT0 + kMaxLights) return &lighting_.lights[light - kGL_LIGHT0];
+    if (light >= kGL_LIGHT0 && light < kGL_LIGHT0 + kMaxLights) return &a_.lighting.lights[light - kGL_LIGHT0];
     raise(kGL_INVALID_ENUM, c,
           fmt::format("{} is given {}; expected a light, GL_LIGHT0 to GL_LIGHT7", c.name(), enum_name(light)));
     return nullptr;
@@ -74,6 +74,7 @@ std::optional<std::vector<double>> State::parameter_values(const Command& c, Own
     if (info->meaning == Meaning::kColor) {
         for (double& v : values) v = to_real(v, last.kind);
     }
+    if (owner == Owner::kPixelStore) values[0] = std::round(values[0]);  // 3.6.1
     const bool is_cutoff = pname == kGL_SPOT_CUTOFF;
     const double value = values[0];
     const bool in_range =
@@ -120,29 +121,37 @@ void State::material(const Command& c) {
     if (!values) return;
     for (Enum one_face : {kGL_FRONT, kGL_BACK}) {
         if (!covers(face, one_face)) continue;
-        Material& material = one_face == kGL_FRONT ? lighting_.front : lighting_.back;
+        Material& material = one_face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
         if (pname == kGL_SHININESS) material.shininess = values->front();
         if (pname == kGL_COLOR_INDEXES) material.color_indexes = {(*values)[0], (*values)[1], (*values)[2]};
         for (Enum property : properties(pname)) {
             // 2.14.3: what tracks the current colour is not changed by glMaterial.
             glm::dvec4* color = color_of(material, property);
-            if (color && !tracks(lighting_.color_material, one_face, property)) *color = vec4(*values);
+            if (color && !tracks(a_.lighting.color_material, one_face, property)) *color = vec4(*values);
         }
     }
     if (!open_) return;
+    // 2.14.2: legal between Begin and End. Before the first vertex it is the Draw's material, after it the vertices'.
     if (open_->vertices.empty()) {
-        open_->lighting = lighting_;
-    } else {
-        note_unsupported(fmt::format("{} between the vertices of a glBegin", c.name()), c.place,
-                         {"programmable", "reference"});
+        open_->lighting = a_.lighting;
+        return;
     }
+    std::vector<Materials>& materials = open_->materials;
+    if (materials.empty()) materials.push_back({open_->lighting.front, open_->lighting.back});
+    const Materials now{a_.lighting.front, a_.lighting.back};
+    if (open_->vertices.back().material + 1 == materials.size()) {
+        materials.push_back(now);
+    } else {
+        materials.back() = now;  // no vertex had the last one
+    }
+    a_.current.material = static_cast<std::uint32_t>(materials.size() - 1);
 }
 
 void State::light_model(const Command& c) {
     const Enum pname = c.enumerant(0);
     const auto values = parameter_values(c, Owner::kLightModel, pname);
     if (!values) return;
-    LightModel& model = lighting_.light_model;
+    LightModel& model = a_.lighting.light_model;
     switch (pname) {
         case kGL_LIGHT_MODEL_AMBIENT: model.ambient = vec4(*values); break;
         case kGL_LIGHT_MODEL_LOCAL_VIEWER: model.local_viewer = values->front() != 0; break;
@@ -157,7 +166,7 @@ void State::light_model(const Command& c) {
 }
 
 void State::shade_model(const Command& c) {
-    if (known(c, c.enumerant(0), {kGL_FLAT, kGL_SMOOTH})) lighting_.shade_model = c.enumerant(0);
+    if (known(c, c.enumerant(0), {kGL_FLAT, kGL_SMOOTH})) a_.lighting.shade_model = c.enumerant(0);
 }
 
 // ---- Colour material (2.14.3) ----
@@ -166,17 +175,17 @@ void State::color_material(const Command& c) {
     if (!known(c, c.enumerant(0), {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK})) return;
     if (!known(c, c.enumerant(1), {kGL_EMISSION, kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_AMBIENT_AND_DIFFUSE}))
         return;
-    lighting_.color_material.face = c.enumerant(0);
-    lighting_.color_material.mode = c.enumerant(1);
+    a_.lighting.color_material.face = c.enumerant(0);
+    a_.lighting.color_material.mode = c.enumerant(1);
     track_color();
 }
 
 void State::track_color() {
-    if (!lighting_.color_material.enabled) return;
+    if (!a_.lighting.color_material.enabled) return;
     for (Enum one_face : {kGL_FRONT, kGL_BACK}) {
-        Material& material = one_face == kGL_FRONT ? lighting_.front : lighting_.back;
-        for (Enum property : properties(lighting_.color_material.mode)) {
-            if (covers(lighting_.color_material.face, one_face)) *color_of(material, property) = current_.color;
+        Material& material = one_face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
+        for (Enum property : properties(a_.lighting.color_material.mode)) {
+            if (covers(a_.lighting.color_material.face, one_face)) *color_of(material, property) = a_.current.color;
         }
     }
 }
@@ -185,7 +194,7 @@ void State::track_color() {
 
 std::vector<double> State::get_light(Enum light, Enum pname) const {
     if (light < kGL_LIGHT0 || light >= kGL_LIGHT0 + kMaxLights) return {};
-    const LightSource& source = lighting_.lights[light - kGL_LIGHT0];
+    const LightSource& source = a_.lighting.lights[light - kGL_LIGHT0];
     const auto list = [](const glm::dvec4& v) { return std::vector<double>{v.x, v.y, v.z, v.w}; };
     switch (pname) {
         case kGL_AMBIENT: return list(source.ambient);
@@ -205,7 +214,7 @@ std::vector<double> State::get_light(Enum light, Enum pname) const {
 
 std::vector<double> State::get_material(Enum face, Enum pname) const {
     if (face != kGL_FRONT && face != kGL_BACK) return {};
-    Material material = face == kGL_FRONT ? lighting_.front : lighting_.back;
+    Material material = face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
     if (pname == kGL_SHININESS) return {material.shininess};
     if (pname == kGL_COLOR_INDEXES) {
         return {material.color_indexes.x, material.color_indexes.y, material.color_indexes.z};
@@ -236,7 +245,7 @@ void State::get_material(const Command& c) {
 
 void State::specular_model(const Command& c) {
     if (c.word(0) == Word::half_vector || c.word(0) == Word::reflection) {
-        lighting_.light_model.specular = c.word(0);
+        a_.lighting.light_model.specular = c.word(0);
     } else {
         raise(kGL_INVALID_ENUM, c,
               fmt::format("specular({}); expected half_vector or reflection", word_name(c.word(0))));
@@ -245,7 +254,7 @@ void State::specular_model(const Command& c) {
 
 void State::ambient_model(const Command& c) {
     if (c.word(0) == Word::attenuated || c.word(0) == Word::unattenuated) {
-        lighting_.light_model.light_ambient = c.word(0);
+        a_.lighting.light_model.light_ambient = c.word(0);
     } else {
         raise(kGL_INVALID_ENUM, c,
               fmt::format("ambient({}); expected attenuated or unattenuated", word_name(c.word(0))));

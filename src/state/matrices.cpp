@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 #include "state/state.h"
 
@@ -46,19 +47,19 @@ glm::dmat4 ortho_matrix(double l, double r, double b, double t, double n, double
 }  // namespace
 
 State::MatrixStack& State::stack() {
-    if (matrix_mode_ == kGL_MODELVIEW) return modelview_;
-    return matrix_mode_ == kGL_PROJECTION ? projection_ : texture_;
+    if (a_.matrix_mode == kGL_MODELVIEW) return modelview_;
+    return a_.matrix_mode == kGL_PROJECTION ? projection_ : texture_[a_.active_unit];
 }
 
 std::size_t State::stack_limit() const {
-    if (matrix_mode_ == kGL_MODELVIEW) return kModelviewStackDepth;
-    return matrix_mode_ == kGL_PROJECTION ? kProjectionStackDepth : kTextureStackDepth;
+    if (a_.matrix_mode == kGL_MODELVIEW) return kModelviewStackDepth;
+    return a_.matrix_mode == kGL_PROJECTION ? kProjectionStackDepth : kTextureStackDepth;
 }
 
 void State::multiply(const glm::dmat4& matrix) { stack().back().matrix *= matrix; }
 
 void State::matrix_mode(const Command& c) {
-    if (known(c, c.enumerant(0), {kGL_MODELVIEW, kGL_PROJECTION, kGL_TEXTURE})) matrix_mode_ = c.enumerant(0);
+    if (known(c, c.enumerant(0), {kGL_MODELVIEW, kGL_PROJECTION, kGL_TEXTURE})) a_.matrix_mode = c.enumerant(0);
 }
 
 void State::load_identity(const Command&) { stack().back().matrix = glm::dmat4(1); }
@@ -66,7 +67,7 @@ void State::load_identity(const Command&) { stack().back().matrix = glm::dmat4(1
 void State::push_matrix(const Command& c) {
     if (stack().size() >= stack_limit()) {
         return raise(kGL_STACK_OVERFLOW, c,
-                     fmt::format("the {} stack holds {} matrices; a glPopMatrix is missing", enum_name(matrix_mode_),
+                     fmt::format("the {} stack holds {} matrices; a glPopMatrix is missing", enum_name(a_.matrix_mode),
                                  stack_limit()));
     }
     stack().push_back({stack().back().matrix, c.place});
@@ -75,7 +76,7 @@ void State::push_matrix(const Command& c) {
 void State::pop_matrix(const Command& c) {
     if (stack().size() == 1) {
         return raise(kGL_STACK_UNDERFLOW, c,
-                     fmt::format("glPopMatrix without a glPushMatrix on the {} stack", enum_name(matrix_mode_)));
+                     fmt::format("glPopMatrix without a glPushMatrix on the {} stack", enum_name(a_.matrix_mode)));
     }
     stack().pop_back();
 }
@@ -83,6 +84,27 @@ void State::pop_matrix(const Command& c) {
 // Matrices come column by column (2.11.2), as GLM keeps them.
 void State::load_matrix(const Command& c) { stack().back().matrix = glm::make_mat4(c.arguments.data()); }
 void State::mult_matrix(const Command& c) { multiply(glm::make_mat4(c.arguments.data())); }
+
+// 2.11.2: the same, row by row.
+void State::load_transpose_matrix(const Command& c) {
+    stack().back().matrix = glm::transpose(glm::make_mat4(c.arguments.data()));
+}
+void State::mult_transpose_matrix(const Command& c) { multiply(glm::transpose(glm::make_mat4(c.arguments.data()))); }
+
+// 2.12: planes are taken to eye coordinates by the inverse of the modelview matrix in force at the call. RULING: under
+// a singular matrix, whose inverse the specification leaves undefined, every point is inside.
+void State::clip_plane(const Command& c) {
+    const Enum plane = c.enumerant(0);
+    if (plane < kGL_CLIP_PLANE0 || plane >= kGL_CLIP_PLANE0 + kMaxClipPlanes) {
+        return raise(
+            kGL_INVALID_ENUM, c,
+            fmt::format("glClipPlane is given {}; expected GL_CLIP_PLANE0 to GL_CLIP_PLANE0 + 7", enum_name(plane)));
+    }
+    const glm::dvec4 equation(c.number(1), c.number(2), c.number(3), c.number(4));
+    const bool singular = glm::determinant(modelview()) == 0;
+    a_.clip_planes[plane - kGL_CLIP_PLANE0].equation_eye =
+        singular ? glm::dvec4(0) : glm::transpose(glm::inverse(modelview())) * equation;
+}
 
 void State::rotate(const Command& c) {
     const glm::dvec3 axis(c.number(1), c.number(2), c.number(3));
@@ -160,7 +182,7 @@ void State::viewport(const Command& c) {
         return static_cast<int>(std::clamp(v, kMinViewportPosition, kMaxViewportPosition));
     };
     const auto size = [](double v) { return static_cast<int>(std::min(v, kMaxViewportSize)); };
-    raster_.viewport = {position(c.number(0)), position(c.number(1)), size(width), size(height)};
+    a_.raster.viewport = {position(c.number(0)), position(c.number(1)), size(width), size(height)};
 }
 
 }  // namespace twinlight

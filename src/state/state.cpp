@@ -10,6 +10,7 @@
 
 #include "command/text.h"
 #include "shape/shape.h"
+#include "state/capabilities.h"
 
 namespace twinlight {
 
@@ -17,7 +18,8 @@ namespace {
 
 // What may stand between Begin and End (2.6.3), by effect.
 constexpr bool legal_inside(std::string_view effect) {
-    for (std::string_view legal : {"vertex", "normal", "color", "tex_coord", "material", "begin", "end"}) {
+    for (std::string_view legal :
+         {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "elsewhere_vertex"}) {
         if (effect == legal) return true;  // begin and end say themselves what is wrong
     }
     return false;
@@ -26,7 +28,7 @@ constexpr bool legal_inside(std::string_view effect) {
 }  // namespace
 
 State::State(const StateOptions& options) : options_(options) {
-    raster_.viewport = {0, 0, options.width, options.height};
+    a_.raster.viewport = a_.fragment.scissor.box = {0, 0, options.width, options.height};
 }
 
 void State::apply(const Command& command) {
@@ -81,6 +83,7 @@ void State::begin(const Command& c) {
                      fmt::format("glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
                                  enum_name(c.enumerant(0))));
     }
+    a_.current.material = 0;
     open_ = new_draw(c.enumerant(0), c.place);
 }
 
@@ -92,28 +95,33 @@ void State::end(const Command& c) {
 
 void State::vertex(const Command& c) {
     if (!open_) return;  // 2.7: undefined outside Begin and End, no error; here it does nothing, as in the driver
-    current_.position_object = {0, 0, 0, 1};
+    a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
-        current_.position_object[static_cast<int>(i)] = c.number(i);
+        a_.current.position_object[static_cast<int>(i)] = c.number(i);
     }
-    open_->vertices.push_back(current_);
+    open_->vertices.push_back(a_.current);
 }
 
 void State::normal(const Command& c) {
     const Kind kind = c.sig().parameters[0].kind;
-    for (int i = 0; i < 3; ++i) current_.normal_object[i] = to_real(c.number(static_cast<std::size_t>(i)), kind);
+    for (int i = 0; i < 3; ++i) a_.current.normal_object[i] = to_real(c.number(static_cast<std::size_t>(i)), kind);
 }
 
 void State::color(const Command& c) {
     const Kind kind = c.sig().parameters[0].kind;
-    current_.color.a = 1;
+    a_.current.color.a = 1;
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
-        current_.color[static_cast<int>(i)] = to_real(c.number(i), kind);
+        a_.current.color[static_cast<int>(i)] = to_real(c.number(i), kind);
     }
     track_color();
 }
 
-void State::tex_coord(const Command&) {}  // accepted; without a texture it changes no pixel
+void State::tex_coord(const Command& c) {
+    a_.current.tex_coord = {0, 0, 0, 1};
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+        a_.current.tex_coord[static_cast<int>(i)] = c.number(i);
+    }
+}
 
 // Table 2.9: how integers stand for colours and normals.
 double State::to_real(double c, Kind kind) const {
@@ -133,6 +141,7 @@ double State::to_real(double c, Kind kind) const {
         case Kind::kUint:
         case Kind::kEnum:
         case Kind::kBitfield:
+        case Kind::kSizeiptr:
         case Kind::kWord: return c / 4294967295.0;
         case Kind::kFloat:
         case Kind::kDouble: return c;
@@ -145,13 +154,32 @@ double State::to_real(double c, Kind kind) const {
 Draw State::new_draw(Enum mode, const Place& place) {
     Draw draw;
     draw.mode = mode;
-    draw.lighting = lighting_;
-    draw.raster = raster_;
+    draw.lighting = a_.lighting;
+    draw.raster = a_.raster;
     draw.eye_from_object = modelview();
     draw.clip_from_eye = projection();
     draw.place = place;
-    for (const auto& [cap, where] : enabled_elsewhere_) {
-        note_unsupported(fmt::format("glEnable({})", enum_name(cap)), where, {"programmable", "reference"});
+    draw.texture = {.texture = complete_texture(a_.units[0]),
+                    .env_mode = a_.units[0].env_mode,
+                    .env_color = a_.units[0].env_color,
+                    .lod_bias = a_.units[0].lod_bias,
+                    .texture_matrix = texture_[0].back().matrix};
+    if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) {
+        note_unsupported("glTexEnv(GL_COMBINE)", place, {"programmable", "reference"});
+    }
+    for (std::size_t i = 1; i < a_.units.size(); ++i) {
+        if (!complete_texture(a_.units[i])) continue;
+        note_unsupported(fmt::format("texture unit {}", i), place, {"programmable", "reference"});
+    }
+    draw.fog = a_.fog;
+    draw.fragment = a_.fragment;
+    for (std::size_t i = 0; i < a_.clip_planes.size(); ++i) {
+        if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
+    }
+    for (const Elsewhere& row : capabilities_elsewhere()) {
+        const auto on = a_.elsewhere.find(row.cap);
+        if (!row.changes_pixels || on == a_.elsewhere.end()) continue;
+        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), on->second, {"programmable", "reference"});
     }
     return draw;
 }
@@ -167,7 +195,11 @@ void State::shape(const Command& c) {
         Draw draw = new_draw(part.mode, c.place);
         draw.vertices.reserve(part.vertices.size());
         for (const ShapeVertex& v : part.vertices) {
-            draw.vertices.push_back({glm::dvec4(v.position_object, 1), v.normal_object, current_.color});
+            draw.vertices.push_back({.position_object = glm::dvec4(v.position_object, 1),
+                                     .normal_object = v.normal_object,
+                                     .color = a_.current.color,
+                                     .tex_coord = a_.current.tex_coord,
+                                     .edge_flag = a_.current.edge_flag});
         }
         draw.indices = std::move(part.indices);
         items_.emplace_back(std::move(draw));
@@ -186,8 +218,13 @@ void State::note_unsupported(const std::string& name, const Place& place, std::v
 
 std::optional<GlError> State::unfinished() const {
     if (open_) return GlError{kGL_INVALID_OPERATION, open_->place, "this glBegin has no glEnd"};
-    for (const MatrixStack* s : {&modelview_, &projection_, &texture_}) {
+    std::vector<const MatrixStack*> stacks{&modelview_, &projection_};
+    for (const MatrixStack& one : texture_) stacks.push_back(&one);
+    for (const MatrixStack* s : stacks) {
         if (s->size() > 1) return GlError{kGL_STACK_OVERFLOW, s->back().pushed, "this glPushMatrix has no glPopMatrix"};
+    }
+    if (!attribute_stack_.empty()) {
+        return GlError{kGL_STACK_OVERFLOW, attribute_stack_.back().pushed, "this glPushAttrib has no glPopAttrib"};
     }
     return std::nullopt;
 }

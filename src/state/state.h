@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "command/command.h"
+#include "state/attributes.h"
 #include "state/frame.h"
+#include "state/pixels.h"
 
 namespace twinlight {
 
@@ -42,15 +44,23 @@ class State {
     Frame take_frame(std::shared_ptr<const CommandList> commands);
 
     // glGet*: the values in force, as the float query returns them (6.1.3).
-    const LightingState& lighting() const { return lighting_; }
-    const RasterState& raster() const { return raster_; }
-    glm::dvec4 current_color() const { return current_.color; }
-    glm::dvec3 current_normal() const { return current_.normal_object; }
+    const LightingState& lighting() const { return a_.lighting; }
+    const RasterState& raster() const { return a_.raster; }
+    glm::dvec4 current_color() const { return a_.current.color; }
+    glm::dvec3 current_normal() const { return a_.current.normal_object; }
     const glm::dmat4& modelview() const { return modelview_.back().matrix; }
     const glm::dmat4& projection() const { return projection_.back().matrix; }
-    // The answer of glGetLightfv / glGetMaterialfv; empty for names that GL does not know.
+    // The answers of the queries, as the query of doubles gives them (6.1); empty for names that GL, or Twinlight, does
+    // not know.
+    std::vector<double> get(Enum pname) const;  // glGetDoublev; a capability's answer is glIsEnabled's
     std::vector<double> get_light(Enum light, Enum pname) const;
     std::vector<double> get_material(Enum face, Enum pname) const;
+    std::vector<double> get_clip_plane(Enum plane) const;
+    std::vector<double> get_tex_env(Enum target, Enum pname) const;
+    std::vector<double> get_tex_parameter(Enum target, Enum pname) const;
+    std::vector<double> get_tex_level_parameter(Enum target, int level, Enum pname) const;
+    // The texture that a name has; null where there is none.
+    const Texture* texture(std::uint32_t name) const;
 
   private:
     struct StackedMatrix {
@@ -100,6 +110,36 @@ class State {
     void clear(const Command&);
     void flush(const Command&);
     void shape(const Command&);
+    void clip_plane(const Command&);
+    void depth_range(const Command&);
+    void polygon_offset(const Command&);
+    void line_width(const Command&);
+    void point_size(const Command&);
+    void edge_flag(const Command&);
+    void hint(const Command&);
+    void scissor(const Command&);
+    void alpha_func(const Command&);
+    void blend_func(const Command&);
+    void blend_color(const Command&);
+    void color_mask(const Command&);
+    void fog(const Command&);
+    void pixel_store(const Command&);
+    void bind_texture(const Command&);
+    void active_texture(const Command&);
+    void tex_image(const Command&);
+    void tex_sub_image(const Command&);
+    void build_mipmaps(const Command&);
+    void tex_parameter(const Command&);
+    void tex_env(const Command&);
+    void push_attrib(const Command&);
+    void pop_attrib(const Command&);
+    void load_transpose_matrix(const Command&);
+    void mult_transpose_matrix(const Command&);
+    void blend_equation(const Command&);
+    void draw_buffer(const Command&);
+    void elsewhere_state(const Command&);
+    void elsewhere_drawing(const Command&);
+    void elsewhere_vertex(const Command&);
     void specular_model(const Command&);
     void ambient_model(const Command&);
     void spot_cone(const Command&);
@@ -108,9 +148,20 @@ class State {
     // Whether `value` is one of `allowed`; raises GL_INVALID_ENUM if not.
     bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);
     LightSource* light_source(const Command& command, Enum light);  // null, and GL_INVALID_ENUM, for no light
-    // The values of glLight*, glMaterial*, glLightModel* as real numbers; nothing, and the error, if they are refused.
+    // The values of glLight*, glMaterial*, glFog*, glTexEnv*, ... as real numbers; nothing, and the error, if they are refused.
     std::optional<std::vector<double>> parameter_values(const Command& command, Owner owner, Enum pname);
     void set_capability(const Command& command, bool enabled);
+    bool* followed_capability(Enum cap);  // null for those that State does not follow
+    // The texture that a glTex* command changes: one that no Draw holds. Null, and the error, for a wrong target.
+    Texture* writable_texture(const Command& command, Enum target);
+    std::shared_ptr<Texture>& bound_texture(Enum target);
+    std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target);
+    std::shared_ptr<const Texture> complete_texture(const TextureBindings& bindings) const;
+    TextureBindings& unit() { return a_.units[a_.active_unit]; }
+    const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
+    bool check_pixel_type(const Command& command, const PixelSource& source);
+    std::optional<std::vector<glm::dvec4>> pixels(const Command& command, const PixelSource& source);
+    void generate_mipmaps(Texture& texture) const;
     void track_color();  // 2.14.3: the material follows the current colour
     void multiply(const glm::dmat4& matrix);
     MatrixStack& stack();
@@ -120,18 +171,24 @@ class State {
     double to_real(double c,
                    Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
 
+    struct SavedAttributes {
+        Attributes attributes;
+        Enum mask = 0;
+        Texture texture_1d, texture_2d;  // the parameters of the bound textures (table 6.16)
+        Place pushed;
+    };
+
     StateOptions options_;
-    LightingState lighting_;
-    RasterState raster_;
-    Vertex current_;  // current normal and colour
-    Clear clear_;     // the clear colour and depth
-    Enum matrix_mode_ = kGL_MODELVIEW;
-    MatrixStack modelview_{{}}, projection_{{}}, texture_{{}};
+    Attributes a_;
+    TextureObjects textures_;
+    PixelStore pixel_store_;
+    MatrixStack modelview_{{}}, projection_{{}};
+    std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
+    std::vector<SavedAttributes> attribute_stack_;
     std::optional<Draw> open_;  // between Begin and End
     std::vector<std::variant<Clear, Draw>> items_;
     std::vector<Unsupported> unsupported_;
     std::vector<GlError> errors_;
-    std::map<Enum, Place> enabled_elsewhere_;  // capabilities that are on and that State does not follow
 };
 
 // Runs a whole scene. Throws SceneError at the first GL error, at what is left open at the end, and for a scene that

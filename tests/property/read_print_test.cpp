@@ -34,6 +34,7 @@ double random_bits(Random& random, Kind kind) {
                                                      static_cast<std::uint32_t>(random.uniform(0, 4294967296.0)));
             return std::isfinite(value) ? value : 0.25;
         }
+        case Kind::kSizeiptr:
         case Kind::kWord: return random.below(static_cast<int>(words().size()));
     }
     return 0;
