@@ -34,6 +34,8 @@ libstb-dev          pkg-config --exists stb
 libgtest-dev        pkg-config --exists gtest_main
 xvfb                command -v Xvfb
 xdotool             command -v xdotool
+apitrace            command -v apitrace
+mesa-utils          command -v glxgears
 endef
 export DEPENDENCIES
 
