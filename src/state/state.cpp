@@ -229,7 +229,7 @@ std::optional<GlError> State::unfinished() const {
     return std::nullopt;
 }
 
-Frame State::take_frame(std::shared_ptr<const CommandList> commands) {
+Frame State::take_frame(std::shared_ptr<const Recording> commands) {
     Frame frame{options_.width, options_.height, std::move(items_), std::move(unsupported_), std::move(commands)};
     items_.clear();
     unsupported_.clear();

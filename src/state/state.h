@@ -41,7 +41,7 @@ class State {
     std::optional<GlError> unfinished() const;
 
     // The Draws so far; gives them away.
-    Frame take_frame(std::shared_ptr<const CommandList> commands);
+    Frame take_frame(std::shared_ptr<const Recording> commands);
 
     // glGet*: the values in force, as the float query returns them (6.1.3).
     const LightingState& lighting() const { return a_.lighting; }
