@@ -28,6 +28,12 @@ const std::vector<Signature>& table() {
     Parameter { #name, kind, Extent::kRest, 0 }
 #define B(name) \
     Parameter { #name, kSizeiptr, Extent::kPointer, 0 }
+#define C(name, kind) \
+    Parameter { #name, kind, Extent::kByCount, 0 }
+#define N(name, kind) \
+    Parameter { #name, kind, Extent::kNames, 0 }
+#define X(name, kind) \
+    Parameter { #name, kind, Extent::kResult, 1 }
 #define GL_COMMAND(name, effect, ...) {#name, Family::kGl, {__VA_ARGS__}},
 #define SHAPE_COMMAND(name, effect, ...) {#name, Family::kShape, {__VA_ARGS__}},
 #define PRAGMA_COMMAND(name, effect, ...) {#name, Family::kPragma, {__VA_ARGS__}},
@@ -38,6 +44,9 @@ const std::vector<Signature>& table() {
 #undef Q
 #undef R
 #undef B
+#undef C
+#undef N
+#undef X
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
 #undef PRAGMA_COMMAND
@@ -63,20 +72,74 @@ std::optional<CommandId> find(const std::unordered_map<std::string_view, Command
 }  // namespace
 
 bool operator==(const Command& a, const Command& b) {
-    const bool same_memory = a.memory == b.memory || (a.memory && b.memory && a.memory->kind == b.memory->kind &&
-                                                      a.memory->bytes == b.memory->bytes);
+    const bool same_memory = a.memory == b.memory || (a.memory && b.memory && a.memory->bytes == b.memory->bytes);
     return a.id == b.id && a.arguments == b.arguments && same_memory;
 }
 
+namespace {
+
+bool is_single(const Parameter& parameter) {
+    return parameter.extent == Extent::kValue || parameter.extent == Extent::kPointer ||
+           parameter.extent == Extent::kResult;
+}
+
+}  // namespace
+
 std::size_t Signature::scalars() const {
-    const bool has_array = !parameters.empty() && parameters.back().extent != Extent::kValue &&
-                           parameters.back().extent != Extent::kPointer;
-    return parameters.size() - (has_array ? 1 : 0);
+    return static_cast<std::size_t>(std::count_if(parameters.begin(), parameters.end(), is_single));
+}
+
+std::size_t Signature::first_array() const {
+    std::size_t i = 0;
+    while (i < parameters.size() && is_single(parameters[i])) ++i;
+    return i;
+}
+
+std::size_t Signature::c_arguments() const {
+    const bool has_result = !parameters.empty() && parameters.back().extent == Extent::kResult;
+    return parameters.size() - (has_result ? 1 : 0);
+}
+
+std::size_t Command::first(std::size_t parameter) const {
+    std::size_t position = 0;
+    for (std::size_t i = 0; i < parameter; ++i) position += count(i);
+    return position;
+}
+
+std::size_t Command::count(std::size_t parameter) const {
+    const std::vector<Parameter>& parameters = sig().parameters;
+    switch (parameters[parameter].extent) {
+        case Extent::kValue:
+        case Extent::kPointer:
+        case Extent::kResult: return 1;
+        case Extent::kArray: return static_cast<std::size_t>(parameters[parameter].count);
+        case Extent::kOutput: return 0;
+        case Extent::kByCount:
+        case Extent::kNames:
+            for (std::size_t i = parameter; i-- > 0;) {
+                if (parameters[i].kind != Kind::kSizei) continue;
+                return static_cast<std::size_t>(std::max(0.0, number(first(i))));
+            }
+            return 0;
+        case Extent::kByPname:
+        case Extent::kRest: return arguments.size() - std::min(arguments.size(), first(parameter));
+    }
+    return 0;
+}
+
+std::span<const double> Command::values(std::size_t parameter) const {
+    const std::size_t from = std::min(first(parameter), arguments.size());
+    return std::span(arguments).subspan(from, std::min(count(parameter), arguments.size() - from));
+}
+
+std::span<const double> Command::array() const {
+    const std::size_t parameter = sig().first_array();
+    return parameter < sig().parameters.size() ? values(parameter) : std::span<const double>{};
 }
 
 std::string Signature::usage() const {
     std::vector<std::string> names;
-    for (const Parameter& parameter : parameters) {
+    for (const Parameter& parameter : std::span(parameters).first(c_arguments())) {
         names.emplace_back(parameter.name);
         if (parameter.extent == Extent::kRest) names.back() += "...";
     }
@@ -151,8 +214,8 @@ const ParameterInfo* parameter_info(const Command& command) {
 
 std::optional<int> array_length(CommandId id, std::optional<Enum> pname) {
     const Signature& sig = signature(id);
-    const Parameter& last = sig.parameters.back();
-    if (last.extent == Extent::kArray) return last.count;
+    const Parameter& array = sig.parameters.at(sig.first_array());
+    if (array.extent == Extent::kArray) return array.count;
     const std::optional<Owner> owner = owner_of(id);
     const ParameterInfo* info = owner && pname ? find_parameter(*owner, *pname) : nullptr;
     return info ? std::optional(info->count) : std::nullopt;

@@ -51,8 +51,11 @@ enum class Extent : std::uint8_t {
     kPointer,  // a pointer to memory, or an offset into a buffer object: one value, the offset; see Command::memory
     kArray,    // an array of `count` values
     kByPname,  // an array whose length the argument pname decides
-    kOutput,   // the same, written by the command
+    kOutput,   // the same, written by the command; none of its values are arguments
+    kByCount,  // an array whose length the last GLsizei argument before it gives
+    kNames,    // the same, written by the command: the names of new objects, which are recorded
     kRest,     // any number of values
+    kResult,   // what the command returned, one value, which is recorded; no argument in C
 };
 
 struct Parameter {
@@ -69,8 +72,12 @@ struct Signature {
     Family family = Family::kGl;
     std::vector<Parameter> parameters;
 
-    // How many of the parameters are single values (an array, if any, follows them).
-    std::size_t scalars() const;
+    std::size_t scalars() const;  // how many parameters are single values
+    // Where the first array stands among the parameters; how many there are where there is none. Only arrays of a
+    // fixed or a counted length may have others after them.
+    std::size_t first_array() const;
+    // How many arguments a C program gives: all parameters but the result.
+    std::size_t c_arguments() const;
     // "glLightfv(light, pname, params)": for messages.
     std::string usage() const;
 };
@@ -94,14 +101,15 @@ struct Place {
     std::string str() const;  // "scene.gl:14:22", "program.trace: call 1234"
 };
 
-// What a pointer argument points at: the bytes from where it points on, as far as is known. `kind` is the C type that
-// they were declared with (kUbyte where that is not known), for printing.
+// What a pointer argument points into: the bytes of an array, from its start. `kind` is the C type that they were declared
+// with (kUbyte where that is not known), for printing; what a command does depends on the bytes alone. Commands that
+// name the same array share one.
 struct Memory {
     Kind kind = Kind::kUbyte;
     std::vector<std::byte> bytes;
 };
 
-// The arguments one after the other, the elements of an array argument last. Each is held as a double that has
+// The arguments one after the other, an array as its elements, the result (if any) last. Each is held as a double that has
 // exactly the value the C type of its parameter would have (every GL type fits into a double).
 struct Command {
     CommandId id{};
@@ -116,8 +124,12 @@ struct Command {
     double number(std::size_t i) const { return arguments[i]; }
     Enum enumerant(std::size_t i) const { return static_cast<Enum>(arguments[i]); }
     Word word(std::size_t i) const { return static_cast<Word>(enumerant(i)); }
-    // The elements of the array argument (empty if the command has none).
-    std::span<const double> array() const { return std::span(arguments).subspan(sig().scalars()); }
+    // Where the values of a parameter start, and how many there are.
+    std::size_t first(std::size_t parameter) const;
+    std::size_t count(std::size_t parameter) const;
+    std::span<const double> values(std::size_t parameter) const;
+    // The elements of the first array argument (empty if the command has none).
+    std::span<const double> array() const;
 
     // Equal commands do the same; where they stand does not matter.
     friend bool operator==(const Command& a, const Command& b);

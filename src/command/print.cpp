@@ -1,34 +1,18 @@
 // Printing commands as C. What is printed compiles, and reads back as the same commands.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
+#include "command/memory.h"
+#include "command/object_names.h"
 #include "command/text.h"
 
 namespace twinlight {
 
 namespace {
-
-std::string_view c_type_name(Kind kind) {
-    switch (kind) {
-        case Kind::kEnum: return "GLenum";
-        case Kind::kBitfield: return "GLbitfield";
-        case Kind::kBoolean: return "GLboolean";
-        case Kind::kByte: return "GLbyte";
-        case Kind::kShort: return "GLshort";
-        case Kind::kInt: return "GLint";
-        case Kind::kSizei: return "GLsizei";
-        case Kind::kUbyte: return "GLubyte";
-        case Kind::kUshort: return "GLushort";
-        case Kind::kUint: return "GLuint";
-        case Kind::kFloat: return "GLfloat";
-        case Kind::kDouble: return "GLdouble";
-        case Kind::kSizeiptr: return "GLsizeiptr";
-        case Kind::kWord: break;  // words stand in pragmas only, never in arrays
-    }
-    return "";
-}
 
 // The shortest decimal that reads back as the same value of its type.
 std::string print_real(double value, bool is_float) {
@@ -72,31 +56,125 @@ std::string print_value(const Command& command, const Parameter& parameter, doub
     return print_number(value, parameter.kind);
 }
 
-std::string print_array(const Command& command, const Parameter& parameter) {
+std::string print_array(const Command& command, std::size_t i) {
+    const Parameter& parameter = command.sig().parameters[i];
     const std::string_view type = c_type_name(parameter.kind);
     if (parameter.extent == Extent::kOutput) {
         constexpr int kLongestAnswer = 4;
-        const Enum pname = command.enumerant(command.sig().scalars() - 1);
+        const Enum pname = command.enumerant(command.first(i) - 1);
         return fmt::format("({}[{}]){{0}}", type, array_length(command.id, pname).value_or(kLongestAnswer));
     }
     std::vector<std::string> values;
-    for (double value : command.array()) values.push_back(print_value(command, parameter, value));
+    for (double value : command.values(i)) values.push_back(print_value(command, parameter, value));
+    const bool is_counted = parameter.extent == Extent::kByCount || parameter.extent == Extent::kNames;
+    if (is_counted && values.empty()) return fmt::format("({}[1]){{0}}", type);  // C has no empty arrays
     return fmt::format("({}[]){{{}}}", type, fmt::join(values, ", "));
 }
 
-}  // namespace
+// ---- Memory ----
 
-std::string print_command(const Command& command) {
+// The values, broken into lines that start with `indent` where that is given.
+std::string print_values(const Memory& memory, Kind kind, std::string_view indent) {
+    constexpr std::size_t kColumns = 110;
+    std::string printed;
+    std::size_t column = 0;
+    const std::size_t size = size_of(kind);
+    for (std::size_t at = 0; at < memory.bytes.size(); at += size) {
+        const double value = load(std::span(memory.bytes).subspan(at), kind);
+        const std::string text = is_real(kind) ? print_real(value, kind == Kind::kFloat)
+                                               : fmt::format("{}", static_cast<std::int64_t>(value));
+        if (at > 0) printed += ",";
+        if (!indent.empty() && (at == 0 || column + text.size() > kColumns)) {
+            printed.append("\n").append(indent);
+            column = 0;
+        } else if (at > 0) {
+            printed += " ";
+        }
+        printed += text;
+        column += text.size() + 2;
+    }
+    return printed;
+}
+
+// Whether every value reads back with its own bits (a NaN may not), and none is left over.
+bool survives(const Memory& memory) {
+    const std::size_t size = size_of(memory.kind);
+    if (memory.bytes.size() % size != 0) return false;
+    if (memory.kind == Kind::kSizeiptr) {  // more digits than a double has
+        for (std::size_t at = 0; at < memory.bytes.size(); at += size) {
+            if (std::abs(load(std::span(memory.bytes).subspan(at), memory.kind)) >= 0x1p53) return false;
+        }
+    }
+    if (!is_real(memory.kind)) return true;
+    for (std::size_t at = 0; at < memory.bytes.size(); at += size) {
+        if (std::isnan(load(std::span(memory.bytes).subspan(at), memory.kind))) return false;
+    }
+    return true;
+}
+
+// A memory in C: the name of an array or a compound literal, and the kind of its values.
+struct PrintedArray {
+    std::string text;
+    Kind kind = Kind::kUbyte;
+};
+
+PrintedArray print_literal(const Memory& memory) {
+    const Kind kind = survives(memory) ? memory.kind : Kind::kUbyte;
+    return {fmt::format("(const {}[]){{{}}}", c_type_name(kind), print_values(memory, kind, "")), kind};
+}
+
+// The arrays that a printed scene declares: each memory once, however many commands use it.
+class MemoryNames {
+  public:
+    // The declaration is added to `text` where the memory is new.
+    PrintedArray name(const Memory& memory, std::string_view indent, std::string& text) {
+        if (memory.bytes.empty()) return print_literal(memory);  // C declares no such array
+        const auto [known, is_new] = names_.try_emplace(&memory);
+        if (!is_new) return known->second;
+        const std::string_view bytes(reinterpret_cast<const char*>(memory.bytes.data()), memory.bytes.size());
+        PrintedArray& equal = equals_[{memory.kind, bytes}];  // the same bytes need not stand twice
+        if (equal.text.empty()) {
+            equal = {fmt::format("memory{}", equals_.size()), survives(memory) ? memory.kind : Kind::kUbyte};
+            text += fmt::format("{}static const {} {}[] = {{{}}};\n", indent, c_type_name(equal.kind), equal.text,
+                                print_values(memory, equal.kind, fmt::format("{}    ", indent)));
+        }
+        return known->second = equal;
+    }
+
+  private:
+    std::map<const Memory*, PrintedArray> names_;
+    std::map<std::pair<Kind, std::string_view>, PrintedArray> equals_;
+};
+
+// `array` is the command's memory, if it has one.
+std::string print_pointer(const Command& command, std::size_t i, const PrintedArray& array) {
+    const auto offset = static_cast<std::int64_t>(command.number(command.first(i)));
+    if (!command.memory) return offset == 0 ? "NULL" : fmt::format("(const void*){}", offset);
+    const auto size = static_cast<std::int64_t>(size_of(array.kind));
+    if (offset == 0) return array.text;
+    return offset % size == 0 ? fmt::format("{} + {}", array.text, offset / size)
+                              : fmt::format("(const char*){} + {}", array.text, offset);
+}
+
+std::string print(const Command& command, const PrintedArray& array) {
     const Signature& sig = command.sig();
     std::vector<std::string> arguments;
     for (std::size_t i = 0; i < sig.parameters.size(); ++i) {
         const Parameter& parameter = sig.parameters[i];
-        if (parameter.extent == Extent::kValue) {
-            arguments.push_back(print_value(command, parameter, command.number(i)));
-        } else if (parameter.extent == Extent::kRest) {
-            for (double value : command.array()) arguments.push_back(print_number(value, parameter.kind));
-        } else {
-            arguments.push_back(print_array(command, parameter));
+        switch (parameter.extent) {
+            case Extent::kValue:
+                arguments.push_back(print_value(command, parameter, command.number(command.first(i))));
+                break;
+            case Extent::kPointer: arguments.push_back(print_pointer(command, i, array)); break;
+            case Extent::kRest:
+                for (double value : command.values(i)) arguments.push_back(print_number(value, parameter.kind));
+                break;
+            case Extent::kArray:
+            case Extent::kByPname:
+            case Extent::kOutput:
+            case Extent::kByCount:
+            case Extent::kNames: arguments.push_back(print_array(command, i)); break;
+            case Extent::kResult: break;
         }
     }
     if (sig.family == Family::kPragma) {
@@ -105,11 +183,38 @@ std::string print_command(const Command& command) {
     return fmt::format("{}({});", sig.name, fmt::join(arguments, ", "));
 }
 
-std::string print_scene(const CommandList& scene) {
+// Line by line, each from `indent` on; pragmas stand at the left.
+std::string print_lines(const CommandList& scene, std::string_view indent) {
     std::string text;
-    for (const Command& command : scene.commands) text += print_command(command) + "\n";
+    MemoryNames memories;
+    ObjectNames names;
+    for (const Command& command : scene.commands) {
+        const PrintedArray array = command.memory ? memories.name(*command.memory, indent, text) : PrintedArray{};
+        // What a reader could not know.
+        const Signature& sig = command.sig();
+        const bool has_result = sig.c_arguments() < sig.parameters.size();
+        const auto type = has_result ? named_objects(sig.parameters.back()) : std::nullopt;
+        if (type) {
+            const auto range = static_cast<std::uint32_t>(std::max(0.0, command.number(0)));
+            const double expected = range == 0 ? 0 : names.next(*type, range);
+            if (command.arguments.back() != expected) {
+                text += fmt::format("#pragma twinlight returns({})\n", command.arguments.back());
+            }
+        }
+        names.follow(command);
+        if (sig.family != Family::kPragma) text += indent;
+        text += print(command, array) + "\n";
+    }
     return text;
 }
+
+}  // namespace
+
+std::string print_command(const Command& command) {
+    return print(command, command.memory ? print_literal(*command.memory) : PrintedArray{});
+}
+
+std::string print_scene(const CommandList& scene) { return print_lines(scene, ""); }
 
 std::string print_c_program(const CommandList& scene) {
     std::string title;  // a name must not end the comment
@@ -120,9 +225,7 @@ std::string print_c_program(const CommandList& scene) {
         "#include <GL/freeglut.h>\n#include <math.h>\n\n"
         "static void draw_scene(void) {{\n",
         title);
-    for (const Command& command : scene.commands) {
-        text += (command.sig().family == Family::kPragma ? "" : "    ") + print_command(command) + "\n";
-    }
+    text += print_lines(scene, "    ");
     text +=
         "}\n\n"
         "static void display(void) {\n"

@@ -18,7 +18,8 @@ struct SceneError : std::runtime_error {
 // Limits on untrusted text.
 inline constexpr std::size_t kMaxSceneBytes = 64u << 20;
 inline constexpr std::size_t kMaxNesting = 64;  // parentheses in an expression
-inline constexpr std::size_t kMaxArrayLength = 1 << 20;
+inline constexpr std::size_t kMaxArrayLength = 1 << 24;
+inline constexpr std::size_t kMaxMemoryBytes = 256u << 20;  // of all arrays together
 
 // Reads the C dialect. `file` is used in places; `name` in reports. Throws SceneError.
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name);

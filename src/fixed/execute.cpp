@@ -1,9 +1,10 @@
 // Commands to the driver, literally: for each row of commands.def that GL or GLU has, a call of that function with the
 // arguments in its own types.
 #include <array>
-#include <stdexcept>
+#include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "context/gl.h"
 #include "fixed/fixed.h"
@@ -70,46 +71,47 @@ struct CType<Kind::kSizeiptr> {
 };
 
 // A row's parameter as C declares it.
-template <Kind kind, bool is_array, bool is_output>
-using CParameter =
-    std::conditional_t<is_array,
-                       std::conditional_t<is_output, typename CType<kind>::type*, const typename CType<kind>::type*>,
-                       typename CType<kind>::type>;
+template <Kind kind>
+using Value = typename CType<kind>::type;
+template <Kind kind>
+using Input = const typename CType<kind>::type*;
+template <Kind kind>
+using Output = typename CType<kind>::type*;
+// What the function returns: no argument.
+template <class Returned>
+struct Result {};
 
-// A number as a GL type. Commands hold only what their types can, but a float may be infinite.
-template <class T>
-T narrowed(double value) {
-    return static_cast<T>(value);
-}
-
-// The longest array that a command of the table reads or writes; shorter ones are padded with 0, so that the driver
-// never reads past the end whatever pname it is given.
+// The longest array of a fixed length that a command of the table reads or writes; shorter ones are padded with 0, so
+// that the driver never reads past the end whatever pname it is given.
 constexpr std::size_t kLongestArray = 16;
 
-template <class Parameter>
+// Commands hold only what their types can, but a float may be infinite.
+template <class T>
 struct Argument {
-    Argument(const Command& command, std::size_t i) : value(narrowed<Parameter>(command.number(i))) {}
-    Parameter get() { return value; }
-    Parameter value;
+    Argument(const Command& command, std::size_t i) : value(static_cast<T>(command.number(command.first(i)))) {}
+    T get() { return value; }
+    T value;
 };
 
 template <class Element>
 struct Argument<Element*> {
-    Argument(const Command& command, std::size_t) {
-        const auto elements = command.array();
-        for (std::size_t i = 0; i < elements.size() && i < kLongestArray; ++i) {
-            values[i] = narrowed<std::remove_const_t<Element>>(elements[i]);
+    Argument(const Command& command, std::size_t i) {
+        const auto elements = command.values(i);
+        if (elements.size() > kLongestArray) many.resize(elements.size());
+        for (std::size_t n = 0; n < elements.size(); ++n) {
+            get()[n] = static_cast<std::remove_const_t<Element>>(elements[n]);
         }
     }
-    Element* get() { return values.data(); }
-    std::array<std::remove_const_t<Element>, kLongestArray> values{};
+    auto get() { return many.empty() ? few.data() : many.data(); }
+    std::array<std::remove_const_t<Element>, kLongestArray> few{};
+    std::vector<std::remove_const_t<Element>> many;
 };
 
 // A pointer into the command's memory, or the offset into a buffer object that stands in its place.
 template <>
 struct Argument<const void*> {
     Argument(const Command& command, std::size_t i) {
-        const auto offset = static_cast<std::ptrdiff_t>(command.number(i));
+        const auto offset = static_cast<std::ptrdiff_t>(command.number(command.first(i)));
         value = command.memory ? command.memory->bytes.data() + offset : nullptr;
         if (!command.memory) value = reinterpret_cast<const void*>(offset);  // NOLINT: GL's way to give an offset
     }
@@ -120,14 +122,18 @@ struct Argument<const void*> {
 // `Declared` are the parameters as the table declares them: a row that disagrees with the header does not compile.
 template <class... Declared>
 struct Call {
-    template <class Result, class... Actual, std::size_t... I>
-    static void make(Result (*function)(Actual...), const Command& command, std::index_sequence<I...>) {
-        static_assert((std::is_same_v<Declared, Actual> && ...), "commands.def disagrees with GL's header");
+    template <class Returned, class... Actual, std::size_t... I>
+    static void make(Returned (*function)(Actual...), const Command& command, std::index_sequence<I...>) {
+        static_assert((std::is_same_v<std::tuple_element_t<I, std::tuple<Declared..., void>>, Actual> && ...),
+                      "commands.def disagrees with GL's header");
         function(Argument<Actual>(command, I).get()...);
     }
-    template <class Result, class... Actual>
-    static void make(Result (*function)(Actual...), const Command& command) {
-        static_assert(sizeof...(Declared) == sizeof...(Actual), "commands.def disagrees with GL's header");
+    template <class Returned, class... Actual>
+    static void make(Returned (*function)(Actual...), const Command& command) {
+        constexpr std::size_t kArguments = sizeof...(Actual);
+        using Last = std::tuple_element_t<kArguments, std::tuple<Declared..., void>>;
+        static_assert(sizeof...(Declared) == kArguments || std::is_same_v<Last, Result<Returned>>,
+                      "commands.def disagrees with GL's header");
         make(function, command, std::index_sequence_for<Actual...>{});
     }
 };
@@ -171,12 +177,15 @@ void execute(const Command& command) {
     if (command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE) return;
     switch (command.id) {
 // clang-format off
-#define P(name, kind) CParameter<Kind::kind, false, false>
-#define A(name, kind, n) CParameter<Kind::kind, true, false>
-#define V(name, kind) CParameter<Kind::kind, true, false>
-#define Q(name, kind) CParameter<Kind::kind, true, true>
+#define P(name, kind) Value<Kind::kind>
+#define A(name, kind, n) Input<Kind::kind>
+#define V(name, kind) Input<Kind::kind>
+#define Q(name, kind) Output<Kind::kind>
 #define R(name, kind) double
 #define B(name) const void*
+#define C(name, kind) Input<Kind::kind>
+#define N(name, kind) Output<Kind::kind>
+#define X(name, kind) Result<Value<Kind::kind>>
 #define GL_COMMAND(name, effect, ...) \
     case CommandId::name: return Call<__VA_ARGS__>::make(&::name, command);
 #define SHAPE_COMMAND(name, effect, ...) \
@@ -191,6 +200,9 @@ void execute(const Command& command) {
 #undef Q
 #undef R
 #undef B
+#undef C
+#undef N
+#undef X
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
 #undef PRAGMA_COMMAND
