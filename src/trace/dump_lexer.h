@@ -52,6 +52,7 @@ class DumpLexer {
     std::string_view string(std::size_t longest);
 
     int line() const { return line_; }  // counts from 1
+    void count_line() { ++line_; }      // where a line's end was passed over by other means
 
   private:
     static constexpr std::size_t kBufferSize = 1 << 16;
