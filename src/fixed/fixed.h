@@ -2,12 +2,26 @@
 #pragma once
 
 #include "command/command.h"
+#include "fixed/quadrics.h"
 #include "image/image.h"
 #include "state/frame.h"
 
 namespace twinlight::fixed {
 
-// One command to the driver. Pragmas that GL has no command for do nothing, but shape(...) draws.
+// Executes commands in the current context, and keeps the objects that they make outside it.
+class Executor {
+  public:
+    // One command to the driver. Pragmas that GL has no command for do nothing, but shape(...) draws.
+    void execute(const Command& command);
+
+  private:
+    void draw_shape(const Command& command);
+    void pragma(const Command& command);
+
+    Quadrics quadrics_;
+};
+
+// One command by itself, without such objects: GLU's quadrics need an Executor.
 void execute(const Command& command);
 
 // Keeps what commands change to itself: sets GL's initial state, for a window of this size, when it begins and when it

@@ -36,9 +36,7 @@ constexpr bool never_compiled(std::string_view effect) {
                                               "push_client_attrib",
                                               "pop_client_attrib",
                                               "get_light",
-                                              "get_material",
-                                              "new_quadric",
-                                              "quadric"}) {
+                                              "get_material"}) {
         if (effect == effect_of_client) return true;
     }
     return false;
@@ -47,10 +45,12 @@ constexpr bool never_compiled(std::string_view effect) {
 constexpr bool kNeverCompiled[] = {
 #define GL_COMMAND(name, effect, ...) never_compiled(#effect),
 #define SHAPE_COMMAND(name, effect, ...) never_compiled(#effect),
+#define QUADRIC_COMMAND(name, effect, ...) true,
 #define PRAGMA_COMMAND(name, effect, ...) never_compiled(#effect),
 #include "command/commands.def"
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
 };
 
@@ -101,12 +101,14 @@ std::uint32_t name_at(const std::byte* at, Enum type) {
 // Whether a command goes into the list that is open and is done with that. GL_COMPILE_AND_EXECUTE does both.
 bool State::compile(const Command& c) {
     if (lists_.open_name == 0 || lists_.nesting > 0 || kNeverCompiled[static_cast<std::size_t>(c.id)]) return false;
+    if (draws_quadric(c) && !can_send(c)) return true;  // GLU itself refuses it, and calls nothing
     if (lists_.commands + lists_.open->size() >= kMaxListedCommands) {
         raise(kGL_OUT_OF_MEMORY, c, fmt::format("display lists hold {} commands at most", kMaxListedCommands));
         return true;
     }
-    const bool reads_pixels = c.memory != nullptr;
-    lists_.open->push_back({c, reads_pixels ? std::make_shared<const PixelStore>(pixel_store_) : nullptr});
+    ListedCommand& listed = lists_.open->emplace_back(ListedCommand{c, nullptr});
+    if (c.memory) listed.pixel_store = std::make_shared<const PixelStore>(pixel_store_);
+    if (draws_quadric(c)) listed.quadric = std::make_shared<const Quadric>(*quadric(c));
     return lists_.open_mode == kGL_COMPILE;
 }
 
@@ -200,6 +202,7 @@ void State::execute_list(const Command& c, std::uint32_t name) {
             }
             break;
         }
+        lists_.quadric = listed.quadric.get();
         if (!listed.pixel_store) {
             carry_out(listed.command);
             continue;
@@ -208,6 +211,7 @@ void State::execute_list(const Command& c, std::uint32_t name) {
         carry_out(listed.command);
         pixel_store_ = now;
     }
+    lists_.quadric = nullptr;
     --lists_.nesting;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command/command.h"
+#include "shape/quadric.h"
 #include "state/pixels.h"
 
 namespace twinlight {
@@ -22,6 +23,8 @@ struct ListedCommand {
     Command command;
     // What the command read of the client's state when it was compiled; null for commands that read nothing of it.
     std::shared_ptr<const PixelStore> pixel_store;
+    // How the quadric was sent that it named then: GLU's own objects are not in the list.
+    std::shared_ptr<const Quadric> quadric = nullptr;
 };
 
 using DisplayList = std::vector<ListedCommand>;
@@ -36,8 +39,9 @@ struct Lists {
     Place opened;
     std::shared_ptr<DisplayList> open;
 
-    int nesting = 0;           // of the lists that are being executed
-    std::size_t executed = 0;  // commands since the outermost call
+    int nesting = 0;                   // of the lists that are being executed
+    std::size_t executed = 0;          // commands since the outermost call
+    const Quadric* quadric = nullptr;  // of the command of a list that is being executed
 };
 
 }  // namespace twinlight

@@ -1,15 +1,17 @@
 // The state machine's frame: dispatch from the table of commands, errors, Begin and End, the Draws.
-// What the commands do stands in lights_and_materials.cpp, matrices.cpp and raster.cpp.
+// What the commands do stands in lights_and_materials.cpp, matrices.cpp, raster.cpp and shapes.cpp.
 #include "state/state.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 
 #include "command/text.h"
-#include "shape/shape.h"
 #include "state/capabilities.h"
 
 namespace twinlight {
@@ -23,6 +25,24 @@ constexpr bool legal_inside(std::string_view effect) {
         if (effect == legal) return true;  // begin and end say themselves what is wrong
     }
     return false;
+}
+
+// Counts one more of `name`.
+void count(std::vector<Unsupported>& list, std::string_view name, const Place& place,
+           std::vector<std::string> renderers) {
+    const auto find = [&] {
+        return std::find_if(list.begin(), list.end(), [&](const Unsupported& u) { return u.name == name; });
+    };
+    auto found = find();
+    if (found == list.end() && list.size() >= kMaxUnsupportedKept) {
+        name = "more commands";
+        found = find();
+    }
+    if (found != list.end()) {
+        found->count += found->count < std::numeric_limits<int>::max() ? 1 : 0;
+    } else {
+        list.push_back({std::string(name), 1, place, std::move(renderers)});
+    }
 }
 
 }  // namespace
@@ -43,10 +63,12 @@ void State::carry_out(const Command& command) {
     static constexpr Row kRows[] = {
 #define GL_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
 #define SHAPE_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
+#define QUADRIC_COMMAND(name, effect, ...) {&State::effect, true},  // no GL, so legal anywhere
 #define PRAGMA_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
 #include "command/commands.def"
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
     };
     const Row& row = kRows[static_cast<std::size_t>(command.id)];
@@ -63,7 +85,8 @@ void State::carry_out(const Command& command) {
 }
 
 void State::raise(Enum code, const Command& command, std::string message) {
-    errors_.push_back({code, command.place, std::move(message)});
+    ++error_count_;
+    if (errors_.size() < kMaxErrorsKept) errors_.push_back({code, command.place, std::move(message)});
 }
 
 bool State::known(const Command& command, Enum value, std::initializer_list<Enum> allowed) {
@@ -146,6 +169,7 @@ double State::to_real(double c, Kind kind) const {
         case Kind::kEnum:
         case Kind::kBitfield:
         case Kind::kSizeiptr:
+        case Kind::kQuadric:
         case Kind::kWord: return c / 4294967295.0;
         case Kind::kFloat:
         case Kind::kDouble: return c;
@@ -188,36 +212,12 @@ Draw State::new_draw(Enum mode, const Place& place) {
     return draw;
 }
 
-void State::shape(const Command& c) {
-    std::vector<ShapePart> parts;
-    try {
-        parts = shape_parts(c);
-    } catch (const std::invalid_argument& error) {
-        return raise(kGL_INVALID_VALUE, c, error.what());
-    }
-    for (ShapePart& part : parts) {
-        Draw draw = new_draw(part.mode, c.place);
-        draw.vertices.reserve(part.vertices.size());
-        for (const ShapeVertex& v : part.vertices) {
-            draw.vertices.push_back({.position_object = glm::dvec4(v.position_object, 1),
-                                     .normal_object = v.normal_object,
-                                     .color = a_.current.color,
-                                     .tex_coord = a_.current.tex_coord,
-                                     .edge_flag = a_.current.edge_flag});
-        }
-        draw.indices = std::move(part.indices);
-        items_.emplace_back(std::move(draw));
-    }
+void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {
+    count(unsupported_, name, place, std::move(renderers));
 }
 
-void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {
-    const auto found =
-        std::find_if(unsupported_.begin(), unsupported_.end(), [&](const Unsupported& u) { return u.name == name; });
-    if (found != unsupported_.end()) {
-        ++found->count;
-    } else {
-        unsupported_.push_back({name, 1, place, std::move(renderers)});
-    }
+void State::outside(std::string_view function, const Place& place) {
+    count(outside_, function, place, {"fixed", "programmable", "reference"});
 }
 
 std::optional<GlError> State::unfinished() const {
@@ -236,11 +236,25 @@ std::optional<GlError> State::unfinished() const {
     return std::nullopt;
 }
 
-Frame State::take_frame(std::shared_ptr<const CommandList> commands) {
-    Frame frame{options_.width, options_.height, std::move(items_), std::move(unsupported_), std::move(commands)};
+Frame State::take_frame(std::shared_ptr<const Recording> commands) {
+    Frame frame{options_.width, options_.height, std::move(items_), outside_, std::move(commands)};
+    std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
+    drop_picture();
+    return frame;
+}
+
+void State::drop_picture() {
     items_.clear();
     unsupported_.clear();
-    return frame;
+}
+
+void State::drop_hidden() {
+    const Clear* clear = items_.size() > 1 ? std::get_if<Clear>(&items_.back()) : nullptr;
+    const bool hides = clear && clear->color && clear->depth && !clear->scissor.enabled &&
+                       clear->color_mask == std::array{true, true, true, true};
+    if (!hides) return;
+    items_.erase(items_.begin(), items_.end() - 1);
+    unsupported_.clear();
 }
 
 Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& options) {

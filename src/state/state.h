@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command/command.h"
+#include "shape/quadric.h"
 #include "state/attributes.h"
 #include "state/frame.h"
 #include "state/lists.h"
@@ -29,6 +30,9 @@ struct GlError {
     std::string message;  // "GL_SPOT_CUTOFF is 120; it must be in [0, 90] or 180"
 };
 
+inline constexpr std::size_t kMaxErrorsKept = 100;
+inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; what is beyond counts under one of its own
+
 class State {
   public:
     explicit State(const StateOptions& options = {});
@@ -36,13 +40,26 @@ class State {
     // Carries one command out. A command with an error changes nothing but errors() (2.5).
     void apply(const Command& command);
 
+    // The first errors, kMaxErrorsKept of them at most; and how many there were.
     const std::vector<GlError>& errors() const { return errors_; }
+    std::size_t error_count() const { return error_count_; }
+
+    // A call of a function that Twinlight does not have. What it would have changed is not known, so it stands in all
+    // pictures from here on.
+    void outside(std::string_view function, const Place& place);
 
     // What must be whole at the end of a scene: Begin/End, matrix stacks. The message of the first thing left open.
     std::optional<GlError> unfinished() const;
 
-    // The Draws so far; gives them away.
-    Frame take_frame(std::shared_ptr<const CommandList> commands);
+    // The picture so far.
+    const std::vector<std::variant<Clear, Draw>>& items() const { return items_; }
+    bool inside_begin() const { return open_.has_value(); }
+    // Forgets it: what is drawn from here on begins a new one.
+    void drop_picture();
+    // Forgets what the last Clear hides, if that clears everything.
+    void drop_hidden();
+    // Gives it away.
+    Frame take_frame(std::shared_ptr<const Recording> commands);
 
     // glGet*: the values in force, as the float query returns them (6.1.3).
     const LightingState& lighting() const { return a_.lighting; }
@@ -111,6 +128,10 @@ class State {
     void clear(const Command&);
     void flush(const Command&);
     void shape(const Command&);
+    void new_quadric(const Command&);
+    void delete_quadric(const Command&);
+    void set_quadric(const Command&);
+    void quadric_shape(const Command&);
     void clip_plane(const Command&);
     void depth_range(const Command&);
     void polygon_offset(const Command&);
@@ -178,6 +199,9 @@ class State {
     MatrixStack& stack();
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
+    void send_shape(const Command& command, std::vector<ShapePart> parts);
+    Quadric* quadric(const Command& command);  // its first argument; null, and the error, where there is none
+    bool can_send(const Command& command);     // whether its quadric can be sent; false, and the error, if not
     void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
     double to_real(double c,
                    Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
@@ -197,10 +221,14 @@ class State {
     MatrixStack modelview_{{}}, projection_{{}};
     std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
     std::vector<SavedAttributes> attribute_stack_;
-    std::optional<Draw> open_;  // between Begin and End
+    std::optional<Draw> open_;                  // between Begin and End
+    std::map<double, Quadric> quadrics_;        // by number
+    std::map<double, Place> deleted_quadrics_;  // where gluDeleteQuadric stood
     std::vector<std::variant<Clear, Draw>> items_;
     std::vector<Unsupported> unsupported_;
+    std::vector<Unsupported> outside_;
     std::vector<GlError> errors_;
+    std::size_t error_count_ = 0;
 };
 
 // Runs a whole scene. Throws SceneError at the first GL error, at what is left open at the end, and for a scene that

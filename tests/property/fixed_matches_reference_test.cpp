@@ -38,7 +38,8 @@ std::vector<Color> feedback_colors(const CommandList& scene, std::size_t vertice
     const fixed::InitialState initial(64, 64);
     glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
     glRenderMode(GL_FEEDBACK);
-    for (const Command& command : scene.commands) fixed::execute(command);
+    fixed::Executor executor;
+    for (const Command& command : scene.commands) executor.execute(command);
     const GLint written = glRenderMode(GL_RENDER);
     glClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
     std::vector<Color> colors;

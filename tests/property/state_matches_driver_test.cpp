@@ -30,10 +30,12 @@ constexpr int kCommands = 120;  // a sequence
 constexpr CommandId kElsewhere[] = {
 #define GL_COMMAND(name, effect, ...) is_elsewhere(#effect) ? CommandId::name : CommandId::glDrawBuffer,
 #define SHAPE_COMMAND(name, effect, ...)
+#define QUADRIC_COMMAND(name, effect, ...)
 #define PRAGMA_COMMAND(name, effect, ...)
 #include "command/commands.def"
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
 };
 
@@ -299,6 +301,7 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
     for (std::uint64_t seed = 1; seed <= kSequences && !testing::Test::HasFailure(); ++seed) {
         const fixed::InitialState initial(64, 48);
         State state({.width = 64, .height = 48});
+        fixed::Executor executor;
         Random random(seed);
         CommandList sequence;
         bool open = false;  // glGetError is not legal between glBegin and glEnd
@@ -306,7 +309,7 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
         const auto carry_out = [&](const Command& command) {
             sequence.commands.push_back(command);
             const std::size_t before = state.errors().size();
-            fixed::execute(command);
+            executor.execute(command);
             state.apply(command);
             const bool raised = state.errors().size() > before;
             if (raised && first_expected == GL_NO_ERROR) first_expected = state.errors().back().code;

@@ -11,10 +11,12 @@ namespace twinlight {
 
 namespace {
 
-TEST(Names, HaveTheValuesOfTheSystemsHeader) {
+TEST(Names, HaveTheValuesOfTheSystemsHeaders) {
 #define ENUM(name, value) EXPECT_EQ(kGL_##name, static_cast<Enum>(GL_##name)) << "GL_" #name;
+#define GLU_ENUM(name, value) EXPECT_EQ(kGLU_##name, static_cast<Enum>(GLU_##name)) << "GLU_" #name;
 #include "command/enums.def"
 #undef ENUM
+#undef GLU_ENUM
 }
 
 TEST(Names, StandInTheTableOnce) {
@@ -49,10 +51,12 @@ TEST(Commands, StandInTheTableOnceAndFindThemselves) {
     }
 }
 
-TEST(Commands, HaveAnArrayOnlyAsTheLastParameter) {
+TEST(Commands, HaveAnArrayWhoseLengthIsNotKnownOnlyAsTheLastArgument) {
     for (const Signature& sig : signatures()) {
-        for (std::size_t i = 0; i + 1 < sig.parameters.size(); ++i) {
-            EXPECT_EQ(sig.parameters[i].extent, Extent::kValue) << sig.usage();
+        for (std::size_t i = 0; i + 1 < sig.c_arguments(); ++i) {
+            const Extent extent = sig.parameters[i].extent;
+            EXPECT_TRUE(extent != Extent::kByPname && extent != Extent::kOutput && extent != Extent::kRest)
+                << sig.usage();
         }
     }
 }
