@@ -50,15 +50,14 @@ class SceneText {
         q_ = structure_.chance(0.3);
         lit_ = structure_.chance(0.7);
         planes_ = structure_.chance(0.5) ? 1 + structure_.below(2) : 0;
-        two_side_ = structure_.chance(0.3);
-        separate_ = structure_.chance(0.5);
+        two_side_ = structure_.chance(0.5);
         color_material_ = structure_.chance(0.3);
         vertex_materials_ = structure_.chance(0.4);
-        fog_ = structure_.below(4);
+        fog_ = structure % 4;
         matrix_ = structure_.chance(0.3);
         flat_ = structure_.chance(0.25);
         // The driver does not clamp the colour sum before fog (golden/known_differences).
-        separate_ = separate_ && fog_ == 0;
+        separate_ = fog_ == 0;
     }
 
     // The picture moved by so many pixels, and its textures' levels of detail by so much.
@@ -123,9 +122,12 @@ class SceneText {
     }
 
     void clip_planes() {
-        for (int i = 0; i < planes_; ++i)
-            add("glClipPlane(GL_CLIP_PLANE{0}, (GLdouble[]){{{1}, {2}}});\nglEnable(GL_CLIP_PLANE{0});\n", 3 * i,
-                numbers(3, -1, 1), number(4.5, 7));
+        for (int i = 0; i < planes_; ++i) {  // past the middle of what is drawn
+            const glm::dvec3 normal(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+            add("glClipPlane(GL_CLIP_PLANE{0}, (GLdouble[]){{{1:.4f}, {2:.4f}, {3:.4f}, {4:.4f}}});\n"
+                "glEnable(GL_CLIP_PLANE{0});\n",
+                3 * i, normal.x, normal.y, normal.z, 6 * normal.z + uniform(0, 1));
+        }
     }
 
     void texture() {
@@ -352,7 +354,7 @@ class Comparison {
         for (const Count& total : {total_, total_phong_}) {
             fmt::print("{} pixels, {} drawn on, {} different, {} open, the worst {} codes beyond\n", total.pixels,
                        total.drawn, total.different, total.open, total.worst);
-            EXPECT_GE(total.drawn, total.pixels / 5);
+            EXPECT_GE(total.drawn, total.pixels / 6);
             EXPECT_LE(total.open, total.drawn / 50);
             EXPECT_LE(total.different, total.drawn / 100);
         }
