@@ -110,9 +110,19 @@ void color_sum_under_fog() {
     expect_departure(pixel(8, 8)[0] > 200);
 }
 
+// Fog that ends at a distance of 1, half way: 128 of 255 by the text, 0 without the division.
+void fog_of_w() {
+    const Both both(
+        "glEnable(GL_FOG); glFogi(GL_FOG_MODE, GL_LINEAR); glBegin(GL_QUADS); glVertex4f(-2, -2, -1, 2);\n"
+        "glVertex4f(2, -2, -1, 2); glVertex4f(2, 2, -1, 2); glVertex4f(-2, 2, -1, 2); glEnd();");
+    EXPECT_EQ(pixel(8, 8)[3], 255);
+    expect_departure(pixel(8, 8)[0] == 0);
+}
+
 constexpr Departure kDepartures[] = {
     {"edge flags of strips", edge_flags_of_strips},
     {"the colour sum under fog", color_sum_under_fog},
+    {"fog of a vertex whose w is not 1", fog_of_w},
     {"a single value for a vector parameter", single_value_for_a_vector},
     {"glColor3 after glColor4", alpha_of_glcolor3},
     {"glColor before a new glColorMaterial", color_lost_before_a_new_color_material},
