@@ -78,6 +78,9 @@ std::string describe(const TextureEffects& texture) {
     };
     add(texture.matrix, "texture matrix");
     add(texture.q, "division by q");
+    add(texture.clamp_s, "clamped s");
+    add(texture.clamp_t, "clamped t");
+    add(texture.gradients, "gradients");
     return text;
 }
 

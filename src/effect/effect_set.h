@@ -21,6 +21,9 @@
 //   texture.*                                texture.environment
 //   texture.texels kIntensity                the environment is kBlend or kAdd; in the others it is kColorAndAlpha
 //   texture.texels kAlpha                    the environment is kModulate (kBlend and kAdd are the same) or kReplace
+//   texture.clamp_t                          the texture has two dimensions
+//   texture.clamp_s, .clamp_t                a filter is linear: without one GL_CLAMP is GL_CLAMP_TO_EDGE
+//   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ
 //   texture.environment kDecal               the texels are kColorAndAlpha; of kColor it is kReplace
 //
 // NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
@@ -86,8 +89,11 @@ struct TextureEffects {
     TextureEnvironment environment = TextureEnvironment::kNone;
     Texels texels = Texels::kColor;
     bool one_dimensional = false;
-    bool matrix = false;  // the texture matrix is not the identity
-    bool q = false;       // a texture coordinate's q may be other than 1
+    bool matrix = false;   // the texture matrix is not the identity
+    bool q = false;        // a texture coordinate's q may be other than 1
+    bool clamp_s = false;  // GL_CLAMP, which core GL and some drivers do not have: done in the shader
+    bool clamp_t = false;
+    bool gradients = false;  // what is clamped chooses its filter and level as if it were not
 
     bool has_color() const { return texels != Texels::kAlpha; }
     bool has_alpha() const { return texels != Texels::kColor; }

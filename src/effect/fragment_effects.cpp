@@ -62,6 +62,14 @@ void plan_texture(const Draw& draw, Plan& plan) {
     facts.q = !q_is_1(draw);
     if (!facts.matrix) leave_out(plan, "the texture matrix", "it is the identity");
     if (!facts.q) leave_out(plan, "the division by q", "q is 1 at every vertex");
+
+    const bool clamp_t = !facts.one_dimensional && texture->wrap_t == kGL_CLAMP;
+    const bool clamps = clamp_t || texture->wrap_s == kGL_CLAMP;
+    if (clamps && !filters_linearly(*texture))
+        return leave_out(plan, "GL_CLAMP", "without a linear filter it is GL_CLAMP_TO_EDGE");
+    facts.clamp_s = texture->wrap_s == kGL_CLAMP;
+    facts.clamp_t = clamp_t;
+    facts.gradients = clamps && texture->min_filter != texture->mag_filter;
 }
 
 // ---- The rest ----
@@ -78,6 +86,11 @@ void plan_fog(const Draw& draw, Plan& plan) {
 }
 
 }  // namespace
+
+bool filters_linearly(const Texture& texture) {
+    return texture.mag_filter == kGL_LINEAR || texture.min_filter == kGL_LINEAR ||
+           texture.min_filter == kGL_LINEAR_MIPMAP_NEAREST || texture.min_filter == kGL_LINEAR_MIPMAP_LINEAR;
+}
 
 void plan_fragments(const Draw& draw, Plan& plan) {
     plan_texture(draw, plan);

@@ -42,6 +42,11 @@ void add_fragment_effects(Scope& scope, const EffectSet& effects) {
         {"EFFECT_PRIMARY", effects.needs_primary()},
         {"EFFECT_TEXTURE", effects.has_texture()},
         {"EFFECT_TEXTURE_MATRIX", texture.matrix},
+        {"EFFECT_TEXTURE_Q", texture.q},
+        {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},
+        {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
+        {"EFFECT_TEXTURE_CLAMP", texture.clamp_s || texture.clamp_t},
+        {"EFFECT_TEXTURE_GRADIENTS", texture.gradients},
         {"EFFECT_TEXEL_COLOR", texture.has_color()},
         {"EFFECT_TEXEL_ALPHA", texture.has_alpha()},
         {"EFFECT_TEXEL_INTENSITY", texture.texels == Texels::kIntensity},
@@ -61,6 +66,10 @@ void add_fragment_effects(Scope& scope, const EffectSet& effects) {
         {"SAMPLER", one ? "sampler1D" : "sampler2D"},
         {"TEX_COORD_TYPE", one ? (q ? "vec2" : "float") : (q ? "vec3" : "vec2")},
         {"TEX_COORD_PARTS", std::string(one ? "s" : "st") + (q ? "q" : "")},
+        {"DIVIDED_TYPE", one ? "float" : "vec2"},
+        {"DIVIDED_TEX_COORD", one ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
+                                  : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
+        {"TEX_COORD_S", one ? "tex_coord" : "tex_coord.s"},
         {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"},
         {"CLIP_PLANE_COUNT", std::to_string(effects.clip_plane_count)},
     };

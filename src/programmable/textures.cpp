@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "context/gl.h"
+#include "effect/fragment_effects.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -41,8 +42,10 @@ void set_parameters(const Texture& texture) {
     const auto set = [&](GLenum name, Enum value) { glTexParameteri(texture.target, name, static_cast<GLint>(value)); };
     set(GL_TEXTURE_MIN_FILTER, texture.min_filter);
     set(GL_TEXTURE_MAG_FILTER, texture.mag_filter);
-    set(GL_TEXTURE_WRAP_S, texture.wrap_s);
-    set(GL_TEXTURE_WRAP_T, texture.wrap_t);
+    // GL_CLAMP: the shader clamps, to where the border begins; half of it is in a linear filter's sight.
+    const Enum clamped = filters_linearly(texture) ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
+    set(GL_TEXTURE_WRAP_S, texture.wrap_s == kGL_CLAMP ? clamped : texture.wrap_s);
+    set(GL_TEXTURE_WRAP_T, texture.wrap_t == kGL_CLAMP ? clamped : texture.wrap_t);
     const glm::vec4 border(texture.border_color);
     glTexParameterfv(texture.target, GL_TEXTURE_BORDER_COLOR, &border[0]);
 }

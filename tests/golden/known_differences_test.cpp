@@ -86,30 +86,6 @@ std::array<GLubyte, 4> pixel(int x, int y) {
     return color;
 }
 
-// Three corners of four, of points of four pixels; State gives the strip's flags with it, for whoever reads them.
-void edge_flags_of_strips() {
-    const Both both(
-        "glPolygonMode(GL_FRONT_AND_BACK, GL_POINT); glPointSize(4); glBegin(GL_TRIANGLE_STRIP);\n"
-        "glVertex2f(-0.5, -0.5); glVertex2f(0.5, -0.5); glEdgeFlag(GL_FALSE); glVertex2f(-0.5, 0.5);\n"
-        "glEdgeFlag(GL_TRUE); glVertex2f(0.5, 0.5); glEnd();");
-    EXPECT_EQ(pixel(12, 12)[0], 255);
-    expect_departure(pixel(4, 12)[0] == 0);
-}
-
-// 0.8 + 0.8, half of which is fogged away: 128 of 255 by the text, 204 without the clamp.
-void color_sum_under_fog() {
-    const Both both(
-        "glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);\n"
-        "glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){0.8, 0.8, 0.8, 1});\n"
-        "glMaterialfv(GL_FRONT, GL_AMBIENT, (GLfloat[]){0, 0, 0, 1});\n"
-        "glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){0.8, 0.8, 0.8, 1}); glMaterialf(GL_FRONT, GL_SHININESS, 1);\n"
-        "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_FOG); glFogi(GL_FOG_MODE, GL_LINEAR);\n"
-        "glBegin(GL_QUADS); glVertex3f(-1, -1, -0.5); glVertex3f(1, -1, -0.5); glVertex3f(1, 1, -0.5);\n"
-        "glVertex3f(-1, 1, -0.5); glEnd();");
-    EXPECT_GT(pixel(8, 8)[0], 120);
-    expect_departure(pixel(8, 8)[0] > 200);
-}
-
 // Fog that ends at a distance of 1, half way: 128 of 255 by the text, 0 without the division.
 void fog_of_w() {
     const Both both(
@@ -120,8 +96,6 @@ void fog_of_w() {
 }
 
 constexpr Departure kDepartures[] = {
-    {"edge flags of strips", edge_flags_of_strips},
-    {"the colour sum under fog", color_sum_under_fog},
     {"fog of a vertex whose w is not 1", fog_of_w},
     {"a single value for a vector parameter", single_value_for_a_vector},
     {"glColor3 after glColor4", alpha_of_glcolor3},
