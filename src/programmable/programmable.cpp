@@ -139,12 +139,40 @@ std::string commented(const std::string& text) {
     return result;
 }
 
+// What of the Draw no shader does, as far as it is not GL's initial state.
+std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
+    const RasterState& raster = draw.raster;
+    const FragmentState& fragment = draw.fragment;
+    const PolygonOffset& offset = raster.polygon_offset;
+    const std::pair<bool, const char*> rows[] = {
+        {raster.depth_near != 0 || raster.depth_far != 1, "the depth range (glDepthRange)"},
+        {raster.cull_enabled, "culling (glCullFace)"},
+        {raster.polygon_mode_front != kGL_FILL || raster.polygon_mode_back != kGL_FILL,
+         "the polygon mode (glPolygonMode)"},
+        {offset.fill || offset.line || offset.point, "the polygon offset (glPolygonOffset)"},
+        {raster.line_width != 1, "the line width (glLineWidth)"},
+        {raster.point_size != 1, "the point size (glPointSize)"},
+        {fragment.scissor.enabled, "the scissor (glScissor)"},
+        {fragment.alpha_test, "the alpha test (glAlphaFunc; core GL has `discard`)"},
+        {raster.depth_test, "the depth test (glDepthFunc)"},
+        {fragment.blend, "blending (glBlendFunc)"},
+        {fragment.color_mask != FragmentState{}.color_mask, "the colour mask (glColorMask)"},
+        {plan.effects.has_texture(), "the texture's images, filters and wrapping (glTexParameter)"},
+    };
+    std::string text;
+    for (const auto& [is_set, what] : rows)
+        if (is_set) text += fmt::format("//   {}\n", what);
+    return text.empty() ? "" : "// What stays GL's state:\n" + text;
+}
+
 std::string program_text(const Draw& draw, const Plan& plan) {
     std::string text = "// What lights this Draw:\n" + commented(describe(plan.effects));
     for (std::size_t i = 0; i < plan.lights.size(); ++i)
         text += fmt::format("// light{} is GL_LIGHT{}.\n", i, plan.lights[i].number);
     text += "// What is left out:\n";
     for (const LeftOut& left_out : plan.left_out) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
+
+    text += fixed_stages_text(draw, plan);
 
     const ShaderSource source = assemble(plan.effects);
     text += "// The uniforms' values:\n";
