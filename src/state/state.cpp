@@ -184,6 +184,17 @@ Draw State::new_draw(Enum mode, const Place& place) {
     return draw;
 }
 
+// 2.10: as if GL_POLYGON stood between Begin and End.
+void State::rect(const Command& c) {
+    const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
+    Draw draw = new_draw(kGL_POLYGON, c.place);
+    for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {
+        a_.current.position_object = {x, y, 0, 1};
+        draw.vertices.push_back(a_.current);
+    }
+    items_.emplace_back(std::move(draw));
+}
+
 void State::shape(const Command& c) {
     std::vector<ShapePart> parts;
     try {

@@ -140,6 +140,9 @@ class State {
     void elsewhere_state(const Command&);
     void elsewhere_drawing(const Command&);
     void elsewhere_vertex(const Command&);
+    void gen_textures(const Command&);
+    void delete_textures(const Command&);
+    void rect(const Command&);
     void specular_model(const Command&);
     void ambient_model(const Command&);
     void spot_cone(const Command&);
@@ -162,6 +165,7 @@ class State {
     bool check_pixel_type(const Command& command, const PixelSource& source);
     std::optional<std::vector<glm::dvec4>> pixels(const Command& command, const PixelSource& source);
     void generate_mipmaps(Texture& texture) const;
+    bool counts(const Command& command, const char* what);  // n >= 0, or GL_INVALID_VALUE
     void track_color();  // 2.14.3: the material follows the current colour
     void multiply(const glm::dmat4& matrix);
     MatrixStack& stack();
