@@ -7,36 +7,6 @@
 
 namespace twinlight::fixed {
 
-namespace {
-
-void reset_matrices() {
-    struct Stack {
-        GLenum mode, depth;
-    };
-    for (const Stack& stack :
-         {Stack{GL_TEXTURE, GL_TEXTURE_STACK_DEPTH}, Stack{GL_PROJECTION, GL_PROJECTION_STACK_DEPTH},
-          Stack{GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH}}) {
-        glMatrixMode(stack.mode);
-        GLint depth = 1;
-        glGetIntegerv(stack.depth, &depth);
-        for (; depth > 1; --depth) glPopMatrix();
-        glLoadIdentity();
-    }
-}
-
-}  // namespace
-
-InitialState::InitialState(int width, int height) {
-    glPushAttrib(GL_ALL_ATTRIB_BITS);
-    reset_matrices();
-    glViewport(0, 0, width, height);
-}
-
-InitialState::~InitialState() {
-    reset_matrices();
-    glPopAttrib();
-}
-
 void draw(const Frame& frame, const RenderOptions& options) {
     if (options.shading == Shading::kPhong) {
         throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");

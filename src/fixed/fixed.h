@@ -10,14 +10,17 @@ namespace twinlight::fixed {
 // One command to the driver. Pragmas that GL has no command for do nothing, but shape(...) draws.
 void execute(const Command& command);
 
-// Keeps what commands change to itself: GL's initial state while it lives, as the context had it before afterwards.
-// Needs a context that is in GL's initial state but for its viewport.
+// Keeps what commands change to itself: sets GL's initial state, for a window of this size, when it begins and when it
+// ends. Objects stay.
 class InitialState {
   public:
-    InitialState(int width, int height);  // of the window: the initial viewport
+    InitialState(int width, int height);
     ~InitialState();
     InitialState(const InitialState&) = delete;
     InitialState& operator=(const InitialState&) = delete;
+
+  private:
+    int width_, height_;
 };
 
 // Clears to black and depth 1, executes the frame's commands, reads the picture. Throws std::invalid_argument for

@@ -76,7 +76,7 @@ void State::fog(const Command& c) {
         case kGL_FOG_DENSITY: a_.fog.density = values->front(); break;
         case kGL_FOG_START: a_.fog.start = values->front(); break;
         case kGL_FOG_END: a_.fog.end = values->front(); break;
-        case kGL_FOG_COLOR: a_.fog.color = {(*values)[0], (*values)[1], (*values)[2], (*values)[3]}; break;
+        case kGL_FOG_COLOR: a_.fog.color = clamped({(*values)[0], (*values)[1], (*values)[2], (*values)[3]}); break;
         case kGL_FOG_COORD_SRC:
             if (!known(c, name, {kGL_FRAGMENT_DEPTH, kGL_FOG_COORD})) break;
             if (name == kGL_FOG_COORD)

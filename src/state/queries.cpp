@@ -149,6 +149,9 @@ std::vector<double> State::get(Enum pname) const {
         case kGL_LIST_BASE: return one(a_.list_base);
         case kGL_TEXTURE_BINDING_1D: return one(unit().bound_1d);
         case kGL_TEXTURE_BINDING_2D: return one(unit().bound_2d);
+        case kGL_LIST_INDEX: return one(lists_.open_name);
+        case kGL_LIST_MODE: return one(lists_.open_name == 0 ? 0 : lists_.open_mode);
+        case kGL_MAX_LIST_NESTING: return one(kMaxListNesting);
         case kGL_MAX_LIGHTS: return one(kMaxLights);
         case kGL_MAX_CLIP_PLANES: return one(kMaxClipPlanes);
         case kGL_MAX_TEXTURE_SIZE: return one(kMaxTextureSize);

@@ -18,8 +18,8 @@ namespace {
 
 // What may stand between Begin and End (2.6.3), by effect.
 constexpr bool legal_inside(std::string_view effect) {
-    for (std::string_view legal :
-         {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "elsewhere_vertex"}) {
+    for (std::string_view legal : {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end",
+                                   "elsewhere_vertex", "call_list", "call_lists"}) {
         if (effect == legal) return true;  // begin and end say themselves what is wrong
     }
     return false;
@@ -32,6 +32,10 @@ State::State(const StateOptions& options) : options_(options) {
 }
 
 void State::apply(const Command& command) {
+    if (!compile(command)) carry_out(command);
+}
+
+void State::carry_out(const Command& command) {
     struct Row {
         void (State::*effect)(const Command&);
         bool legal_inside;
@@ -228,6 +232,9 @@ void State::note_unsupported(const std::string& name, const Place& place, std::v
 }
 
 std::optional<GlError> State::unfinished() const {
+    if (lists_.open_name != 0) {
+        return GlError{kGL_INVALID_OPERATION, lists_.opened, "this glNewList has no glEndList"};
+    }
     if (open_) return GlError{kGL_INVALID_OPERATION, open_->place, "this glBegin has no glEnd"};
     std::vector<const MatrixStack*> stacks{&modelview_, &projection_};
     for (const MatrixStack& one : texture_) stacks.push_back(&one);

@@ -8,6 +8,7 @@
 #include "command/command.h"
 #include "state/attributes.h"
 #include "state/frame.h"
+#include "state/lists.h"
 #include "state/pixels.h"
 
 namespace twinlight {
@@ -131,6 +132,13 @@ class State {
     void build_mipmaps(const Command&);
     void tex_parameter(const Command&);
     void tex_env(const Command&);
+    void gen_lists(const Command&);
+    void new_list(const Command&);
+    void end_list(const Command&);
+    void delete_lists(const Command&);
+    void list_base(const Command&);
+    void call_list(const Command&);
+    void call_lists(const Command&);
     void push_attrib(const Command&);
     void pop_attrib(const Command&);
     void load_transpose_matrix(const Command&);
@@ -147,6 +155,9 @@ class State {
     void ambient_model(const Command&);
     void spot_cone(const Command&);
 
+    void carry_out(const Command& command);
+    bool compile(const Command& command);
+    void execute_list(const Command& command, std::uint32_t name);
     void raise(Enum code, const Command& command, std::string message);
     // Whether `value` is one of `allowed`; raises GL_INVALID_ENUM if not.
     bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);
@@ -186,6 +197,7 @@ class State {
     Attributes a_;
     TextureObjects textures_;
     PixelStore pixel_store_;
+    Lists lists_;
     MatrixStack modelview_{{}}, projection_{{}};
     std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
     std::vector<SavedAttributes> attribute_stack_;

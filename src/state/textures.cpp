@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "state/pixels.h"
 #include "state/state.h"
@@ -81,7 +82,8 @@ void State::tex_parameter(const Command& c) {
         case kGL_TEXTURE_WRAP_T: return set(&Texture::wrap_t, wraps);
         case kGL_TEXTURE_WRAP_R: known(c, name, wraps); return;  // of no use to one and two dimensions
         case kGL_TEXTURE_BORDER_COLOR:
-            writable_texture(c, target)->border_color = {(*values)[0], (*values)[1], (*values)[2], (*values)[3]};
+            writable_texture(c, target)->border_color =
+                glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0);
             return;
         case kGL_TEXTURE_PRIORITY:
             writable_texture(c, target)->priority = std::clamp(values->front(), 0.0, 1.0);
@@ -105,7 +107,9 @@ void State::tex_env(const Command& c) {
             }
             break;
         }
-        case kGL_TEXTURE_ENV_COLOR: unit().env_color = {(*values)[0], (*values)[1], (*values)[2], (*values)[3]}; break;
+        case kGL_TEXTURE_ENV_COLOR:
+            unit().env_color = glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0);
+            break;
         case kGL_TEXTURE_LOD_BIAS: unit().lod_bias = values->front(); break;
         default: break;
     }

@@ -1,0 +1,214 @@
+// glNewList, glCallList and what belongs to them (5.4).
+#include "state/lists.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "state/state.h"
+
+namespace twinlight {
+
+namespace {
+
+// 5.4: commands that are executed at once while a list is compiled, by effect: those on lists, on the client's state,
+// on objects' names, and the queries.
+constexpr bool never_compiled(std::string_view effect) {
+    for (std::string_view effect_of_client : {"new_list",
+                                              "end_list",
+                                              "gen_lists",
+                                              "delete_lists",
+                                              "pixel_store",
+                                              "flush",
+                                              "gen_textures",
+                                              "delete_textures",
+                                              "gen_buffers",
+                                              "delete_buffers",
+                                              "bind_buffer",
+                                              "buffer_data",
+                                              "buffer_sub_data",
+                                              "client_state",
+                                              "array_pointer",
+                                              "interleaved_arrays",
+                                              "client_active_texture",
+                                              "push_client_attrib",
+                                              "pop_client_attrib",
+                                              "get_light",
+                                              "get_material",
+                                              "new_quadric",
+                                              "quadric"}) {
+        if (effect == effect_of_client) return true;
+    }
+    return false;
+}
+
+constexpr bool kNeverCompiled[] = {
+#define GL_COMMAND(name, effect, ...) never_compiled(#effect),
+#define SHAPE_COMMAND(name, effect, ...) never_compiled(#effect),
+#define PRAGMA_COMMAND(name, effect, ...) never_compiled(#effect),
+#include "command/commands.def"
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef PRAGMA_COMMAND
+};
+
+// How glCallLists reads a name of each type (5.4); 0 bytes: no such type.
+int name_bytes(Enum type) {
+    switch (type) {
+        case kGL_BYTE:
+        case kGL_UNSIGNED_BYTE: return 1;
+        case kGL_SHORT:
+        case kGL_UNSIGNED_SHORT:
+        case kGL_2_BYTES: return 2;
+        case kGL_3_BYTES: return 3;
+        case kGL_INT:
+        case kGL_UNSIGNED_INT:
+        case kGL_FLOAT:
+        case kGL_4_BYTES: return 4;
+        default: return 0;
+    }
+}
+
+template <class T>
+T value_at(const std::byte* at) {
+    T value;
+    std::memcpy(&value, at, sizeof value);
+    return value;
+}
+
+// The offset from the list base; wraps round as GLuint does.
+std::uint32_t name_at(const std::byte* at, Enum type) {
+    const auto byte = [at](int i) { return std::to_integer<std::uint32_t>(at[i]); };
+    switch (type) {
+        case kGL_BYTE: return static_cast<std::uint32_t>(value_at<std::int8_t>(at));
+        case kGL_UNSIGNED_BYTE: return byte(0);
+        case kGL_SHORT: return static_cast<std::uint32_t>(value_at<std::int16_t>(at));
+        case kGL_UNSIGNED_SHORT: return value_at<std::uint16_t>(at);
+        case kGL_FLOAT:
+            return static_cast<std::uint32_t>(
+                static_cast<std::int64_t>(std::clamp(value_at<float>(at), -2147483648.0F, 4294967040.0F)));
+        case kGL_2_BYTES: return byte(0) << 8 | byte(1);
+        case kGL_3_BYTES: return byte(0) << 16 | byte(1) << 8 | byte(2);
+        case kGL_4_BYTES: return byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
+        default: return value_at<std::uint32_t>(at);
+    }
+}
+
+}  // namespace
+
+// Whether a command goes into the list that is open and is done with that. GL_COMPILE_AND_EXECUTE does both.
+bool State::compile(const Command& c) {
+    if (lists_.open_name == 0 || lists_.nesting > 0 || kNeverCompiled[static_cast<std::size_t>(c.id)]) return false;
+    if (lists_.commands + lists_.open->size() >= kMaxListedCommands) {
+        raise(kGL_OUT_OF_MEMORY, c, fmt::format("display lists hold {} commands at most", kMaxListedCommands));
+        return true;
+    }
+    const bool reads_pixels = c.memory != nullptr;
+    lists_.open->push_back({c, reads_pixels ? std::make_shared<const PixelStore>(pixel_store_) : nullptr});
+    return lists_.open_mode == kGL_COMPILE;
+}
+
+void State::gen_lists(const Command& c) {
+    if (c.number(0) < 0) {
+        return raise(kGL_INVALID_VALUE, c, fmt::format("glGenLists is asked for {} lists", c.number(0)));
+    }
+    // The names are there, as empty lists, from now on.
+    const auto first = c.enumerant(1);
+    const auto range = static_cast<std::uint32_t>(std::min(c.number(0), static_cast<double>(kMaxListedCommands)));
+    for (std::uint32_t i = 0; first != 0 && i < range; ++i) {
+        lists_.named.emplace(first + i, std::make_shared<const DisplayList>());
+    }
+}
+
+void State::new_list(const Command& c) {
+    const std::uint32_t name = c.enumerant(0);
+    if (name == 0) return raise(kGL_INVALID_VALUE, c, "glNewList is given the name 0; names begin at 1");
+    if (!known(c, c.enumerant(1), {kGL_COMPILE, kGL_COMPILE_AND_EXECUTE})) return;
+    if (lists_.open_name != 0) {
+        return raise(
+            kGL_INVALID_OPERATION, c,
+            fmt::format("glNewList inside glNewList; the first, at {}, has no glEndList yet", lists_.opened.str()));
+    }
+    lists_.open_name = name;
+    lists_.open_mode = c.enumerant(1);
+    lists_.opened = c.place;
+    lists_.open = std::make_shared<DisplayList>();
+}
+
+void State::end_list(const Command& c) {
+    if (lists_.open_name == 0) return raise(kGL_INVALID_OPERATION, c, "glEndList without a glNewList");
+    std::shared_ptr<const DisplayList>& list = lists_.named[lists_.open_name];
+    lists_.commands += lists_.open->size() - (list ? list->size() : 0);
+    list = std::move(lists_.open);
+    lists_.open_name = 0;
+}
+
+void State::delete_lists(const Command& c) {
+    if (c.number(1) < 0) {
+        return raise(kGL_INVALID_VALUE, c, fmt::format("glDeleteLists is given the range {}", c.number(1)));
+    }
+    const double first = c.number(0), end = first + c.number(1);
+    auto it = lists_.named.lower_bound(c.enumerant(0));
+    while (it != lists_.named.end() && it->first < end) {
+        lists_.commands -= it->second->size();
+        it = lists_.named.erase(it);
+    }
+}
+
+void State::list_base(const Command& c) { a_.list_base = c.enumerant(0); }
+
+void State::call_list(const Command& c) { execute_list(c, c.enumerant(0)); }
+
+void State::call_lists(const Command& c) {
+    const double count = c.number(0);
+    const Enum type = c.enumerant(1);
+    const int size = name_bytes(type);
+    if (size == 0) {
+        return raise(
+            kGL_INVALID_ENUM, c,
+            fmt::format("glCallLists is given the type {}; expected GL_UNSIGNED_BYTE, GL_INT, ...", enum_name(type)));
+    }
+    if (count < 0) return raise(kGL_INVALID_VALUE, c, fmt::format("glCallLists is given {} names", count));
+    if (count == 0 || !c.memory) return;
+    const double offset = c.number(2), bytes = static_cast<double>(c.memory->bytes.size());
+    if (offset < 0 || offset + count * size > bytes) {
+        return raise(kGL_INVALID_OPERATION, c,
+                     fmt::format("glCallLists reads {} names of {} bytes, but the memory it is given has {} bytes",
+                                 count, size, std::max(0.0, bytes - offset)));
+    }
+    const std::byte* names = c.memory->bytes.data() + static_cast<std::size_t>(offset);
+    const std::uint32_t base = a_.list_base;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        execute_list(c, base + name_at(names + i * static_cast<std::size_t>(size), type));
+    }
+}
+
+// A name without a list does nothing (5.4); nor does what is nested too deep, such as a list that calls itself.
+void State::execute_list(const Command& c, std::uint32_t name) {
+    const auto found = lists_.named.find(name);
+    if (found == lists_.named.end() || lists_.nesting >= kMaxListNesting) return;
+    const std::shared_ptr<const DisplayList> list = found->second;  // held: it may be replaced while it runs
+    if (lists_.nesting == 0) lists_.executed = 0;
+    ++lists_.nesting;
+    for (const ListedCommand& listed : *list) {
+        if (++lists_.executed > kMaxCommandsPerCall) {
+            if (lists_.executed == kMaxCommandsPerCall + 1) {
+                raise(kGL_OUT_OF_MEMORY, c,
+                      fmt::format("this call comes to more than {} commands in display lists", kMaxCommandsPerCall));
+            }
+            break;
+        }
+        if (!listed.pixel_store) {
+            carry_out(listed.command);
+            continue;
+        }
+        const PixelStore now = std::exchange(pixel_store_, *listed.pixel_store);
+        carry_out(listed.command);
+        pixel_store_ = now;
+    }
+    --lists_.nesting;
+}
+
+}  // namespace twinlight
