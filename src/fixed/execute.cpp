@@ -1,5 +1,7 @@
 // Commands to the driver, literally: for each row of commands.def that GL or GLU has, a call of that function with the
 // arguments in its own types.
+#include "fixed/execute.h"
+
 #include <array>
 #include <tuple>
 #include <type_traits>
@@ -7,8 +9,8 @@
 #include <vector>
 
 #include "context/gl.h"
-#include "fixed/fixed.h"
 #include "shape/shape.h"
+#include "state/attributes.h"
 
 namespace twinlight::fixed {
 
@@ -139,8 +141,17 @@ struct Call {
 };
 
 void draw_shape(const Command& command) {
-    // As freeglut does: vertex arrays of floats, current colour and state.
+    // As freeglut does: vertex arrays of floats, current colour and state. What else the scene has enabled it would send
+    // as well, from wherever that leads.
     glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+    glDisableClientState(GL_COLOR_ARRAY);
+    glDisableClientState(GL_EDGE_FLAG_ARRAY);
+    for (GLenum unit = GL_TEXTURE0; unit < GL_TEXTURE0 + kMaxTextureUnits; ++unit) {
+        glClientActiveTexture(unit);
+        glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    }
     for (const ShapePart& part : shape_parts(command)) {
         std::vector<std::array<GLfloat, 3>> positions, normals;
         positions.reserve(part.vertices.size());

@@ -11,12 +11,12 @@ void draw(const Frame& frame, const RenderOptions& options) {
     if (options.shading == Shading::kPhong) {
         throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
     }
-    const InitialState initial(frame.width, frame.height);
+    Driver driver(frame.width, frame.height);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (options.shading) glShadeModel(*options.shading == Shading::kFlat ? GL_FLAT : GL_SMOOTH);
     for (const Command& command : frame.commands->commands) {
         if (options.shading && command.id == CommandId::glShadeModel) continue;
-        execute(command);
+        driver.execute(command);
     }
     glFinish();
 }

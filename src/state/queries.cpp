@@ -122,7 +122,7 @@ std::vector<double> State::get(Enum pname) const {
     }
     for (const Answer& answer : {of_lighting(a_.lighting, pname), of_raster(a_.raster, pname),
                                  of_fragments(a_.fragment, a_.fog, a_.clear, pname), of_hints(a_.hints, pname),
-                                 of_pixel_store(pixel_store_, pname)}) {
+                                 of_pixel_store(pixel_store_, pname), arrays_.get(pname)}) {
         if (!answer.empty()) return answer;
     }
     const glm::dmat4 &texture = texture_[a_.active_unit].back().matrix, &m = modelview(), &p = projection();

@@ -31,10 +31,11 @@ struct Both {
     explicit Both(std::string_view text) : state({.width = 16, .height = 16}) {
         for (const Command& command : read_scene(text, "case.gl", "case").commands) {
             state.apply(command);
-            fixed::execute(command);
+            driver.execute(command);
         }
     }
     std::unique_ptr<OffscreenContext> context = make_offscreen_context(16, 16);
+    fixed::Driver driver{16, 16};
     State state;
 };
 
