@@ -34,6 +34,8 @@ libstb-dev          pkg-config --exists stb
 libgtest-dev        pkg-config --exists gtest_main
 xvfb                command -v Xvfb
 xdotool             command -v xdotool
+apitrace            command -v apitrace
+mesa-utils          command -v glxgears
 endef
 export DEPENDENCIES
 
@@ -83,7 +85,7 @@ all: deps
 	@$(MAKE) programs
 
 programs: $(BUILD)/twinlight $(BUILD)/twinlight-demo
-test-binary: $(BUILD)/twinlight-tests $(BUILD)/freeglut-recorder programs
+test-binary: $(BUILD)/twinlight-tests $(BUILD)/shape-recorder programs
 
 demo: deps  ## build; open the GLUT window, or write the comparison as a report where there is no display
 	@$(MAKE) programs
@@ -175,8 +177,8 @@ $(BUILD)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
 $(BUILD)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_demo_library)) $(BUILD)/libtwinlight.a
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
-# What the real freeglut sends for its shapes: the tests hold src/shape against it.
-$(BUILD)/freeglut-recorder: $(call object,$(SOURCES_recorder))
+# What the real freeglut and GLU send for their shapes: the tests hold src/shape against it.
+$(BUILD)/shape-recorder: $(call object,$(SOURCES_recorder))
 	$(link) $(LIBS_window)
 
 # Files that travel inside the binaries: a table of {name, text} a folder, declared beside the code that reads it.

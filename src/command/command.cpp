@@ -36,6 +36,7 @@ const std::vector<Signature>& table() {
     Parameter { #name, kind, Extent::kResult, 1 }
 #define GL_COMMAND(name, effect, ...) {#name, Family::kGl, {__VA_ARGS__}},
 #define SHAPE_COMMAND(name, effect, ...) {#name, Family::kShape, {__VA_ARGS__}},
+#define QUADRIC_COMMAND(name, effect, ...) {#name, Family::kQuadric, {__VA_ARGS__}},
 #define PRAGMA_COMMAND(name, effect, ...) {#name, Family::kPragma, {__VA_ARGS__}},
 #include "command/commands.def"
 #undef P
@@ -49,6 +50,7 @@ const std::vector<Signature>& table() {
 #undef X
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
     };
     return rows;

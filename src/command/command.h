@@ -19,14 +19,16 @@ namespace twinlight {
 enum class CommandId : std::uint16_t {
 #define GL_COMMAND(name, ...) name,
 #define SHAPE_COMMAND(name, ...) name,
+#define QUADRIC_COMMAND(name, ...) name,
 #define PRAGMA_COMMAND(name, ...) pragma_##name,
 #include "command/commands.def"
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
 };
 
-// The types of arguments: GL's (2.2), and kWord, a word of a pragma.
+// The types of arguments: GL's (2.2), GLU's quadric, and kWord, a word of a pragma.
 enum class Kind : std::uint8_t {
     kEnum,
     kBitfield,
@@ -41,6 +43,7 @@ enum class Kind : std::uint8_t {
     kFloat,
     kDouble,
     kSizeiptr,  // of sizes and offsets in buffer objects (2.9)
+    kQuadric,   // GLUquadric*: its number
     kWord,
 };
 
@@ -63,7 +66,7 @@ struct Parameter {
     int count = 1;  // of an Extent::kArray
 };
 
-enum class Family : std::uint8_t { kGl, kShape, kPragma };
+enum class Family : std::uint8_t { kGl, kShape, kQuadric, kPragma };
 
 struct Signature {
     std::string_view name;  // "glLightfv"; of a pragma its bare name

@@ -21,6 +21,7 @@ auto with_type(Kind kind, Use use) {
         case Kind::kEnum:
         case Kind::kBitfield:
         case Kind::kWord:
+        case Kind::kQuadric:
         case Kind::kUint: return use(std::uint32_t{});
         case Kind::kSizeiptr: return use(std::int64_t{});
         case Kind::kFloat: return use(float{});
@@ -50,6 +51,7 @@ std::string_view c_type_name(Kind kind) {
         case Kind::kFloat: return "GLfloat";
         case Kind::kDouble: return "GLdouble";
         case Kind::kSizeiptr: return "GLsizeiptr";
+        case Kind::kQuadric: return "GLUquadric*";
         case Kind::kWord: break;  // words stand in pragmas only, never in arrays
     }
     return "";

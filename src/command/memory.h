@@ -9,7 +9,7 @@
 
 namespace twinlight {
 
-std::size_t size_of(Kind kind);           // in bytes; 0 for kWord, which has no C type
+std::size_t size_of(Kind kind);           // in bytes; of a quadric and a word those of their number
 std::string_view c_type_name(Kind kind);  // "GLfloat"
 Kind c_type(Kind kind);                   // one kind for those that are the same C type (GLint and GLsizei, ...)
 inline bool is_real(Kind kind) { return kind == Kind::kFloat || kind == Kind::kDouble; }

@@ -10,8 +10,10 @@ namespace twinlight {
 const std::vector<NamedValue>& gl_names() {
     static const std::vector<NamedValue> names = {
 #define ENUM(name, value) {"GL_" #name, value},
+#define GLU_ENUM(name, value) {"GLU_" #name, value},
 #include "command/enums.def"
 #undef ENUM
+#undef GLU_ENUM
     };
     return names;
 }

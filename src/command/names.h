@@ -1,6 +1,6 @@
 // GL's names and Twinlight's words, and their values (enums.def, words.def).
 //
-// kGL_LIGHT0 is GL_LIGHT0: the library's upper layers know GL's numbers without GL's headers.
+// kGL_LIGHT0 is GL_LIGHT0, kGLU_FILL is GLU_FILL: the library's upper layers know GL's numbers without GL's headers.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,10 @@ namespace twinlight {
 using Enum = std::uint32_t;
 
 #define ENUM(name, value) inline constexpr Enum kGL_##name = value;
+#define GLU_ENUM(name, value) inline constexpr Enum kGLU_##name = value;
 #include "command/enums.def"
 #undef ENUM
+#undef GLU_ENUM
 
 enum class Word : Enum {
 #define WORD(word) word,

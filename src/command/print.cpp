@@ -34,6 +34,7 @@ std::string print_number(double value, Kind kind) {
         case Kind::kDouble: return print_real(value, false);
         case Kind::kBitfield: return bit_names(static_cast<Enum>(value));
         case Kind::kWord: return std::string(word_name(static_cast<Word>(static_cast<Enum>(value))));
+        case Kind::kQuadric: return fmt::format("quadric{}", value);
         default: return fmt::format("{}", static_cast<std::int64_t>(value));
     }
 }
@@ -167,6 +168,9 @@ std::string print_pointer(const Command& command, std::size_t i, const PrintedAr
 
 std::string print(const Command& command, const PrintedArray& array) {
     const Signature& sig = command.sig();
+    if (command.id == CommandId::gluNewQuadric) {
+        return fmt::format("GLUquadric* {} = gluNewQuadric();", print_number(command.number(0), Kind::kQuadric));
+    }
     std::vector<std::string> arguments;
     for (std::size_t i = 0; i < sig.parameters.size(); ++i) {
         const Parameter& parameter = sig.parameters[i];

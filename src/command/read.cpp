@@ -108,6 +108,7 @@ void Reader::declaration() {
     }
     const Kind kind = type_name();
     do {
+        if (kind == Kind::kQuadric) expect("*", "after GLUquadric: scenes have pointers to quadrics only");
         const Token name = token_;
         if (name.kind != TokenKind::kName) {
             fail(name.place, fmt::format("expected a variable's name, found {}{}", shown(name),
@@ -136,6 +137,7 @@ void Reader::declaration() {
 
 // The rest of a declaration from its "=" on, if there is one.
 void Reader::initialise(Object& object, const Token& name) {
+    if (object.kind == Kind::kQuadric) return quadric_declaration(object);
     if (object.dimensions.empty()) {
         allocate(object, name.place);
         if (!accept("=")) return;
@@ -174,6 +176,7 @@ void Reader::assignment() {
     };
     advance();
     const std::optional<Lvalue> target = lvalue(name);
+    if (target && target->object->kind == Kind::kQuadric) return quadric_assignment(*target->object);
     if (!target || !accept("=") || !ahead_.is("(") || !find_command(token_.text)) refuse();
     if (!target->dimensions.empty()) refuse();
     assign_result(*target);
@@ -185,6 +188,10 @@ void Reader::assign_result(const Lvalue& target) {
     const Command& command = call();
     const Signature& sig = command.sig();
     if (sig.c_arguments() == sig.parameters.size()) fail(name.place, fmt::format("{} returns nothing", sig.name));
+    if (sig.parameters.back().kind == Kind::kQuadric) {
+        fail(name.place,
+             fmt::format("{} returns a quadric: declare {} as a GLUquadric*", sig.name, target.object->shown));
+    }
     const double value = converted(integer(static_cast<std::int64_t>(command.arguments.back())), target.object->kind,
                                    name.place, fmt::format("what {} returns", sig.name));
     const std::span<std::byte> bytes = writable(*target.object).bytes;

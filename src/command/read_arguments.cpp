@@ -51,6 +51,10 @@ void Reader::argument(Command& command, std::size_t i) {
         command.arguments.push_back(word_argument(parameter));
         return;
     }
+    if (parameter.kind == Kind::kQuadric) {
+        command.arguments.push_back(quadric_argument(command));
+        return;
+    }
     const Place place = token_.place;
     command.arguments.push_back(converted(number(), parameter.kind, place,
                                           fmt::format("the argument {} of {}", parameter.name, command.name())));
@@ -185,6 +189,7 @@ double Reader::result(const Command& command, const Parameter& parameter) {
         returns_.reset();
         return said;
     }
+    if (parameter.kind == Kind::kQuadric) return ++quadrics_;
     const std::optional<ObjectType> type = named_objects(parameter);
     if (!type || command.number(0) < 1) return 0;
     return names_.next(*type, static_cast<std::uint32_t>(command.number(0)));

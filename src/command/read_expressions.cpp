@@ -22,13 +22,29 @@ struct NamedType {
 };
 
 constexpr NamedType kTypes[] = {
-    {"float", Kind::kFloat},   {"GLfloat", Kind::kFloat},       {"GLclampf", Kind::kFloat},
-    {"double", Kind::kDouble}, {"GLdouble", Kind::kDouble},     {"GLclampd", Kind::kDouble},
-    {"int", Kind::kInt},       {"GLint", Kind::kInt},           {"GLsizei", Kind::kSizei},
-    {"GLuint", Kind::kUint},   {"GLenum", Kind::kEnum},         {"GLbitfield", Kind::kBitfield},
-    {"short", Kind::kShort},   {"GLshort", Kind::kShort},       {"GLushort", Kind::kUshort},
-    {"GLbyte", Kind::kByte},   {"GLubyte", Kind::kUbyte},       {"GLboolean", Kind::kBoolean},
-    {"unsigned", Kind::kUint}, {"GLsizeiptr", Kind::kSizeiptr}, {"GLintptr", Kind::kSizeiptr},
+    {"float", Kind::kFloat},
+    {"GLfloat", Kind::kFloat},
+    {"GLclampf", Kind::kFloat},
+    {"double", Kind::kDouble},
+    {"GLdouble", Kind::kDouble},
+    {"GLclampd", Kind::kDouble},
+    {"int", Kind::kInt},
+    {"GLint", Kind::kInt},
+    {"GLsizei", Kind::kSizei},
+    {"GLuint", Kind::kUint},
+    {"GLenum", Kind::kEnum},
+    {"GLbitfield", Kind::kBitfield},
+    {"short", Kind::kShort},
+    {"GLshort", Kind::kShort},
+    {"GLushort", Kind::kUshort},
+    {"GLbyte", Kind::kByte},
+    {"GLubyte", Kind::kUbyte},
+    {"GLboolean", Kind::kBoolean},
+    {"unsigned", Kind::kUint},
+    {"GLsizeiptr", Kind::kSizeiptr},
+    {"GLintptr", Kind::kSizeiptr},
+    {"GLUquadric", Kind::kQuadric},
+    {"GLUquadricObj", Kind::kQuadric},
 };
 
 // Types that only pointers point at here, byte by byte.
@@ -53,6 +69,7 @@ Range range_of(Kind kind) {
         case Kind::kEnum:
         case Kind::kBitfield:
         case Kind::kUint:
+        case Kind::kQuadric:
         case Kind::kWord: return {0, 4294967295.0};
         case Kind::kSizeiptr: return {-9007199254740992.0, 9007199254740992.0};  // what a double holds exactly
         case Kind::kFloat:
@@ -230,6 +247,7 @@ Value Reader::primary() {
         advance();
         const std::optional<Lvalue> place = lvalue(name);
         if (!place) unknown_name(name);
+        if (place->object->kind == Kind::kQuadric) fail(name.place, "a scene has no pointers to pointers to quadrics");
         return address_of(*place);
     }
     if (token.kind == TokenKind::kNumber) return literal(token);
@@ -407,6 +425,9 @@ Value Reader::value_of(const Lvalue& lvalue, const Place& place) {
                 .offset = static_cast<std::int64_t>(lvalue.offset),
                 .kind = object.kind,
                 .step = size_of(object.kind) * product_of(std::span(lvalue.dimensions).subspan(1))};
+    }
+    if (object.kind == Kind::kQuadric) {
+        fail(place, fmt::format("{} is a quadric, and a number is needed here", object.shown));
     }
     if (!object.known) fail(place, fmt::format("{} has no value here: {}", object.shown, object.unknown_because));
     const double value = load(std::span(object.memory->bytes).subspan(lvalue.offset), object.kind);

@@ -101,6 +101,12 @@ class Reader {
     void give_names(Command& command, ObjectType type, const Value& array, std::size_t count);
     double result(const Command& command, const Parameter& parameter);
 
+    // -- GLU's quadrics: the value of a pointer to one is its number (read_quadrics.cpp) --
+    void quadric_declaration(Object& object);
+    void quadric_assignment(Object& object);
+    double quadric_value();
+    double quadric_argument(const Command& command);
+
     // -- expressions: bitwise or, sum, product, unary, primary; C's precedence (read_expressions.cpp) --
     Value expression();
     Value number();  // an expression that is no pointer
@@ -138,6 +144,7 @@ class Reader {
     std::optional<double> returns_;  // what the next call returns, where a pragma says so
     Place returns_place_;
     std::vector<Command> commands_;
+    double quadrics_ = 0;  // made so far
 };
 
 // "'GL_LIGHTT0'", or "the end of the scene".

@@ -93,7 +93,7 @@ std::uint32_t Driver::new_name(ObjectType type) {
 // glGenTextures, glGenBuffers: a name of the driver's for each of the scene's.
 void Driver::generate(const Command& command) {
     const ObjectType type = *named_objects(command.sig().parameters[1]);
-    if (command.number(0) <= 0) return fixed::execute(command);  // the driver's error
+    if (command.number(0) <= 0) return executor_.execute(command);  // the driver's error
     for (double name : command.array()) {
         std::uint32_t& given = names_[type].driver_from_scene[static_cast<std::uint32_t>(name)];
         if (given == 0) given = new_name(type);
@@ -115,7 +115,7 @@ void Driver::execute(const Command& command) {
         }
         default: break;
     }
-    fixed::execute(translated(command));
+    executor_.execute(translated(command));
 }
 
 // The command with the driver's names.

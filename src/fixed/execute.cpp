@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "context/gl.h"
+#include "fixed/draw_parts.h"
+#include "fixed/execute.h"
 #include "shape/shape.h"
-#include "state/attributes.h"
 
 namespace twinlight::fixed {
 
@@ -140,50 +141,19 @@ struct Call {
     }
 };
 
-void draw_shape(const Command& command) {
-    // As freeglut does: vertex arrays of floats, current colour and state. What else the scene has enabled it would send
-    // as well, from wherever that leads.
-    glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-    glDisableClientState(GL_COLOR_ARRAY);
-    glDisableClientState(GL_EDGE_FLAG_ARRAY);
-    for (GLenum unit = GL_TEXTURE0; unit < GL_TEXTURE0 + kMaxTextureUnits; ++unit) {
-        glClientActiveTexture(unit);
-        glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-    }
-    for (const ShapePart& part : shape_parts(command)) {
-        std::vector<std::array<GLfloat, 3>> positions, normals;
-        positions.reserve(part.vertices.size());
-        normals.reserve(part.vertices.size());
-        const auto floats = [](const glm::dvec3& v) {
-            return std::array{static_cast<GLfloat>(v.x), static_cast<GLfloat>(v.y), static_cast<GLfloat>(v.z)};
-        };
-        for (const ShapeVertex& v : part.vertices) {
-            positions.push_back(floats(v.position_object));
-            normals.push_back(floats(v.normal_object));
-        }
-        glEnableClientState(GL_VERTEX_ARRAY);
-        glEnableClientState(GL_NORMAL_ARRAY);
-        glVertexPointer(3, GL_FLOAT, 0, positions.data());
-        glNormalPointer(GL_FLOAT, 0, normals.data());
-        if (part.indices.empty()) {
-            glDrawArrays(part.mode, 0, static_cast<GLsizei>(positions.size()));
-        } else {
-            glDrawElements(part.mode, static_cast<GLsizei>(part.indices.size()), GL_UNSIGNED_INT, part.indices.data());
-        }
-    }
-    glPopClientAttrib();
+}  // namespace
+
+void Executor::draw_shape(const Command& command) {
+    if (draws_quadric(command)) return quadrics_.execute(command);
+    draw_by_arrays(shape_parts(command));
 }
 
 // Of the pragmas GL can do one: it draws.
-void pragma(const Command& command) {
+void Executor::pragma(const Command& command) {
     if (command.id == CommandId::pragma_shape) draw_shape(command);
 }
 
-}  // namespace
-
-void execute(const Command& command) {
+void Executor::execute(const Command& command) {
     // Offscreen there is one colour buffer, and it has another name than a window's.
     if (command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE) return;
     switch (command.id) {
@@ -201,6 +171,8 @@ void execute(const Command& command) {
     case CommandId::name: return Call<__VA_ARGS__>::make(&::name, command);
 #define SHAPE_COMMAND(name, effect, ...) \
     case CommandId::name: return draw_shape(command);
+#define QUADRIC_COMMAND(name, effect, ...) \
+    case CommandId::name: return quadrics_.execute(command);
 #define PRAGMA_COMMAND(name, effect, ...) \
     case CommandId::pragma_##name: return pragma(command);
 // clang-format on
@@ -216,6 +188,7 @@ void execute(const Command& command) {
 #undef X
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
     }
 }

@@ -2,12 +2,22 @@
 #pragma once
 
 #include "command/command.h"
+#include "fixed/quadrics.h"
 
 namespace twinlight::fixed {
 
-// Calls the function of the command's name with the command's arguments, as they are. Pragmas that GL has no command for
-// do nothing, but shape(...) draws. The names of objects are the driver's own, and what the command reads must be there:
-// Driver sees to both.
-void execute(const Command& command);
+// Calls the function of the command's name with the command's arguments, as they are, and keeps GLU's objects. The names
+// of GL's objects are the driver's own here, and what the command reads must be there: Driver sees to both.
+class Executor {
+  public:
+    // Pragmas that GL has no command for do nothing, but shape(...) draws.
+    void execute(const Command& command);
+
+  private:
+    void draw_shape(const Command& command);
+    void pragma(const Command& command);
+
+    Quadrics quadrics_;
+};
 
 }  // namespace twinlight::fixed

@@ -9,6 +9,7 @@
 
 #include "command/command.h"
 #include "command/object_names.h"
+#include "fixed/execute.h"
 #include "image/image.h"
 #include "state/arrays.h"
 #include "state/frame.h"
@@ -59,6 +60,7 @@ class Driver {
     bool may_see(const Command& command);
 
     std::optional<InitialState> initial_;
+    Executor executor_;
     std::map<ObjectType, Names> names_;
     std::set<std::uint32_t> lists_;                     // that the scene compiled
     VertexArrays arrays_;                               // as the driver has them

@@ -1,4 +1,4 @@
-// freeglut 3.4's shapes, vertex by vertex in the order in which it sends them.
+// freeglut 3.4's round shapes, vertex by vertex in the order in which it sends them.
 //
 // Every round shape is a table of vertices in rings around its axis (z). A solid sends one GL_TRIANGLE_STRIP
 // between each pair of neighbouring rings, closed by a repeated first pair; a wire shape sends its meridians,
@@ -7,7 +7,6 @@
 // 65535 vertices ("too many slices or stacks", it warns): that is copied, because the picture shows it.
 #include "shape/freeglut_shapes.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -122,33 +121,6 @@ std::vector<ShapePart> freeglut_sphere(double radius, int slices, int stacks, bo
     return std::move(table.parts);
 }
 
-std::vector<ShapePart> freeglut_cube(double size, bool wire) {
-    const double h = size / 2;
-    const std::array<glm::dvec3, 8> corners{
-        {{h, h, h}, {-h, h, h}, {-h, -h, h}, {h, -h, h}, {h, -h, -h}, {h, h, -h}, {-h, h, -h}, {-h, -h, -h}}};
-    struct Face {
-        glm::dvec3 normal;
-        std::array<std::size_t, 4> corners;  // counter-clockwise
-    };
-    const std::array<Face, 6> faces{{{{0, 0, 1}, {0, 1, 2, 3}},
-                                     {{1, 0, 0}, {0, 3, 4, 5}},
-                                     {{0, 1, 0}, {0, 5, 6, 1}},
-                                     {{-1, 0, 0}, {1, 6, 7, 2}},
-                                     {{0, -1, 0}, {7, 4, 3, 2}},
-                                     {{0, 0, -1}, {4, 7, 6, 5}}}};
-    std::vector<ShapePart> parts;
-    if (!wire) parts.push_back({kGL_TRIANGLES, {}, {}});
-    for (const Face& face : faces) {
-        if (wire) parts.push_back({kGL_LINE_LOOP, {}, {}});
-        ShapePart& part = parts.back();
-        const auto first = static_cast<std::uint32_t>(part.vertices.size());
-        for (const std::size_t corner : face.corners) part.vertices.push_back({corners[corner], face.normal});
-        if (wire) continue;
-        for (const std::uint32_t corner : {0, 1, 2, 0, 2, 3}) part.indices.push_back(first + corner);
-    }
-    return parts;
-}
-
 std::vector<ShapePart> freeglut_cone(double base, double height, int slices, int stacks, bool wire) {
     if (slices < 1 || stacks < 1) return {};
 
@@ -218,11 +190,11 @@ std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, 
     // inner_radius is the tube's, outer_radius that of the circle around which the tube runs.
     Table table;
     for (int ring = 0; ring < rings; ++ring) {
-        const auto [ring_cosine, ring_sine] = circle_point(ring, rings, kCounterClockwise);
+        const CirclePoint turn = circle_point(ring, rings, kCounterClockwise);  // no bindings: clang 14 captures none
         table.add_ring(sides, [&](double cosine, double sine) {
             const double from_axis = outer_radius + inner_radius * cosine;
-            return ShapeVertex{{ring_cosine * from_axis, ring_sine * from_axis, inner_radius * sine},
-                               {ring_cosine * cosine, ring_sine * cosine, sine}};
+            return ShapeVertex{{turn.cosine * from_axis, turn.sine * from_axis, inner_radius * sine},
+                               {turn.cosine * cosine, turn.sine * cosine, sine}};
         });
     }
     const auto stride = static_cast<std::size_t>(sides);

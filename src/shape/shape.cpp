@@ -17,13 +17,6 @@ template <class... Parts>
     throw std::invalid_argument(fmt::format(message, std::forward<Parts>(parts)...));
 }
 
-// A solid sends about two vertices for each of slices * stacks; in double, where nothing overflows.
-void limit_vertices(std::string_view name, double slices, double stacks) {
-    constexpr double kCapStacks = 3;  // both caps of a cylinder, and the closing of each turn
-    if (2 * (slices + 1) * (stacks + kCapStacks) <= static_cast<double>(kMaxShapeVertices)) return;
-    refuse("{} would have more than {} vertices; give it fewer slices or stacks", name, kMaxShapeVertices);
-}
-
 // ---- The pragma: shape(kind, sizes...) ----
 
 // The sizes after the kind, checked against what the usage names.
@@ -45,7 +38,7 @@ class Sizes {
         if (!(value >= least) || value != std::floor(value)) {
             refuse("{} of shape({}) is {}; it must be a whole number, {} or more", name, usage_, value, least);
         }
-        limit_vertices(fmt::format("shape({})", usage_), value, 1);
+        limit_shape(fmt::format("shape({})", usage_), value, 1);
         return static_cast<int>(value);
     }
 
@@ -78,7 +71,7 @@ std::vector<ShapePart> pragma_shape(const Command& command) {
             const Sizes sizes(command, kUsage, 3);
             const int slices = sizes.count(2, "slices", kLeastSlices);
             const int stacks = sizes.count(3, "stacks", kLeastStacks);
-            limit_vertices("shape(sphere)", slices, stacks);
+            limit_shape("shape(sphere)", slices, stacks);
             return report_sphere(sizes.length(1, "radius"), slices, stacks);
         }
         case Word::half_vector:
@@ -91,33 +84,60 @@ std::vector<ShapePart> pragma_shape(const Command& command) {
 
 // ---- freeglut's ----
 
+// 12 vertices and 4 faces a tetrahedron, 4 times as many with each level.
+void limit_sponge(std::string_view name, double levels, bool wire) {
+    const double tetrahedra = std::exp2(2 * levels);
+    if (12 * tetrahedra <= static_cast<double>(kMaxShapeVertices) &&
+        (!wire || 4 * tetrahedra <= static_cast<double>(kMaxShapeParts))) {
+        return;
+    }
+    refuse("{} of {} levels would have {:.3g} tetrahedra; give it fewer levels", name, levels, tetrahedra);
+}
+
+// Its name says what is drawn, "glutSolid" or "glutWire" and the kind of shape.
 std::vector<ShapePart> freeglut_shape(const Command& command) {
+    constexpr std::string_view kSolid = "glutSolid", kWire = "glutWire";
+    const bool wire = command.name().starts_with(kWire);
+    const std::string_view kind = command.name().substr(wire ? kWire.size() : kSolid.size());
     const auto number = [&](std::size_t i) { return command.number(i); };
     const auto count = [&](std::size_t i) { return static_cast<int>(command.number(i)); };
 
-    const CommandId id = command.id;
-    if (id == CommandId::glutSolidCube || id == CommandId::glutWireCube) {
-        return freeglut_cube(number(0), id == CommandId::glutWireCube);
+    if (kind == "Cube") return freeglut_cube(number(0), wire);
+    if (kind == "Tetrahedron") return freeglut_tetrahedron(wire);
+    if (kind == "Octahedron") return freeglut_octahedron(wire);
+    if (kind == "Dodecahedron") return freeglut_dodecahedron(wire);
+    if (kind == "Icosahedron") return freeglut_icosahedron(wire);
+    if (kind == "RhombicDodecahedron") return freeglut_rhombic_dodecahedron(wire);
+    if (kind == "Teapot") return freeglut_teapot(number(0), wire);
+    if (kind == "Teacup") return freeglut_teacup(number(0), wire);
+    if (kind == "Teaspoon") return freeglut_teaspoon(number(0), wire);
+    if (kind == "SierpinskiSponge") {
+        limit_sponge(command.name(), number(0), wire);
+        return freeglut_sponge(count(0), {number(1), number(2), number(3)}, number(4), wire);
     }
     // Of all others the last two arguments are the counts.
     const std::size_t counts = command.arguments.size() - 2;
-    limit_vertices(command.name(), std::max(number(counts), 0.0), std::max(number(counts + 1), 0.0));
-    if (id == CommandId::glutSolidSphere || id == CommandId::glutWireSphere) {
-        return freeglut_sphere(number(0), count(1), count(2), id == CommandId::glutWireSphere);
-    }
-    if (id == CommandId::glutSolidCone || id == CommandId::glutWireCone) {
-        return freeglut_cone(number(0), number(1), count(2), count(3), id == CommandId::glutWireCone);
-    }
-    if (id == CommandId::glutSolidCylinder || id == CommandId::glutWireCylinder) {
-        return freeglut_cylinder(number(0), number(1), count(2), count(3), id == CommandId::glutWireCylinder);
-    }
-    if (id == CommandId::glutSolidTorus || id == CommandId::glutWireTorus) {
-        return freeglut_torus(number(0), number(1), count(2), count(3), id == CommandId::glutWireTorus);
-    }
+    limit_shape(command.name(), std::max(number(counts), 0.0), std::max(number(counts + 1), 0.0));
+    if (kind == "Sphere") return freeglut_sphere(number(0), count(1), count(2), wire);
+    if (kind == "Cone") return freeglut_cone(number(0), number(1), count(2), count(3), wire);
+    if (kind == "Cylinder") return freeglut_cylinder(number(0), number(1), count(2), count(3), wire);
+    if (kind == "Torus") return freeglut_torus(number(0), number(1), count(2), count(3), wire);
     refuse("{} draws no shape", command.name());
 }
 
 }  // namespace
+
+// A solid sends about two vertices for each of slices * stacks, and a part a stack; wires have a part for each of both. In
+// double, where nothing overflows.
+void limit_shape(std::string_view name, double slices, double stacks) {
+    constexpr double kCapStacks = 3;  // both caps of a cylinder, and the closing of each turn
+    if (2 * (slices + 1) * (stacks + kCapStacks) > static_cast<double>(kMaxShapeVertices)) {
+        refuse("{} would have more than {} vertices; give it fewer slices or stacks", name, kMaxShapeVertices);
+    }
+    if (slices + stacks + kCapStacks > static_cast<double>(kMaxShapeParts)) {
+        refuse("{} would have more than {} strips and loops; give it fewer slices or stacks", name, kMaxShapeParts);
+    }
+}
 
 std::vector<ShapePart> shape_parts(const Command& command) {
     return command.id == CommandId::pragma_shape ? pragma_shape(command) : freeglut_shape(command);

@@ -23,6 +23,7 @@ double real_from(double c, Kind kind, SignedRule rule) {
         case Kind::kEnum:
         case Kind::kBitfield:
         case Kind::kSizeiptr:
+        case Kind::kQuadric:
         case Kind::kWord: return c / 4294967295.0;
         case Kind::kFloat:
         case Kind::kDouble: return c;

@@ -19,7 +19,7 @@ namespace {
 constexpr bool never_compiled(std::string_view effect) {
     for (std::string_view effect_of_client :
          {"new_list", "end_list", "gen_lists", "delete_lists", "pixel_store", "flush", "gen_textures",
-          "delete_textures", "client_arrays", "get_light", "get_material", "new_quadric", "quadric"}) {
+          "delete_textures", "client_arrays", "get_light", "get_material"}) {
         if (effect == effect_of_client) return true;
     }
     return false;
@@ -28,10 +28,12 @@ constexpr bool never_compiled(std::string_view effect) {
 constexpr bool kNeverCompiled[] = {
 #define GL_COMMAND(name, effect, ...) never_compiled(#effect),
 #define SHAPE_COMMAND(name, effect, ...) never_compiled(#effect),
+#define QUADRIC_COMMAND(name, effect, ...) true,
 #define PRAGMA_COMMAND(name, effect, ...) never_compiled(#effect),
 #include "command/commands.def"
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
 };
 
@@ -84,6 +86,7 @@ int list_name_bytes(Enum type) {
 // Whether a command goes into the list that is open and is done with that. GL_COMPILE_AND_EXECUTE does both.
 bool State::compile(const Command& c) {
     if (lists_.open_name == 0 || lists_.nesting > 0 || kNeverCompiled[static_cast<std::size_t>(c.id)]) return false;
+    if (draws_quadric(c) && !can_send(c)) return true;  // GLU itself refuses it, and calls nothing
     ListedCommand listed{.command = c};
     if (draws_arrays(c.id)) {
         // The arrays are read now (5.4). What is wrong with the arguments is told when the list is executed.
@@ -100,6 +103,7 @@ bool State::compile(const Command& c) {
     } else if (c.memory) {
         listed.pixel_store = std::make_shared<const PixelStore>(pixel_store_);
     }
+    if (draws_quadric(c)) listed.quadric = std::make_shared<const Quadric>(*quadric(c));
     const std::size_t weight = listed.weight();
     if (lists_.weight + lists_.open->weight + weight > kMaxListedCommands) {
         raise(kGL_OUT_OF_MEMORY, c,
@@ -210,8 +214,10 @@ void State::execute_list(const Command& c, std::uint32_t name) {
             }
             break;
         }
+        lists_.quadric = listed.quadric.get();
         execute_listed(listed);
     }
+    lists_.quadric = nullptr;
     --lists_.nesting;
 }
 

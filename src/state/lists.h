@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command/command.h"
+#include "shape/quadric.h"
 #include "state/arrays.h"
 #include "state/pixels.h"
 
@@ -30,6 +31,8 @@ struct ListedCommand {
     std::shared_ptr<const ArrayVertices> arrays = nullptr;
     // An error of a command that draws arrays: raised when it is executed, as others find theirs then.
     std::shared_ptr<const GlError> error = nullptr;
+    // How the quadric was sent that it named then: GLU's own objects are not in the list.
+    std::shared_ptr<const Quadric> quadric = nullptr;
 
     std::size_t weight() const { return arrays ? 1 + arrays->vertices.size() + arrays->indices.size() : 1; }
 };
@@ -49,9 +52,10 @@ struct Lists {
     Place opened;
     std::shared_ptr<DisplayList> open;
 
-    int nesting = 0;           // of the lists that are being executed
-    Place called;              // where the outermost of them was called
-    std::size_t executed = 0;  // in this frame
+    int nesting = 0;                   // of the lists that are being executed
+    Place called;                      // where the outermost of them was called
+    std::size_t executed = 0;          // in this frame
+    const Quadric* quadric = nullptr;  // of the command of a list that is being executed
 };
 
 }  // namespace twinlight

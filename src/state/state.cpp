@@ -1,5 +1,5 @@
 // The state machine's frame: dispatch from the table of commands, errors, Begin and End, the Draws.
-// What the commands do stands in lights_and_materials.cpp, matrices.cpp and raster.cpp.
+// What the commands do stands in lights_and_materials.cpp, matrices.cpp, raster.cpp and shapes.cpp.
 #include "state/state.h"
 
 #include <fmt/format.h>
@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "command/text.h"
-#include "shape/shape.h"
 #include "state/capabilities.h"
 
 namespace twinlight {
@@ -43,10 +42,12 @@ void State::carry_out(const Command& command) {
     static constexpr Row kRows[] = {
 #define GL_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
 #define SHAPE_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
+#define QUADRIC_COMMAND(name, effect, ...) {&State::effect, true},  // no GL, so legal anywhere
 #define PRAGMA_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
 #include "command/commands.def"
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
     };
     const Row& row = kRows[static_cast<std::size_t>(command.id)];
@@ -200,31 +201,6 @@ void State::rect(const Command& c) {
         draw.vertices.push_back(a_.current);
     }
     items_.emplace_back(std::move(draw));
-}
-
-void State::shape(const Command& c) {
-    std::vector<ShapePart> parts;
-    try {
-        parts = shape_parts(c);
-    } catch (const std::invalid_argument& error) {
-        return raise(kGL_INVALID_VALUE, c, error.what());
-    }
-    for (ShapePart& part : parts) {
-        const std::size_t bytes =
-            sizeof(Draw) + part.vertices.size() * sizeof(Vertex) + part.indices.size() * sizeof(std::uint32_t);
-        if (!has_room(c, bytes)) return;
-        Draw draw = new_draw(part.mode, c.place);
-        draw.vertices.reserve(part.vertices.size());
-        for (const ShapeVertex& v : part.vertices) {
-            draw.vertices.push_back({.position_object = glm::dvec4(v.position_object, 1),
-                                     .normal_object = v.normal_object,
-                                     .color = a_.current.color,
-                                     .tex_coord = a_.current.tex_coord,
-                                     .edge_flag = a_.current.edge_flag});
-        }
-        draw.indices = std::move(part.indices);
-        items_.emplace_back(std::move(draw));
-    }
 }
 
 void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {

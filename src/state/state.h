@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command/command.h"
+#include "shape/quadric.h"
 #include "state/arrays.h"
 #include "state/attributes.h"
 #include "state/frame.h"
@@ -109,6 +110,10 @@ class State {
     void clear(const Command&);
     void flush(const Command&);
     void shape(const Command&);
+    void new_quadric(const Command&);
+    void delete_quadric(const Command&);
+    void set_quadric(const Command&);
+    void quadric_shape(const Command&);
     void clip_plane(const Command&);
     void depth_range(const Command&);
     void polygon_offset(const Command&);
@@ -191,6 +196,9 @@ class State {
     MatrixStack& stack();
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
+    void send_shape(const Command& command, std::vector<ShapePart> parts);
+    Quadric* quadric(const Command& command);  // its first argument; null, and the error, where there is none
+    bool can_send(const Command& command);     // whether its quadric can be sent; false, and the error, if not
     void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
     double to_real(double c,
                    Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
@@ -212,7 +220,9 @@ class State {
     MatrixStack modelview_{{}}, projection_{{}};
     std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
     std::vector<SavedAttributes> attribute_stack_;
-    std::optional<Draw> open_;  // between Begin and End
+    std::optional<Draw> open_;                  // between Begin and End
+    std::map<double, Quadric> quadrics_;        // by number
+    std::map<double, Place> deleted_quadrics_;  // where gluDeleteQuadric stood
     std::vector<std::variant<Clear, Draw>> items_;
     std::size_t item_bytes_ = 0;  // what items_ holds, about
     std::vector<Unsupported> unsupported_;

@@ -35,6 +35,7 @@ double random_bits(Random& random, Kind kind) {
             return std::isfinite(value) ? value : 0.25;
         }
         case Kind::kSizeiptr: return std::floor(random.uniform(-0x1p53, 0x1p53));
+        case Kind::kQuadric: return 1;  // made once, by the first row that has one
         case Kind::kWord: return random.below(static_cast<int>(words().size()));
     }
     return 0;

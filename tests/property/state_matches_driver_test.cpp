@@ -30,10 +30,12 @@ constexpr int kCommands = 120;  // a sequence
 constexpr CommandId kElsewhere[] = {
 #define GL_COMMAND(name, effect, ...) is_elsewhere(#effect) ? CommandId::name : CommandId::glDrawBuffer,
 #define SHAPE_COMMAND(name, effect, ...)
+#define QUADRIC_COMMAND(name, effect, ...)
 #define PRAGMA_COMMAND(name, effect, ...)
 #include "command/commands.def"
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
 };
 

@@ -12,10 +12,12 @@ namespace twinlight {
 
 namespace {
 
-TEST(Names, HaveTheValuesOfTheSystemsHeader) {
+TEST(Names, HaveTheValuesOfTheSystemsHeaders) {
 #define ENUM(name, value) EXPECT_EQ(kGL_##name, static_cast<Enum>(GL_##name)) << "GL_" #name;
+#define GLU_ENUM(name, value) EXPECT_EQ(kGLU_##name, static_cast<Enum>(GLU_##name)) << "GLU_" #name;
 #include "command/enums.def"
 #undef ENUM
+#undef GLU_ENUM
 }
 
 TEST(Names, StandInTheTableOnce) {

@@ -48,6 +48,8 @@ std::vector<Triangle> triangles(const ShapePart& part) {
         for (std::size_t i = 0; i + 2 < n; i += 3) add(i, i + 1, i + 2);
     } else if (part.mode == kGL_TRIANGLE_STRIP) {
         for (std::size_t i = 0; i + 2 < n; ++i) i % 2 == 0 ? add(i, i + 1, i + 2) : add(i + 1, i, i + 2);
+    } else if (part.mode == kGL_QUAD_STRIP) {
+        for (std::size_t i = 0; i + 3 < n; i += 2) add(i, i + 1, i + 3), add(i, i + 3, i + 2);
     } else {
         EXPECT_EQ(part.mode, kGL_TRIANGLE_FAN);
         for (std::size_t i = 1; i + 1 < n; ++i) add(0, i, i + 1);
@@ -120,6 +122,11 @@ const std::vector<Command> kSolids = {
     shape(CommandId::glutSolidCone, {1, 2, 9, 4}),
     shape(CommandId::glutSolidCylinder, {0.5, 2, 9, 3}),
     shape(CommandId::glutSolidTorus, {0.25, 1, 6, 11}),
+    shape(CommandId::glutSolidTetrahedron, {}),
+    shape(CommandId::glutSolidOctahedron, {}),
+    shape(CommandId::glutSolidDodecahedron, {}),
+    shape(CommandId::glutSolidIcosahedron, {}),
+    shape(CommandId::glutSolidRhombicDodecahedron, {}),
     pragma(Word::cube, {2}),
     pragma(Word::cylinder, {0.5, 2, 9}),
     pragma(Word::cylinder_triangles, {0.5, 2, 9}),
@@ -134,11 +141,33 @@ std::string label(const Command& command) {
     return text;
 }
 
-TEST(Shapes, HaveUnitNormals) {
+TEST(Shapes, HaveUnitNormalsButForTwoOfFreegluts) {
     for (const Command& solid : kSolids) {
         SCOPED_TRACE(label(solid));
         for (const ShapePart& part : shape_parts(solid)) {
-            for (const ShapeVertex& v : part.vertices) EXPECT_NEAR(glm::length(v.normal_object), 1, kRounding);
+            for (const ShapeVertex& v : part.vertices) {
+                double length = 1;
+                // Twice the area of a face, sqrt(3)/2 of its edge squared.
+                const double edge_squared = 16 / (10 + 2 * std::sqrt(5.0));
+                if (solid.id == CommandId::glutSolidIcosahedron) length = std::sqrt(3.0) / 2 * edge_squared;
+                // The faces that touch neither tip have unit normals; of the others, freeglut's are shorter.
+                if (solid.id == CommandId::glutSolidRhombicDodecahedron && v.normal_object.z != 0)
+                    length = std::sqrt(0.5);
+                EXPECT_NEAR(glm::length(v.normal_object), length, kRounding);
+            }
+        }
+    }
+}
+
+TEST(Shapes, WithFlatFacesHaveNormalsAtRightAnglesToThem) {
+    for (const CommandId id :
+         {CommandId::glutSolidTetrahedron, CommandId::glutSolidOctahedron, CommandId::glutSolidDodecahedron,
+          CommandId::glutSolidIcosahedron, CommandId::glutSolidRhombicDodecahedron}) {
+        for (const Triangle& triangle : triangles(shape_parts(shape(id, {})))) {
+            const glm::dvec3 area = area_vector(triangle);
+            for (const ShapeVertex& corner : triangle) {
+                EXPECT_LE(glm::length(glm::cross(area, corner.normal_object)), kRounding);
+            }
         }
     }
 }

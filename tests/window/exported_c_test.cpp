@@ -31,6 +31,30 @@ void keep_picture(void) {
 }
 )";
 
+// The shapes of freeglut and GLU, which the exported program gets from the libraries themselves.
+constexpr const char* kShapes = R"(
+GLUquadric* q = gluNewQuadric(), *flat = gluNewQuadric();
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+glEnable(GL_DEPTH_TEST); glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_NORMALIZE);
+glMatrixMode(GL_PROJECTION); gluPerspective(40, 4.0 / 3.0, 0.1, 100);
+glMatrixMode(GL_MODELVIEW); gluLookAt(0, 3, 10,  0, 0, 0,  0, 1, 0);
+glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){3, 5, 6, 1});
+gluQuadricNormals(flat, GLU_FLAT); gluQuadricOrientation(flat, GLU_INSIDE);
+glPushMatrix(); glTranslatef(-3.5, 0, 0); gluSphere(q, 1, 16, 12); glPopMatrix();
+glPushMatrix(); glTranslatef(-1.2, 0, 0); gluSphere(flat, 1, 16, 12); glPopMatrix();
+glPushMatrix(); glTranslatef(1.2, -1, 0); glRotatef(-90, 1, 0, 0); gluCylinder(q, 0.9, 0.5, 1.8, 24, 4); glPopMatrix();
+glPushMatrix(); glTranslatef(3.5, 0, 0); gluPartialDisk(q, 0.3, 1, 24, 3, 30, 250); glPopMatrix();
+glPushMatrix(); glTranslatef(-3.5, 2.2, 0); glutSolidTeapot(1); glPopMatrix();
+glPushMatrix(); glTranslatef(-1, 2.2, 0); glutSolidTeacup(1); glPopMatrix();
+glPushMatrix(); glTranslatef(1, 2.2, 0); glutSolidIcosahedron(); glPopMatrix();
+glPushMatrix(); glTranslatef(3.5, 2.2, 0); glutSolidSierpinskiSponge(3, (GLdouble[]){0, 0, 0}, 1); glPopMatrix();
+glPushMatrix(); glTranslatef(-3.5, -2.2, 0); glutSolidTeaspoon(2); glPopMatrix();
+glPushMatrix(); glTranslatef(-1, -2.2, 0); glutSolidRhombicDodecahedron(); glPopMatrix();
+glPushMatrix(); glTranslatef(1, -2.2, 0); glutSolidDodecahedron(); glPopMatrix();
+glPushMatrix(); glTranslatef(3.5, -2.2, 0); glutSolidOctahedron(); glPopMatrix();
+gluDeleteQuadric(q); gluDeleteQuadric(flat);
+)";
+
 Image picture_of(const std::string& rgb) {
     Image image(kWidth, kHeight, {0, 0, 0, 1});
     for (int y = 0; y < kHeight; ++y) {
@@ -54,7 +78,9 @@ TEST(ExportedC, DrawsWhatTheFixedFunctionDraws) {
 
     const TemporaryFolder folder;
     write_file_atomically(folder / "keep.c", kKeepPicture);
-    for (const std::string scene : {"report", "lab", "commands"}) {
+    write_file_atomically(folder / "shapes.gl", kShapes);
+    for (const std::string& scene :
+         {std::string("report"), std::string("lab"), std::string("commands"), folder / "shapes.gl"}) {
         SCOPED_TRACE(scene);
         const ProgramResult exported = run_program("twinlight", {"export", scene, "--as", "c"});
         ASSERT_EQ(exported.status, 0) << exported.err;
