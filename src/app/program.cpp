@@ -82,6 +82,13 @@ void add_size_option(CLI::App& app, Size& size) {
         ->default_str(fmt::format("{}x{}", size.width, size.height));
 }
 
+void add_size_option(CLI::App& app, std::optional<Size>& size) {
+    app.add_option_function<std::string>(
+           "--size", [&size](const std::string& text) { size = parse_size(text); }, "the picture's size in pixels")
+        ->type_name("WxH")
+        ->default_str("640x480, or a recorded program's window");
+}
+
 CLI::Validator not_empty() {
     return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, "");
 }

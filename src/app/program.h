@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -31,6 +32,8 @@ inline constexpr int kMaxSide = 8192;  // what every driver's viewport can hold
 // Throws CLI::ValidationError for anything but WxH within the limits.
 Size parse_size(const std::string& text);
 void add_size_option(CLI::App& app, Size& size);
+// Nothing unless it is given: then a scene is drawn at 640x480, a recorded program at the size of its window.
+void add_size_option(CLI::App& app, std::optional<Size>& size);
 
 // For names of files and scenes.
 CLI::Validator not_empty();

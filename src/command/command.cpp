@@ -164,8 +164,15 @@ std::optional<CommandId> find_pragma(std::string_view name) {
 
 std::string Place::str() const {
     const std::string_view name = file ? std::string_view(*file) : "scene";
+    if (column == kCallNumber) return fmt::format("{}: call {}", name, line);
     if (line == 0) return std::string(name);
     return fmt::format("{}:{}:{}", name, line, column);
+}
+
+void CommandList::for_each(const std::function<bool(const Step&)>& visit) const {
+    for (const Command& command : commands) {
+        if (!visit({.command = command})) return;
+    }
 }
 
 std::span<const ParameterInfo> parameter_infos() {

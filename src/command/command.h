@@ -5,11 +5,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "command/names.h"
@@ -90,13 +92,16 @@ std::span<const Signature> signatures();
 std::optional<CommandId> find_command(std::string_view name);  // of GL, GLU and GLUT
 std::optional<CommandId> find_pragma(std::string_view name);
 
-// Where a command stands in its text; lines and columns count from 1, 0 means unknown.
+// Where a command stands in its text; lines and columns count from 1, 0 means unknown. A command of a recorded program
+// has its number there instead of a line, and kCallNumber for a column.
 struct Place {
+    static constexpr int kCallNumber = -1;
+
     std::shared_ptr<const std::string> file;
     int line = 0;
     int column = 0;
 
-    std::string str() const;  // "scene.gl:14:22"
+    std::string str() const;  // "scene.gl:14:22", "program.trace: call 1234"
 };
 
 // What a pointer argument points into: the bytes of an array, from its start. `kind` is the C type that they were declared
@@ -133,9 +138,46 @@ struct Command {
     friend bool operator==(const Command& a, const Command& b);
 };
 
-struct CommandList {
+// One step of a recording.
+struct Step {
+    enum class Kind : std::uint8_t {
+        kCommand,
+        kFrameEnd,  // the program showed its picture (SwapBuffers); what the buffers hold next is undefined
+        kOutside,   // a call of a function that commands.def does not have: `text` names it
+        kCutOff,    // the recording breaks off here: `text` says how
+    };
+    Kind kind = Kind::kCommand;
+    const Command& command;  // of all but kCommand only its place
+    std::string_view text{};
+};
+
+// Commands that can be gone through again and again, one at a time: a list, or a recorded program that is too long to be
+// held.
+struct Recording {
     std::string name;  // of the scene: "report", "scene.gl"
+
+    Recording() = default;
+    explicit Recording(std::string given_name) : name(std::move(given_name)) {}
+    virtual ~Recording() = default;
+
+    // Hands every step to `visit`, until that answers false. Throws SceneError where the recording cannot be read.
+    virtual void for_each(const std::function<bool(const Step&)>& visit) const = 0;
+
+  protected:  // copied as what they are, or not at all
+    Recording(const Recording&) = default;
+    Recording& operator=(const Recording&) = default;
+    Recording(Recording&&) = default;
+    Recording& operator=(Recording&&) = default;
+};
+
+struct CommandList final : Recording {
     std::vector<Command> commands;
+
+    CommandList() = default;
+    CommandList(std::string given_name, std::vector<Command> given_commands)
+        : Recording(std::move(given_name)), commands(std::move(given_commands)) {}
+
+    void for_each(const std::function<bool(const Step&)>& visit) const override;
 };
 
 // ---- The parameters of lights, materials, the light model, fog, textures and pixel storage (parameters.def) ----

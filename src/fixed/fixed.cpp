@@ -1,5 +1,6 @@
 #include "fixed/fixed.h"
 
+#include <array>
 #include <stdexcept>
 
 #include "context/context.h"
@@ -7,17 +8,56 @@
 
 namespace twinlight::fixed {
 
+namespace {
+
+// Black and depth 1, whatever the state says of clearing: it is as it was afterwards.
+void clear_to_black() {
+    GLint list = 0, mask = GL_TRUE;
+    glGetIntegerv(GL_LIST_INDEX, &list);
+    if (list != 0) return;  // a list is being compiled: the clearing would become a part of it
+    std::array<GLfloat, 4> color{};
+    std::array<GLboolean, 4> color_mask{};
+    GLdouble depth = 1;
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
+    glGetBooleanv(GL_COLOR_WRITEMASK, color_mask.data());
+    glGetDoublev(GL_DEPTH_CLEAR_VALUE, &depth);
+    glGetIntegerv(GL_DEPTH_WRITEMASK, &mask);
+    const bool scissor = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
+
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glClearColor(0, 0, 0, 0);
+    glClearDepth(1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+
+    if (scissor) glEnable(GL_SCISSOR_TEST);
+    glColorMask(color_mask[0], color_mask[1], color_mask[2], color_mask[3]);
+    glDepthMask(static_cast<GLboolean>(mask));
+    glClearColor(color[0], color[1], color[2], color[3]);
+    glClearDepth(depth);
+}
+
+}  // namespace
+
 void draw(const Frame& frame, const RenderOptions& options) {
     if (options.shading == Shading::kPhong) {
         throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
     }
     Driver driver(frame.width, frame.height);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    clear_to_black();
     if (options.shading) glShadeModel(*options.shading == Shading::kFlat ? GL_FLAT : GL_SMOOTH);
-    for (const Command& command : frame.commands->commands) {
-        if (options.shading && command.id == CommandId::glShadeModel) continue;
-        driver.execute(command);
-    }
+    frame.commands->for_each([&](const Step& step) {
+        switch (step.kind) {
+            case Step::Kind::kCommand:
+                if (!options.shading || step.command.id != CommandId::glShadeModel) driver.execute(step.command);
+                break;
+            case Step::Kind::kFrameEnd: clear_to_black(); break;
+            case Step::Kind::kOutside:
+            case Step::Kind::kCutOff: break;
+        }
+        return true;
+    });
     glFinish();
 }
 

@@ -241,7 +241,7 @@ struct Frame {
     int height = 0;
     std::vector<std::variant<Clear, Draw>> items;  // in the order of the commands
     std::vector<Unsupported> unsupported;
-    std::shared_ptr<const CommandList> commands;  // what it was made from: the fixed renderer executes these
+    std::shared_ptr<const Recording> commands;  // what it was made from: the fixed renderer executes these
 };
 
 // ---- What a renderer is asked for ----

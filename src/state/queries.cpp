@@ -132,7 +132,8 @@ std::vector<double> State::get(Enum pname) const {
             const glm::dvec3& n = a_.current.normal_object;
             return {n.x, n.y, n.z};
         }
-        case kGL_CURRENT_TEXTURE_COORDS: return list(a_.current.tex_coord);
+        case kGL_CURRENT_TEXTURE_COORDS:  // the active unit's; those of unit 0 are followed
+            return a_.active_unit == 0 ? list(a_.current.tex_coord) : Answer{};
         case kGL_EDGE_FLAG: return one(a_.current.edge_flag);
         case kGL_MATRIX_MODE: return one(a_.matrix_mode);
         case kGL_MODELVIEW_MATRIX: return list(m);

@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 
 #include "command/text.h"
@@ -22,6 +25,24 @@ constexpr bool legal_inside(std::string_view effect) {
         if (effect == legal) return true;  // begin and end say themselves what is wrong
     }
     return false;
+}
+
+// Counts one more of `name`.
+void count(std::vector<Unsupported>& list, std::string_view name, const Place& place,
+           std::vector<std::string> renderers) {
+    const auto find = [&] {
+        return std::find_if(list.begin(), list.end(), [&](const Unsupported& u) { return u.name == name; });
+    };
+    auto found = find();
+    if (found == list.end() && list.size() >= kMaxUnsupportedKept) {
+        name = "more commands";
+        found = find();
+    }
+    if (found != list.end()) {
+        found->count += found->count < std::numeric_limits<int>::max() ? 1 : 0;
+    } else {
+        list.push_back({std::string(name), 1, place, std::move(renderers)});
+    }
 }
 
 }  // namespace
@@ -64,7 +85,8 @@ void State::raise(Enum code, const Command& command, std::string message) {
 }
 
 void State::raise(GlError error) {
-    if (errors_.size() >= kMaxErrors) return;
+    ++error_count_;
+    if (errors_.size() >= kMaxErrorsKept) return;
     if (lists_.nesting > 0) {
         error.message += fmt::format("; this stands in the list that is called at {}", lists_.called.str());
     }
@@ -204,13 +226,11 @@ void State::rect(const Command& c) {
 }
 
 void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {
-    const auto found =
-        std::find_if(unsupported_.begin(), unsupported_.end(), [&](const Unsupported& u) { return u.name == name; });
-    if (found != unsupported_.end()) {
-        ++found->count;
-    } else {
-        unsupported_.push_back({name, 1, place, std::move(renderers)});
-    }
+    count(unsupported_, name, place, std::move(renderers));
+}
+
+void State::outside(std::string_view function, const Place& place) {
+    count(outside_, function, place, {"fixed", "programmable", "reference"});
 }
 
 std::optional<GlError> State::unfinished() const {
@@ -229,13 +249,28 @@ std::optional<GlError> State::unfinished() const {
     return std::nullopt;
 }
 
-Frame State::take_frame(std::shared_ptr<const CommandList> commands) {
-    Frame frame{options_.width, options_.height, std::move(items_), std::move(unsupported_), std::move(commands)};
+Frame State::take_frame(std::shared_ptr<const Recording> commands) {
+    Frame frame{options_.width, options_.height, std::move(items_), outside_, std::move(commands)};
+    std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
+    drop_picture();
+    return frame;
+}
+
+void State::drop_picture() {
     items_.clear();
     item_bytes_ = 0;
     lists_.executed = 0;
     unsupported_.clear();
-    return frame;
+}
+
+void State::drop_hidden() {
+    const Clear* clear = items_.size() > 1 ? std::get_if<Clear>(&items_.back()) : nullptr;
+    const bool hides = clear && clear->color && clear->depth && !clear->scissor.enabled &&
+                       clear->color_mask == std::array{true, true, true, true};
+    if (!hides) return;
+    items_.erase(items_.begin(), items_.end() - 1);
+    item_bytes_ = 0;
+    unsupported_.clear();
 }
 
 Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& options) {

@@ -25,7 +25,8 @@ struct StateOptions {
 // What a picture's draws may hold together: a hostile scene ends with GL_OUT_OF_MEMORY.
 inline constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 31;
 // How many errors are kept; GL itself keeps one.
-inline constexpr std::size_t kMaxErrors = 1000;
+inline constexpr std::size_t kMaxErrorsKept = 100;
+inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; what is beyond counts under one of its own
 
 class State {
   public:
@@ -34,13 +35,26 @@ class State {
     // Carries one command out. A command with an error changes nothing but errors() (2.5).
     void apply(const Command& command);
 
+    // The first errors, kMaxErrorsKept of them at most; and how many there were.
     const std::vector<GlError>& errors() const { return errors_; }
+    std::size_t error_count() const { return error_count_; }
+
+    // A call of a function that Twinlight does not have. What it would have changed is not known, so it stands in all
+    // pictures from here on.
+    void outside(std::string_view function, const Place& place);
 
     // What must be whole at the end of a scene: Begin/End, matrix stacks. The message of the first thing left open.
     std::optional<GlError> unfinished() const;
 
-    // The Draws so far; gives them away.
-    Frame take_frame(std::shared_ptr<const CommandList> commands);
+    // The picture so far.
+    const std::vector<std::variant<Clear, Draw>>& items() const { return items_; }
+    bool inside_begin() const { return open_.has_value(); }
+    // Forgets it: what is drawn from here on begins a new one.
+    void drop_picture();
+    // Forgets what the last Clear hides, if that clears everything.
+    void drop_hidden();
+    // Gives it away.
+    Frame take_frame(std::shared_ptr<const Recording> commands);
 
     // glGet*: the values in force, as the float query returns them (6.1.3).
     const LightingState& lighting() const { return a_.lighting; }
@@ -226,7 +240,9 @@ class State {
     std::vector<std::variant<Clear, Draw>> items_;
     std::size_t item_bytes_ = 0;  // what items_ holds, about
     std::vector<Unsupported> unsupported_;
+    std::vector<Unsupported> outside_;
     std::vector<GlError> errors_;
+    std::size_t error_count_ = 0;
 };
 
 // Runs a whole scene. Throws SceneError at the first GL error, at what is left open at the end, and for a scene that

@@ -23,7 +23,8 @@ const std::map<std::string, Layers>& allowed() {
         {"lighting", {"math"}},
         {"effect", {"math", "command", "shape", "state", "lighting"}},
         {"context", {"math", "image"}},
-        {"scenes", {"math", "command", "image"}},  // reads scene files
+        {"trace", {"math", "command"}},
+        {"scenes", {"math", "command", "image", "trace"}},  // reads scene files and recordings
         {"reference", {"math", "command", "state", "shape", "lighting", "image"}},
         {"fixed", {"math", "command", "shape", "state", "effect", "context", "image"}},
         {"programmable", {"math", "command", "state", "effect", "shape", "context", "image"}},

@@ -204,13 +204,25 @@ TEST(MaterialState, BetweenBeginAndTheFirstVertexBelongsToTheDraw) {
     EXPECT_TRUE(frame.unsupported.empty());
 }
 
-TEST(MaterialState, BetweenVerticesIsNamedAsUnsupported) {
+TEST(MaterialState, BetweenVerticesIsTheNextVertices) {
     const Frame frame = frame_of(
-        "glBegin(GL_LINES); glVertex2f(0, 0); glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 1); "
-        "glEnd();");
-    ASSERT_EQ(frame.unsupported.size(), 1u);
-    EXPECT_EQ(frame.unsupported[0].name, "glMaterialf between the vertices of a glBegin");
-    EXPECT_EQ(frame.unsupported[0].first.str(), "scene.gl:1:38");
+        "glMaterialf(GL_FRONT, GL_SHININESS, 3);\n"
+        "glBegin(GL_LINES); glVertex2f(0, 0); glMaterialf(GL_FRONT, GL_SHININESS, 5);\n"
+        "glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 1); glVertex2f(1, 1); glEnd();");
+    const Draw& draw = first_draw(frame);
+    ASSERT_EQ(draw.materials.size(), 2u);  // the one that no vertex had is not kept
+    EXPECT_EQ(draw.materials[0].front.shininess, 3);
+    EXPECT_EQ(draw.materials[1].front.shininess, 7);
+    EXPECT_EQ(draw.vertices[0].material, 0u);
+    EXPECT_EQ(draw.vertices[1].material, 1u);
+    EXPECT_EQ(draw.vertices[2].material, 1u);
+}
+
+TEST(MaterialState, BeforeTheFirstVertexIsTheDraws) {
+    const Draw draw = first_draw(
+        frame_of("glBegin(GL_LINES); glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 0); glVertex2f(0, 1); glEnd();"));
+    EXPECT_TRUE(draw.materials.empty());
+    EXPECT_EQ(draw.lighting.front.shininess, 7);
 }
 
 // ---- Vertices ----
@@ -307,9 +319,9 @@ TEST(Frames, KeepTheStateOfEachDraw) {
 }
 
 TEST(Frames, NameWhatTheRenderersDoNotDoYetWithCountAndPlace) {
-    const Frame frame = frame_of("\n  glEnable(GL_FOG); glutSolidCube(1); glutSolidCube(2);");
+    const Frame frame = frame_of("\n  glEnable(GL_LINE_STIPPLE); glutSolidCube(1); glutSolidCube(2);");
     ASSERT_EQ(frame.unsupported.size(), 1u);
-    EXPECT_EQ(frame.unsupported[0].name, "glEnable(GL_FOG)");
+    EXPECT_EQ(frame.unsupported[0].name, "glEnable(GL_LINE_STIPPLE)");
     EXPECT_EQ(frame.unsupported[0].first.str(), "scene.gl:2:3");
     EXPECT_GE(frame.unsupported[0].count, 2);
     EXPECT_EQ(frame.unsupported[0].renderers, (std::vector<std::string>{"programmable", "reference"}));

@@ -212,7 +212,7 @@ class Grids {
     std::vector<std::uint32_t> indices_;
 };
 
-double expect_same_tea_set(const Command& command, const Recording& recording) {
+double expect_same_tea_set(const Command& command, const RecordedCall& recording) {
     const std::vector<ShapePart> parts = shape_parts(command);
     const double size = size_of(command);
     const double position = kPatchRoundings * kHalfUlp * kLargestPoint * size;
@@ -234,10 +234,10 @@ class FreeglutShapes : public testing::Test {
 };
 
 TEST_F(FreeglutShapes, AreWhatTheLibrarySends) {
-    const std::vector<Recording> recordings = record(kCalls, server_.display());
+    const std::vector<RecordedCall> recordings = record(kCalls, server_.display());
     ASSERT_EQ(recordings.size(), kCalls.size());
     double worst = 0;
-    for (const Recording& recording : recordings) {
+    for (const RecordedCall& recording : recordings) {
         SCOPED_TRACE(recording.call);
         const Command command = parse(recording.call);
         if (is_of_tea_set(kind_of(command))) {

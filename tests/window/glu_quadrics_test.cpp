@@ -157,7 +157,7 @@ TEST(GluQuadrics, AreWhatTheLibrarySends) {
     double worst = 0;
     int undefined = 0, compared = 0;
     for (const std::string& shape : kShapes) {
-        for (Recording& recording : record(in_every_style(shape))) {
+        for (RecordedCall& recording : record(in_every_style(shape))) {
             SCOPED_TRACE(recording.call);
             const Call call = parse(recording.call);
             std::vector<SentPart> ours = sent_parts(parts_of(call));
@@ -185,7 +185,7 @@ TEST(GluQuadrics, AreWhatTheLibrarySends) {
 TEST(GluQuadrics, AreRefusedWhereTheLibraryRefusesThem) {
     for (const std::string& shape : kRefused) {
         std::vector<std::string> calls = in_every_style(shape);
-        for (const Recording& recording : record(calls)) {
+        for (const RecordedCall& recording : record(calls)) {
             SCOPED_TRACE(recording.call);
             EXPECT_EQ(recording.error, kGLU_INVALID_VALUE);
             EXPECT_TRUE(recording.parts.empty());

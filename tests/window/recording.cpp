@@ -36,7 +36,7 @@ bool is_nan(const glm::dvec3& v) { return std::isnan(v.x) || std::isnan(v.y) || 
 
 }  // namespace
 
-std::vector<Recording> record(const std::vector<std::string>& calls, const std::string& display) {
+std::vector<RecordedCall> record(const std::vector<std::string>& calls, const std::string& display) {
     const char* build = std::getenv("TWINLIGHT_BUILD");
     // freeglut frees nothing at exit: a leak checker would call that a failure.
     std::string command =
@@ -50,7 +50,7 @@ std::vector<Recording> record(const std::vector<std::string>& calls, const std::
         EXPECT_EQ(::pclose(pipe), 0) << command;
     }
 
-    std::vector<Recording> recordings;
+    std::vector<RecordedCall> recordings;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);

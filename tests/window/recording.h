@@ -24,14 +24,14 @@ struct SentPart {
     std::vector<SentVertex> vertices;
 };
 
-struct Recording {
+struct RecordedCall {
     std::string call;
     std::vector<SentPart> parts;
     std::optional<Enum> error;  // that GLU reported
 };
 
 // Runs the recorder; `display` ":1" for glut's shapes, which need one.
-std::vector<Recording> record(const std::vector<std::string>& calls, const std::string& display = "");
+std::vector<RecordedCall> record(const std::vector<std::string>& calls, const std::string& display = "");
 
 // Our parts in the same form.
 std::vector<SentPart> sent_parts(const std::vector<ShapePart>& parts);

@@ -9,9 +9,10 @@
 #include <cstring>
 #include <map>
 
+#include "app/cli/progress.h"
 #include "image/file.h"
 #include "scenes/load.h"
-#include "state/state.h"
+#include "state/recorded_frame.h"
 
 namespace twinlight::cli {
 
@@ -26,7 +27,7 @@ const std::map<std::string, Shading> kShadings = {
 }  // namespace
 
 void add_scene_argument(CLI::App& app, std::string& scene) {
-    app.add_option("SCENE", scene, "a built-in scene's name, a .gl file, or - for standard input")
+    app.add_option("SCENE", scene, "a built-in scene's name, a .gl file, an apitrace .trace or its dump, or - for standard input")
         ->required()
         ->type_name("")
         ->check(not_empty());
@@ -40,11 +41,55 @@ void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {
         ->check(one_of(kShadings));
 }
 
-Frame load_frame(const std::string& scene, Size size) {
+void add_frame_option(CLI::App& app, std::optional<int>& frame) {
+    app.add_option_function<int>(
+           "--frame", [&frame](int number) { frame = number; }, "of a recorded program, which picture, from 0 on")
+        ->type_name("N")
+        ->check(CLI::NonNegativeNumber)
+        ->default_str("the first that draws");
+}
+
+namespace {
+
+// A recorded program's picture; it may have a long way to it.
+Frame load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
+                          std::optional<int> number) {
+    FrameChoice choice{.number = number};
+    if (size) {
+        choice.width = size->width;
+        choice.height = size->height;
+    }
+    ProgressBar bar;
+    choice.progress = [&](int frames, std::size_t commands) {
+        bar.show(fmt::format("reading {}: {} frames, {:.1f} million commands", recording->name, frames,
+                             static_cast<double>(commands) / 1e6));
+    };
+    RecordedFrame recorded = make_recorded_frame(recording, choice);
+    bar.wipe();
+    for (const std::string& note : recorded.notes) {
+        fmt::print(stderr, "twinlight: note: {}: {}\n", recording->name, one_line(note));
+    }
+    if (recorded.first_error) {
+        const GlError& first = *recorded.first_error;
+        fmt::print(stderr, "twinlight: note: GL refuses {} of the program's commands up to this frame; the first: {}: {} ({})\n",
+                   recorded.error_count, first.place.str(), one_line(first.message), enum_name(first.code));
+    }
+    return std::move(recorded.frame);
+}
+
+}  // namespace
+
+Frame load_frame(const std::string& scene, std::optional<Size> size, std::optional<int> frame) {
+    const std::shared_ptr<const Recording> recording = load_recording(scene);
+    const auto list = std::dynamic_pointer_cast<const CommandList>(recording);
+    if (!list) return load_recorded_frame(recording, size, frame);
+    if (frame) {
+        throw UsageError(fmt::format("--frame chooses a picture of a recorded program; the scene '{}' has one", scene));
+    }
     StateOptions options;
-    options.width = size.width;
-    options.height = size.height;
-    return make_frame(std::make_shared<const CommandList>(load_scene(scene)), options);
+    options.width = size.value_or(Size{}).width;
+    options.height = size.value_or(Size{}).height;
+    return make_frame(list, options);
 }
 
 void write_result(std::string_view bytes) {

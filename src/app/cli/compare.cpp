@@ -15,7 +15,8 @@ namespace {
 
 struct Arguments {
     std::string scene;
-    Size size;
+    std::optional<Size> size;
+    std::optional<int> frame;
     std::string folder;
     bool json = false;
 };
@@ -66,7 +67,7 @@ std::string summary(const report::Comparison& comparison, const std::string& fol
 }
 
 int run(const Arguments& arguments) {
-    const Frame frame = load_frame(arguments.scene, arguments.size);
+    const Frame frame = load_frame(arguments.scene, arguments.size, arguments.frame);
     report::Comparison comparison;
     {
         ProgressBar bar;
@@ -91,6 +92,7 @@ Subcommand add_compare(CLI::App& app) {
         ->type_name("DIR")
         ->check(not_empty());
     add_size_option(*compare, arguments->size);
+    add_frame_option(*compare, arguments->frame);
     compare->add_flag("--json", arguments->json, "print comparison.json's object instead of the table");
     compare->footer("Exit status: 0 within the tolerance, 1 beyond it, 2 bad input or use.");
     return {compare, [arguments] { return run(*arguments); }};

@@ -1,4 +1,6 @@
 // twinlight export: a scene as a program, in C or in GLSL.
+#include <fmt/format.h>
+
 #include <functional>
 #include <map>
 
@@ -15,11 +17,27 @@ struct Arguments {
     std::string scene;
     std::string form;
     std::optional<Shading> shading;
+    std::optional<int> frame;
 };
 
+// What a C compiler still takes in one function.
+constexpr std::size_t kMostExported = 1'000'000;
+
+std::string c_program(const Frame& frame) {
+    CommandList commands(frame.commands->name, {});
+    frame.commands->for_each([&](const Step& step) {
+        if (step.kind == Step::Kind::kCommand) commands.commands.push_back(step.command);
+        if (commands.commands.size() <= kMostExported) return true;
+        throw SceneError(fmt::format("{}: more than {} commands lead to this picture, too many for a C program; choose an "
+                                     "earlier --frame",
+                                     frame.commands->name, kMostExported));
+    });
+    return print_c_program(with_shapes_as_primitives(commands));
+}
+
+
 const std::map<std::string, std::function<std::string(const Frame&, const RenderOptions&)>> kForms = {
-    {"c", [](const Frame& frame,
-             const RenderOptions&) { return print_c_program(with_shapes_as_primitives(*frame.commands)); }},
+    {"c", [](const Frame& frame, const RenderOptions&) { return c_program(frame); }},
     {"glsl", programmable::shader_source},
 };
 
@@ -28,7 +46,7 @@ int run(const Arguments& arguments) {
         throw UsageError("--shading is for --as glsl; a C program shades as its glShadeModel says");
     }
     // The whole scene is run first: what has an error is not exported.
-    const Frame frame = load_frame(arguments.scene, {});
+    const Frame frame = load_frame(arguments.scene, {}, arguments.frame);
     write_result(kForms.at(arguments.form)(frame, {.shading = arguments.shading, .lecture_variants = true}));
     return kFine;
 }
@@ -42,6 +60,7 @@ Subcommand add_export(CLI::App& app) {
     add_scene_argument(*exporting, arguments->scene);
     exporting->add_option("--as", arguments->form, "the form")->required()->type_name("c|glsl")->check(one_of(kForms));
     add_shading_option(*exporting, arguments->shading);
+    add_frame_option(*exporting, arguments->frame);
     return {exporting, [arguments] { return run(*arguments); }};
 }
 

@@ -14,8 +14,16 @@ constexpr int kBarWidth = 24;
 
 ProgressBar::ProgressBar() : terminal_(::isatty(STDERR_FILENO) != 0) {}
 
-ProgressBar::~ProgressBar() {
+ProgressBar::~ProgressBar() { wipe(); }
+
+void ProgressBar::wipe() {
     if (terminal_) fmt::print(stderr, "\r{:{}}\r", "", kWidth);
+}
+
+void ProgressBar::show(std::string_view doing) {
+    if (!terminal_) return;
+    fmt::print(stderr, "\r{:{}}", doing.substr(0, kWidth), kWidth);
+    std::fflush(stderr);
 }
 
 void ProgressBar::show(int done, int total, std::string_view next) {

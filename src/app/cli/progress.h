@@ -13,6 +13,8 @@ class ProgressBar {
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     void show(int done, int total, std::string_view next);
+    void show(std::string_view doing);  // where there is no telling how much is left
+    void wipe();
 
   private:
     bool terminal_;

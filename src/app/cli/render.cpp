@@ -19,7 +19,8 @@ struct Arguments {
     std::string scene;
     std::string renderer;
     std::optional<Shading> shading;
-    Size size;
+    std::optional<Size> size;
+    std::optional<int> frame;
     std::string output;
 };
 
@@ -46,7 +47,7 @@ int run(const Arguments& arguments) {
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
         throw UsageError("-o - would write a PNG's bytes to the terminal; redirect it or name a file");
     }
-    const Frame frame = load_frame(arguments.scene, arguments.size);
+    const Frame frame = load_frame(arguments.scene, arguments.size, arguments.frame);
     const RendererSet renderers(frame.width, frame.height);
     const report::RenderFunction& render = renderers.functions().*kRenderers.at(arguments.renderer);
     const std::string png = encode_png(render(frame, {.shading = arguments.shading, .lecture_variants = true}));
@@ -71,6 +72,7 @@ Subcommand add_render(CLI::App& app) {
         ->check(one_of(kRenderers));
     add_shading_option(*render, arguments->shading);
     add_size_option(*render, arguments->size);
+    add_frame_option(*render, arguments->frame);
     render->add_option("-o", arguments->output, "the picture, or - for standard output")
         ->required()
         ->type_name("FILE")
