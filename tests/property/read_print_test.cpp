@@ -64,7 +64,8 @@ Command random_command(Random& random, CommandId id) {
             count = random.below(5) - 1;
             command.arguments.back() = count;
         }
-        if (parameter.extent == Extent::kNames || parameter.extent == Extent::kResult) {
+        const bool names = parameter.extent == Extent::kNames || parameter.extent == Extent::kResult;
+        if (names && parameter.kind != Kind::kQuadric) {
             for (int i = 0; i < count; ++i) command.arguments.push_back(1 + random.below(1000));
             continue;
         }

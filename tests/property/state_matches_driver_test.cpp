@@ -226,7 +226,7 @@ bool is_departure(const Command& command, const State& state) {
     if (command.id == CommandId::glColorMaterial && state.lighting().color_material.enabled) return true;
     // 2.7: glTexCoord1 to 3 set the others to 0, 0, 1, and glColor3 sets alpha to 1; the driver may keep what was there.
     const std::vector<double> coords = state.get(kGL_CURRENT_TEXTURE_COORDS);
-    const bool plain = coords[1] == 0 && coords[2] == 0 && coords[3] == 1;
+    const bool plain = coords == std::vector<double>{coords.empty() ? 0 : coords[0], 0, 0, 1};
     if (name.starts_with("glTexCoord") && name[10] != '4' && !plain) return true;
     return name.starts_with("glColor3") && state.current_color().a != 1;
 }
