@@ -70,8 +70,9 @@ struct Attributes {
     Hints hints;
     Enum matrix_mode = kGL_MODELVIEW;
     std::uint32_t list_base = 0;
-    // Capabilities that State does not follow and that are on, with where that was said.
-    std::map<Enum, Place> elsewhere{{kGL_DITHER, {}}, {kGL_MULTISAMPLE, {}}};
+    // Capabilities that State does not follow and that are on, with where that was said: by the capability and its
+    // texture unit, 0 for those that have none.
+    std::map<std::pair<Enum, std::size_t>, Place> elsewhere{{{kGL_DITHER, 0}, {}}, {{kGL_MULTISAMPLE, 0}, {}}};
 };
 
 }  // namespace twinlight

@@ -205,10 +205,12 @@ Draw State::new_draw(Enum mode, const Place& place) {
     for (std::size_t i = 0; i < a_.clip_planes.size(); ++i) {
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     }
-    for (const Elsewhere& row : capabilities_elsewhere()) {
-        const auto on = a_.elsewhere.find(row.cap);
-        if (!row.changes_pixels || on == a_.elsewhere.end()) continue;
-        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), on->second, {"programmable", "reference"});
+    for (const auto& [capability, where] : a_.elsewhere) {
+        const Elsewhere& row = capability_elsewhere(capability.first);
+        // Textures of further units are named above.
+        const bool is_idle = row.generates_coordinates() && (capability.second > 0 || !draw.texture.texture);
+        if (!row.changes_pixels || is_idle) continue;
+        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where, {"programmable", "reference"});
     }
     return draw;
 }

@@ -68,6 +68,35 @@ void alpha_of_glcolor3() {
     expect_departure(color[3] == 0.25F);
 }
 
+void components_of_tex_coord() {
+    const Both both(
+        "glBegin(GL_POINTS); glTexCoord4f(1, 1, 1, 0.25); glVertex2f(0, 0); glEnd();\n"
+        "glBegin(GL_POINTS); glTexCoord2f(1, 1); glTexCoord4f(1, 1, 1, 0.25); glVertex2f(0, 0);\n"
+        "glTexCoord2f(0.5, 0.5); glEnd();");
+    EXPECT_EQ(both.state.get(kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.5, 0.5, 0, 1}));
+    std::array<GLfloat, 4> coords{};
+    glGetFloatv(GL_CURRENT_TEXTURE_COORDS, coords.data());
+    expect_departure(coords[3] == 0.25F);
+}
+
+void transposed_texture_matrix() {
+    const Both both("glMatrixMode(GL_TEXTURE); glActiveTexture(GL_TEXTURE1); glTranslatef(0.5, 0, 0);");
+    EXPECT_EQ(both.state.get(kGL_TRANSPOSE_TEXTURE_MATRIX)[3], 0.5);
+    std::array<GLfloat, 16> matrix{};
+    glGetFloatv(GL_TRANSPOSE_TEXTURE_MATRIX, matrix.data());
+    expect_departure(matrix[3] == 0);
+}
+
+void material_before_pop() {
+    const Both both(
+        "glPushAttrib(GL_LIGHTING_BIT); glShadeModel(GL_FLAT); glMaterialf(GL_FRONT, GL_SHININESS, 5);"
+        "glPopAttrib();");
+    EXPECT_EQ(both.state.get_material(kGL_FRONT, kGL_SHININESS)[0], 0);
+    GLfloat shininess = 0;
+    glGetMaterialfv(GL_FRONT, GL_SHININESS, &shininess);
+    expect_departure(shininess == 5);
+}
+
 void color_lost_before_a_new_color_material() {
     const Both both(
         "glColor4f(0.1, 0.1, 0.1, 1);\n"
@@ -83,6 +112,9 @@ void color_lost_before_a_new_color_material() {
 constexpr Departure kDepartures[] = {
     {"a single value for a vector parameter", single_value_for_a_vector},
     {"glColor3 after glColor4", alpha_of_glcolor3},
+    {"glTexCoord1 to 3 after glTexCoord4", components_of_tex_coord},
+    {"the transposed texture matrix of another unit", transposed_texture_matrix},
+    {"glMaterial right before glPopAttrib", material_before_pop},
     {"glColor before a new glColorMaterial", color_lost_before_a_new_color_material},
 };
 

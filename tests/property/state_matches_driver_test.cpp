@@ -47,7 +47,8 @@ Enum one_of(Random& random, const std::vector<Enum>& choices) {
 Enum random_enum(Random& random, CommandId id, std::string_view parameter) {
     if (random.chance(0.06)) {
         const auto& names = gl_names();
-        return names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
+        const Enum any = names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
+        return any == kGL_FRAMEBUFFER_SRGB ? kGL_NONE : any;  // of GL 3.0: the driver has more than State
     }
     const std::vector<Enum> faces = {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK};
     if (parameter == "light") return kGL_LIGHT0 + static_cast<Enum>(random.below(kMaxLights));
@@ -92,7 +93,8 @@ Enum random_enum(Random& random, CommandId id, std::string_view parameter) {
         return random.chance(0.5) ? kGL_TEXTURE_1D : kGL_TEXTURE_2D;
     }
     if (parameter == "texture" && id == CommandId::glActiveTexture) {
-        return kGL_TEXTURE0 + static_cast<Enum>(random.below(9));
+        // Beyond the fixed function's units a driver has some for shaders; those are no part of State.
+        return kGL_TEXTURE0 + static_cast<Enum>(random.below(kMaxTextureUnits));
     }
     if (parameter == "plane") return kGL_CLIP_PLANE0 + static_cast<Enum>(random.below(kMaxClipPlanes));
     if (parameter.starts_with("sfactor") || parameter.starts_with("dfactor")) {
@@ -200,6 +202,10 @@ Command random_command(Random& random) {
             const ParameterInfo* info = parameter.name.starts_with("param") ? parameter_info(command) : nullptr;
             const bool named = info && info->meaning == Meaning::kEnum && random.chance(0.8);
             for (int i = 0; i < count; ++i) {
+                if (info && info->pname == kGL_GENERATE_MIPMAP) {  // table 3.18: TRUE or FALSE
+                    command.arguments.push_back(random.below(2));
+                    continue;
+                }
                 if (named) {
                     command.arguments.push_back(random_name(random, info->pname));
                     continue;
@@ -209,6 +215,19 @@ Command random_command(Random& random) {
         }
         return command;
     }
+}
+
+// 2.12: the plane is undefined where the modelview matrix is singular, and inaccurate where it is nearly so.
+bool is_inaccurate_plane(const State& state) {
+    const std::vector<double> values = state.get(kGL_MODELVIEW_MATRIX);
+    const glm::dmat4 matrix = glm::make_mat4(values.data());
+    if (glm::determinant(matrix) == 0) return true;
+    const auto norm = [](const glm::dmat4& m) {
+        double largest = 0;
+        for (int i = 0; i < 16; ++i) largest = std::max(largest, std::abs(m[i / 4][i % 4]));
+        return largest;
+    };
+    return !(norm(matrix) * norm(glm::inverse(matrix)) < 20);  // 20 roundings of float stay below expect_near's bound
 }
 
 // Where the driver leaves the text (golden/known_differences; tests/golden/known_differences_test.cpp shows each).
@@ -228,6 +247,7 @@ bool is_departure(const Command& command, const State& state) {
     const std::vector<double> coords = state.get(kGL_CURRENT_TEXTURE_COORDS);
     const bool plain = coords == std::vector<double>{coords.empty() ? 0 : coords[0], 0, 0, 1};
     if (name.starts_with("glTexCoord") && name[10] != '4' && !plain) return true;
+    if (command.id == CommandId::glClipPlane && is_inaccurate_plane(state)) return true;
     return name.starts_with("glColor3") && state.current_color().a != 1;
 }
 
@@ -267,6 +287,8 @@ void expect_same_state(const State& state, const fixed::Driver& driver) {
         std::vector<double> expected = state.get(name.value);
         const bool is_query = !expected.empty() && !name.name.ends_with("_BIT");
         if (!is_query || name.value <= kGL_POLYGON) continue;
+        // A departure (golden/known_differences): the driver answers for unit 0.
+        if (name.value == kGL_TRANSPOSE_TEXTURE_MATRIX && state.get(kGL_ACTIVE_TEXTURE)[0] != kGL_TEXTURE0) continue;
 
         // The driver gave the scene's objects names of its own.
         const auto driver_name = [&](ObjectType type) {
@@ -341,6 +363,10 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
         };
         for (int i = 0; i < kCommands && !testing::Test::HasFailure(); ++i) {
             const Command command = random_command(random);
+            // A departure (golden/known_differences): asked for a material, the driver stores those that it was given.
+            if (command.id == CommandId::glPopAttrib && !open) {
+                carry_out({CommandId::glGetMaterialfv, {double{kGL_FRONT}, double{kGL_AMBIENT}}, {}});
+            }
             if (!is_departure(command, state)) carry_out(command);
             // 2.14.3: glEnable(GL_COLOR_MATERIAL) acts at once; the driver waits for the next glColor.
             if (state.lighting().color_material.enabled && command.id == CommandId::glEnable && !open) {
