@@ -30,6 +30,9 @@ struct TextureBindings {
     double lod_bias = 0;
 };
 
+// Whether this is a target of textures that State does not follow: a picture that is drawn with one enabled says so.
+bool is_texture_elsewhere(Enum target);
+
 // How pixels lie in client memory (3.6.1, table 3.1); glPixelStore sets them by name.
 struct PixelStore {
     bool unpack_swap_bytes = false, unpack_lsb_first = false;

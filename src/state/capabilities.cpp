@@ -27,6 +27,7 @@ std::span<const Elsewhere> capabilities_elsewhere() {
         {kGL_TEXTURE_GEN_Q, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_3D, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_CUBE_MAP, kGL_TEXTURE_BIT, true},
+        {kGL_TEXTURE_RECTANGLE, kGL_TEXTURE_BIT, true},
         {kGL_MULTISAMPLE, kGL_MULTISAMPLE_BIT, false},
         {kGL_SAMPLE_ALPHA_TO_COVERAGE, kGL_MULTISAMPLE_BIT, false},
         {kGL_SAMPLE_ALPHA_TO_ONE, kGL_MULTISAMPLE_BIT, false},

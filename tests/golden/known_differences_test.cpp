@@ -97,6 +97,53 @@ void material_before_pop() {
     expect_departure(shininess == 5);
 }
 
+void color_sum_after_pop() {
+    const Both both("glPushAttrib(GL_FOG_BIT | GL_ENABLE_BIT); glEnable(GL_COLOR_SUM); glPopAttrib();");
+    EXPECT_EQ(both.state.get(kGL_COLOR_SUM)[0], 0);
+    expect_departure(glIsEnabled(GL_COLOR_SUM) == GL_TRUE);
+}
+
+void lights_after_pop() {
+    const Both both("glPushAttrib(GL_ENABLE_BIT); glEnable(GL_LIGHT0); glPopAttrib();");
+    EXPECT_EQ(both.state.get(kGL_LIGHT0)[0], 0);
+    expect_departure(glIsEnabled(GL_LIGHT0) == GL_TRUE);
+}
+
+void mipmap_hint_after_pop() {
+    const Both both("glPushAttrib(GL_HINT_BIT); glHint(GL_GENERATE_MIPMAP_HINT, GL_NICEST); glPopAttrib();");
+    EXPECT_EQ(both.state.get(kGL_GENERATE_MIPMAP_HINT)[0], kGL_DONT_CARE);
+    GLint hint = 0;
+    glGetIntegerv(GL_GENERATE_MIPMAP_HINT, &hint);
+    expect_departure(hint == GL_NICEST);
+}
+
+void client_state_by_enable() {
+    const Both both("glEnable(GL_NORMAL_ARRAY);");
+    ASSERT_EQ(both.state.errors().size(), 1u);
+    EXPECT_EQ(both.state.errors()[0].code, kGL_INVALID_ENUM);
+    expect_departure(glGetError() == GL_NO_ERROR);
+}
+
+void generate_mipmap_after_pop() {
+    const Both both(
+        "glPushAttrib(GL_TEXTURE_BIT); glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE); glPopAttrib();");
+    EXPECT_EQ(both.state.get_tex_parameter(kGL_TEXTURE_2D, kGL_GENERATE_MIPMAP)[0], 0);
+    GLint generate = 0;
+    glGetTexParameteriv(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, &generate);
+    expect_departure(generate == GL_TRUE);
+}
+
+void color_material_after_pop() {
+    const Both both(
+        "glEnable(GL_COLOR_MATERIAL); glColor3f(0.25, 0.25, 0.25);\n"
+        "glPushAttrib(GL_CURRENT_BIT); glColor3f(0.75, 0.75, 0.75); GLfloat got[4];\n"
+        "glGetMaterialfv(GL_FRONT, GL_AMBIENT, got); glPopAttrib(); glColor3f(0.25, 0.25, 0.25);");
+    EXPECT_EQ(both.state.get_material(kGL_FRONT, kGL_AMBIENT)[0], 0.25);
+    std::array<GLfloat, 4> ambient{};
+    glGetMaterialfv(GL_FRONT, GL_AMBIENT, ambient.data());
+    expect_departure(ambient[0] == 0.75F);
+}
+
 void color_lost_before_a_new_color_material() {
     const Both both(
         "glColor4f(0.1, 0.1, 0.1, 1);\n"
@@ -115,6 +162,12 @@ constexpr Departure kDepartures[] = {
     {"glTexCoord1 to 3 after glTexCoord4", components_of_tex_coord},
     {"the transposed texture matrix of another unit", transposed_texture_matrix},
     {"glMaterial right before glPopAttrib", material_before_pop},
+    {"GL_COLOR_SUM after glPopAttrib", color_sum_after_pop},
+    {"lights after glPopAttrib of GL_ENABLE_BIT", lights_after_pop},
+    {"GL_GENERATE_MIPMAP_HINT after glPopAttrib", mipmap_hint_after_pop},
+    {"glEnable of a vertex array", client_state_by_enable},
+    {"GL_GENERATE_MIPMAP after glPopAttrib", generate_mipmap_after_pop},
+    {"colour material after glPopAttrib", color_material_after_pop},
     {"glColor before a new glColorMaterial", color_lost_before_a_new_color_material},
 };
 
