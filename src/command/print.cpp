@@ -45,11 +45,20 @@ bool takes_names(const Command& command) {
     return info && info->meaning == Meaning::kEnum;
 }
 
+// glPushClientAttrib's bits share values with glPushAttrib's.
+std::string client_bit_names(Enum mask) {
+    if (mask == kGL_CLIENT_ALL_ATTRIB_BITS) return "GL_CLIENT_ALL_ATTRIB_BITS";
+    if (mask == kGL_CLIENT_PIXEL_STORE_BIT) return "GL_CLIENT_PIXEL_STORE_BIT";
+    if (mask == kGL_CLIENT_VERTEX_ARRAY_BIT) return "GL_CLIENT_VERTEX_ARRAY_BIT";
+    return fmt::format("{:#x}", mask);
+}
+
 std::string print_value(const Command& command, const Parameter& parameter, double value) {
     if (parameter.kind == Kind::kEnum) {
         const Enum e = static_cast<Enum>(value);
         return command.id == CommandId::glBegin ? primitive_name(e) : enum_name(e);
     }
+    if (command.id == CommandId::glPushClientAttrib) return client_bit_names(static_cast<Enum>(value));
     const bool named = parameter.name.starts_with("param") && takes_names(command) && value > kGL_POLYGON &&
                        value == std::trunc(value) && value <= 0xFFFF;
     if (named) return enum_name(static_cast<Enum>(value));

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "context/gl.h"
+#include "state/attributes.h"
 
 namespace twinlight::fixed {
 
@@ -43,10 +44,13 @@ void draw_by_arrays(const std::vector<ShapePart>& parts) {
     glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-    glClientActiveTexture(GL_TEXTURE0);
-    for (const GLenum array : {GL_COLOR_ARRAY, GL_SECONDARY_COLOR_ARRAY, GL_FOG_COORD_ARRAY, GL_EDGE_FLAG_ARRAY,
-                               GL_INDEX_ARRAY, GL_TEXTURE_COORD_ARRAY}) {
+    for (const GLenum array :
+         {GL_COLOR_ARRAY, GL_SECONDARY_COLOR_ARRAY, GL_FOG_COORD_ARRAY, GL_EDGE_FLAG_ARRAY, GL_INDEX_ARRAY}) {
         glDisableClientState(array);
+    }
+    for (std::size_t unit = kMaxTextureUnits; unit-- > 0;) {  // unit 0 is the active one in the end
+        glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glDisableClientState(GL_TEXTURE_COORD_ARRAY);
     }
     glEnableClientState(GL_VERTEX_ARRAY);
     glEnableClientState(GL_NORMAL_ARRAY);

@@ -1,5 +1,7 @@
 // Commands to the driver, literally: for each row of commands.def that GL or GLU has, a call of that function with the
 // arguments in its own types.
+#include "fixed/execute.h"
+
 #include <array>
 #include <tuple>
 #include <type_traits>
@@ -8,7 +10,7 @@
 
 #include "context/gl.h"
 #include "fixed/draw_parts.h"
-#include "fixed/fixed.h"
+#include "fixed/execute.h"
 #include "shape/shape.h"
 
 namespace twinlight::fixed {
@@ -150,8 +152,6 @@ void Executor::draw_shape(const Command& command) {
 void Executor::pragma(const Command& command) {
     if (command.id == CommandId::pragma_shape) draw_shape(command);
 }
-
-void execute(const Command& command) { Executor().execute(command); }
 
 void Executor::execute(const Command& command) {
     // Offscreen there is one colour buffer, and it has another name than a window's.

@@ -44,14 +44,13 @@ void draw(const Frame& frame, const RenderOptions& options) {
     if (options.shading == Shading::kPhong) {
         throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
     }
-    const InitialState initial(frame.width, frame.height);
+    Driver driver(frame.width, frame.height);
     clear_to_black();
     if (options.shading) glShadeModel(*options.shading == Shading::kFlat ? GL_FLAT : GL_SMOOTH);
-    Executor executor;
     frame.commands->for_each([&](const Step& step) {
         switch (step.kind) {
             case Step::Kind::kCommand:
-                if (!options.shading || step.command.id != CommandId::glShadeModel) executor.execute(step.command);
+                if (!options.shading || step.command.id != CommandId::glShadeModel) driver.execute(step.command);
                 break;
             case Step::Kind::kFrameEnd: clear_to_black(); break;
             case Step::Kind::kOutside:

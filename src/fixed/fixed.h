@@ -1,28 +1,20 @@
 // The control group: the driver's own fixed function executes the commands, literally, in the current context.
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+
 #include "command/command.h"
-#include "fixed/quadrics.h"
+#include "command/object_names.h"
+#include "fixed/execute.h"
 #include "image/image.h"
+#include "state/arrays.h"
 #include "state/frame.h"
 
 namespace twinlight::fixed {
-
-// Executes commands in the current context, and keeps the objects that they make outside it.
-class Executor {
-  public:
-    // One command to the driver. Pragmas that GL has no command for do nothing, but shape(...) draws.
-    void execute(const Command& command);
-
-  private:
-    void draw_shape(const Command& command);
-    void pragma(const Command& command);
-
-    Quadrics quadrics_;
-};
-
-// One command by itself, without such objects: GLU's quadrics need an Executor.
-void execute(const Command& command);
 
 // Keeps what commands change to itself: sets GL's initial state, for a window of this size, when it begins and when it
 // ends. Objects stay.
@@ -35,6 +27,44 @@ class InitialState {
 
   private:
     int width_, height_;
+};
+
+// The driver, for the commands of one scene: it starts in GL's initial state, for a window of this size, and has it again
+// at the end, without the objects that the scene made.
+//
+// The context holds objects of others too, so the scene's names of textures and buffers stand for names that the driver
+// gave; those of display lists, which nobody else has here, are the driver's own. The driver never reads beyond the
+// memory that a command is given: such a command is not sent. State refuses it, so a Frame has none.
+class Driver {
+  public:
+    Driver(int width, int height);
+    ~Driver();
+    Driver(const Driver&) = delete;
+    Driver& operator=(const Driver&) = delete;
+
+    // One command. Pragmas that GL has no command for do nothing, but shape(...) draws.
+    void execute(const Command& command);
+
+    // The driver's name for an object of the scene; 0 for one that it does not have.
+    std::uint32_t name_of(ObjectType type, std::uint32_t name) const;
+
+  private:
+    struct Names {
+        std::map<std::uint32_t, std::uint32_t> driver_from_scene;
+        std::set<std::uint32_t> all;  // that the driver gave
+    };
+
+    void generate(const Command& command);
+    Command translated(const Command& command);
+    std::uint32_t new_name(ObjectType type);
+    bool may_see(const Command& command);
+
+    std::optional<InitialState> initial_;
+    Executor executor_;
+    std::map<ObjectType, Names> names_;
+    std::set<std::uint32_t> lists_;                     // that the scene compiled
+    VertexArrays arrays_;                               // as the driver has them
+    std::set<std::shared_ptr<const Memory>> memories_;  // that arrays may still be read from
 };
 
 // Clears to black and depth 1, executes the frame's commands, reads the picture. Throws std::invalid_argument for

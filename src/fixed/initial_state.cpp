@@ -199,6 +199,7 @@ void reset_arrays() {
 
 void reset(int width, int height) {
     close_and_empty_stacks();
+    reset_pixel_store();  // first: it says how the patterns below lie in memory
     for (GLenum cap : {GL_POINT_SMOOTH,
                        GL_LINE_SMOOTH,
                        GL_LINE_STIPPLE,
@@ -233,7 +234,6 @@ void reset(int width, int height) {
     reset_lighting();
     reset_raster(width, height);
     reset_fragments(width, height);
-    reset_pixel_store();
     reset_texture_units();
     reset_arrays();
     reset_stack(GL_PROJECTION, GL_PROJECTION_STACK_DEPTH);

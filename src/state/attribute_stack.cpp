@@ -1,6 +1,9 @@
 // glPushAttrib and glPopAttrib (6.1.14): which bit saves what, after tables 6.5 to 6.35.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "state/capabilities.h"
 #include "state/state.h"
 
@@ -106,9 +109,10 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     if (bit(kGL_SCISSOR_BIT)) now.fragment.scissor = saved.fragment.scissor;
     for (const Elsewhere& row : capabilities_elsewhere()) {
         if (!bit(row.group) && !bit(kGL_ENABLE_BIT)) continue;
-        const auto was = saved.elsewhere.find(row.cap);
-        now.elsewhere.erase(row.cap);
-        if (was != saved.elsewhere.end()) now.elsewhere.insert(*was);
+        const auto is_of_row = [&row](const auto& on) { return on.first.first == row.cap; };
+        std::erase_if(now.elsewhere, is_of_row);
+        std::copy_if(saved.elsewhere.begin(), saved.elsewhere.end(),
+                     std::inserter(now.elsewhere, now.elsewhere.end()), is_of_row);
     }
 }
 

@@ -30,6 +30,9 @@ struct TextureBindings {
     double lod_bias = 0;
 };
 
+// Whether this is a target of textures that State does not follow: a picture that is drawn with one enabled says so.
+bool is_texture_elsewhere(Enum target);
+
 // How pixels lie in client memory (3.6.1, table 3.1); glPixelStore sets them by name.
 struct PixelStore {
     bool unpack_swap_bytes = false, unpack_lsb_first = false;
@@ -70,8 +73,9 @@ struct Attributes {
     Hints hints;
     Enum matrix_mode = kGL_MODELVIEW;
     std::uint32_t list_base = 0;
-    // Capabilities that State does not follow and that are on, with where that was said.
-    std::map<Enum, Place> elsewhere{{kGL_DITHER, {}}, {kGL_MULTISAMPLE, {}}};
+    // Capabilities that State does not follow and that are on, with where that was said: by the capability and its
+    // texture unit, 0 for those that have none.
+    std::map<std::pair<Enum, std::size_t>, Place> elsewhere{{{kGL_DITHER, 0}, {}}, {{kGL_MULTISAMPLE, 0}, {}}};
 };
 
 }  // namespace twinlight

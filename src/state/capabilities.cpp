@@ -27,6 +27,7 @@ std::span<const Elsewhere> capabilities_elsewhere() {
         {kGL_TEXTURE_GEN_Q, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_3D, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_CUBE_MAP, kGL_TEXTURE_BIT, true},
+        {kGL_TEXTURE_RECTANGLE, kGL_TEXTURE_BIT, true},
         {kGL_MULTISAMPLE, kGL_MULTISAMPLE_BIT, false},
         {kGL_SAMPLE_ALPHA_TO_COVERAGE, kGL_MULTISAMPLE_BIT, false},
         {kGL_SAMPLE_ALPHA_TO_ONE, kGL_MULTISAMPLE_BIT, false},
@@ -37,6 +38,11 @@ std::span<const Elsewhere> capabilities_elsewhere() {
         {kGL_DEPTH_CLAMP, kGL_TRANSFORM_BIT, true},
     };
     return kRows;
+}
+
+const Elsewhere& capability_elsewhere(Enum cap) {
+    const auto rows = capabilities_elsewhere();
+    return *std::find_if(rows.begin(), rows.end(), [cap](const Elsewhere& row) { return row.cap == cap; });
 }
 
 bool* State::followed_capability(Enum cap) {
@@ -74,17 +80,18 @@ void State::set_capability(const Command& c, bool enabled) {
         return;
     }
     const auto rows = capabilities_elsewhere();
-    const bool exists = std::any_of(rows.begin(), rows.end(), [cap](const Elsewhere& row) { return row.cap == cap; });
-    if (!exists) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [cap](const Elsewhere& r) { return r.cap == cap; });
+    if (row == rows.end()) {
         return raise(kGL_INVALID_ENUM, c,
                      fmt::format("{} is given {}, which is no capability; expected GL_LIGHTING, GL_LIGHT0, "
                                  "GL_DEPTH_TEST, ...",
                                  c.name(), enum_name(cap)));
     }
+    const std::pair key(cap, row->of_unit() ? a_.active_unit : 0);
     if (enabled) {
-        a_.elsewhere.emplace(cap, c.place);
+        a_.elsewhere.emplace(key, c.place);
     } else {
-        a_.elsewhere.erase(cap);
+        a_.elsewhere.erase(key);
     }
 }
 

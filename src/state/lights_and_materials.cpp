@@ -140,6 +140,7 @@ void State::material(const Command& c) {
     if (materials.empty()) materials.push_back({open_->lighting.front, open_->lighting.back});
     const Materials now{a_.lighting.front, a_.lighting.back};
     if (open_->vertices.back().material + 1 == materials.size()) {
+        if (!has_room(c, sizeof(Materials))) return;
         materials.push_back(now);
     } else {
         materials.back() = now;  // no vertex had the last one

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -16,27 +17,9 @@ namespace {
 // 5.4: commands that are executed at once while a list is compiled, by effect: those on lists, on the client's state,
 // on objects' names, and the queries.
 constexpr bool never_compiled(std::string_view effect) {
-    for (std::string_view effect_of_client : {"new_list",
-                                              "end_list",
-                                              "gen_lists",
-                                              "delete_lists",
-                                              "pixel_store",
-                                              "flush",
-                                              "gen_textures",
-                                              "delete_textures",
-                                              "gen_buffers",
-                                              "delete_buffers",
-                                              "bind_buffer",
-                                              "buffer_data",
-                                              "buffer_sub_data",
-                                              "client_state",
-                                              "array_pointer",
-                                              "interleaved_arrays",
-                                              "client_active_texture",
-                                              "push_client_attrib",
-                                              "pop_client_attrib",
-                                              "get_light",
-                                              "get_material"}) {
+    for (std::string_view effect_of_client :
+         {"new_list", "end_list", "gen_lists", "delete_lists", "pixel_store", "flush", "gen_textures",
+          "delete_textures", "client_arrays", "get_light", "get_material"}) {
         if (effect == effect_of_client) return true;
     }
     return false;
@@ -54,23 +37,6 @@ constexpr bool kNeverCompiled[] = {
 #undef PRAGMA_COMMAND
 };
 
-// How glCallLists reads a name of each type (5.4); 0 bytes: no such type.
-int name_bytes(Enum type) {
-    switch (type) {
-        case kGL_BYTE:
-        case kGL_UNSIGNED_BYTE: return 1;
-        case kGL_SHORT:
-        case kGL_UNSIGNED_SHORT:
-        case kGL_2_BYTES: return 2;
-        case kGL_3_BYTES: return 3;
-        case kGL_INT:
-        case kGL_UNSIGNED_INT:
-        case kGL_FLOAT:
-        case kGL_4_BYTES: return 4;
-        default: return 0;
-    }
-}
-
 template <class T>
 T value_at(const std::byte* at) {
     T value;
@@ -86,9 +52,12 @@ std::uint32_t name_at(const std::byte* at, Enum type) {
         case kGL_UNSIGNED_BYTE: return byte(0);
         case kGL_SHORT: return static_cast<std::uint32_t>(value_at<std::int16_t>(at));
         case kGL_UNSIGNED_SHORT: return value_at<std::uint16_t>(at);
-        case kGL_FLOAT:
+        case kGL_FLOAT: {
+            const auto real = value_at<float>(at);
+            if (std::isnan(real)) return 0;
             return static_cast<std::uint32_t>(
-                static_cast<std::int64_t>(std::clamp(value_at<float>(at), -2147483648.0F, 4294967040.0F)));
+                static_cast<std::int64_t>(std::clamp(real, -2147483648.0F, 4294967040.0F)));
+        }
         case kGL_2_BYTES: return byte(0) << 8 | byte(1);
         case kGL_3_BYTES: return byte(0) << 16 | byte(1) << 8 | byte(2);
         case kGL_4_BYTES: return byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
@@ -98,29 +67,66 @@ std::uint32_t name_at(const std::byte* at, Enum type) {
 
 }  // namespace
 
+int list_name_bytes(Enum type) {
+    switch (type) {
+        case kGL_BYTE:
+        case kGL_UNSIGNED_BYTE: return 1;
+        case kGL_SHORT:
+        case kGL_UNSIGNED_SHORT:
+        case kGL_2_BYTES: return 2;
+        case kGL_3_BYTES: return 3;
+        case kGL_INT:
+        case kGL_UNSIGNED_INT:
+        case kGL_FLOAT:
+        case kGL_4_BYTES: return 4;
+        default: return 0;
+    }
+}
+
 // Whether a command goes into the list that is open and is done with that. GL_COMPILE_AND_EXECUTE does both.
 bool State::compile(const Command& c) {
     if (lists_.open_name == 0 || lists_.nesting > 0 || kNeverCompiled[static_cast<std::size_t>(c.id)]) return false;
     if (draws_quadric(c) && !can_send(c)) return true;  // GLU itself refuses it, and calls nothing
-    if (lists_.commands + lists_.open->size() >= kMaxListedCommands) {
-        raise(kGL_OUT_OF_MEMORY, c, fmt::format("display lists hold {} commands at most", kMaxListedCommands));
+    ListedCommand listed{.command = c};
+    if (draws_arrays(c.id)) {
+        // The arrays are read now (5.4). What is wrong with the arguments is told when the list is executed.
+        auto error = arrays_.check(c);
+        if (error && error->is_undefined) {
+            raise(*error);
+            return true;
+        }
+        if (error) {
+            listed.error = std::make_shared<const GlError>(std::move(*error));
+        } else {
+            listed.arrays = std::make_shared<const ArrayVertices>(arrays_.read(c, options_.signed_rule));
+        }
+    } else if (c.memory) {
+        listed.pixel_store = std::make_shared<const PixelStore>(pixel_store_);
+    }
+    if (draws_quadric(c)) listed.quadric = std::make_shared<const Quadric>(*quadric(c));
+    const std::size_t weight = listed.weight();
+    if (lists_.weight + lists_.open->weight + weight > kMaxListedCommands) {
+        raise(kGL_OUT_OF_MEMORY, c,
+              fmt::format("display lists hold {} commands and vertices at most", kMaxListedCommands));
         return true;
     }
-    ListedCommand& listed = lists_.open->emplace_back(ListedCommand{c, nullptr});
-    if (c.memory) listed.pixel_store = std::make_shared<const PixelStore>(pixel_store_);
-    if (draws_quadric(c)) listed.quadric = std::make_shared<const Quadric>(*quadric(c));
+    lists_.open->weight += weight;
+    lists_.open->commands.push_back(std::move(listed));
     return lists_.open_mode == kGL_COMPILE;
 }
 
 void State::gen_lists(const Command& c) {
-    if (c.number(0) < 0) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("glGenLists is asked for {} lists", c.number(0)));
+    const double range = c.number(0);
+    if (range < 0) return raise(kGL_INVALID_VALUE, c, fmt::format("glGenLists is asked for {} lists", range));
+    if (range > static_cast<double>(kMaxLists - std::min(kMaxLists, lists_.named.size()))) {
+        return raise(kGL_OUT_OF_MEMORY, c,
+                     fmt::format("glGenLists is asked for {} lists; there are {} at the most", range, kMaxLists));
     }
     // The names are there, as empty lists, from now on.
     const auto first = c.enumerant(1);
-    const auto range = static_cast<std::uint32_t>(std::min(c.number(0), static_cast<double>(kMaxListedCommands)));
-    for (std::uint32_t i = 0; first != 0 && i < range; ++i) {
-        lists_.named.emplace(first + i, std::make_shared<const DisplayList>());
+    const auto empty = std::make_shared<const DisplayList>();
+    for (std::uint32_t i = 0; first != 0 && i < static_cast<std::uint32_t>(range); ++i) {
+        lists_.named.emplace(first + i, empty);
     }
 }
 
@@ -128,6 +134,9 @@ void State::new_list(const Command& c) {
     const std::uint32_t name = c.enumerant(0);
     if (name == 0) return raise(kGL_INVALID_VALUE, c, "glNewList is given the name 0; names begin at 1");
     if (!known(c, c.enumerant(1), {kGL_COMPILE, kGL_COMPILE_AND_EXECUTE})) return;
+    if (lists_.named.size() >= kMaxLists && !lists_.named.contains(name)) {
+        return raise(kGL_OUT_OF_MEMORY, c, fmt::format("there are {} lists at the most", kMaxLists));
+    }
     if (lists_.open_name != 0) {
         return raise(
             kGL_INVALID_OPERATION, c,
@@ -142,7 +151,7 @@ void State::new_list(const Command& c) {
 void State::end_list(const Command& c) {
     if (lists_.open_name == 0) return raise(kGL_INVALID_OPERATION, c, "glEndList without a glNewList");
     std::shared_ptr<const DisplayList>& list = lists_.named[lists_.open_name];
-    lists_.commands += lists_.open->size() - (list ? list->size() : 0);
+    lists_.weight += lists_.open->weight - (list ? list->weight : 0);
     list = std::move(lists_.open);
     lists_.open_name = 0;
 }
@@ -154,7 +163,7 @@ void State::delete_lists(const Command& c) {
     const double first = c.number(0), end = first + c.number(1);
     auto it = lists_.named.lower_bound(c.enumerant(0));
     while (it != lists_.named.end() && it->first < end) {
-        lists_.commands -= it->second->size();
+        lists_.weight -= it->second->weight;
         it = lists_.named.erase(it);
     }
 }
@@ -166,7 +175,7 @@ void State::call_list(const Command& c) { execute_list(c, c.enumerant(0)); }
 void State::call_lists(const Command& c) {
     const double count = c.number(0);
     const Enum type = c.enumerant(1);
-    const int size = name_bytes(type);
+    const int size = list_name_bytes(type);
     if (size == 0) {
         return raise(
             kGL_INVALID_ENUM, c,
@@ -192,27 +201,42 @@ void State::execute_list(const Command& c, std::uint32_t name) {
     const auto found = lists_.named.find(name);
     if (found == lists_.named.end() || lists_.nesting >= kMaxListNesting) return;
     const std::shared_ptr<const DisplayList> list = found->second;  // held: it may be replaced while it runs
-    if (lists_.nesting == 0) lists_.executed = 0;
+    if (lists_.nesting == 0) lists_.called = c.place;
     ++lists_.nesting;
-    for (const ListedCommand& listed : *list) {
-        if (++lists_.executed > kMaxCommandsPerCall) {
-            if (lists_.executed == kMaxCommandsPerCall + 1) {
-                raise(kGL_OUT_OF_MEMORY, c,
-                      fmt::format("this call comes to more than {} commands in display lists", kMaxCommandsPerCall));
+    for (const ListedCommand& listed : list->commands) {
+        const bool was_within = lists_.executed <= kMaxListedCommandsAFrame;
+        lists_.executed += listed.weight();
+        if (lists_.executed > kMaxListedCommandsAFrame) {
+            if (was_within) {
+                raise(
+                    kGL_OUT_OF_MEMORY, c,
+                    fmt::format("the calls of display lists come to more than {} commands", kMaxListedCommandsAFrame));
             }
             break;
         }
         lists_.quadric = listed.quadric.get();
-        if (!listed.pixel_store) {
-            carry_out(listed.command);
-            continue;
-        }
-        const PixelStore now = std::exchange(pixel_store_, *listed.pixel_store);
-        carry_out(listed.command);
-        pixel_store_ = now;
+        execute_listed(listed);
     }
     lists_.quadric = nullptr;
     --lists_.nesting;
+}
+
+void State::execute_listed(const ListedCommand& listed) {
+    if (listed.error) {
+        raise(*listed.error);
+    } else if (listed.arrays && listed.command.id == CommandId::glArrayElement) {
+        send_element(listed.command, *listed.arrays);
+    } else if (listed.arrays && open_) {
+        raise_inside(listed.command);
+    } else if (listed.arrays) {
+        draw(listed.command, *listed.arrays);
+    } else if (listed.pixel_store) {
+        const PixelStore now = std::exchange(pixel_store_, *listed.pixel_store);
+        carry_out(listed.command);
+        pixel_store_ = now;
+    } else {
+        carry_out(listed.command);
+    }
 }
 
 }  // namespace twinlight

@@ -7,31 +7,44 @@
 
 #include "command/command.h"
 #include "shape/quadric.h"
+#include "state/arrays.h"
 #include "state/pixels.h"
 
 namespace twinlight {
 
 // Limits on what a scene may ask for, so that a hostile one ends with an error and not with the machine's memory or a
-// day's work: the commands that all lists hold together, and the commands that one call from outside of the lists may
-// come to (64 lists that call the next one twice would be 2^64).
+// day's work: how many lists there are, what all of them hold together, and what the calls of one frame may come to (64
+// lists that call the next one twice would be 2^64). A command counts as one, and as its vertices where it draws arrays.
+inline constexpr std::size_t kMaxLists = 1 << 20;
 inline constexpr std::size_t kMaxListedCommands = 20'000'000;
-inline constexpr std::size_t kMaxCommandsPerCall = 50'000'000;
+inline constexpr std::size_t kMaxListedCommandsAFrame = 50'000'000;
 // GL_MAX_LIST_NESTING (table 6.29): 64 at least; Mesa's. What is nested deeper is not executed (5.4).
 inline constexpr int kMaxListNesting = 64;
+
+// How many bytes a name has in the memory of glCallLists (5.4); 0 for what is no type of a name.
+int list_name_bytes(Enum type);
 
 struct ListedCommand {
     Command command;
     // What the command read of the client's state when it was compiled; null for commands that read nothing of it.
-    std::shared_ptr<const PixelStore> pixel_store;
+    std::shared_ptr<const PixelStore> pixel_store = nullptr;
+    std::shared_ptr<const ArrayVertices> arrays = nullptr;
+    // An error of a command that draws arrays: raised when it is executed, as others find theirs then.
+    std::shared_ptr<const GlError> error = nullptr;
     // How the quadric was sent that it named then: GLU's own objects are not in the list.
     std::shared_ptr<const Quadric> quadric = nullptr;
+
+    std::size_t weight() const { return arrays ? 1 + arrays->vertices.size() + arrays->indices.size() : 1; }
 };
 
-using DisplayList = std::vector<ListedCommand>;
+struct DisplayList {
+    std::vector<ListedCommand> commands;
+    std::size_t weight = 0;
+};
 
 struct Lists {
     std::map<std::uint32_t, std::shared_ptr<const DisplayList>> named;
-    std::size_t commands = 0;  // in all of them
+    std::size_t weight = 0;  // of all of them
 
     // The list that is being compiled: between glNewList and glEndList.
     std::uint32_t open_name = 0;  // 0: none
@@ -40,7 +53,8 @@ struct Lists {
     std::shared_ptr<DisplayList> open;
 
     int nesting = 0;                   // of the lists that are being executed
-    std::size_t executed = 0;          // commands since the outermost call
+    Place called;                      // where the outermost of them was called
+    std::size_t executed = 0;          // in this frame
     const Quadric* quadric = nullptr;  // of the command of a list that is being executed
 };
 

@@ -118,11 +118,11 @@ Answer of_pixel_store(const PixelStore& store, Enum pname) {
 std::vector<double> State::get(Enum pname) const {
     if (const bool* followed = const_cast<State*>(this)->followed_capability(pname)) return one(*followed);  // NOLINT
     for (const Elsewhere& row : capabilities_elsewhere()) {
-        if (row.cap == pname) return one(a_.elsewhere.contains(pname));
+        if (row.cap == pname) return one(a_.elsewhere.contains({pname, row.of_unit() ? a_.active_unit : 0}));
     }
     for (const Answer& answer : {of_lighting(a_.lighting, pname), of_raster(a_.raster, pname),
                                  of_fragments(a_.fragment, a_.fog, a_.clear, pname), of_hints(a_.hints, pname),
-                                 of_pixel_store(pixel_store_, pname)}) {
+                                 of_pixel_store(pixel_store_, pname), arrays_.get(pname)}) {
         if (!answer.empty()) return answer;
     }
     const glm::dmat4 &texture = texture_[a_.active_unit].back().matrix, &m = modelview(), &p = projection();

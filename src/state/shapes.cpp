@@ -20,6 +20,9 @@ void State::shape(const Command& c) {
 // RULING: sent by vertex arrays it does not, which 2.8 leaves open.
 void State::send_shape(const Command& c, std::vector<ShapePart> parts) {
     for (ShapePart& part : parts) {
+        const std::size_t bytes =
+            sizeof(Draw) + part.vertices.size() * sizeof(Vertex) + part.indices.size() * sizeof(std::uint32_t);
+        if (!has_room(c, bytes)) return;
         Draw draw = new_draw(part.mode, c.place);
         draw.vertices.reserve(part.vertices.size());
         const Vertex before = a_.current;

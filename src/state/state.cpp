@@ -21,7 +21,7 @@ namespace {
 // What may stand between Begin and End (2.6.3), by effect.
 constexpr bool legal_inside(std::string_view effect) {
     for (std::string_view legal : {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end",
-                                   "elsewhere_vertex", "call_list", "call_lists"}) {
+                                   "elsewhere_vertex", "call_list", "call_lists", "array_element"}) {
         if (effect == legal) return true;  // begin and end say themselves what is wrong
     }
     return false;
@@ -72,11 +72,7 @@ void State::carry_out(const Command& command) {
 #undef PRAGMA_COMMAND
     };
     const Row& row = kRows[static_cast<std::size_t>(command.id)];
-    if (open_ && !row.legal_inside) {
-        return raise(kGL_INVALID_OPERATION, command,
-                     fmt::format("{} cannot stand between glBegin and glEnd; the glBegin is at {}", command.name(),
-                                 open_->place.str()));
-    }
+    if (open_ && !row.legal_inside) return raise_inside(command);
     // RULING: GL leaves NaN and infinity open (2.1.1); here they are refused, so that no later value is either.
     if (std::any_of(command.arguments.begin(), command.arguments.end(), [](double v) { return !std::isfinite(v); })) {
         return raise(kGL_INVALID_VALUE, command, fmt::format("{} is given a value that is not finite", command.name()));
@@ -85,8 +81,32 @@ void State::carry_out(const Command& command) {
 }
 
 void State::raise(Enum code, const Command& command, std::string message) {
+    raise({code, command.place, std::move(message), false});
+}
+
+void State::raise(GlError error) {
     ++error_count_;
-    if (errors_.size() < kMaxErrorsKept) errors_.push_back({code, command.place, std::move(message)});
+    if (errors_.size() >= kMaxErrorsKept) return;
+    if (lists_.nesting > 0) {
+        error.message += fmt::format("; this stands in the list that is called at {}", lists_.called.str());
+    }
+    errors_.push_back(std::move(error));
+}
+
+void State::raise_inside(const Command& command) {
+    raise(kGL_INVALID_OPERATION, command,
+          fmt::format("{} cannot stand between glBegin and glEnd; the glBegin is at {}", command.name(),
+                      open_->place.str()));
+}
+
+bool State::has_room(const Command& command, std::size_t bytes) {
+    if (bytes <= kMaxFrameBytes - item_bytes_) {
+        item_bytes_ += bytes;
+        return true;
+    }
+    raise(kGL_OUT_OF_MEMORY, command,
+          fmt::format("one picture's vertices and state fill {} MiB at the most", kMaxFrameBytes >> 20));
+    return false;
 }
 
 bool State::known(const Command& command, Enum value, std::initializer_list<Enum> allowed) {
@@ -110,18 +130,24 @@ void State::begin(const Command& c) {
                      fmt::format("glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
                                  enum_name(c.enumerant(0))));
     }
+    if (!has_room(c, sizeof(Draw))) return;
     a_.current.material = 0;
     open_ = new_draw(c.enumerant(0), c.place);
 }
 
 void State::end(const Command& c) {
     if (!open_) return raise(kGL_INVALID_OPERATION, c, "glEnd without a glBegin");
-    if (!open_->vertices.empty()) items_.emplace_back(std::move(*open_));
+    if (open_->vertices.empty()) {
+        item_bytes_ -= std::min(item_bytes_, sizeof(Draw));
+    } else {
+        items_.emplace_back(std::move(*open_));
+    }
     open_.reset();
 }
 
 void State::vertex(const Command& c) {
     if (!open_) return;  // 2.7: undefined outside Begin and End, no error; here it does nothing, as in the driver
+    if (!has_room(c, sizeof(Vertex))) return;
     a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
         a_.current.position_object[static_cast<int>(i)] = c.number(i);
@@ -150,32 +176,7 @@ void State::tex_coord(const Command& c) {
     }
 }
 
-// Table 2.9: how integers stand for colours and normals.
-double State::to_real(double c, Kind kind) const {
-    const auto from_signed = [this, c](int bits) {
-        const double largest = std::exp2(bits - 1) - 1;
-        return options_.signed_rule == SignedRule::kGl21 ? (2 * c + 1) / (std::exp2(bits) - 1)
-                                                         : std::max(c / largest, -1.0);
-    };
-    switch (kind) {
-        case Kind::kByte: return from_signed(8);
-        case Kind::kShort: return from_signed(16);
-        case Kind::kInt:
-        case Kind::kSizei: return from_signed(32);
-        case Kind::kUbyte:
-        case Kind::kBoolean: return c / 255;
-        case Kind::kUshort: return c / 65535;
-        case Kind::kUint:
-        case Kind::kEnum:
-        case Kind::kBitfield:
-        case Kind::kSizeiptr:
-        case Kind::kQuadric:
-        case Kind::kWord: return c / 4294967295.0;
-        case Kind::kFloat:
-        case Kind::kDouble: return c;
-    }
-    return c;
-}
+double State::to_real(double c, Kind kind) const { return real_from(c, kind, options_.signed_rule); }
 
 // ---- Draws ----
 
@@ -204,12 +205,26 @@ Draw State::new_draw(Enum mode, const Place& place) {
     for (std::size_t i = 0; i < a_.clip_planes.size(); ++i) {
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     }
-    for (const Elsewhere& row : capabilities_elsewhere()) {
-        const auto on = a_.elsewhere.find(row.cap);
-        if (!row.changes_pixels || on == a_.elsewhere.end()) continue;
-        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), on->second, {"programmable", "reference"});
+    for (const auto& [capability, where] : a_.elsewhere) {
+        const Elsewhere& row = capability_elsewhere(capability.first);
+        // Textures of further units are named above.
+        const bool is_idle = row.generates_coordinates() && (capability.second > 0 || !draw.texture.texture);
+        if (!row.changes_pixels || is_idle) continue;
+        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where, {"programmable", "reference"});
     }
     return draw;
+}
+
+// 2.10: as if GL_POLYGON stood between Begin and End.
+void State::rect(const Command& c) {
+    if (!has_room(c, sizeof(Draw) + 4 * sizeof(Vertex))) return;
+    const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
+    Draw draw = new_draw(kGL_POLYGON, c.place);
+    for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {
+        a_.current.position_object = {x, y, 0, 1};
+        draw.vertices.push_back(a_.current);
+    }
+    items_.emplace_back(std::move(draw));
 }
 
 void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {
@@ -245,6 +260,8 @@ Frame State::take_frame(std::shared_ptr<const Recording> commands) {
 
 void State::drop_picture() {
     items_.clear();
+    item_bytes_ = 0;
+    lists_.executed = 0;
     unsupported_.clear();
 }
 
@@ -254,6 +271,7 @@ void State::drop_hidden() {
                        clear->color_mask == std::array{true, true, true, true};
     if (!hides) return;
     items_.erase(items_.begin(), items_.end() - 1);
+    item_bytes_ = 0;
     unsupported_.clear();
 }
 

@@ -7,16 +7,14 @@
 
 #include "command/command.h"
 #include "shape/quadric.h"
+#include "state/arrays.h"
 #include "state/attributes.h"
 #include "state/frame.h"
+#include "state/gl_error.h"
 #include "state/lists.h"
 #include "state/pixels.h"
 
 namespace twinlight {
-
-// How signed integers become colours and normals: (2c+1)/(2^b-1) up to GL 4.1, max(c/(2^(b-1)-1), -1) from 4.2 on
-// (GL 2.1 table 2.9; GL 4.2 section 2.3.4.1).
-enum class SignedRule : std::uint8_t { kGl21, kGl42 };
 
 struct StateOptions {
     int width = 640;  // of the window
@@ -24,12 +22,9 @@ struct StateOptions {
     SignedRule signed_rule = SignedRule::kGl21;
 };
 
-struct GlError {
-    Enum code = kGL_NO_ERROR;  // GL_INVALID_ENUM, ...
-    Place place;
-    std::string message;  // "GL_SPOT_CUTOFF is 120; it must be in [0, 90] or 180"
-};
-
+// What a picture's draws may hold together: a hostile scene ends with GL_OUT_OF_MEMORY.
+inline constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 31;
+// How many errors are kept; GL itself keeps one.
 inline constexpr std::size_t kMaxErrorsKept = 100;
 inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; what is beyond counts under one of its own
 
@@ -73,6 +68,7 @@ class State {
     std::vector<double> get(Enum pname) const;  // glGetDoublev; a capability's answer is glIsEnabled's
     std::vector<double> get_light(Enum light, Enum pname) const;
     std::vector<double> get_material(Enum face, Enum pname) const;
+    const VertexArrays& arrays() const { return arrays_; }
     std::vector<double> get_clip_plane(Enum plane) const;
     std::vector<double> get_tex_env(Enum target, Enum pname) const;
     std::vector<double> get_tex_parameter(Enum target, Enum pname) const;
@@ -169,14 +165,28 @@ class State {
     void elsewhere_state(const Command&);
     void elsewhere_drawing(const Command&);
     void elsewhere_vertex(const Command&);
+    void gen_textures(const Command&);
+    void delete_textures(const Command&);
+    void rect(const Command&);
+    void client_arrays(const Command&);
+    void array_element(const Command&);
+    void draw_arrays(const Command&);
     void specular_model(const Command&);
     void ambient_model(const Command&);
     void spot_cone(const Command&);
 
     void carry_out(const Command& command);
     bool compile(const Command& command);
+    std::optional<ArrayVertices> array_vertices(const Command& draw);  // nothing, and the error, for a wrong one
+    void draw(const Command& command, const ArrayVertices& read);
+    void send_element(const Command& command, const ArrayVertices& element);  // of glArrayElement
+    // Whether the picture still has room for so many more bytes; GL_OUT_OF_MEMORY if not.
+    bool has_room(const Command& command, std::size_t bytes);
     void execute_list(const Command& command, std::uint32_t name);
+    void execute_listed(const ListedCommand& listed);
+    void raise_inside(const Command& command);  // of a command that stands between Begin and End
     void raise(Enum code, const Command& command, std::string message);
+    void raise(GlError error);
     // Whether `value` is one of `allowed`; raises GL_INVALID_ENUM if not.
     bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);
     LightSource* light_source(const Command& command, Enum light);  // null, and GL_INVALID_ENUM, for no light
@@ -194,7 +204,8 @@ class State {
     bool check_pixel_type(const Command& command, const PixelSource& source);
     std::optional<std::vector<glm::dvec4>> pixels(const Command& command, const PixelSource& source);
     void generate_mipmaps(Texture& texture) const;
-    void track_color();  // 2.14.3: the material follows the current colour
+    bool counts(const Command& command, const char* what);  // n >= 0, or GL_INVALID_VALUE
+    void track_color();                                     // 2.14.3: the material follows the current colour
     void multiply(const glm::dmat4& matrix);
     MatrixStack& stack();
     std::size_t stack_limit() const;
@@ -217,6 +228,8 @@ class State {
     Attributes a_;
     TextureObjects textures_;
     PixelStore pixel_store_;
+    std::vector<std::optional<PixelStore>> saved_pixel_stores_;  // by glPushClientAttrib, a level each
+    VertexArrays arrays_;
     Lists lists_;
     MatrixStack modelview_{{}}, projection_{{}};
     std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
@@ -225,6 +238,7 @@ class State {
     std::map<double, Quadric> quadrics_;        // by number
     std::map<double, Place> deleted_quadrics_;  // where gluDeleteQuadric stood
     std::vector<std::variant<Clear, Draw>> items_;
+    std::size_t item_bytes_ = 0;  // what items_ holds, about
     std::vector<Unsupported> unsupported_;
     std::vector<Unsupported> outside_;
     std::vector<GlError> errors_;

@@ -110,11 +110,18 @@ std::optional<std::vector<glm::dvec4>> State::pixels(const Command& c, const Pix
     return unpack(source, pixel_store_, std::span(c.memory->bytes).subspan(static_cast<std::size_t>(offset)));
 }
 
+// Images of textures that State does not follow.
+bool is_image_elsewhere(Enum target) {
+    return target == kGL_TEXTURE_RECTANGLE || target == kGL_PROXY_TEXTURE_RECTANGLE ||
+           (target >= kGL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= kGL_PROXY_TEXTURE_CUBE_MAP);
+}
+
 void State::tex_image(const Command& c) {
     const ImageArguments a(c);
     const bool two = c.id == CommandId::glTexImage2D;
     const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
     const Enum proxy = two ? kGL_PROXY_TEXTURE_2D : kGL_PROXY_TEXTURE_1D;
+    if (two && is_image_elsewhere(a.target)) return;
     if (!known(c, a.target, {target, proxy})) return;
     const PixelSource& source = a.source;
     if (a.level < 0 || a.level >= kMaxTextureLevels) {
@@ -170,6 +177,7 @@ void State::tex_image(const Command& c) {
 void State::tex_sub_image(const Command& c) {
     const bool two = c.id == CommandId::glTexSubImage2D;
     const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
+    if (two && is_image_elsewhere(c.enumerant(0))) return;
     if (!known(c, c.enumerant(0), {target})) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;

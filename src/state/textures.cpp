@@ -26,10 +26,15 @@ Texture* State::writable_texture(const Command& c, Enum target) {
 }
 
 // 3.8.12. A name that was never generated may be bound as well.
+bool is_texture_elsewhere(Enum target) {
+    return target == kGL_TEXTURE_3D || target == kGL_TEXTURE_CUBE_MAP || target == kGL_TEXTURE_RECTANGLE;
+}
+
 void State::bind_texture(const Command& c) {
     const Enum target = c.enumerant(0);
     const std::uint32_t name = c.enumerant(1);
-    if (!known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    const bool elsewhere = is_texture_elsewhere(target);
+    if (!elsewhere && !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
     if (name != 0) {
         std::shared_ptr<Texture>& texture = textures_.named[name];
         if (!texture) texture = std::make_shared<Texture>(Texture{.target = target});
@@ -39,6 +44,7 @@ void State::bind_texture(const Command& c) {
                                      enum_name(texture->target), enum_name(target)));
         }
     }
+    if (elsewhere) return;
     (target == kGL_TEXTURE_1D ? unit().bound_1d : unit().bound_2d) = name;
 }
 
@@ -55,7 +61,7 @@ void State::active_texture(const Command& c) {
 
 void State::tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
-    if (!known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
     // Parameters of later versions, and of textures that are not here.
     for (Enum later :
          {kGL_TEXTURE_BASE_LEVEL, kGL_TEXTURE_MAX_LEVEL, kGL_TEXTURE_MIN_LOD, kGL_TEXTURE_MAX_LOD, kGL_TEXTURE_LOD_BIAS,

@@ -31,11 +31,11 @@ struct Both {
     explicit Both(std::string_view text) : state({.width = 16, .height = 16}) {
         for (const Command& command : read_scene(text, "case.gl", "case").commands) {
             state.apply(command);
-            executor.execute(command);
+            driver.execute(command);
         }
     }
     std::unique_ptr<OffscreenContext> context = make_offscreen_context(16, 16);
-    fixed::Executor executor;
+    fixed::Driver driver{16, 16};
     State state;
 };
 
@@ -66,6 +66,82 @@ void alpha_of_glcolor3() {
     std::array<GLfloat, 4> color{};
     glGetFloatv(GL_CURRENT_COLOR, color.data());
     expect_departure(color[3] == 0.25F);
+}
+
+void components_of_tex_coord() {
+    const Both both(
+        "glBegin(GL_POINTS); glTexCoord4f(1, 1, 1, 0.25); glVertex2f(0, 0); glEnd();\n"
+        "glBegin(GL_POINTS); glTexCoord2f(1, 1); glTexCoord4f(1, 1, 1, 0.25); glVertex2f(0, 0);\n"
+        "glTexCoord2f(0.5, 0.5); glEnd();");
+    EXPECT_EQ(both.state.get(kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.5, 0.5, 0, 1}));
+    std::array<GLfloat, 4> coords{};
+    glGetFloatv(GL_CURRENT_TEXTURE_COORDS, coords.data());
+    expect_departure(coords[3] == 0.25F);
+}
+
+void transposed_texture_matrix() {
+    const Both both("glMatrixMode(GL_TEXTURE); glActiveTexture(GL_TEXTURE1); glTranslatef(0.5, 0, 0);");
+    EXPECT_EQ(both.state.get(kGL_TRANSPOSE_TEXTURE_MATRIX)[3], 0.5);
+    std::array<GLfloat, 16> matrix{};
+    glGetFloatv(GL_TRANSPOSE_TEXTURE_MATRIX, matrix.data());
+    expect_departure(matrix[3] == 0);
+}
+
+void material_before_pop() {
+    const Both both(
+        "glPushAttrib(GL_LIGHTING_BIT); glShadeModel(GL_FLAT); glMaterialf(GL_FRONT, GL_SHININESS, 5);"
+        "glPopAttrib();");
+    EXPECT_EQ(both.state.get_material(kGL_FRONT, kGL_SHININESS)[0], 0);
+    GLfloat shininess = 0;
+    glGetMaterialfv(GL_FRONT, GL_SHININESS, &shininess);
+    expect_departure(shininess == 5);
+}
+
+void color_sum_after_pop() {
+    const Both both("glPushAttrib(GL_FOG_BIT | GL_ENABLE_BIT); glEnable(GL_COLOR_SUM); glPopAttrib();");
+    EXPECT_EQ(both.state.get(kGL_COLOR_SUM)[0], 0);
+    expect_departure(glIsEnabled(GL_COLOR_SUM) == GL_TRUE);
+}
+
+void lights_after_pop() {
+    const Both both("glPushAttrib(GL_ENABLE_BIT); glEnable(GL_LIGHT0); glPopAttrib();");
+    EXPECT_EQ(both.state.get(kGL_LIGHT0)[0], 0);
+    expect_departure(glIsEnabled(GL_LIGHT0) == GL_TRUE);
+}
+
+void mipmap_hint_after_pop() {
+    const Both both("glPushAttrib(GL_HINT_BIT); glHint(GL_GENERATE_MIPMAP_HINT, GL_NICEST); glPopAttrib();");
+    EXPECT_EQ(both.state.get(kGL_GENERATE_MIPMAP_HINT)[0], kGL_DONT_CARE);
+    GLint hint = 0;
+    glGetIntegerv(GL_GENERATE_MIPMAP_HINT, &hint);
+    expect_departure(hint == GL_NICEST);
+}
+
+void client_state_by_enable() {
+    const Both both("glEnable(GL_NORMAL_ARRAY);");
+    ASSERT_EQ(both.state.errors().size(), 1u);
+    EXPECT_EQ(both.state.errors()[0].code, kGL_INVALID_ENUM);
+    expect_departure(glGetError() == GL_NO_ERROR);
+}
+
+void generate_mipmap_after_pop() {
+    const Both both(
+        "glPushAttrib(GL_TEXTURE_BIT); glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE); glPopAttrib();");
+    EXPECT_EQ(both.state.get_tex_parameter(kGL_TEXTURE_2D, kGL_GENERATE_MIPMAP)[0], 0);
+    GLint generate = 0;
+    glGetTexParameteriv(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, &generate);
+    expect_departure(generate == GL_TRUE);
+}
+
+void color_material_after_pop() {
+    const Both both(
+        "glEnable(GL_COLOR_MATERIAL); glColor3f(0.25, 0.25, 0.25);\n"
+        "glPushAttrib(GL_CURRENT_BIT); glColor3f(0.75, 0.75, 0.75); GLfloat got[4];\n"
+        "glGetMaterialfv(GL_FRONT, GL_AMBIENT, got); glPopAttrib(); glColor3f(0.25, 0.25, 0.25);");
+    EXPECT_EQ(both.state.get_material(kGL_FRONT, kGL_AMBIENT)[0], 0.25);
+    std::array<GLfloat, 4> ambient{};
+    glGetMaterialfv(GL_FRONT, GL_AMBIENT, ambient.data());
+    expect_departure(ambient[0] == 0.75F);
 }
 
 void color_lost_before_a_new_color_material() {
@@ -99,6 +175,15 @@ constexpr Departure kDepartures[] = {
     {"fog of a vertex whose w is not 1", fog_of_w},
     {"a single value for a vector parameter", single_value_for_a_vector},
     {"glColor3 after glColor4", alpha_of_glcolor3},
+    {"glTexCoord1 to 3 after glTexCoord4", components_of_tex_coord},
+    {"the transposed texture matrix of another unit", transposed_texture_matrix},
+    {"glMaterial right before glPopAttrib", material_before_pop},
+    {"GL_COLOR_SUM after glPopAttrib", color_sum_after_pop},
+    {"lights after glPopAttrib of GL_ENABLE_BIT", lights_after_pop},
+    {"GL_GENERATE_MIPMAP_HINT after glPopAttrib", mipmap_hint_after_pop},
+    {"glEnable of a vertex array", client_state_by_enable},
+    {"GL_GENERATE_MIPMAP after glPopAttrib", generate_mipmap_after_pop},
+    {"colour material after glPopAttrib", color_material_after_pop},
     {"glColor before a new glColorMaterial", color_lost_before_a_new_color_material},
 };
 

@@ -35,11 +35,10 @@ std::vector<Color> feedback_colors(const CommandList& scene, std::size_t vertice
     constexpr std::size_t kPerPolygon = 2;  // GL_POLYGON_TOKEN, count
     std::vector<GLfloat> buffer(vertices * (kPerVertex + kPerPolygon));
     glFeedbackBuffer(static_cast<GLsizei>(buffer.size()), GL_3D_COLOR, buffer.data());
-    const fixed::InitialState initial(64, 64);
+    fixed::Driver driver(64, 64);
     glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
     glRenderMode(GL_FEEDBACK);
-    fixed::Executor executor;
-    for (const Command& command : scene.commands) executor.execute(command);
+    for (const Command& command : scene.commands) driver.execute(command);
     const GLint written = glRenderMode(GL_RENDER);
     glClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
     std::vector<Color> colors;

@@ -34,17 +34,41 @@ double random_bits(Random& random, Kind kind) {
                                                      static_cast<std::uint32_t>(random.uniform(0, 4294967296.0)));
             return std::isfinite(value) ? value : 0.25;
         }
-        case Kind::kSizeiptr:
+        case Kind::kSizeiptr: return std::floor(random.uniform(-0x1p53, 0x1p53));
         case Kind::kQuadric: return 1;  // made once, by the first row that has one
         case Kind::kWord: return random.below(static_cast<int>(words().size()));
     }
     return 0;
 }
 
+// Bytes of any kind, NaNs and odd lengths among them.
+std::shared_ptr<const Memory> random_memory(Random& random) {
+    Memory memory;
+    memory.kind = static_cast<Kind>(random.below(static_cast<int>(Kind::kSizeiptr) + 1));
+    memory.bytes.resize(static_cast<std::size_t>(random.below(50)));
+    for (std::byte& byte : memory.bytes) byte = static_cast<std::byte>(random.below(256));
+    return std::make_shared<Memory>(std::move(memory));
+}
+
 Command random_command(Random& random, CommandId id) {
     Command command{id, {}, {}};
     for (const Parameter& parameter : signature(id).parameters) {
         int count = 1;
+        if (parameter.extent == Extent::kPointer) {
+            if (random.chance(0.8)) command.memory = random_memory(random);
+            const auto size = command.memory ? command.memory->bytes.size() : 1000;
+            command.arguments.push_back(random.below(static_cast<int>(size) + 1));
+            continue;
+        }
+        if (parameter.extent == Extent::kByCount || parameter.extent == Extent::kNames) {
+            count = random.below(5) - 1;
+            command.arguments.back() = count;
+        }
+        const bool names = parameter.extent == Extent::kNames || parameter.extent == Extent::kResult;
+        if (names && parameter.kind != Kind::kQuadric) {
+            for (int i = 0; i < count; ++i) command.arguments.push_back(1 + random.below(1000));
+            continue;
+        }
         if (parameter.extent == Extent::kOutput) break;
         if (parameter.extent == Extent::kRest) count = random.below(5);
         if (parameter.extent == Extent::kArray) count = parameter.count;

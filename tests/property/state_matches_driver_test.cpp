@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
+#include <set>
 
 #include "command/text.h"
 #include "context/context.h"
@@ -47,7 +48,15 @@ Enum one_of(Random& random, const std::vector<Enum>& choices) {
 Enum random_enum(Random& random, CommandId id, std::string_view parameter) {
     if (random.chance(0.06)) {
         const auto& names = gl_names();
-        return names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
+        const Enum any = names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
+        // Of GL 3.0, and the parameters of textures whose values State does not look at.
+        const std::set<Enum> not_followed = {
+            kGL_TEXTURE_3D,         kGL_TEXTURE_CUBE_MAP,          kGL_TEXTURE_RECTANGLE,
+            kGL_FRAMEBUFFER_SRGB,   kGL_TEXTURE_CUBE_MAP_SEAMLESS, kGL_TEXTURE_MIN_LOD,
+            kGL_TEXTURE_MAX_LOD,    kGL_TEXTURE_BASE_LEVEL,        kGL_TEXTURE_MAX_LEVEL,
+            kGL_TEXTURE_LOD_BIAS,   kGL_TEXTURE_COMPARE_MODE,      kGL_TEXTURE_COMPARE_FUNC,
+            kGL_DEPTH_TEXTURE_MODE, kGL_TEXTURE_MAX_ANISOTROPY_EXT};
+        return not_followed.contains(any) ? kGL_NONE : any;
     }
     const std::vector<Enum> faces = {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK};
     if (parameter == "light") return kGL_LIGHT0 + static_cast<Enum>(random.below(kMaxLights));
@@ -92,7 +101,7 @@ Enum random_enum(Random& random, CommandId id, std::string_view parameter) {
         return random.chance(0.5) ? kGL_TEXTURE_1D : kGL_TEXTURE_2D;
     }
     if (parameter == "texture" && id == CommandId::glActiveTexture) {
-        return kGL_TEXTURE0 + static_cast<Enum>(random.below(9));
+        return kGL_TEXTURE0 + static_cast<Enum>(random.below(kMaxTextureUnits));
     }
     if (parameter == "plane") return kGL_CLIP_PLANE0 + static_cast<Enum>(random.below(kMaxClipPlanes));
     if (parameter.starts_with("sfactor") || parameter.starts_with("dfactor")) {
@@ -153,7 +162,20 @@ double random_number(Random& random, Kind kind) {
 
 double random_bits(Random& random, CommandId id) {
     if (id == CommandId::glClear) return random.chance(0.8) ? 0x4100 : 3;
-    return random.chance(0.2) ? static_cast<double>(kGL_ALL_ATTRIB_BITS) : std::floor(random.uniform(0, 0x100000));
+    if (random.chance(0.2)) return static_cast<double>(kGL_ALL_ATTRIB_BITS);
+    const auto bits = static_cast<Enum>(random.uniform(0, 0x100000));
+    // A departure (golden/known_differences): with GL_ENABLE_BIT alone the driver saves no lights.
+    return bits | ((bits & kGL_ENABLE_BIT) != 0 ? kGL_LIGHTING_BIT : 0);
+}
+
+// Arrays, the names of objects, display lists: tests/property/arrays_match_driver_test.cpp has them.
+bool uses_arrays_or_names(const Signature& sig) {
+    const bool is_array = sig.name.ends_with("ClientState") || sig.name.ends_with("ClientAttrib") ||
+                          sig.name.starts_with("glDrawArrays") || sig.name == "glArrayElement";
+    return is_array || std::any_of(sig.parameters.begin(), sig.parameters.end(), [](const Parameter& p) {
+               return p.extent == Extent::kPointer || p.extent == Extent::kByCount || p.extent == Extent::kNames ||
+                      p.name == "buffer" || p.name == "list" || p.name == "base";
+           });
 }
 
 Command random_command(Random& random) {
@@ -162,10 +184,9 @@ Command random_command(Random& random) {
         const Signature& sig = signature(id);
         // Nothing is drawn here, and matrices are multiplied by numbers of moderate size only.
         if (sig.family != Family::kGl || sig.name.starts_with("glMultMatrix")) continue;
+        if (sig.name.starts_with("glRect")) continue;
         if (sig.name.starts_with("glMultTranspose") || sig.name.starts_with("glFrustum")) continue;
-        const bool has_pointer = std::any_of(sig.parameters.begin(), sig.parameters.end(),
-                                             [](const Parameter& p) { return p.extent == Extent::kPointer; });
-        if (has_pointer) continue;
+        if (uses_arrays_or_names(sig)) continue;
         // What State does not follow, it does not check either.
         if (std::find(std::begin(kElsewhere), std::end(kElsewhere), id) != std::end(kElsewhere)) continue;
         // Half of the table are variants of glColor and glVertex.
@@ -191,6 +212,10 @@ Command random_command(Random& random) {
             const ParameterInfo* info = parameter.name.starts_with("param") ? parameter_info(command) : nullptr;
             const bool named = info && info->meaning == Meaning::kEnum && random.chance(0.8);
             for (int i = 0; i < count; ++i) {
+                if (info && info->pname == kGL_GENERATE_MIPMAP) {  // table 3.18: TRUE or FALSE
+                    command.arguments.push_back(random.below(2));
+                    continue;
+                }
                 if (named) {
                     command.arguments.push_back(random_name(random, info->pname));
                     continue;
@@ -200,6 +225,19 @@ Command random_command(Random& random) {
         }
         return command;
     }
+}
+
+// 2.12: the plane is undefined where the modelview matrix is singular, and inaccurate where it is nearly so.
+bool is_inaccurate_plane(const State& state) {
+    const std::vector<double> values = state.get(kGL_MODELVIEW_MATRIX);
+    const glm::dmat4 matrix = glm::make_mat4(values.data());
+    if (glm::determinant(matrix) == 0) return true;
+    const auto norm = [](const glm::dmat4& m) {
+        double largest = 0;
+        for (int i = 0; i < 16; ++i) largest = std::max(largest, std::abs(m[i / 4][i % 4]));
+        return largest;
+    };
+    return !(norm(matrix) * norm(glm::inverse(matrix)) < 20);  // 20 roundings of float stay below expect_near's bound
 }
 
 // Where the driver leaves the text (golden/known_differences; tests/golden/known_differences_test.cpp shows each).
@@ -214,11 +252,27 @@ bool is_departure(const Command& command, const State& state) {
         if (info && info->count > 1) return true;
     }
     // 2.14.3: what tracks a colour has it at once; the driver loses a glColor that stands before a new glColorMaterial.
-    if (command.id == CommandId::glColorMaterial && state.lighting().color_material.enabled) return true;
+    // Nor does it have the colour that glPopAttrib restores.
+    const bool changes_color = command.id == CommandId::glColorMaterial || command.id == CommandId::glPopAttrib;
+    if (changes_color && state.lighting().color_material.enabled) return true;
     // 2.7: glTexCoord1 to 3 set the others to 0, 0, 1, and glColor3 sets alpha to 1; the driver may keep what was there.
     const std::vector<double> coords = state.get(kGL_CURRENT_TEXTURE_COORDS);
-    const bool plain = coords[1] == 0 && coords[2] == 0 && coords[3] == 1;
+    const bool plain = coords == std::vector<double>{coords.empty() ? 0 : coords[0], 0, 0, 1};
     if (name.starts_with("glTexCoord") && name[10] != '4' && !plain) return true;
+    // 6.2: glPopAttrib restores them, but not in the driver.
+    const bool switches = command.id == CommandId::glEnable || command.id == CommandId::glDisable;
+    const bool stays = (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
+                       (command.id == CommandId::glHint && command.enumerant(0) == kGL_GENERATE_MIPMAP_HINT) ||
+                       (name.starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP);
+    if (switches && enum_name(command.enumerant(0)).ends_with("_ARRAY")) return true;  // the driver takes them as well
+    if (stays && state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0) return true;
+    // Beyond the fixed function's units a driver has some for shaders; those are no part of State.
+    const auto is_far_unit = [](Enum unit) { return unit >= kGL_TEXTURE0 + kMaxTextureUnits && unit < 0x8600; };
+    if (command.id == CommandId::glActiveTexture && is_far_unit(command.enumerant(0))) return true;
+    // Of EXT_direct_state_access, which the driver has.
+    const auto is_unit = [](Enum mode) { return mode >= kGL_TEXTURE0 && mode <= kGL_TEXTURE0 + 31; };
+    if (command.id == CommandId::glMatrixMode && is_unit(command.enumerant(0))) return true;
+    if (command.id == CommandId::glClipPlane && is_inaccurate_plane(state)) return true;
     return name.starts_with("glColor3") && state.current_color().a != 1;
 }
 
@@ -233,7 +287,7 @@ void expect_near(const std::vector<double>& driver, const std::vector<double>& s
     for (std::size_t i = 0; i < state.size(); ++i) EXPECT_NEAR(driver[i], state[i], kRounding * largest) << what;
 }
 
-void expect_same_state(const State& state) {
+void expect_same_state(const State& state, const fixed::Driver& driver) {
     for (Enum light = kGL_LIGHT0; light <= kGL_LIGHT7; ++light) {
         EXPECT_EQ(glIsEnabled(light) == GL_TRUE, state.lighting().lights[light - kGL_LIGHT0].enabled);
         for (const ParameterInfo& info : parameter_infos()) {
@@ -255,10 +309,18 @@ void expect_same_state(const State& state) {
     // Everything else that has a name: what State answers is what the driver answers.
     int answered = 0;
     for (const NamedValue& name : gl_names()) {
-        const std::vector<double> expected = state.get(name.value);
+        std::vector<double> expected = state.get(name.value);
         const bool is_query = !expected.empty() && !name.name.ends_with("_BIT");
         if (!is_query || name.value <= kGL_POLYGON) continue;
+        // A departure (golden/known_differences): the driver answers for unit 0.
+        if (name.value == kGL_TRANSPOSE_TEXTURE_MATRIX && state.get(kGL_ACTIVE_TEXTURE)[0] != kGL_TEXTURE0) continue;
 
+        // The driver gave the scene's objects names of its own.
+        const auto driver_name = [&](ObjectType type) {
+            return static_cast<double>(driver.name_of(type, static_cast<std::uint32_t>(expected[0])));
+        };
+        if (name.name.starts_with("GL_TEXTURE_BINDING")) expected[0] = driver_name(ObjectType::kTexture);
+        if (name.name.ends_with("BUFFER_BINDING")) expected[0] = driver_name(ObjectType::kBuffer);
         ++answered;
         std::array<GLdouble, 16> values{};
         glGetDoublev(name.value, values.data());
@@ -292,16 +354,16 @@ void expect_same_state(const State& state) {
 
 TEST(StateMatchesDriver, AtTheStart) {
     const auto context = make_offscreen_context(64, 48);
-    expect_same_state(State({.width = 64, .height = 48}));
+    const fixed::Driver driver(64, 48);
+    expect_same_state(State({.width = 64, .height = 48}), driver);
 }
 
 TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
     const auto context = make_offscreen_context(64, 48);
     int errors = 0;
     for (std::uint64_t seed = 1; seed <= kSequences && !testing::Test::HasFailure(); ++seed) {
-        const fixed::InitialState initial(64, 48);
+        fixed::Driver driver(64, 48);
         State state({.width = 64, .height = 48});
-        fixed::Executor executor;
         Random random(seed);
         CommandList sequence;
         bool open = false;  // glGetError is not legal between glBegin and glEnd
@@ -309,7 +371,7 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
         const auto carry_out = [&](const Command& command) {
             sequence.commands.push_back(command);
             const std::size_t before = state.errors().size();
-            executor.execute(command);
+            driver.execute(command);
             state.apply(command);
             const bool raised = state.errors().size() > before;
             if (raised && first_expected == GL_NO_ERROR) first_expected = state.errors().back().code;
@@ -326,6 +388,12 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
         };
         for (int i = 0; i < kCommands && !testing::Test::HasFailure(); ++i) {
             const Command command = random_command(random);
+            // Departures (golden/known_differences): asked for a material, the driver stores those that it was given.
+            const bool loses = command.id == CommandId::glPushAttrib || command.id == CommandId::glPopAttrib ||
+                               command.id == CommandId::glEnable;
+            if (loses && !open) {
+                carry_out({CommandId::glGetMaterialfv, {double{kGL_FRONT}, double{kGL_AMBIENT}}, {}});
+            }
             if (!is_departure(command, state)) carry_out(command);
             // 2.14.3: glEnable(GL_COLOR_MATERIAL) acts at once; the driver waits for the next glColor.
             if (state.lighting().color_material.enabled && command.id == CommandId::glEnable && !open) {
@@ -334,7 +402,7 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
         }
         if (open) carry_out({CommandId::glEnd, {}, {}});
         SCOPED_TRACE(fmt::format("seed {}, after\n{}", seed, print_scene(sequence)));
-        expect_same_state(state);
+        expect_same_state(state, driver);
     }
     EXPECT_GT(errors, 500);  // the errors' paths are tested, too
 }

@@ -118,10 +118,11 @@ Difference difference(const Texture& texture, bool scaled) {
 }
 
 // Returns the mean difference in steps.
-double expect_same(State& state, const std::vector<Command>& commands, double step, bool scaled) {
+double expect_same(State& state, fixed::Driver& driver, const std::vector<Command>& commands, double step,
+                   bool scaled) {
     for (const Command& command : commands) {
         state.apply(command);
-        fixed::execute(command);
+        driver.execute(command);
     }
     EXPECT_TRUE(state.errors().empty()) << state.errors().front().message;
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
@@ -151,7 +152,7 @@ TEST(TexturesMatchDriver, ImagesOfEveryFormatAndType) {
     double total = 0;
     int images = 0;
     for (int i = 0; i < 1500 && !testing::Test::HasFailure(); ++i) {
-        const fixed::InitialState initial(16, 16);
+        fixed::Driver driver(16, 16);
         State state({.width = 16, .height = 16});
         const double format = one_of(random, kFormats), type = one_of(random, kTypes);
         const PixelSource source{.width = 1 + random.below(9),
@@ -166,7 +167,7 @@ TEST(TexturesMatchDriver, ImagesOfEveryFormatAndType) {
         const bool is_float = source.type == kGL_FLOAT;
         const auto memory = random_memory(random, bytes_read(source, store), source.type);
         const double internal = one_of(random, kInternalFormats);
-        total += expect_same(state,
+        total += expect_same(state, driver,
                              {{CommandId::glPixelStorei, {kGL_UNPACK_ALIGNMENT, alignment}, {}},
                               {CommandId::glPixelStorei, {kGL_UNPACK_SWAP_BYTES, is_float ? 0 : swap}, {}},
                               {CommandId::glBindTexture, {kGL_TEXTURE_2D, 1}, {}},
@@ -190,7 +191,7 @@ TEST(TexturesMatchDriver, GluMipmapsOfEverySize) {
     double total = 0;
     int images = 0;
     for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
-        const fixed::InitialState initial(16, 16);
+        fixed::Driver driver(16, 16);
         State state({.width = 16, .height = 16});
         const double type = random.chance(0.7) ? kGL_UNSIGNED_BYTE : kGL_FLOAT;
         const double format = random.chance(0.5) ? kGL_RGB : kGL_LUMINANCE_ALPHA;
@@ -202,7 +203,7 @@ TEST(TexturesMatchDriver, GluMipmapsOfEverySize) {
         PixelStore store;
         store.unpack_alignment = 1;
         const auto memory = random_memory(random, bytes_read(source, store), source.type);
-        total += expect_same(state,
+        total += expect_same(state, driver,
                              {{CommandId::glPixelStorei, {kGL_UNPACK_ALIGNMENT, 1}, {}},
                               {CommandId::glBindTexture, {kGL_TEXTURE_2D, 1}, {}},
                               {CommandId::gluBuild2DMipmaps,

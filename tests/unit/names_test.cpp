@@ -5,6 +5,7 @@
 #include <set>
 
 #include "command/command.h"
+#include "command/object_names.h"
 #include "context/gl.h"
 
 namespace twinlight {
@@ -51,12 +52,14 @@ TEST(Commands, StandInTheTableOnceAndFindThemselves) {
     }
 }
 
-TEST(Commands, HaveAnArrayWhoseLengthIsNotKnownOnlyAsTheLastArgument) {
+TEST(Commands, HaveWhatVariesInLengthLast) {
     for (const Signature& sig : signatures()) {
-        for (std::size_t i = 0; i + 1 < sig.c_arguments(); ++i) {
+        for (std::size_t i = 0; i < sig.parameters.size(); ++i) {
             const Extent extent = sig.parameters[i].extent;
-            EXPECT_TRUE(extent != Extent::kByPname && extent != Extent::kOutput && extent != Extent::kRest)
-                << sig.usage();
+            const bool varies = extent == Extent::kByPname || extent == Extent::kOutput || extent == Extent::kRest;
+            if (varies || extent == Extent::kResult) {
+                EXPECT_EQ(i + 1, sig.parameters.size()) << sig.usage();
+            }
         }
     }
 }
@@ -67,9 +70,50 @@ TEST(Commands, WithAnArrayByPnameHaveThePnameJustBeforeIt) {
         if (sig.parameters.empty()) continue;
         const Extent extent = sig.parameters.back().extent;
         if (extent != Extent::kByPname && extent != Extent::kOutput) continue;
-        EXPECT_EQ(sig.parameters[sig.scalars() - 1].name, "pname") << sig.usage();
+        EXPECT_EQ(sig.parameters[sig.parameters.size() - 2].name, "pname") << sig.usage();
         EXPECT_TRUE(owner_of(static_cast<CommandId>(i))) << sig.usage();
     }
+}
+
+TEST(Commands, WithACountedArrayHaveTheCountBeforeIt) {
+    int counted = 0;
+    for (const Signature& sig : signatures()) {
+        bool has_count = false;
+        for (const Parameter& parameter : sig.parameters) {
+            has_count |= parameter.kind == Kind::kSizei;
+            if (parameter.extent != Extent::kByCount && parameter.extent != Extent::kNames) continue;
+            ++counted;
+            EXPECT_TRUE(has_count) << sig.usage();
+            if (parameter.extent == Extent::kNames) {
+                EXPECT_TRUE(named_objects(parameter)) << sig.usage();
+            }
+        }
+    }
+    EXPECT_GT(counted, 0);
+}
+
+TEST(Commands, KnowWhereEachParametersValuesStand) {
+    const Command rect{CommandId::glRectfv, {1, 2, 3, 4}, {}};
+    EXPECT_EQ(rect.first(1), 2u);
+    EXPECT_EQ(rect.values(1)[1], 4);
+    const Command names{CommandId::glDeleteTextures, {3, 7, 8, 9}, {}};
+    EXPECT_EQ(names.count(1), 3u);
+    EXPECT_EQ(names.array()[2], 9);
+    EXPECT_EQ((Command{CommandId::glDeleteTextures, {-1}, {}}).count(1), 0u);
+}
+
+TEST(ObjectNames, FindTheFirstRowThatIsFree) {
+    ObjectNames names;
+    for (double taken : {2, 3, 7}) names.take(ObjectType::kList, taken, 1);
+    EXPECT_EQ(names.next(ObjectType::kList, 1), 1u);
+    EXPECT_EQ(names.next(ObjectType::kList, 3), 4u);
+    EXPECT_EQ(names.next(ObjectType::kList, 4), 8u);
+    EXPECT_EQ(names.next(ObjectType::kTexture, 4), 1u);
+    names.take(ObjectType::kList, 1, 20);
+    EXPECT_EQ(names.next(ObjectType::kList, 1), 21u);
+    names.take(ObjectType::kList, 21, 4294967295.0 - 21);
+    EXPECT_EQ(names.next(ObjectType::kList, 1), 4294967295u);
+    EXPECT_EQ(names.next(ObjectType::kList, 2), 0u);
 }
 
 }  // namespace

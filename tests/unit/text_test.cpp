@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
+
+#include "command/memory.h"
 
 namespace twinlight {
 
@@ -78,6 +81,115 @@ TEST(Reading, TakesCompoundLiterals) {
     EXPECT_EQ(arguments_of("glNormal3bv((const GLbyte[3]){0, 0, 127});"), (Values{0, 0, 127}));
 }
 
+TEST(Reading, TakesRowsOfArraysOfArrays) {
+    const std::string rows = "GLfloat v[][3] = {{1, 2, 3}, {4, 5}, 6, 7, 8}; ";
+    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[0]);"), (Values{1, 2, 3}));
+    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[1]);"), (Values{4, 5, 0}));  // C sets the rest of a row to 0
+    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[2]);"), (Values{6, 7, 8}));  // and rows need no braces of their own
+    EXPECT_EQ(arguments_of(rows + "glVertex3fv(&v[1][0]);"), (Values{4, 5, 0}));
+    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[0] + 3);"), (Values{4, 5, 0}));
+    EXPECT_EQ(arguments_of(rows + "glVertex3f(v[2][1], sizeof(v), sizeof v[0]);"), (Values{7, 36, 12}));
+    EXPECT_EQ(arguments_of(rows + "glVertex3fv((GLfloat*)(v + 2));"), (Values{6, 7, 8}));
+    EXPECT_EQ(arguments_of("GLfloat m[4][4] = {{1}, {0, 1}, {0, 0, 1}, {0, 0, 0, 1}}; glLoadMatrixf(m[0]);"),
+              (Values{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
+}
+
+TEST(Reading, TakesArraysOfAFixedLengthAnywhere) {
+    EXPECT_EQ(arguments_of("GLfloat a[] = {1, 2}, b[] = {3, 4, 5}; glRectfv(a, b + 1);"), (Values{1, 2, 4, 5}));
+}
+
+TEST(Reading, KnowsTheSizesOfTypes) {
+    EXPECT_EQ(
+        arguments_of("glVertex4i(sizeof(float), sizeof(GLdouble[3]), sizeof(const void*), sizeof(unsigned char));"),
+        (Values{4, 24, 8, 1}));
+    EXPECT_EQ(arguments_of("GLushort v[6]; glVertex2i(sizeof v / sizeof(v[0]), sizeof(GLsizeiptr));"), (Values{6, 8}));
+}
+
+TEST(Reading, CastsNumbersAsCDoes) {
+    EXPECT_EQ(arguments_of("glScaled((int)2.75, (GLfloat)0.1, (float)1 / 2);"),
+              (Values{2, static_cast<double>(0.1f), 0.5}));
+}
+
+// ---- Pointers ----
+
+// The command, and the bytes from where its pointer points on as values of `kind`.
+struct Pointed {
+    Command command;
+    Values values;
+};
+
+Pointed pointed(const std::string& declarations, const std::string& pointer, Kind kind) {
+    const Command command =
+        read(declarations + " glTexImage1D(GL_TEXTURE_1D, 0, 3, 4, 0, GL_RGB, GL_UNSIGNED_BYTE, " + pointer + ");")
+            .back();
+    Values values;
+    if (command.memory) {
+        const std::span<const std::byte> bytes = command.memory->bytes;
+        for (auto at = static_cast<std::size_t>(command.arguments.back()); at < bytes.size(); at += size_of(kind)) {
+            values.push_back(load(bytes.subspan(at), kind));
+        }
+    }
+    return {command, values};
+}
+
+TEST(Pointers, LeadIntoDeclaredArrays) {
+    const std::string v = "static const GLushort v[] = {1, 2, 3, 4};";
+    for (const char* pointer : {"v + 1", "&v[1]", "1 + v", "(const char*)v + 2", "(GLvoid *)(v + 1)", "v + 3 - 2"}) {
+        const Pointed found = pointed(v, pointer, Kind::kUshort);
+        EXPECT_EQ(found.command.arguments.back(), 2) << pointer;
+        EXPECT_EQ(found.values, (Values{2, 3, 4})) << pointer;
+        EXPECT_EQ(found.command.memory->kind, Kind::kUshort);
+    }
+    EXPECT_EQ(pointed("GLfloat f = 0.5;", "&f", Kind::kFloat).values, (Values{0.5}));
+    EXPECT_EQ(pointed("", "(GLubyte[3]){7, 8}", Kind::kUbyte).values, (Values{7, 8, 0}));
+    EXPECT_EQ(pointed("GLubyte image[2][2][3] = {{{1, 2, 3}, {4}}, {{5}}};", "image[1]", Kind::kUbyte).values,
+              (Values{5, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(pointed("static GLbyte zeros[2];", "zeros", Kind::kByte).values, (Values{0, 0}));
+}
+
+TEST(Pointers, ShareTheArrayTheyLeadInto) {
+    const std::vector<Command> commands = read(
+        "GLubyte v[12] = {1}; glTexImage1D(GL_TEXTURE_1D, 0, 3, 4, 0, GL_RGB, GL_UNSIGNED_BYTE, v);"
+        "glTexSubImage1D(GL_TEXTURE_1D, 0, 0, 1, GL_RGB, GL_UNSIGNED_BYTE, v + 3);");
+    EXPECT_EQ(commands[0].memory, commands[1].memory);
+}
+
+TEST(Pointers, AreOffsetsWithoutAnArray) {
+    for (const auto& [pointer, offset] : {std::pair{"NULL", 0.0},
+                                          {"0", 0.0},
+                                          {"(void*)12", 12.0},
+                                          {"(GLvoid *)(4 * sizeof(float))", 16.0},
+                                          {"(char*)NULL + 12", 12.0},
+                                          {"(GLubyte *) NULL + (3 * 8)", 24.0},
+                                          {"(GLfloat*)0 + 3", 12.0}}) {
+        const Pointed found = pointed("", pointer, Kind::kUbyte);
+        EXPECT_EQ(found.command.memory, nullptr) << pointer;
+        EXPECT_EQ(found.command.arguments.back(), offset) << pointer;
+    }
+}
+
+// ---- The names of objects ----
+
+TEST(ObjectNames, AreTheLowestThatWereNeverGiven) {
+    const std::vector<Command> commands = read(
+        "GLuint t, more[2]; glBindTexture(GL_TEXTURE_2D, 2); glGenTextures(1, &t); glGenTextures(2, more);"
+        "glDeleteTextures(1, &t); glGenTextures(1, (GLuint[]){0}); glGenTextures(1, (GLuint[]){9});"
+        "glBindTexture(GL_TEXTURE_2D, more[1]);");
+    EXPECT_EQ(commands[1].arguments, (Values{1, 1}));
+    EXPECT_EQ(commands[2].arguments, (Values{2, 3, 4}));
+    EXPECT_EQ(commands[3].arguments, (Values{1, 1}));
+    EXPECT_EQ(commands[4].arguments, (Values{1, 5}));
+    EXPECT_EQ(commands[5].arguments, (Values{1, 9}));  // a literal says its names itself
+    EXPECT_EQ(commands[6].arguments, (Values{kGL_TEXTURE_2D, 4}));
+}
+
+TEST(Reading, RemembersWhereArraysStoodWhenACommandTookThem) {
+    const std::vector<Command> commands = read(
+        "GLuint names[] = {7, 8}; glTexImage1D(GL_TEXTURE_1D, 0, 3, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, names);"
+        "glGenTextures(2, names);");
+    EXPECT_EQ(load(commands[0].memory->bytes, Kind::kUint), 7);
+}
+
 TEST(Reading, ReadsOnlyAsManyValuesAsThePnameHas) {
     EXPECT_EQ(arguments_of("glMaterialfv(GL_FRONT, GL_SHININESS, (GLfloat[]){32, 7, 7, 7});"),
               (Values{0x0404, 0x1601, 32}));
@@ -146,6 +258,25 @@ INSTANTIATE_TEST_SUITE_P(
                 "glGetLightfv at scene.gl:1:17 writes to it"},
         Mistake{"GLfloat v[4]; glColor4fv(v);", "has no value here: it was declared without a value"},
         Mistake{"GLfloat v[2] = {1,2,3};", "has 3 values, but its length is 2"},
+        Mistake{"GLfloat v[2][2] = {{1, 2, 3}};", "scene.gl:1:27: this row has more than 2 values"},
+        Mistake{"GLfloat v[2][2] = {1, {2}};", "this row starts in the middle of another"},
+        Mistake{"GLfloat v[2] = {{1}};", "these braces are one level too deep"},
+        Mistake{"GLfloat v[2][2] = {1, 2, 3, 4, 5};", "'v' has 5 values, but its length is 4"},
+        Mistake{"GLfloat v[3][2] = {1}; glVertex2fv(v[3]);", "this index lies outside 'v', which has 3 rows"},
+        Mistake{"GLfloat v[3][2] = {1}; glVertex2f(v[0], 1);", "a single number is needed here"},
+        Mistake{"GLfloat v[3] = {1}; glVertex2fv(v + 4);", "this place lies outside 'v', which has 3 values"},
+        Mistake{"GLfloat v[3] = {1}; glVertex2fv(v + 2);", "glVertex2fv reads 2 values, but 'v' has 1"},
+        Mistake{"GLfloat v[3] = {1}; glVertex2fv(v * 2);", "'*' cannot join an array and this"},
+        Mistake{"glVertex2fv(NULL);", "expected an array such as (GLfloat[]){1, 0, 0, 1}"},
+        Mistake{"GLuint t = glEnable(GL_LIGHTING);", "glEnable returns nothing"},
+        Mistake{"GLuint t[1]; glGenTextures(2, t);", "glGenTextures writes 2 values, but 't' has 1"},
+        Mistake{"glBindTexture(GL_TEXTURE_2D, sizeof(nothing));", "unknown name 'nothing'"},
+        Mistake{"GLdouble v[16777216], w[16777216], x[16777216]; ", "all arrays of a scene hold 256 MiB"},
+        Mistake{"GLubyte v[4]; glTexImage1D(GL_TEXTURE_1D, 0, 3, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, v);",
+                "'v' has no value here"},
+        Mistake{"glTexImage1D(GL_TEXTURE_1D, 0, 3, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, 12);",
+                "the argument pixels of glTexImage1D is a pointer"},
+        Mistake{"#pragma twinlight returns(3)\nglEnable(GL_LIGHTING);", "scene.gl:1:19: the next call is glEnable"},
         Mistake{"GLfloat v = 1; GLfloat v = 2;", "'v' is declared already, at scene.gl:1:9"},
         Mistake{"GLfloat v[] = {1}; glColor3f(v[1], 0, 0);", "this index lies outside 'v', which has 1 values"},
         Mistake{"glScaled(1/0, 1, 1);", "division of whole numbers by 0"},
@@ -186,6 +317,11 @@ TEST(Printing, WritesWhatACompilerTakes) {
               "glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);");
     EXPECT_EQ(printed("GLfloat got[9]; glGetLightfv(GL_LIGHT0, GL_POSITION, got);"),
               "glGetLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[4]){0});");
+    EXPECT_EQ(printed("GLuint t[2]; glGenTextures(2, t);"), "glGenTextures(2, (GLuint[]){1, 2});");
+    EXPECT_EQ(printed("glTexImage1D(GL_TEXTURE_1D, 0, 3, 1, 0, GL_RGB, GL_FLOAT, (GLfloat[]){0.5, -0.0, 1, 2} + 1);"),
+              "glTexImage1D(GL_TEXTURE_1D, 0, 3, 1, 0, GL_RGB, GL_FLOAT, (const GLfloat[]){0.5, -0.0, 1, 2} + 1);");
+    EXPECT_EQ(printed("glTexImage1D(GL_TEXTURE_1D, 0, 3, 1, 0, GL_RGB, GL_BYTE, (char*)NULL + 3);"),
+              "glTexImage1D(GL_TEXTURE_1D, 0, 3, 1, 0, GL_RGB, GL_BYTE, (const void*)3);");
     EXPECT_EQ(printed("glDepthMask(GL_FALSE);"), "glDepthMask(GL_FALSE);");
     EXPECT_EQ(printed("#pragma twinlight shape(sphere, 1, 64, 32)"), "#pragma twinlight shape(sphere, 1, 64, 32)");
 }
@@ -195,6 +331,19 @@ TEST(Printing, WritesACProgramThatReadsBackAsTheScene) {
         read_scene("#pragma twinlight specular(reflection)\nglutSolidSphere(1, 8, 4); glEnable(GL_LIGHTING);",
                    "scene.gl", "scene");
     EXPECT_EQ(read(print_c_program(scene)), scene.commands);
+}
+
+TEST(Printing, DeclaresEachArrayOnce) {
+    const CommandList scene = read_scene(
+        "GLubyte v[] = {1, 2, 3, 4}; glTexSubImage1D(GL_TEXTURE_1D, 0, 0, 1, GL_RGB, GL_UNSIGNED_BYTE, v);"
+        "glTexSubImage1D(GL_TEXTURE_1D, 0, 0, 1, GL_RGB, GL_UNSIGNED_BYTE, v + 1);",
+        "scene.gl", "scene");
+    const std::string text = print_scene(scene);
+    EXPECT_EQ(text,
+              "static const GLubyte memory1[] = {\n    1, 2, 3, 4};\n"
+              "glTexSubImage1D(GL_TEXTURE_1D, 0, 0, 1, GL_RGB, GL_UNSIGNED_BYTE, memory1);\n"
+              "glTexSubImage1D(GL_TEXTURE_1D, 0, 0, 1, GL_RGB, GL_UNSIGNED_BYTE, memory1 + 1);\n");
+    EXPECT_EQ(read(text), scene.commands);
 }
 
 TEST(Reading, TakesNoOtherFunctionForTheScene) {

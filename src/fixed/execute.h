@@ -1,0 +1,23 @@
+// One command to the driver.
+#pragma once
+
+#include "command/command.h"
+#include "fixed/quadrics.h"
+
+namespace twinlight::fixed {
+
+// Calls the function of the command's name with the command's arguments, as they are, and keeps GLU's objects. The names
+// of GL's objects are the driver's own here, and what the command reads must be there: Driver sees to both.
+class Executor {
+  public:
+    // Pragmas that GL has no command for do nothing, but shape(...) draws.
+    void execute(const Command& command);
+
+  private:
+    void draw_shape(const Command& command);
+    void pragma(const Command& command);
+
+    Quadrics quadrics_;
+};
+
+}  // namespace twinlight::fixed
