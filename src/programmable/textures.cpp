@@ -50,6 +50,24 @@ void set_parameters(const Texture& texture) {
     glTexParameterfv(texture.target, GL_TEXTURE_BORDER_COLOR, &border[0]);
 }
 
+// A texture object that has all of it.
+GLuint uploaded(const Texture& texture) {
+    constexpr int kErrorsOfOthers = 16;
+    for (int i = 0; i < kErrorsOfOthers && glGetError() != GL_NO_ERROR; ++i) {
+    }
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glBindTexture(texture.target, name);
+    set_parameters(texture);
+    try {
+        upload(texture);
+    } catch (...) {
+        glDeleteTextures(1, &name);
+        throw;
+    }
+    return name;
+}
+
 }  // namespace
 
 Textures::~Textures() {
@@ -58,17 +76,11 @@ Textures::~Textures() {
 
 void Textures::bind(const TextureUnit& unit) {
     const Texture& texture = *unit.texture;
-    const auto [found, is_new] = uploaded_.try_emplace(&texture, Uploaded{.texture = unit.texture});
-    Uploaded& uploaded = found->second;
-    uploaded.used = true;
-    if (is_new) glGenTextures(1, &uploaded.name);
-    glBindTexture(texture.target, uploaded.name);
-    if (is_new) {
-        while (glGetError() != GL_NO_ERROR) {
-        }  // those of others
-        set_parameters(texture);
-        upload(texture);
-    }
+    auto found = uploaded_.find(&texture);
+    if (found == uploaded_.end())
+        found = uploaded_.emplace(&texture, Uploaded{.texture = unit.texture, .name = uploaded(texture)}).first;
+    found->second.used = true;
+    glBindTexture(texture.target, found->second.name);
     // 3.8.8 adds the unit's bias to the texture's own, which a Texture does not have.
     glTexParameterf(texture.target, GL_TEXTURE_LOD_BIAS, static_cast<float>(unit.lod_bias));
 }

@@ -29,7 +29,6 @@ namespace {
 constexpr int kWidth = 96, kHeight = 72;
 constexpr double kGridStep = 1.0 / 256;   // of a pixel: llvmpipe and softpipe have 8 bits below one
 constexpr double kLevelStep = 1.0 / 256;  // of a texture's level of detail: llvmpipe's log2 is not exact
-constexpr int kCodes = 1;                 // of 8 bits: the two paths round on either side of a half
 
 constexpr std::array kFormats{kGL_ALPHA, kGL_LUMINANCE, kGL_LUMINANCE_ALPHA, kGL_INTENSITY, kGL_RGB, kGL_RGBA};
 constexpr std::array kEnvironments{kGL_MODULATE, kGL_REPLACE, kGL_BLEND, kGL_ADD, kGL_DECAL};

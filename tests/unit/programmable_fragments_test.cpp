@@ -136,6 +136,15 @@ TEST(ProgrammableTextures, AreThoseOfTheFrameThatIsDrawn) {
     }
 }
 
+TEST(ProgrammableTextures, AreNotDrawnWhereTheDriverRefusesThem) {
+    const auto context = make_offscreen_context(1, 1);
+    Draw draw = textured_point(kGL_REPLACE, kGL_RGBA);
+    draw.texture.texture = texture_of(0x1234, {glm::vec4(1)});  // no internal format
+    const Frame frame{.width = 1, .height = 1, .items = {draw}, .unsupported = {}, .commands = nullptr};
+    Renderer renderer;
+    for (int i = 0; i < 2; ++i) EXPECT_THROW(renderer.render(frame, {}), std::runtime_error);
+}
+
 // ---- Fog and the colour sum ----
 
 Draw fogged_point(Enum mode, double z, double w = 1) {
