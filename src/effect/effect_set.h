@@ -1,20 +1,30 @@
-// EffectSet: the facts that change the code which lights a Draw, and nothing else.
+// EffectSet: the facts that change the code which lights a Draw and colours its fragments, and nothing else.
 //
-// Two Draws whose sets are equal are lit by the same code with other numbers. The facts are canonical
+// Two Draws whose sets are equal are drawn by the same code with other numbers. The facts are canonical
 // (plan_effects sees to it): one that cannot matter has its default value, so the set may be the key of a
 // program cache as it is.
 //
 //   a fact may be set only if ...
-//   everything but shading, clamp            lighting
-//   shading kFlat                            the primitive has more than one vertex
+//   two_side to separate_specular, lights    lighting
+//   lighting                                 something of the lit colours is left after the texture
+//   shading kFlat                            the primitive has more than one vertex, and its colours are left
+//   clamp                                    the colours are left
 //   two_side, back                           a back face can show
 //   local_viewer                             a light's highlight depends on the viewer
-//   vertex_w                                 a light is positional, or local_viewer
+//   vertex_w                                 a light is positional, or local_viewer, or there is fog
 //   normalize                                a light is diffuse or specular
 //   separate_specular, specular_model        a light is specular
 //   shininess                                a light is specular
-//   tracks_*                                 that colour of the material is called for
+//   tracks_*, varies_*                       that property of the material is called for; one of both at most
 //   lights[i].attenuated, .spot              the light is positional
+//   lights[i].ambient, .diffuse              the texture leaves something of the primary colour's red, green and blue
+//   texture.*                                texture.environment
+//   texture.texels kIntensity                the environment is kBlend or kAdd; in the others it is kColorAndAlpha
+//   texture.texels kAlpha                    the environment is kModulate (kBlend and kAdd are the same) or kReplace
+//   texture.clamp_t                          the texture has two dimensions
+//   texture.clamp_s, .clamp_t                a filter is linear: without one GL_CLAMP is GL_CLAMP_TO_EDGE
+//   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ
+//   texture.environment kDecal               the texels are kColorAndAlpha; of kColor it is kReplace
 //
 // NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
 #pragma once
@@ -47,15 +57,51 @@ struct LightEffects {
     friend auto operator<=>(const LightEffects&, const LightEffects&) = default;  // NOLINT
 };
 
-// Which colours of a face's material the vertex's colour replaces (2.14.3).
 struct FaceEffects {
+    // Which colours of a face's material the vertex's colour replaces (2.14.3).
     bool tracks_emission = false;
     bool tracks_ambient = false;
     bool tracks_diffuse = false;
     bool tracks_specular = false;
+    // Which properties are another at another vertex: glMaterial between glBegin and glEnd (2.14.2).
+    bool varies_emission = false;
+    bool varies_ambient = false;
+    bool varies_diffuse = false;
+    bool varies_specular = false;
+    bool varies_shininess = false;
+
+    bool tracks() const { return tracks_emission || tracks_ambient || tracks_diffuse || tracks_specular; }
+    bool varies() const {
+        return varies_emission || varies_ambient || varies_diffuse || varies_specular || varies_shininess;
+    }
 
     friend auto operator<=>(const FaceEffects&, const FaceEffects&) = default;  // NOLINT
 };
+
+// How the fragment's colour and the texel become one (3.8.13).
+enum class TextureEnvironment : std::uint8_t { kNone, kModulate, kDecal, kReplace, kBlend, kAdd };
+
+// What a texel gives, by its base internal format (table 3.22): RGB and LUMINANCE a colour, ALPHA an alpha, RGBA and
+// LUMINANCE_ALPHA both; INTENSITY both, treated alike.
+enum class Texels : std::uint8_t { kColor, kAlpha, kColorAndAlpha, kIntensity };
+
+struct TextureEffects {
+    TextureEnvironment environment = TextureEnvironment::kNone;
+    Texels texels = Texels::kColor;
+    bool one_dimensional = false;
+    bool matrix = false;   // the texture matrix is not the identity
+    bool q = false;        // a texture coordinate's q may be other than 1
+    bool clamp_s = false;  // GL_CLAMP, which core GL and some drivers do not have: done in the shader
+    bool clamp_t = false;
+    bool gradients = false;  // what is clamped chooses its filter and level as if it were not
+
+    bool has_color() const { return texels != Texels::kAlpha; }
+    bool has_alpha() const { return texels != Texels::kColor; }
+
+    friend auto operator<=>(const TextureEffects&, const TextureEffects&) = default;  // NOLINT
+};
+
+enum class FogEffect : std::uint8_t { kNone, kLinear, kExp, kExp2 };
 
 struct EffectSet {
     bool lighting = false;
@@ -71,6 +117,9 @@ struct EffectSet {
     FaceEffects front, back;
     int light_count = 0;
     std::array<LightEffects, kMaxLights> lights;  // the first light_count, in GL's order
+    TextureEffects texture;
+    FogEffect fog = FogEffect::kNone;
+    int clip_plane_count = 0;  // of the user (2.12)
 
     friend auto operator<=>(const EffectSet&, const EffectSet&) = default;  // NOLINT
 
@@ -86,7 +135,16 @@ struct EffectSet {
         return positional || local_viewer;
     }
     bool needs_normal() const { return any_light(&LightEffects::diffuse) || any_light(&LightEffects::specular); }
-    bool needs_color() const { return !lighting || front != FaceEffects{} || back != FaceEffects{}; }
+    // What the texture leaves of the primary colour.
+    bool needs_primary_rgb() const { return !replaces() || !texture.has_color(); }
+    bool needs_primary_alpha() const { return !replaces() || !texture.has_alpha(); }
+    bool needs_primary() const { return needs_primary_rgb() || needs_primary_alpha(); }
+    bool needs_color() const { return lighting ? front.tracks() || back.tracks() : needs_primary(); }
+    bool has_texture() const { return texture.environment != TextureEnvironment::kNone; }
+    bool has_fog() const { return fog != FogEffect::kNone; }
+
+  private:
+    bool replaces() const { return texture.environment == TextureEnvironment::kReplace; }
 };
 
 // One fact a line: "lighting", "light 0: positional, attenuated, diffuse".

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
+#include <set>
 #include <utility>
+
+#include "effect/directional_spot.h"
+#include "effect/fragment_effects.h"
 
 namespace twinlight {
 namespace {
@@ -51,27 +53,6 @@ bool all_colors_equal(const Draw& draw) {
                        [&](const Vertex& v) { return v.color == draw.vertices.front().color; });
 }
 
-// spot_i of a directional light (2.14.1), the same at every vertex; the lecture's cone takes its place where
-// it is set. A cosine at the border belongs to the cone: kRounding is what two roundings to double can take from it.
-double directional_spot(const LightSource& light) {
-    constexpr double kRounding = 1e-15;
-    const auto cos_deg = [](double deg) { return deg == 90 ? 0 : std::cos(deg * std::numbers::pi / 180); };
-    const auto unit = [](const glm::dvec3& v) {
-        const double biggest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-        return biggest > 0 ? glm::normalize(v / biggest) : glm::dvec3(0);
-    };
-    const double cosine = glm::dot(-unit(rgb(light.position_eye)), unit(light.spot_direction_eye));
-    if (light.smooth_cone) {
-        const double outer = cos_deg(light.smooth_cone->outer_deg);
-        const double span = cos_deg(light.smooth_cone->inner_deg) - outer;
-        if (span > 0) return std::clamp((cosine - outer) / span, 0.0, 1.0);
-        return cosine >= outer - kRounding ? 1 : 0;  // RULING: equal cones are a step that includes its border
-    }
-    if (light.spot_cutoff_deg == 180) return 1;
-    if (cosine < cos_deg(light.spot_cutoff_deg) - kRounding) return 0;
-    return light.spot_exponent == 0 ? 1 : std::pow(std::max(cosine, 0.0), light.spot_exponent);
-}
-
 // ---- The planner ----
 
 class Planner {
@@ -80,6 +61,7 @@ class Planner {
 
     Plan plan() {
         state().enabled = draw_.lighting.enabled;
+        plan_fragments(draw_, plan_);
         facts().shading =
             options_.shading.value_or(draw_.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud);
         if (facts().shading == Shading::kFlat && draw_.mode == kGL_POINTS) {
@@ -90,6 +72,8 @@ class Planner {
             plan_lit();
         else
             plan_unlit();
+        plan_colors_that_are_left();
+        plan_w();
         return std::move(plan_);
     }
 
@@ -114,16 +98,40 @@ class Planner {
         put_state_in_force();
         plan_faces();
         plan_color_material();
+        plan_materials();
         plan_.constant_ambient = rgb(state().light_model.ambient);
         for (int number = 0; number < kMaxLights; ++number) plan_light(number);
         plan_specular();
-        drop_idle_tracking();
+        drop_idle_colors();
         plan_geometry();
         if (facts().shading == Shading::kPhong && !facts().needs_normal() && !facts().needs_position_eye() &&
-            !facts().needs_color()) {
+            !facts().needs_color() && !facts().front.varies() && !facts().back.varies()) {
             facts().shading = Shading::kGouraud;
             leave_out("lighting per fragment", "nothing that it depends on varies over the primitive");
         }
+    }
+
+    // GL_REPLACE may leave nothing of the primary colour; then only a separate specular colour is worth lighting.
+    void plan_colors_that_are_left() {
+        if (facts().needs_primary() || facts().separate_specular) return;
+        leave_out("lighting and colours", "GL_REPLACE by a texture with colour and alpha leaves nothing of them");
+        EffectSet left;
+        left.texture = facts().texture;
+        left.fog = facts().fog;
+        left.clip_plane_count = facts().clip_plane_count;
+        facts() = left;
+        state().enabled = false;
+        plan_.lights.clear();
+    }
+
+    void plan_w() {
+        const glm::dmat4& m = draw_.eye_from_object;
+        const bool affine = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
+        const bool w_is_1 = affine && std::all_of(draw_.vertices.begin(), draw_.vertices.end(),
+                                                  [](const Vertex& v) { return v.position_object.w == 1; });
+        const bool w_matters = facts().needs_position_eye() || facts().has_fog();
+        facts().vertex_w = w_matters && !w_is_1;
+        if (w_matters && w_is_1) leave_out("the division by w", "w is 1 at every vertex");
     }
 
     void put_state_in_force() {
@@ -149,6 +157,14 @@ class Planner {
             leave_out("two-sided lighting", why_one_sided);
             state().back = state().front;
         }
+        // Those that a vertex has.
+        std::set<std::uint32_t> used;
+        if (!draw_.materials.empty())
+            for (const Vertex& v : draw_.vertices) used.insert(v.material);
+        for (const std::uint32_t i : used) materials_.push_back(draw_.materials.at(i));
+        if (materials_.empty()) materials_.push_back({state().front, state().back});
+        if (!facts().two_side)
+            for (Materials& m : materials_) m.back = m.front;
     }
 
     void plan_color_material() {
@@ -162,8 +178,10 @@ class Planner {
         const bool back = facts().two_side && names_back(tracking.face);
         if (draw_.vertices.empty() || all_colors_equal(draw_)) {
             const glm::dvec4 color = draw_.vertices.empty() ? glm::dvec4(1) : draw_.vertices.front().color;
-            if (front) put_color(state().front, tracked, color);
-            if (back) put_color(state().back, tracked, color);
+            for (Materials& m : materials_) {
+                if (front) put_color(m.front, tracked, color);
+                if (back) put_color(m.back, tracked, color);
+            }
             leave_out("colour material", "every vertex has the same colour: it is the material's");
             tracking.enabled = false;
         } else if (!front && !back) {
@@ -175,12 +193,36 @@ class Planner {
         }
     }
 
+    // 2.14.2: glMaterial between glBegin and glEnd. What is the same in all materials is no vertex's.
+    void plan_materials() {
+        state().front = materials_.front().front;
+        state().back = materials_.front().back;
+        const auto plan_face = [&](FaceEffects& face, Material Materials::*of) {
+            const auto varies = [&](auto Material::*property, bool tracked) {
+                return !tracked && std::any_of(materials_.begin(), materials_.end(), [&](const Materials& m) {
+                    return (m.*of).*property != (materials_.front().*of).*property;
+                });
+            };
+            face.varies_emission = varies(&Material::emission, face.tracks_emission);
+            face.varies_ambient = varies(&Material::ambient, face.tracks_ambient);
+            face.varies_diffuse = varies(&Material::diffuse, face.tracks_diffuse);
+            face.varies_specular = varies(&Material::specular, face.tracks_specular);
+            face.varies_shininess = varies(&Material::shininess, false);
+        };
+        plan_face(facts().front, &Materials::front);
+        if (facts().two_side) plan_face(facts().back, &Materials::back);
+        if (!draw_.materials.empty() && !facts().front.varies() && !facts().back.varies())
+            leave_out("materials of vertices", "every vertex has the same");
+    }
+
     // Whether a colour of the light meets a material that is not black there: on a face that shows, in some channel.
     bool meets(const glm::dvec4& light_color, glm::dvec4 Material::*color, bool FaceEffects::*tracks) {
         const auto on = [&](const Material& material, const FaceEffects& face) {
             return !is_zero(face.*tracks ? rgb(light_color) : rgb(light_color) * rgb(material.*color));
         };
-        return on(state().front, facts().front) || (facts().two_side && on(state().back, facts().back));
+        return std::any_of(materials_.begin(), materials_.end(), [&](const Materials& m) {
+            return on(m.front, facts().front) || (facts().two_side && on(m.back, facts().back));
+        });
     }
 
     void plan_light(int number) {
@@ -220,9 +262,11 @@ class Planner {
         if (!is_spot) note("cone", "GL_SPOT_CUTOFF is 180");
 
         const bool reaches = planned.constant_reach > 0;
-        const bool ambient = meets(light.ambient, &Material::ambient, &FaceEffects::tracks_ambient);
-        effects.diffuse = reaches && meets(light.diffuse, &Material::diffuse, &FaceEffects::tracks_diffuse);
-        effects.specular = reaches && meets(light.specular, &Material::specular, &FaceEffects::tracks_specular);
+        const bool primary = facts().needs_primary_rgb();
+        const bool ambient = primary && meets(light.ambient, &Material::ambient, &FaceEffects::tracks_ambient);
+        effects.diffuse = primary && reaches && meets(light.diffuse, &Material::diffuse, &FaceEffects::tracks_diffuse);
+        effects.specular = (primary || is_specular_separate()) && reaches &&
+                           meets(light.specular, &Material::specular, &FaceEffects::tracks_specular);
 
         // An ambient term that nothing weakens on its way belongs to the scene's.
         const bool unattenuated = state().light_model.light_ambient == Word::unattenuated;
@@ -245,10 +289,15 @@ class Planner {
         facts().lights[static_cast<std::size_t>(facts().light_count++)] = effects;
     }
 
+    bool is_specular_separate() const {
+        return plan_.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+    }
+
     std::string why_nothing(const LightSource& light, bool ambient, bool reaches) const {
         if (ambient && (reaches || plan_.lighting.light_model.light_ambient == Word::unattenuated))
             return "it has an ambient term alone, the same at every vertex: it is added to the scene's "
                    "ambient light";
+        if (!plan_.effects.needs_primary_rgb()) return "the texture takes the place of the colours that it gives";
         if (reaches) return "the products of its colours and the material's are 0";
         return light.position_eye.w == 0 ? "it is directional, and its direction is outside its cone"
                                          : "its attenuation factors are 0, 0, 0: it contributes nothing";
@@ -260,11 +309,16 @@ class Planner {
             leave_out("specular highlights", "no light has a specular term");
             return;
         }
-        facts().separate_specular = model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+        facts().separate_specular = is_specular_separate();
         if (!facts().separate_specular)
             leave_out("a separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR");
         facts().highlight = model.specular == Word::reflection ? Highlight::kReflection : Highlight::kHalfVector;
-        facts().shininess = std::max(power_of(state().front.shininess), power_of(state().back.shininess));
+        // What lies between two whole numbers is not whole.
+        const bool between =
+            facts().shading == Shading::kPhong && (facts().front.varies_shininess || facts().back.varies_shininess);
+        facts().shininess = between ? Power::kReal : Power::kOne;
+        for (const Materials& m : materials_)
+            facts().shininess = std::max({facts().shininess, power_of(m.front.shininess), power_of(m.back.shininess)});
         facts().local_viewer = model.local_viewer && facts().shininess != Power::kOne;
         if (facts().shininess == Power::kOne)
             leave_out("the highlight's shape", "GL_SHININESS is 0: x^0 is 1 for every x");
@@ -273,32 +327,40 @@ class Planner {
                                                              : "GL_LIGHT_MODEL_LOCAL_VIEWER is off");
     }
 
-    // A tracked colour that meets no light is not called for. The diffuse colour is also the alpha.
-    void drop_idle_tracking() {
+    // A colour of the vertex that meets no light is not called for. The diffuse colour is also the alpha.
+    void drop_idle_colors() {
+        const bool primary = facts().needs_primary_rgb();
         const bool ambient = !is_zero(plan_.constant_ambient) || facts().any_light(&LightEffects::ambient);
+        const bool diffuse = facts().any_light(&LightEffects::diffuse);
         const bool specular = facts().any_light(&LightEffects::specular);
-        for (FaceEffects* face : {&facts().front, &facts().back}) {
-            if (face->tracks_ambient && !ambient) {
-                face->tracks_ambient = false;
-                leave_out("the tracked ambient colour", "there is no ambient light");
-            }
-            if (face->tracks_specular && !specular) {
-                face->tracks_specular = false;
-                leave_out("the tracked specular colour", "no light has a specular term");
-            }
-        }
+        const auto drop = [&](bool& fact, bool called_for, const char* what, const char* why) {
+            if (!fact || called_for) return;
+            fact = false;
+            leave_out(what, primary ? why : "the texture takes its place");
+        };
+        const auto drop_of_face = [&](FaceEffects& face, Material Materials::*of) {
+            const bool alpha = facts().needs_primary_alpha();
+            const bool alphas = alpha && std::any_of(materials_.begin(), materials_.end(), [&](const Materials& m) {
+                                    return (m.*of).diffuse.a != (materials_.front().*of).diffuse.a;
+                                });
+            drop(face.tracks_emission, primary, "the tracked emission", "");
+            drop(face.tracks_ambient, primary && ambient, "the tracked ambient colour", "there is no ambient light");
+            drop(face.tracks_diffuse, diffuse || alpha, "the tracked diffuse colour", "");
+            drop(face.tracks_specular, specular, "the tracked specular colour", "no light has a specular term");
+            drop(face.varies_emission, primary, "the vertices' emission", "");
+            drop(face.varies_ambient, primary && ambient, "the vertices' ambient colours", "there is no ambient light");
+            drop(face.varies_diffuse, diffuse || alphas, "the vertices' diffuse colours",
+                 "no light has a diffuse term");
+            drop(face.varies_specular, specular, "the vertices' specular colours", "no light has a specular term");
+            drop(face.varies_shininess, specular, "the vertices' shininess", "no light has a specular term");
+        };
+        drop_of_face(facts().front, &Materials::front);
+        drop_of_face(facts().back, &Materials::back);
     }
 
     void plan_geometry() {
-        const glm::dmat4& m = draw_.eye_from_object;
-        const bool affine = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
-        const bool w_is_1 = affine && std::all_of(draw_.vertices.begin(), draw_.vertices.end(),
-                                                  [](const Vertex& v) { return v.position_object.w == 1; });
-        facts().vertex_w = facts().needs_position_eye() && !w_is_1;
         if (!facts().needs_position_eye())
             leave_out("positions in eye coordinates", "no light is positional and the viewer is infinite");
-        else if (w_is_1)
-            leave_out("the division by w", "w is 1 at every vertex");
 
         facts().normalize = facts().needs_normal() && state().normalize;
         if (!facts().needs_normal())
@@ -312,63 +374,10 @@ class Planner {
     const Draw& draw_;
     const RenderOptions& options_;
     Plan plan_;
+    std::vector<Materials> materials_;  // in force, of the vertices; one where they have all the same
 };
 
-std::string describe(const LightEffects& light) {
-    std::string text = light.directional ? "directional" : "positional";
-    const auto add = [&](bool fact, const char* name) {
-        if (fact) text += fmt::format(", {}", name);
-    };
-    add(light.attenuated, "attenuated");
-    add(light.spot, "spot");
-    add(light.spot_exponent == Power::kWhole, "whole spot exponent");
-    add(light.spot_exponent == Power::kReal, "spot exponent");
-    add(light.smooth_cone, "smooth cone");
-    add(light.ambient, "ambient");
-    add(light.diffuse, "diffuse");
-    add(light.specular, "specular");
-    return text;
-}
-
-std::string tracked_names(const FaceEffects& face) {
-    std::string text;
-    const auto add = [&](bool fact, const char* name) {
-        if (fact) text += (text.empty() ? "" : ", ") + std::string(name);
-    };
-    add(face.tracks_emission, "emission");
-    add(face.tracks_ambient, "ambient");
-    add(face.tracks_diffuse, "diffuse");
-    add(face.tracks_specular, "specular");
-    return text;
-}
-
 }  // namespace
-
-std::string describe(const EffectSet& effects) {
-    std::string text;
-    const auto add = [&](bool fact, const std::string& line) {
-        if (fact) text += line + "\n";
-    };
-    add(effects.lighting, "lighting");
-    add(!effects.lighting, "no lighting");
-    add(effects.shading == Shading::kFlat, "flat shading");
-    add(effects.shading == Shading::kGouraud, "gouraud shading");
-    add(effects.shading == Shading::kPhong, "phong shading");
-    add(effects.clamp, "clamp");
-    add(effects.two_side, "two-sided");
-    add(effects.local_viewer, "local viewer");
-    add(effects.vertex_w, "division by w");
-    add(effects.normalize, "normalize");
-    add(effects.separate_specular, "separate specular colour");
-    add(effects.highlight == Highlight::kReflection, "specular by reflection");
-    add(effects.shininess == Power::kWhole, "whole shininess");
-    add(effects.shininess == Power::kReal, "shininess");
-    add(effects.front != FaceEffects{}, "front material tracks: " + tracked_names(effects.front));
-    add(effects.back != FaceEffects{}, "back material tracks: " + tracked_names(effects.back));
-    for (int i = 0; i < effects.light_count; ++i)
-        add(true, fmt::format("light {}: {}", i, describe(effects.lights[static_cast<std::size_t>(i)])));
-    return text;
-}
 
 Plan plan_effects(const Draw& draw, const RenderOptions& options) { return Planner(draw, options).plan(); }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "programmable/attributes.h"
 #include "programmable/shader_files.h"
 
 namespace twinlight::programmable {
@@ -17,12 +18,63 @@ namespace {
 enum class Stage { kVertex, kFragment };
 
 // The switches of #if, and the words that a piece leaves open.
+using Words = std::vector<std::pair<std::string, std::string>>;
+
 struct Scope {
     std::map<std::string, bool, std::less<>> switches;
-    std::vector<std::pair<std::string, std::string>> words;
+    Words words;
 };
 
 // ---- From the effects to switches and words ----
+
+// What the vertex brings: its colour, or its own material's.
+bool varies_emission(const FaceEffects& face) { return face.tracks_emission || face.varies_emission; }
+bool varies_ambient(const FaceEffects& face) { return face.tracks_ambient || face.varies_ambient; }
+bool varies_diffuse(const FaceEffects& face) { return face.tracks_diffuse || face.varies_diffuse; }
+bool varies_specular(const FaceEffects& face) { return face.tracks_specular || face.varies_specular; }
+
+// What stands behind the primary colour.
+void add_fragment_effects(Scope& scope, const EffectSet& effects) {
+    using Environment = TextureEnvironment;
+    const TextureEffects& texture = effects.texture;
+    const auto is = [&](Environment environment) { return texture.environment == environment; };
+    scope.switches.insert({
+        {"EFFECT_PRIMARY", effects.needs_primary()},
+        {"EFFECT_TEXTURE", effects.has_texture()},
+        {"EFFECT_TEXTURE_MATRIX", texture.matrix},
+        {"EFFECT_TEXTURE_Q", texture.q},
+        {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},
+        {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
+        {"EFFECT_TEXTURE_CLAMP", texture.clamp_s || texture.clamp_t},
+        {"EFFECT_TEXTURE_GRADIENTS", texture.gradients},
+        {"EFFECT_TEXEL_COLOR", texture.has_color()},
+        {"EFFECT_TEXEL_ALPHA", texture.has_alpha()},
+        {"EFFECT_TEXEL_INTENSITY", texture.texels == Texels::kIntensity},
+        {"EFFECT_MODULATE", is(Environment::kModulate)},
+        {"EFFECT_DECAL", is(Environment::kDecal)},
+        {"EFFECT_REPLACE", is(Environment::kReplace)},
+        {"EFFECT_BLEND", is(Environment::kBlend)},
+        {"EFFECT_ADD", is(Environment::kAdd)},
+        {"EFFECT_FOG", effects.has_fog()},
+        {"EFFECT_FOG_LINEAR", effects.fog == FogEffect::kLinear},
+        {"EFFECT_FOG_EXP", effects.fog == FogEffect::kExp},
+        {"EFFECT_FOG_W", effects.has_fog() && effects.vertex_w},
+        {"EFFECT_CLIP_PLANES", effects.clip_plane_count > 0},
+    });
+    const bool one = texture.one_dimensional, q = texture.q;
+    const Words words = {
+        {"SAMPLER", one ? "sampler1D" : "sampler2D"},
+        {"TEX_COORD_TYPE", one ? (q ? "vec2" : "float") : (q ? "vec3" : "vec2")},
+        {"TEX_COORD_PARTS", std::string(one ? "s" : "st") + (q ? "q" : "")},
+        {"DIVIDED_TYPE", one ? "float" : "vec2"},
+        {"DIVIDED_TEX_COORD", one ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
+                                  : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
+        {"TEX_COORD_S", one ? "tex_coord" : "tex_coord.s"},
+        {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"},
+        {"CLIP_PLANE_COUNT", std::to_string(effects.clip_plane_count)},
+    };
+    scope.words.insert(scope.words.end(), words.begin(), words.end());
+}
 
 // What holds for the whole program.
 Scope scope_of_stage(const EffectSet& effects, Stage stage) {
@@ -40,7 +92,8 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
         real_power |= light.spot_exponent == Power::kReal;
     }
     const bool normalizes_here = stage == Stage::kVertex ? effects.normalize : phong && effects.needs_normal();
-    const bool surface = effects.needs_position_eye() || effects.needs_normal() || effects.needs_color();
+    const bool properties = effects.front.varies() || effects.back.varies();
+    const bool surface = effects.needs_position_eye() || effects.needs_normal() || effects.needs_color() || properties;
 
     Scope scope;
     scope.switches = {
@@ -50,7 +103,7 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
         {"EFFECT_CLAMP", effects.clamp},
         {"EFFECT_TWO_SIDE", effects.two_side},
         {"EFFECT_LOCAL_VIEWER", effects.local_viewer},
-        {"EFFECT_VERTEX_W", effects.vertex_w},
+        {"EFFECT_VERTEX_W", effects.vertex_w && effects.needs_position_eye()},
         {"EFFECT_NORMALIZE", effects.normalize},
         {"EFFECT_SEPARATE_SPECULAR", effects.separate_specular},
         {"EFFECT_REFLECTION", reflection},
@@ -59,7 +112,8 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
         {"EFFECT_NORMAL", effects.needs_normal()},
         {"EFFECT_COLOR", effects.needs_color()},
         {"EFFECT_SURFACE", surface},
-        {"EFFECT_TRACKS_AMBIENT", effects.front.tracks_ambient || effects.back.tracks_ambient},
+        {"EFFECT_VARIES_AMBIENT", varies_ambient(effects.front) || varies_ambient(effects.back)},
+        {"EFFECT_VERTEX_PROPERTIES", properties},
         {"EFFECT_UNIT", normalizes_here || (lights_here && (positional || effects.local_viewer))},
         {"EFFECT_VPE_DIR", specular && shininess && (reflection || positional)},
         {"EFFECT_HIGHLIGHT_BOUND", shininess && !effects.normalize && !phong},
@@ -73,14 +127,26 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
         {"SPECULAR_SUM", effects.separate_specular ? "lit.secondary" : "lit.primary.rgb"},
         {"POWER", effects.shininess == Power::kReal ? "real_power" : "whole_power"},
     };
+    add_fragment_effects(scope, effects);
     return scope;
 }
 
 Scope scope_of_face(Scope scope, const FaceEffects& face, const char* name) {
-    scope.switches["EFFECT_FACE_TRACKS_EMISSION"] = face.tracks_emission;
-    scope.switches["EFFECT_FACE_TRACKS_AMBIENT"] = face.tracks_ambient;
-    scope.switches["EFFECT_FACE_TRACKS_DIFFUSE"] = face.tracks_diffuse;
-    scope.switches["EFFECT_FACE_TRACKS_SPECULAR"] = face.tracks_specular;
+    scope.switches["EFFECT_FACE_VARIES_EMISSION"] = varies_emission(face);
+    scope.switches["EFFECT_FACE_VARIES_AMBIENT"] = varies_ambient(face);
+    scope.switches["EFFECT_FACE_VARIES_DIFFUSE"] = varies_diffuse(face);
+    scope.switches["EFFECT_FACE_VARIES_SPECULAR"] = varies_specular(face);
+    scope.switches["EFFECT_FACE_VARIES_SHININESS"] = face.varies_shininess;
+    const auto property = [&](bool tracks, const char* property_name) {
+        return tracks ? "surface.color" : fmt::format("surface.{}_{}", name, property_name);
+    };
+    scope.words.insert(scope.words.begin(),
+                       {{"VERTEX_EMISSION", property(face.tracks_emission, "emission")},
+                        {"VERTEX_AMBIENT", property(face.tracks_ambient, "ambient")},
+                        {"VERTEX_DIFFUSE", property(face.tracks_diffuse, "diffuse")},
+                        {"VERTEX_SPECULAR", property(face.tracks_specular, "specular")},
+                        {"SHININESS_OF_FACE", face.varies_shininess ? fmt::format("surface.{}_shininess", name)
+                                                                    : fmt::format("u_{}_shininess", name)}});
     scope.words.emplace_back("FACE", name);  // after SURFACE
     return scope;
 }
@@ -145,9 +211,9 @@ bool holds(std::string_view condition, const Scope& scope) {
     });
 }
 
-std::string with_words(std::string_view line, const Scope& scope) {
+std::string with_words(std::string_view line, const Words& words) {
     std::string result(line);
-    for (const auto& [word, meaning] : scope.words)
+    for (const auto& [word, meaning] : words)
         for (std::size_t at = 0; (at = result.find(word, at)) != result.npos; at += meaning.size())
             result.replace(at, word.size(), meaning);
     return result;
@@ -203,18 +269,29 @@ class Assembler {
     }
 
     void add_line(std::string_view line, std::string_view argument, const Scope& scope) {
+        const std::string_view repeated = line.substr(std::min(line.find(' '), line.size() - 1) + 1);
         const std::string_view name = argument.size() > 2 ? argument.substr(1, argument.size() - 2) : "";
         if (line.starts_with("#include ")) {
             add(name, scope);
         } else if (line.starts_with("#for_each_light ")) {
             for (int i = 0; i < effects_.light_count; ++i) add(name, scope_of_light(scope, effects_, i));
+        } else if (line.starts_with("#for_each_property ")) {
+            for (const VertexProperty& property : vertex_properties(effects_))
+                add_text(repeated,
+                         {{"PROPERTY_TYPE", property.size == 1 ? "float" : fmt::format("vec{}", property.size)},
+                          {"PROPERTY", property.name}});
+        } else if (line.starts_with("#for_each_clip_plane ")) {
+            for (int i = 0; i < effects_.clip_plane_count; ++i)
+                add_text(repeated, {{"CLIP_PLANE_NUMBER", std::to_string(i)}});
         } else if (line.starts_with("#for_each_face ")) {
             add(name, scope_of_face(scope, effects_.front, "front"));
             if (effects_.two_side) add(name, scope_of_face(scope, effects_.back, "back"));
         } else if (!line.empty() || (!text_.ends_with("\n\n") && !text_.empty())) {  // no two empty lines
-            text_ += with_words(line, scope) + "\n";
+            add_text(line, scope.words);
         }
     }
+
+    void add_text(std::string_view line, const Words& words) { text_ += with_words(line, words) + "\n"; }
 
     const EffectSet& effects_;
     std::string text_;

@@ -6,6 +6,9 @@
 //   #include "piece.glsl"         the piece
 //   #for_each_light "piece.glsl"  the piece once a light, with LIGHTi replaced by light0, light1, ...
 //   #for_each_face "piece.glsl"   the piece once a face that shows, with FACE replaced by front, back
+//   #for_each_property LINE       the line once a property of a material that each vertex brings, with PROPERTY replaced
+//                                 by front_ambient, ..., PROPERTY_TYPE by float, vec3 or vec4
+//   #for_each_clip_plane LINE     the line once a clip plane, with CLIP_PLANE_NUMBER replaced by 0, 1, ...
 //
 // So what an effect does not call for is nowhere in the program's text.
 #pragma once

@@ -9,7 +9,8 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <numbers>
-#include <span>
+
+#include "programmable/attributes.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -88,6 +89,8 @@ class Builder {
 
     Uniforms build() {
         matrix("u_clip_from_object", draw_.clip_from_eye * draw_.eye_from_object);
+        clip_planes();
+        fragments();
         if (!effects_.lighting) return std::move(uniforms_);
         unit_ = effects_.needs_position_eye() ? eye_unit(draw_, plan_) : 1;
         glm::dmat4 eye_from_object = draw_.eye_from_object;
@@ -108,6 +111,9 @@ class Builder {
     void vector(std::string name, const glm::dvec3& v) {
         uniforms_[std::move(name)] = {to_float(v.x), to_float(v.y), to_float(v.z)};
     }
+    void vector(std::string name, const glm::dvec4& v) {
+        uniforms_[std::move(name)] = {to_float(v.x), to_float(v.y), to_float(v.z), to_float(v.w)};
+    }
     template <class Matrix>
     void matrix(std::string name, const Matrix& m) {
         std::vector<float>& values = uniforms_[std::move(name)];
@@ -115,24 +121,47 @@ class Builder {
             for (int row = 0; row < Matrix::length(); ++row) values.push_back(to_float(m[column][row]));
     }
 
-    // e_cm + a_cm a_cs, but for what follows the vertex's colour.
-    void face(const std::string& name, const Material& material, const FaceEffects& tracked) {
+    // A plane's product with an eye position is that of the plane times the modelview matrix with the object position.
+    void clip_planes() {
+        int count = 0;
+        for (const auto& plane_eye : draw_.raster.clip_planes_eye)
+            if (plane_eye) vector(fmt::format("u_clip_plane{}_object", count++), *plane_eye * draw_.eye_from_object);
+    }
+
+    void fragments() {
+        if (effects_.texture.matrix) matrix("u_texture_matrix", draw_.texture.texture_matrix);
+        vector("u_texture_env_color", draw_.texture.env_color);
+        if (!effects_.has_fog()) return;
+        const glm::dmat4 rows = glm::transpose(draw_.eye_from_object);
+        vector("u_eye_z_from_object", rows[2]);
+        vector("u_eye_w_from_object", rows[3]);
+        const Fog& fog = draw_.fog;
+        vector("u_fog_color", rgb(fog.color));
+        number("u_fog_density", fog.density);
+        number("u_fog_end", fog.end);
+        // RULING: fog that ends where it starts is a step there.
+        constexpr double kStep = 1e30;
+        number("u_fog_scale", fog.end == fog.start ? kStep : 1 / (fog.end - fog.start));
+    }
+
+    // e_cm + a_cm a_cs, but for what each vertex brings.
+    void face(const std::string& name, const Material& material, const FaceEffects& varying) {
         glm::dvec3 base(0);
-        if (!tracked.tracks_emission) base += rgb(material.emission);
-        if (!tracked.tracks_ambient) base += rgb(material.ambient) * plan_.constant_ambient;
+        if (!varying.tracks_emission && !varying.varies_emission) base += rgb(material.emission);
+        if (!varying.tracks_ambient && !varying.varies_ambient) base += rgb(material.ambient) * plan_.constant_ambient;
         vector(fmt::format("u_{}_base", name), base);
         number(fmt::format("u_{}_alpha", name), material.diffuse.a);
         number(fmt::format("u_{}_shininess", name), material.shininess);
         for (std::size_t i = 0; i < plan_.lights.size(); ++i) {
             const LightSource& light = source(i);
             const auto product = [&](const char* term, const glm::dvec4& light_color, const glm::dvec4& color,
-                                     bool tracks) {
+                                     bool varies) {
                 const glm::dvec3 reaching = plan_.lights[i].constant_reach * rgb(light_color);
-                vector(fmt::format("u_light{}_{}_{}", i, name, term), tracks ? reaching : reaching * rgb(color));
+                vector(fmt::format("u_light{}_{}_{}", i, name, term), varies ? reaching : reaching * rgb(color));
             };
-            product("ambient", light.ambient, material.ambient, tracked.tracks_ambient);
-            product("diffuse", light.diffuse, material.diffuse, tracked.tracks_diffuse);
-            product("specular", light.specular, material.specular, tracked.tracks_specular);
+            product("ambient", light.ambient, material.ambient, varying.tracks_ambient || varying.varies_ambient);
+            product("diffuse", light.diffuse, material.diffuse, varying.tracks_diffuse || varying.varies_diffuse);
+            product("specular", light.specular, material.specular, varying.tracks_specular || varying.varies_specular);
         }
     }
 
@@ -177,31 +206,35 @@ class Builder {
 
 Uniforms uniforms(const Draw& draw, const Plan& plan) { return Builder(draw, plan).build(); }
 
-VertexArray vertex_array(const Draw& draw, const EffectSet& effects) {
-    VertexArray array;
-    if (effects.needs_normal()) {
-        array.normal_offset = array.floats_per_vertex;
-        array.floats_per_vertex += 3;
-    }
-    if (effects.needs_color()) {
-        array.color_offset = array.floats_per_vertex;
-        array.floats_per_vertex += 4;
-    }
+std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects) {
     const bool normals_made_unit = effects.normalize || effects.shading == Shading::kPhong;
-    array.values.reserve(draw.vertices.size() * static_cast<std::size_t>(array.floats_per_vertex));
-    const auto add = [&](const auto& v) {
-        for (int i = 0; i < v.length(); ++i) array.values.push_back(to_float(v[i]));
+    const std::vector<VertexProperty> properties = vertex_properties(effects);
+    std::size_t floats_per_vertex = 0;
+    for (const Attribute& attribute : attributes(effects))
+        floats_per_vertex += static_cast<std::size_t>(attribute.size);
+    std::vector<float> values;
+    values.reserve(draw.vertices.size() * floats_per_vertex);
+    const auto add = [&](const auto& v, int size) {
+        for (int i = 0; i < size; ++i) values.push_back(to_float(v[i]));
     };
     for (const Vertex& vertex : draw.vertices) {
-        add(vertex.position_object);
-        if (array.normal_offset >= 0) {
+        add(vertex.position_object, 4);
+        if (effects.needs_normal()) {
             const double size = largest_component(vertex.normal_object);
-            add(normals_made_unit && !ordinary(size) ? vertex.normal_object / power_of_two(size)
-                                                     : vertex.normal_object);
+            const bool rescaled = normals_made_unit && !ordinary(size);
+            add(rescaled ? vertex.normal_object / power_of_two(size) : vertex.normal_object, 3);
         }
-        if (array.color_offset >= 0) add(vertex.color);
+        if (effects.needs_color()) add(vertex.color, 4);
+        if (effects.has_texture()) add(vertex.tex_coord, 4);
+        for (const VertexProperty& property : properties) {
+            const Material& material = draw.materials.at(vertex.material).*property.face;
+            if (property.color)
+                add(material.*property.color, property.size);
+            else
+                values.push_back(to_float(material.shininess));
+        }
     }
-    return array;
+    return values;
 }
 
 }  // namespace twinlight::programmable

@@ -12,21 +12,13 @@
 
 namespace twinlight::programmable {
 
-// By the uniform's name; 1, 3, 9 or 16 floats, matrices by columns.
+// By the uniform's name; 1, 3, 4, 9 or 16 floats, matrices by columns.
 using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
 
-// Every uniform that the program of plan.effects has.
+// Every uniform that the program of plan.effects has, but for the texture's sampler.
 Uniforms uniforms(const Draw& draw, const Plan& plan);
 
-// The attributes of the vertices, one vertex after the other: a_position (4), then a_normal (3) and a_color
-// (4) where the effects call for them.
-struct VertexArray {
-    std::vector<float> values;
-    int floats_per_vertex = 4;
-    int normal_offset = -1;  // in floats; -1: not there
-    int color_offset = -1;
-};
-
-VertexArray vertex_array(const Draw& draw, const EffectSet& effects);
+// The attributes of the vertices, one vertex after the other, as attributes(effects) lists them.
+std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects);
 
 }  // namespace twinlight::programmable

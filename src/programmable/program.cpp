@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "context/gl.h"
+#include "programmable/attributes.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -68,9 +69,9 @@ Program::Program(const EffectSet& effects) {
     program_ = glCreateProgram();
     glAttachShader(program_, vertex.name());
     glAttachShader(program_, fragment.name());
-    glBindAttribLocation(program_, kPosition, "a_position");
-    glBindAttribLocation(program_, kNormal, "a_normal");
-    glBindAttribLocation(program_, kColor, "a_color");
+    GLuint index = 0;
+    for (const Attribute& attribute : attributes(effects))
+        glBindAttribLocation(program_, index++, attribute.name.c_str());
     glLinkProgram(program_);
     GLint linked = GL_FALSE;
     glGetProgramiv(program_, GL_LINK_STATUS, &linked);
@@ -87,6 +88,7 @@ Program::Program(const EffectSet& effects) {
         GLint size = 0;
         GLenum type = 0;
         glGetActiveUniform(program_, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
+        if (type == GL_SAMPLER_1D || type == GL_SAMPLER_2D) continue;  // it keeps its initial value, unit 0
         slots_.push_back({name.data(), glGetUniformLocation(program_, name.data())});
     }
 }
@@ -102,6 +104,7 @@ void Program::use(const Uniforms& uniforms) const {
         switch (found->second.size()) {
             case 1: glUniform1fv(slot.location, 1, values); break;
             case 3: glUniform3fv(slot.location, 1, values); break;
+            case 4: glUniform4fv(slot.location, 1, values); break;
             case 9: glUniformMatrix3fv(slot.location, 1, GL_FALSE, values); break;
             case 16: glUniformMatrix4fv(slot.location, 1, GL_FALSE, values); break;
             default: throw std::logic_error(fmt::format("the uniform {} has an odd size", slot.name));

@@ -9,9 +9,6 @@
 
 namespace twinlight::programmable {
 
-// Where each attribute is bound.
-enum Attribute : unsigned { kPosition, kNormal, kColor };
-
 class Program {
   public:
     // Throws std::runtime_error with the driver's log, the numbered source and the EffectSet.

@@ -10,57 +10,28 @@
 
 #include "context/context.h"
 #include "context/gl.h"
+#include "programmable/attributes.h"
+#include "programmable/fixed_stages.h"
 #include "programmable/program.h"
+#include "programmable/textures.h"
 
 namespace twinlight::programmable {
 namespace {
 
-// The rasteriser's state and the clear values, put back at the end of the scope; no program, no arrays, no
-// buffers left.
-class StateGuard {
-  public:
-    StateGuard() {
-        glPushAttrib(GL_VIEWPORT_BIT | GL_DEPTH_BUFFER_BIT | GL_POLYGON_BIT | GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT);
-    }
-    ~StateGuard() {
-        glUseProgram(0);
-        glBindVertexArray(0);
-        glBindBuffer(GL_ARRAY_BUFFER, 0);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-        glPopAttrib();
-    }
-    StateGuard(const StateGuard&) = delete;
-    StateGuard& operator=(const StateGuard&) = delete;
-};
-
-void set_enabled(GLenum capability, bool enabled) { (enabled ? glEnable : glDisable)(capability); }
-
-void set_raster(const RasterState& raster) {
-    const Viewport& v = raster.viewport;
-    glViewport(v.x, v.y, v.width, v.height);
-    glFrontFace(raster.front_face);
-    set_enabled(GL_CULL_FACE, raster.cull_enabled);
-    glCullFace(raster.cull_face);
-    glPolygonMode(GL_FRONT, raster.polygon_mode_front);
-    glPolygonMode(GL_BACK, raster.polygon_mode_back);
-    set_enabled(GL_DEPTH_TEST, raster.depth_test);
-    glDepthFunc(raster.depth_func);
-    glDepthMask(raster.depth_mask);
+// 2.6.2: edge flags count where polygons are drawn as their edges or corners, and only of these.
+bool needs_edge_flags(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const bool has_edges = draw.mode == kGL_TRIANGLES || draw.mode == kGL_QUADS || draw.mode == kGL_POLYGON;
+    const bool filled = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
+    return has_edges && !filled && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
 }
 
-void clear(const Clear& what) {
-    const glm::vec4 color(what.clear_color);
-    glClearColor(color.r, color.g, color.b, color.a);
-    glClearDepth(what.clear_depth);
-    glDepthMask(GL_TRUE);
-    glClear((what.color ? GL_COLOR_BUFFER_BIT : 0u) | (what.depth ? GL_DEPTH_BUFFER_BIT : 0u));
-}
+const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }  // NOLINT: GL's offset
 
-// Everything else that a scene's commands leave in the context and that would change a picture.
-void set_defaults() {
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    for (GLenum capability : {GL_BLEND, GL_ALPHA_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_COLOR_LOGIC_OP})
-        glDisable(capability);
+template <class Value>
+void fill_buffer(GLenum target, GLuint buffer, const std::vector<Value>& values) {
+    glBindBuffer(target, buffer);
+    glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), GL_STREAM_DRAW);
 }
 
 }  // namespace
@@ -68,56 +39,66 @@ void set_defaults() {
 struct Renderer::Impl {
     Impl() {
         glGenVertexArrays(1, &vertex_array);
-        glGenBuffers(1, &vertices);
-        glGenBuffers(1, &indices);
+        for (GLuint* buffer : {&vertices, &edge_flags, &indices}) glGenBuffers(1, buffer);
     }
     ~Impl() {
-        glDeleteBuffers(1, &indices);
-        glDeleteBuffers(1, &vertices);
+        for (GLuint* buffer : {&vertices, &edge_flags, &indices}) glDeleteBuffers(1, buffer);
         glDeleteVertexArrays(1, &vertex_array);
     }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
 
-    void draw(const Draw& draw, const RenderOptions& options) {
+    void draw(const Draw& draw, const RenderOptions& options, const FixedStages& stages) {
         if (draw.count() == 0) return;
         const Plan plan = plan_effects(draw, options);
         const Program& program = programs.try_emplace(plan.effects, plan.effects).first->second;
-        set_raster(draw.raster);
+        stages.set(draw);
+        if (plan.effects.has_texture()) textures.bind(draw.texture);
         program.use(uniforms(draw, plan));
-        upload(programmable::vertex_array(draw, plan.effects));
+        set_vertices(draw, plan.effects);
+        set_edge_flags(draw);
         const auto count = static_cast<GLsizei>(draw.count());
         if (draw.indices.empty()) {
             glDrawArrays(draw.mode, 0, count);
         } else {
-            glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
-            glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(draw.indices.size() * sizeof draw.indices[0]),
-                         draw.indices.data(), GL_STREAM_DRAW);
+            fill_buffer(GL_ELEMENT_ARRAY_BUFFER, indices, draw.indices);
             glDrawElements(draw.mode, count, GL_UNSIGNED_INT, nullptr);
         }
     }
 
-    void upload(const VertexArray& array) const {
-        glBindBuffer(GL_ARRAY_BUFFER, vertices);
-        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(array.values.size() * sizeof(float)), array.values.data(),
-                     GL_STREAM_DRAW);
-        const auto attribute = [&](Attribute index, int size, int offset) {
-            if (offset < 0) return glDisableVertexAttribArray(index);
+    void set_vertices(const Draw& draw, const EffectSet& effects) {
+        fill_buffer(GL_ARRAY_BUFFER, vertices, programmable::vertex_array(draw, effects));
+        const std::vector<Attribute> list = attributes(effects);
+        std::size_t floats = 0;
+        for (const Attribute& attribute : list) floats += static_cast<std::size_t>(attribute.size);
+        const auto stride = static_cast<GLsizei>(floats * sizeof(float));
+        std::size_t offset = 0;
+        GLuint index = 0;
+        for (const Attribute& attribute : list) {
             glEnableVertexAttribArray(index);
-            glVertexAttribPointer(
-                index, size, GL_FLOAT, GL_FALSE,
-                static_cast<GLsizei>(static_cast<std::size_t>(array.floats_per_vertex) * sizeof(float)),
-                reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset) *
-                                              sizeof(float)));  // NOLINT: GL's offset
-        };
-        attribute(kPosition, 4, 0);
-        attribute(kNormal, 3, array.normal_offset);
-        attribute(kColor, 4, array.color_offset);
+            glVertexAttribPointer(index++, attribute.size, GL_FLOAT, GL_FALSE, stride, buffer_offset(offset));
+            offset += static_cast<std::size_t>(attribute.size) * sizeof(float);
+        }
+        for (GLuint other = index; other < enabled_attributes; ++other) glDisableVertexAttribArray(other);
+        enabled_attributes = index;
+    }
+
+    // They pass every program by: GL has no attribute of shaders for them.
+    void set_edge_flags(const Draw& draw) const {
+        if (!needs_edge_flags(draw)) return glDisableClientState(GL_EDGE_FLAG_ARRAY);
+        std::vector<GLboolean> flags;
+        for (const Vertex& vertex : draw.vertices) flags.push_back(vertex.edge_flag);
+        fill_buffer(GL_ARRAY_BUFFER, edge_flags, flags);
+        glEnableClientState(GL_EDGE_FLAG_ARRAY);
+        glEdgeFlagPointer(0, nullptr);
     }
 
     std::map<EffectSet, Program> programs;
+    Textures textures;
+    GLuint enabled_attributes = 0;
     GLuint vertex_array = 0;
     GLuint vertices = 0;
+    GLuint edge_flags = 0;
     GLuint indices = 0;
 };
 
@@ -125,19 +106,19 @@ Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const Frame& frame, const RenderOptions& options) {
-    const StateGuard guard;
-    set_defaults();
-    clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
+    const FixedStages stages;
+    stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
     glBindVertexArray(impl_->vertex_array);
     for (const auto& item : frame.items)
         std::visit(
             [&](const auto& what) {
                 if constexpr (std::is_same_v<std::decay_t<decltype(what)>, Clear>)
-                    clear(what);
+                    stages.clear(what);
                 else
-                    impl_->draw(what, options);
+                    impl_->draw(what, options, stages);
             },
             item);
+    impl_->textures.drop_unused();
 }
 
 Image Renderer::render(const Frame& frame, const RenderOptions& options) {
@@ -158,12 +139,40 @@ std::string commented(const std::string& text) {
     return result;
 }
 
+// What of the Draw no shader does, as far as it is not GL's initial state.
+std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
+    const RasterState& raster = draw.raster;
+    const FragmentState& fragment = draw.fragment;
+    const PolygonOffset& offset = raster.polygon_offset;
+    const std::pair<bool, const char*> rows[] = {
+        {raster.depth_near != 0 || raster.depth_far != 1, "the depth range (glDepthRange)"},
+        {raster.cull_enabled, "culling (glCullFace)"},
+        {raster.polygon_mode_front != kGL_FILL || raster.polygon_mode_back != kGL_FILL,
+         "the polygon mode (glPolygonMode)"},
+        {offset.fill || offset.line || offset.point, "the polygon offset (glPolygonOffset)"},
+        {raster.line_width != 1, "the line width (glLineWidth)"},
+        {raster.point_size != 1, "the point size (glPointSize)"},
+        {fragment.scissor.enabled, "the scissor (glScissor)"},
+        {fragment.alpha_test, "the alpha test (glAlphaFunc; core GL has `discard`)"},
+        {raster.depth_test, "the depth test (glDepthFunc)"},
+        {fragment.blend, "blending (glBlendFunc)"},
+        {fragment.color_mask != FragmentState{}.color_mask, "the colour mask (glColorMask)"},
+        {plan.effects.has_texture(), "the texture's images, filters and wrapping (glTexParameter)"},
+    };
+    std::string text;
+    for (const auto& [is_set, what] : rows)
+        if (is_set) text += fmt::format("//   {}\n", what);
+    return text.empty() ? "" : "// What stays GL's state:\n" + text;
+}
+
 std::string program_text(const Draw& draw, const Plan& plan) {
     std::string text = "// What lights this Draw:\n" + commented(describe(plan.effects));
     for (std::size_t i = 0; i < plan.lights.size(); ++i)
         text += fmt::format("// light{} is GL_LIGHT{}.\n", i, plan.lights[i].number);
     text += "// What is left out:\n";
     for (const LeftOut& left_out : plan.left_out) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
+
+    text += fixed_stages_text(draw, plan);
 
     const ShaderSource source = assemble(plan.effects);
     text += "// The uniforms' values:\n";

@@ -156,7 +156,23 @@ void color_lost_before_a_new_color_material() {
     expect_departure(ambient[0] == 0);
 }
 
+std::array<GLubyte, 4> pixel(int x, int y) {
+    std::array<GLubyte, 4> color{};
+    glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, color.data());
+    return color;
+}
+
+// Fog that ends at a distance of 1, half way: 128 of 255 by the text, 0 without the division.
+void fog_of_w() {
+    const Both both(
+        "glEnable(GL_FOG); glFogi(GL_FOG_MODE, GL_LINEAR); glBegin(GL_QUADS); glVertex4f(-2, -2, -1, 2);\n"
+        "glVertex4f(2, -2, -1, 2); glVertex4f(2, 2, -1, 2); glVertex4f(-2, 2, -1, 2); glEnd();");
+    EXPECT_EQ(pixel(8, 8)[3], 255);
+    expect_departure(pixel(8, 8)[0] == 0);
+}
+
 constexpr Departure kDepartures[] = {
+    {"fog of a vertex whose w is not 1", fog_of_w},
     {"a single value for a vector parameter", single_value_for_a_vector},
     {"glColor3 after glColor4", alpha_of_glcolor3},
     {"glTexCoord1 to 3 after glTexCoord4", components_of_tex_coord},

@@ -1,25 +1,31 @@
 // The FACE face: its material, met with the lights.
+#if EFFECT_PRIMARY && !EFFECT_FACE_VARIES_EMISSION || EFFECT_PRIMARY && !EFFECT_FACE_VARIES_AMBIENT
 uniform vec3 u_FACE_base;  // what is the same at every vertex
-#if !EFFECT_FACE_TRACKS_DIFFUSE
+#endif
+#if EFFECT_PRIMARY && !EFFECT_FACE_VARIES_DIFFUSE
 uniform float u_FACE_alpha;  // d_cm's
 #endif
-#if EFFECT_SHININESS
+#if EFFECT_SHININESS && !EFFECT_FACE_VARIES_SHININESS
 uniform float u_FACE_shininess;  // s_rm
 #endif
 #for_each_light "product_uniforms.glsl"
 
 Lit light_FACE(SURFACE_PARAMETER) {
     Lit lit;
-#if EFFECT_FACE_TRACKS_EMISSION
-    lit.primary.rgb = surface.color.rgb + u_FACE_base;  // e_cm is the vertex's colour
-#elif EFFECT_FACE_TRACKS_AMBIENT
-    lit.primary.rgb = u_FACE_base + surface.color.rgb * u_constant_ambient;  // e_cm + a_cm a_cs
-#else
+#if !EFFECT_PRIMARY
+    // The texture leaves nothing of c_pri.
+#elif !EFFECT_FACE_VARIES_EMISSION && !EFFECT_FACE_VARIES_AMBIENT
     lit.primary.rgb = u_FACE_base;  // e_cm + a_cm a_cs
-#endif
-#if EFFECT_FACE_TRACKS_DIFFUSE
-    lit.primary.a = surface.color.a;  // of d_cm
+#elif !EFFECT_FACE_VARIES_AMBIENT
+    lit.primary.rgb = VERTEX_EMISSION.rgb + u_FACE_base;  // e_cm is the vertex's
+#elif !EFFECT_FACE_VARIES_EMISSION
+    lit.primary.rgb = u_FACE_base + VERTEX_AMBIENT.rgb * u_constant_ambient;  // e_cm + a_cm a_cs
 #else
+    lit.primary.rgb = VERTEX_EMISSION.rgb + VERTEX_AMBIENT.rgb * u_constant_ambient;  // e_cm + a_cm a_cs
+#endif
+#if EFFECT_PRIMARY && EFFECT_FACE_VARIES_DIFFUSE
+    lit.primary.a = VERTEX_DIFFUSE.a;  // of d_cm
+#elif EFFECT_PRIMARY
     lit.primary.a = u_FACE_alpha;
 #endif
 #if EFFECT_SEPARATE_SPECULAR
@@ -31,7 +37,7 @@ Lit light_FACE(SURFACE_PARAMETER) {
     const vec3 vpe_dir = vec3(0.0, 0.0, 1.0);  // the infinite viewer
 #endif
 #for_each_light "light.glsl"
-#if EFFECT_CLAMP
+#if EFFECT_CLAMP && EFFECT_PRIMARY
     lit.primary = clamp(lit.primary, 0.0, 1.0);  // section 2.14.6
 #endif
 #if EFFECT_CLAMP && EFFECT_SEPARATE_SPECULAR

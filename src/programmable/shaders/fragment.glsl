@@ -2,7 +2,7 @@
 #if EFFECT_PHONG
 // The fragment shader: lights each fragment (GL 2.1, section 2.14, of a vertex there).
 #else
-// The fragment shader: the interpolated colours (GL 2.1, section 3.9).
+// The fragment shader: the interpolated colours, and what is made of them (GL 2.1, sections 3.8 to 3.10).
 #endif
 
 #if EFFECT_PHONG
@@ -17,12 +17,15 @@ in vec3 v_normal_eye;
 #if EFFECT_COLOR
 in vec4 v_color;
 #endif
+#for_each_property in PROPERTY_TYPE v_PROPERTY;
 #else
+#if EFFECT_PRIMARY
 INTERPOLATION in vec4 v_front_primary;
+#endif
 #if EFFECT_SEPARATE_SPECULAR
 INTERPOLATION in vec3 v_front_secondary;
 #endif
-#if EFFECT_TWO_SIDE
+#if EFFECT_TWO_SIDE && EFFECT_PRIMARY
 INTERPOLATION in vec4 v_back_primary;
 #endif
 #if EFFECT_TWO_SIDE && EFFECT_SEPARATE_SPECULAR
@@ -30,7 +33,18 @@ INTERPOLATION in vec3 v_back_secondary;
 #endif
 #endif
 
+#if EFFECT_TEXTURE
+in TEX_COORD_TYPE v_tex_coord;
+#endif
+#if EFFECT_FOG_W
+in vec2 v_eye_z;  // z and w, in eye coordinates
+#elif EFFECT_FOG
+in float v_eye_z;
+#endif
+
 out vec4 fragment_color;
+
+#include "fragment_uniforms.glsl"
 
 #if EFFECT_PHONG
 #if EFFECT_UNIT
@@ -58,6 +72,7 @@ void main() {
 #if EFFECT_COLOR
     surface.color = v_color;
 #endif
+#for_each_property     surface.PROPERTY = v_PROPERTY;
 #if EFFECT_TWO_SIDE
     Lit lit;
     if (gl_FrontFacing) {
@@ -71,25 +86,37 @@ void main() {
 #else
     Lit lit = light_front(SURFACE);
 #endif
+#if EFFECT_PRIMARY
     vec4 primary = lit.primary;
+#endif
 #if EFFECT_SEPARATE_SPECULAR
     vec3 secondary = lit.secondary;
 #endif
 #elif EFFECT_TWO_SIDE
+#if EFFECT_PRIMARY
     vec4 primary = gl_FrontFacing ? v_front_primary : v_back_primary;
+#endif
 #if EFFECT_SEPARATE_SPECULAR
     vec3 secondary = gl_FrontFacing ? v_front_secondary : v_back_secondary;
 #endif
 #else
+#if EFFECT_PRIMARY
     vec4 primary = v_front_primary;
+#endif
 #if EFFECT_SEPARATE_SPECULAR
     vec3 secondary = v_front_secondary;
 #endif
 #endif
-#if EFFECT_SEPARATE_SPECULAR
-    // The colour sum (section 3.9).
-    fragment_color = vec4(min(primary.rgb + secondary, 1.0), primary.a);
+#if EFFECT_TEXTURE
+#include "texture_environment.glsl"
 #else
-    fragment_color = primary;
+    vec4 color = primary;
 #endif
+#if EFFECT_SEPARATE_SPECULAR
+    color.rgb = min(color.rgb + secondary, 1.0);  // the colour sum (section 3.9)
+#endif
+#if EFFECT_FOG
+#include "fog.glsl"
+#endif
+    fragment_color = color;
 }

@@ -35,42 +35,42 @@
 #elif EFFECT_LIGHT_CONE
         float reach = spot;
 #endif
-#if EFFECT_LIGHT_AMBIENT && EFFECT_FACE_TRACKS_AMBIENT
-        lit.primary.rgb += REACH_TIMES surface.color.rgb * u_LIGHTi_FACE_ambient;
+#if EFFECT_LIGHT_AMBIENT && EFFECT_FACE_VARIES_AMBIENT
+        lit.primary.rgb += REACH_TIMES VERTEX_AMBIENT.rgb * u_LIGHTi_FACE_ambient;
 #elif EFFECT_LIGHT_AMBIENT
         lit.primary.rgb += REACH_TIMES u_LIGHTi_FACE_ambient;
 #endif
 #if EFFECT_LIGHT_N_DOT_VP
         float n_dot_vp = max(dot(surface.normal_eye, vp_dir), 0.0);
 #endif
-#if EFFECT_LIGHT_DIFFUSE && EFFECT_FACE_TRACKS_DIFFUSE
-        lit.primary.rgb += REACH_TIMES n_dot_vp * (surface.color.rgb * u_LIGHTi_FACE_diffuse);
+#if EFFECT_LIGHT_DIFFUSE && EFFECT_FACE_VARIES_DIFFUSE
+        lit.primary.rgb += REACH_TIMES n_dot_vp * (VERTEX_DIFFUSE.rgb * u_LIGHTi_FACE_diffuse);
 #elif EFFECT_LIGHT_DIFFUSE
         lit.primary.rgb += REACH_TIMES n_dot_vp * u_LIGHTi_FACE_diffuse;
 #endif
 #if EFFECT_LIGHT_SPECULAR && EFFECT_REFLECTION && EFFECT_SHININESS
         // Not GL: the highlight by reflection, (r . v)^s_rm, without f_i.
         vec3 reflected_dir = 2.0 * dot(surface.normal_eye, vp_dir) * surface.normal_eye - vp_dir;
-        float highlight = POWER(max(dot(reflected_dir, vpe_dir), 0.0), u_FACE_shininess);
+        float highlight = POWER(max(dot(reflected_dir, vpe_dir), 0.0), SHININESS_OF_FACE);
 #elif EFFECT_LIGHT_SPECULAR && EFFECT_REFLECTION
         float highlight = 1.0;  // (r . v)^0
 #elif EFFECT_LIGHT_SPECULAR && EFFECT_LIGHT_HALF_DIR
         // f_i (n . h_i)^s_rm; f_i is 0 where the light is behind the surface.
         float n_dot_h = max(dot(surface.normal_eye, u_LIGHTi_half_dir), 0.0);
-        float highlight = n_dot_vp > 0.0 ? POWER(n_dot_h, u_FACE_shininess) : 0.0;
+        float highlight = n_dot_vp > 0.0 ? POWER(n_dot_h, SHININESS_OF_FACE) : 0.0;
 #elif EFFECT_LIGHT_SPECULAR && EFFECT_SHININESS
         // f_i (n . h_i)^s_rm; f_i is 0 where the light is behind the surface.
         vec3 half_dir = unit(vp_dir + vpe_dir);
         float n_dot_h = max(dot(surface.normal_eye, half_dir), 0.0);
-        float highlight = n_dot_vp > 0.0 ? POWER(n_dot_h, u_FACE_shininess) : 0.0;
+        float highlight = n_dot_vp > 0.0 ? POWER(n_dot_h, SHININESS_OF_FACE) : 0.0;
 #elif EFFECT_LIGHT_SPECULAR
         float highlight = n_dot_vp > 0.0 ? 1.0 : 0.0;  // f_i; (n . h_i)^0 is 1
 #endif
 #if EFFECT_LIGHT_SPECULAR && EFFECT_HIGHLIGHT_BOUND
         highlight = min(highlight, 1e30);  // normals may be longer than 1; infinity times 0 is no number
 #endif
-#if EFFECT_LIGHT_SPECULAR && EFFECT_FACE_TRACKS_SPECULAR
-        SPECULAR_SUM += REACH_TIMES highlight * (surface.color.rgb * u_LIGHTi_FACE_specular);
+#if EFFECT_LIGHT_SPECULAR && EFFECT_FACE_VARIES_SPECULAR
+        SPECULAR_SUM += REACH_TIMES highlight * (VERTEX_SPECULAR.rgb * u_LIGHTi_FACE_specular);
 #elif EFFECT_LIGHT_SPECULAR
         SPECULAR_SUM += REACH_TIMES highlight * u_LIGHTi_FACE_specular;
 #endif

@@ -4,7 +4,7 @@
 //                                                   + f_i (n . h_i)^s_rm s_cm s_cli ]
 //
 // Only what this Draw calls for stands below. Products of a light's and a material's colour come from the
-// processor; where the vertex's colour is the material's, it is multiplied here.
+// processor; where the vertex brings the material's colour, it is multiplied here.
 #if EFFECT_SURFACE
 struct Surface {
 #if EFFECT_POSITION_EYE
@@ -16,11 +16,17 @@ struct Surface {
 #if EFFECT_COLOR
     vec4 color;  // of the vertex: GL_COLOR_MATERIAL (section 2.14.3)
 #endif
+#if EFFECT_VERTEX_PROPERTIES
+    // Of the vertex's material: glMaterial between glBegin and glEnd (section 2.14.2).
+#endif
+#for_each_property     PROPERTY_TYPE PROPERTY;
 };
 #endif
 
 struct Lit {
+#if EFFECT_PRIMARY
     vec4 primary;  // c_pri
+#endif
 #if EFFECT_SEPARATE_SPECULAR
     vec3 secondary;  // c_sec
 #endif
@@ -29,7 +35,7 @@ struct Lit {
 #if EFFECT_POWER_WHOLE
 #include "power.glsl"
 #endif
-#if EFFECT_TRACKS_AMBIENT
+#if EFFECT_VARIES_AMBIENT
 uniform vec3 u_constant_ambient;  // light from everywhere: a_cs, and a_cli that nothing weakens on its way
 #endif
 #for_each_light "light_uniforms.glsl"

@@ -5,7 +5,7 @@
 #elif EFFECT_LIGHTING
 // and to eye coordinates, in which the vertex is lit (section 2.14).
 #else
-// and the vertex's colour.
+// and the vertex's colour, if it is called for.
 #endif
 
 in vec4 a_position;  // in object coordinates
@@ -15,6 +15,10 @@ in vec3 a_normal;
 #if EFFECT_COLOR
 in vec4 a_color;
 #endif
+#if EFFECT_TEXTURE
+in vec4 a_tex_coord;
+#endif
+#for_each_property in PROPERTY_TYPE a_PROPERTY;
 
 uniform mat4 u_clip_from_object;  // the product of the projection and the modelview matrix
 #if EFFECT_POSITION_EYE
@@ -23,6 +27,16 @@ uniform mat4 u_eye_from_object;  // the modelview matrix
 #if EFFECT_NORMAL
 uniform mat3 u_eye_from_object_normal;  // the transposed inverse of its upper 3x3 (section 2.11.3)
 #endif
+#if EFFECT_TEXTURE_MATRIX
+uniform mat4 u_texture_matrix;
+#endif
+#if EFFECT_FOG
+uniform vec4 u_eye_z_from_object;  // the modelview matrix's third row
+#endif
+#if EFFECT_FOG_W
+uniform vec4 u_eye_w_from_object;  // its fourth
+#endif
+#for_each_clip_plane uniform vec4 u_clip_planeCLIP_PLANE_NUMBER_object;  // glClipPlane's, in object coordinates
 
 #if EFFECT_PHONG
 #if EFFECT_VERTEX_W
@@ -36,20 +50,34 @@ out vec3 v_normal_eye;
 #if EFFECT_COLOR
 out vec4 v_color;
 #endif
+#for_each_property out PROPERTY_TYPE v_PROPERTY;
 #else
 #if EFFECT_FLAT
 // "flat" takes the provoking vertex's value (section 2.14.7, table 2.12).
 #endif
+#if EFFECT_PRIMARY
 INTERPOLATION out vec4 v_front_primary;
+#endif
 #if EFFECT_SEPARATE_SPECULAR
 INTERPOLATION out vec3 v_front_secondary;
 #endif
-#if EFFECT_TWO_SIDE
+#if EFFECT_TWO_SIDE && EFFECT_PRIMARY
 INTERPOLATION out vec4 v_back_primary;
 #endif
 #if EFFECT_TWO_SIDE && EFFECT_SEPARATE_SPECULAR
 INTERPOLATION out vec3 v_back_secondary;
 #endif
+#endif
+#if EFFECT_TEXTURE
+out TEX_COORD_TYPE v_tex_coord;
+#endif
+#if EFFECT_FOG_W
+out vec2 v_eye_z;  // z and w, in eye coordinates
+#elif EFFECT_FOG
+out float v_eye_z;
+#endif
+#if EFFECT_CLIP_PLANES
+out float gl_ClipDistance[CLIP_PLANE_COUNT];
 #endif
 
 #if EFFECT_UNIT
@@ -77,6 +105,7 @@ void main() {
 #if EFFECT_COLOR
     v_color = a_color;
 #endif
+#for_each_property     v_PROPERTY = a_PROPERTY;
 #elif EFFECT_LIGHTING
 #include "surface.glsl"
 #if EFFECT_SURFACE
@@ -93,8 +122,11 @@ void main() {
 #if EFFECT_COLOR
     surface.color = a_color;
 #endif
+#for_each_property     surface.PROPERTY = a_PROPERTY;
     Lit front = light_front(SURFACE);
+#if EFFECT_PRIMARY
     v_front_primary = front.primary;
+#endif
 #if EFFECT_SEPARATE_SPECULAR
     v_front_secondary = front.secondary;
 #endif
@@ -104,14 +136,30 @@ void main() {
     surface.normal_eye = -normal_eye;
 #endif
     Lit back = light_back(SURFACE);
+#endif
+#if EFFECT_TWO_SIDE && EFFECT_PRIMARY
     v_back_primary = back.primary;
 #endif
 #if EFFECT_TWO_SIDE && EFFECT_SEPARATE_SPECULAR
     v_back_secondary = back.secondary;
 #endif
-#elif EFFECT_CLAMP
+#elif EFFECT_PRIMARY && EFFECT_CLAMP
     v_front_primary = clamp(a_color, 0.0, 1.0);  // section 2.14.6
-#else
+#elif EFFECT_PRIMARY
     v_front_primary = a_color;
 #endif
+#if EFFECT_TEXTURE && EFFECT_TEXTURE_MATRIX
+    v_tex_coord = (u_texture_matrix * a_tex_coord).TEX_COORD_PARTS;
+#elif EFFECT_TEXTURE
+    v_tex_coord = a_tex_coord.TEX_COORD_PARTS;
+#endif
+#if EFFECT_FOG_W
+    v_eye_z = vec2(dot(u_eye_z_from_object, a_position), dot(u_eye_w_from_object, a_position));
+#elif EFFECT_FOG
+    v_eye_z = dot(u_eye_z_from_object, a_position);
+#endif
+#if EFFECT_CLIP_PLANES
+    // What lies behind a plane is clipped (section 2.12).
+#endif
+#for_each_clip_plane     gl_ClipDistance[CLIP_PLANE_NUMBER] = dot(u_clip_planeCLIP_PLANE_NUMBER_object, a_position);
 }

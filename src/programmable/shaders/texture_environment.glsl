@@ -1,0 +1,51 @@
+    // The texture and its environment (section 3.8.13, tables 3.22 and 3.23).
+#if EFFECT_TEXTURE_CLAMP
+    // GL_CLAMP (section 3.8.7): to [0,1], of which the end is the last texel's. Beyond lies the border.
+    const float texture_end = 1.0 - 1.0 / 4194304.0;
+    DIVIDED_TYPE tex_coord = DIVIDED_TEX_COORD;
+#endif
+#if EFFECT_TEXTURE_GRADIENTS
+    DIVIDED_TYPE per_x = dFdx(tex_coord), per_y = dFdy(tex_coord);  // the level of detail is that of the unclamped
+#endif
+#if EFFECT_TEXTURE_CLAMP_S
+    TEX_COORD_S = clamp(TEX_COORD_S, 0.0, texture_end);
+#endif
+#if EFFECT_TEXTURE_CLAMP_T
+    tex_coord.t = clamp(tex_coord.t, 0.0, texture_end);
+#endif
+#if EFFECT_TEXTURE_GRADIENTS
+    vec4 texel = textureGrad(u_texture, tex_coord, per_x, per_y);
+#elif EFFECT_TEXTURE_CLAMP
+    vec4 texel = texture(u_texture, tex_coord);
+#else
+    vec4 texel = TEXTURE_LOOKUP(u_texture, v_tex_coord);
+#endif
+#if EFFECT_REPLACE && EFFECT_TEXEL_COLOR && EFFECT_TEXEL_ALPHA
+    vec4 color = texel;
+#else
+    vec4 color = primary;
+#endif
+#if EFFECT_REPLACE && EFFECT_TEXEL_COLOR && !EFFECT_TEXEL_ALPHA
+    color.rgb = texel.rgb;
+#elif EFFECT_REPLACE && EFFECT_TEXEL_ALPHA && !EFFECT_TEXEL_COLOR
+    color.a = texel.a;
+#elif EFFECT_MODULATE && EFFECT_TEXEL_COLOR && EFFECT_TEXEL_ALPHA
+    color *= texel;
+#elif EFFECT_MODULATE && EFFECT_TEXEL_COLOR
+    color.rgb *= texel.rgb;
+#elif EFFECT_MODULATE
+    color.a *= texel.a;
+#elif EFFECT_DECAL
+    color.rgb = mix(color.rgb, texel.rgb, texel.a);
+#elif EFFECT_BLEND
+    color.rgb = mix(color.rgb, u_texture_env_color.rgb, texel.rgb);
+#elif EFFECT_ADD
+    color.rgb = min(color.rgb + texel.rgb, 1.0);
+#endif
+#if EFFECT_BLEND && EFFECT_TEXEL_INTENSITY
+    color.a = mix(color.a, u_texture_env_color.a, texel.a);
+#elif EFFECT_ADD && EFFECT_TEXEL_INTENSITY
+    color.a = min(color.a + texel.a, 1.0);
+#elif EFFECT_BLEND && EFFECT_TEXEL_ALPHA || EFFECT_ADD && EFFECT_TEXEL_ALPHA
+    color.a *= texel.a;
+#endif
