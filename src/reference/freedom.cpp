@@ -10,6 +10,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <utility>
 
 #include "reference/fragment_operations.h"
 #include "reference/framebuffer.h"
@@ -192,8 +193,21 @@ class Rows {
             for (int x = std::max(box.x0, seen.x0); x < std::min(box.x1, seen.x1); ++x) {
                 const char count = neighbours[static_cast<std::size_t>(y - box.y0) * static_cast<std::size_t>(columns) +
                                               static_cast<std::size_t>(x - box.x0)];
-                if (count > 0) fragment(id, x, y, count == kAll, kHalfLineSquare);
+                if (count == 0) continue;
+                const bool first = !again(id, index(x, y));
+                fragment(id, x, y, count == kAll && first, kHalfLineSquare);
             }
+    }
+
+    // Whether another line or point of the same polygon's border has been at the pixel. The text says in no order how a
+    // border is drawn (3.5.4): which of two is seen where they lie on each other, at a corner, is open.
+    bool again(StepId id, std::size_t at) {
+        if (thin_.empty()) thin_.resize(open_.size(), kNobody);
+        const StepId other_id = std::exchange(thin_[at], id);
+        if (other_id == kNobody) return false;
+        const Piece &piece = stages_.piece(id), &other = stages_.piece(other_id);
+        // Triangles that a quadrilateral or a polygon is cut to have one provoking vertex; those of a mesh their own.
+        return piece.draw == other.draw && piece.primitive.provoking == other.primitive.provoking;
     }
 
     Outcome depth_test(const Piece& piece, std::size_t at, const Interval& depth, const glm::dvec2& centre) const {
@@ -293,6 +307,7 @@ class Rows {
     std::vector<char> open_;
     std::vector<Interval> depth_;
     std::vector<StepId> depth_of_;  // whose the depth is, where that is certain
+    std::vector<StepId> thin_;      // the last line or point there; empty as long as there are none
 };
 
 }  // namespace
