@@ -173,7 +173,8 @@ class Rows {
 
     // Lines and points: certain are the pixels all around which it covers others; open the rest and those beside.
     void thin(StepId id) {
-        const PixelRect seen = scissored(draw(id).fragment.scissor, window());
+        const FragmentState& state = draw(id).fragment;
+        const PixelRect seen = scissored(state.scissor, window());
         const PixelRect around{seen.x0 - 2, seen.y0 - 2, seen.x1 + 2, seen.y1 + 2};
         std::vector<std::pair<int, int>> covered;
         for_each_pixel(stages_.piece(id), around, [&](int x, int y) { covered.emplace_back(x, y); });
@@ -196,6 +197,8 @@ class Rows {
                 if (count == 0) continue;
                 const bool first = !again(id, index(x, y));
                 fragment(id, x, y, count == kAll && first, kHalfLineSquare);
+                // Whatever the depth test made of it: in the other order there is more, or less, to blend with.
+                if (!first && !overwrites_color(state)) open_[index(x, y)] = 1;
             }
     }
 

@@ -90,7 +90,7 @@ TEST(FragmentsMatchDriver, OverRandomStates) {
     Found all;
     int failing_states = 0;
     const std::uint64_t states = number_of_states();
-    for (std::uint64_t seed = 0; seed < states && failing_states < 10; ++seed) {
+    for (std::uint64_t seed = 0; seed < states && failing_states < 40; ++seed) {
         const std::string text = random_fragments(seed);
         const auto scene = std::make_shared<const CommandList>(read_scene(text, "random.gl", "random"));
         StateOptions options;

@@ -179,9 +179,11 @@ class Builder {
             one_of({"GL_POINTS", "GL_LINES", "GL_LINE_STRIP", "GL_LINE_LOOP", "GL_TRIANGLE_FAN", "GL_TRIANGLE_STRIP"});
         std::string text = fmt::format("glBegin({});\n", structure_.chance(0.75) ? "GL_TRIANGLES" : other);
         for (int i = 0; i < 12; ++i) {
-            if (materials && random_.chance(0.5))
+            // What any vertex has of its own, the first has: see "a line loop whose first vertex lacks an attribute".
+            const bool first = i == 0;
+            if (materials && (first || random_.chance(0.5)))
                 text += fmt::format("glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, {});\n", vector());
-            if (random_.chance(0.1)) text += fmt::format("glEdgeFlag({});\n", random_.below(2));
+            if (first || random_.chance(0.1)) text += fmt::format("glEdgeFlag({});\n", first ? 1 : random_.below(2));
             text += fmt::format("glColor4f({}); glNormal3f({:.3f}, {:.3f}, {:.3f});\n", four(), random_.uniform(-1, 1),
                                 random_.uniform(-1, 1), random_.uniform(0.3, 1));
             text += fmt::format("glTexCoord4f({:.4f}, {:.4f}, 0, {:.4f});\n", random_.uniform(-repeat, repeat),
@@ -221,6 +223,20 @@ bool has_edge_flags_in_strip(const Draw& draw) {
            std::ranges::any_of(draw.vertices, [](const Vertex& vertex) { return !vertex.edge_flag; });
 }
 
+bool offsets_one_of_two_modes(const Draw& draw) {
+    const PolygonOffset& offset = draw.raster.polygon_offset;
+    const auto is_offset = [&](Enum mode) {
+        return mode == kGL_FILL ? offset.fill : mode == kGL_LINE ? offset.line : offset.point;
+    };
+    return is_offset(draw.raster.polygon_mode_front) != is_offset(draw.raster.polygon_mode_back);
+}
+
+bool biases_level_of_points(const Draw& draw) {
+    const bool points = draw.mode == kGL_POINTS || draw.raster.polygon_mode_front == kGL_POINT ||
+                        draw.raster.polygon_mode_back == kGL_POINT;
+    return points && draw.texture.texture && draw.texture.lod_bias > 0;
+}
+
 bool adds_secondary_color_in_fog(const Draw& draw) {
     return draw.fog.enabled && draw.lighting.enabled && draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
 }
@@ -241,6 +257,8 @@ const std::vector<FragmentDeparture>& fragment_departures() {
     static const std::vector<FragmentDeparture> departures = {
         {"clipped polygons as lines and points", draws_borders_of_clipped_polygons},
         {"edge flags of strips and fans", has_edge_flags_in_strip},
+        {"polygon offset of one of two polygon modes", offsets_one_of_two_modes},
+        {"level of detail of points", biases_level_of_points},
         {"the colour sum in fog", adds_secondary_color_in_fog},
         {"GL_CLAMP between a nearest and a linear filter", clamps_between_nearest_and_linear},
     };
