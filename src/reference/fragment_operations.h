@@ -30,9 +30,8 @@ bool writes_color(const FragmentState& state);
 // of the source alone, is the same of the destination.
 template <class Real>
 Real blend_factor(Enum factor, std::size_t i, const Channels<Real>& source, const Channels<Real>& destination,
-                  const glm::dvec4& constant) {
+                  const Channels<Real>& constant) {
     const auto one_minus = [](Real value) { return Real(1) - value; };
-    const auto constant_channel = [&](std::size_t c) { return Real(clamp01(constant[static_cast<int>(c)])); };
     switch (factor) {
         case kGL_ZERO: return Real(0);
         case kGL_ONE: return Real(1);
@@ -44,31 +43,23 @@ Real blend_factor(Enum factor, std::size_t i, const Channels<Real>& source, cons
         case kGL_ONE_MINUS_SRC_ALPHA: return one_minus(source[3]);
         case kGL_DST_ALPHA: return destination[3];
         case kGL_ONE_MINUS_DST_ALPHA: return one_minus(destination[3]);
-        case kGL_CONSTANT_COLOR: return constant_channel(i);
-        case kGL_ONE_MINUS_CONSTANT_COLOR: return one_minus(constant_channel(i));
-        case kGL_CONSTANT_ALPHA: return constant_channel(3);
-        case kGL_ONE_MINUS_CONSTANT_ALPHA: return one_minus(constant_channel(3));
+        case kGL_CONSTANT_COLOR: return constant[i];
+        case kGL_ONE_MINUS_CONSTANT_COLOR: return one_minus(constant[i]);
+        case kGL_CONSTANT_ALPHA: return constant[3];
+        case kGL_ONE_MINUS_CONSTANT_ALPHA: return one_minus(constant[3]);
         case kGL_SRC_ALPHA_SATURATE: return i == 3 ? Real(1) : smaller(source[3], one_minus(destination[3]));
     }
     return Real(1);
 }
 
-// 4.1.8 and 4.2.2: what the fragment leaves of what was there, in [0,1], before it is rounded to the buffer's bits.
+// 4.1.8: C_s S + C_d D of one channel, before it is clamped. `constant`: the blend colour, in [0,1].
 template <class Real>
-Channels<Real> written(const FragmentState& state, const Channels<Real>& source, const Channels<Real>& destination) {
-    Channels<Real> result = destination;
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        if (!state.color_mask[i]) continue;
-        if (!state.blend) {
-            result[i] = source[i];
-            continue;
-        }
-        const bool alpha = i == 3;
-        const auto factor = [&](Enum name) { return blend_factor(name, i, source, destination, state.blend_color); };
-        result[i] = clamp01(source[i] * factor(alpha ? state.blend_src_alpha : state.blend_src) +
-                            destination[i] * factor(alpha ? state.blend_dst_alpha : state.blend_dst));
-    }
-    return result;
+Real blended(const FragmentState& state, std::size_t i, const Channels<Real>& source, const Channels<Real>& destination,
+             const Channels<Real>& constant) {
+    const Enum s = i == 3 ? state.blend_src_alpha : state.blend_src,
+               d = i == 3 ? state.blend_dst_alpha : state.blend_dst;
+    return source[i] * blend_factor(s, i, source, destination, constant) +
+           destination[i] * blend_factor(d, i, source, destination, constant);
 }
 
 }  // namespace twinlight::reference

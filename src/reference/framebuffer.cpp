@@ -93,7 +93,13 @@ void Framebuffer::write(const FragmentState& state, const glm::dvec4& source, in
     // What the fragment needs of what lies beneath is what the colour buffer holds of it.
     const glm::dvec4 beneath = overwrites_color(state) ? glm::dvec4(0) : quantised(color_at(x, y, at));
     if (colors_.empty()) colors_.resize(step_.size());
-    colors_[at] = color_of(written(state, channels<double>(source), channels<double>(beneath)));
+    const Channels<double> fragment = channels<double>(source), constant = channels<double>(clamped(state.blend_color));
+    Channels<double> result = channels<double>(beneath);
+    for (std::size_t i = 0; i < result.size(); ++i)
+        if (state.color_mask[i])
+            result[i] =
+                state.blend ? clamp01(blended(state, i, fragment, channels<double>(beneath), constant)) : fragment[i];
+    colors_[at] = color_of(result);
     step_[at] = kColor;
 }
 

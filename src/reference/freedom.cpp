@@ -30,6 +30,8 @@ constexpr double kDepthQuantum = 2 * kDepthStep;
 // A colour's error in float arithmetic (2.1.1: 1 part in 10^5 an operation), where it decides about a code.
 constexpr double kArithmetic = 1e-4;
 
+constexpr double kRoundedProduct = 0.5 / kColorCodes;
+
 constexpr StepId kColor = std::numeric_limits<StepId>::min();
 constexpr StepId kNobody = kColor;
 
@@ -57,9 +59,9 @@ Outcome depth_outcome(Enum depth_func, const Interval& difference) {
     return depth_passes(depth_func, nearer ? -1 : 1, 0) ? Outcome::kPasses : Outcome::kFails;
 }
 
-// The same triangle, but perhaps for its polygon offset.
+// The same triangle, clipped alike, but perhaps for its polygon offset.
 bool same_triangle(const Piece& a, const Piece& b) {
-    return a.shape == Shape::kTriangle && b.shape == Shape::kTriangle &&
+    return a.shape == Shape::kTriangle && b.shape == Shape::kTriangle && a.corners == b.corners &&
            a.weight_over_w_planes == b.weight_over_w_planes && a.depth_plane.x == b.depth_plane.x &&
            a.depth_plane.y == b.depth_plane.y;
 }
@@ -79,6 +81,13 @@ Outcome alpha_outcome(const FragmentState& state, const Interval& alpha) {
 // What a colour buffer may hold of a channel.
 Interval held(const Interval& channel) {
     return {quantised(channel.low - kArithmetic), quantised(channel.high + kArithmetic)};
+}
+
+// How many products of the blend equation round: all but those with 0 or 1.
+int rounded_products(const FragmentState& state, std::size_t i) {
+    const auto rounds = [](Enum factor) { return factor != kGL_ZERO && factor != kGL_ONE ? 1 : 0; };
+    return i == 3 ? rounds(state.blend_src_alpha) + rounds(state.blend_dst_alpha)
+                  : rounds(state.blend_src) + rounds(state.blend_dst);
 }
 
 enum class Touch : std::uint8_t { kNo, kInside, kBorder };
@@ -281,24 +290,27 @@ class Rows {
         return found.color;
     }
 
-    // Blending in a buffer of 8 bits: drivers may round the fragment's colour to those bits before they multiply, and
-    // both products before they add them.
+    // Blending in a buffer of 8 bits: drivers may round the fragment's colour and the blend colour to those bits before
+    // they multiply, and each of the two products before they add them.
     void write(const FragmentState& state, const Channels<Interval>& source, int x, int y) {
         const std::size_t at = index(x, y);
-        Channels<Interval> fragment = source, beneath{};
-        if (!overwrites_color(state)) {
-            beneath = resolved(x, y);
-            for (Interval& channel : beneath) channel = held(channel);
+        Channels<Interval> beneath{}, fragment = source, constant = channels<Interval>(clamped(state.blend_color));
+        if (!overwrites_color(state))
+            for (std::size_t i = 0; const Interval& channel : resolved(x, y)) beneath[i++] = held(channel);
+        for (Channels<Interval>* factor : {&fragment, &constant})
             if (state.blend)
-                for (Interval& channel : fragment) channel = hull(channel, held(channel));
-        }
-        Channels<Interval> result = written(state, fragment, beneath);
-        if (!overwrites_color(state) && state.blend)
-            for (std::size_t i = 0; i < result.size(); ++i)
-                if (state.color_mask[i] && result[i] != beneath[i])
-                    result[i] = clamp01(widened(result[i], 0.5 / kColorCodes));
+                for (Interval& channel : *factor) channel = hull(channel, held(channel));
         if (colors_.empty()) colors_.resize(step_.size());
-        colors_[at] = result;
+        for (std::size_t i = 0; i < source.size(); ++i) {
+            Interval& result = colors_[at][i];
+            if (!state.color_mask[i])
+                result = beneath[i];
+            else if (!state.blend)
+                result = source[i];
+            else
+                result = clamp01(widened(blended(state, i, fragment, beneath, constant),
+                                         kRoundedProduct * rounded_products(state, i)));
+        }
         step_[at] = kColor;
     }
 

@@ -27,6 +27,8 @@ struct WindowVertex {
 struct Corner {
     glm::dvec2 position_window{0};
     EdgeOrigin edge_to_next = EdgeOrigin::kInner;
+
+    friend bool operator==(const Corner&, const Corner&) = default;
 };
 
 struct Piece {
