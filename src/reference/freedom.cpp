@@ -187,6 +187,14 @@ class Rows {
         const PixelRect around{seen.x0 - 2, seen.y0 - 2, seen.x1 + 2, seen.y1 + 2};
         std::vector<std::pair<int, int>> covered;
         for_each_pixel(stages_.piece(id), around, [&](int x, int y) { covered.emplace_back(x, y); });
+        // A line that is too short to leave any diamond covers nothing, or one fragment elsewhere.
+        const bool nothing = covered.empty();
+        if (nothing) {
+            const Piece& piece = stages_.piece(id);
+            const PixelRect end = point_square(glm::dvec2(piece.from.position_window), piece.size, around);
+            for (int y = end.y0; y < end.y1; ++y)
+                for (int x = end.x0; x < end.x1; ++x) covered.emplace_back(x, y);
+        }
         if (covered.empty()) return;
         PixelRect box{INT_MAX, INT_MAX, INT_MIN, INT_MIN};
         for (const auto& [x, y] : covered)
@@ -205,7 +213,7 @@ class Rows {
                                               static_cast<std::size_t>(x - box.x0)];
                 if (count == 0) continue;
                 const bool first = !again(id, index(x, y));
-                fragment(id, x, y, count == kAll && first, kHalfLineSquare);
+                fragment(id, x, y, count == kAll && !nothing && first, kHalfLineSquare);
                 // Whatever the depth test made of it: in the other order there is more, or less, to blend with.
                 if (!first && !overwrites_color(state)) open_[index(x, y)] = 1;
             }

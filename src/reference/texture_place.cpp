@@ -62,7 +62,7 @@ TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices
     // division, each of them at most half a unit in the last place of what is added up.
     constexpr double kRoundings = 8 * 0x1p-24;
     const TexturePlace place = texture_place(vertices, piece, position_window);
-    const Linear3 stq = stq_over_w(vertices, piece, position_window);
+    Linear3 stq = stq_over_w(vertices, piece, position_window);
     const glm::dvec3 added_up = glm::abs(stq.value) + glm::abs(stq.per_x) * std::abs(position_window.x) +
                                 glm::abs(stq.per_y) * std::abs(position_window.y);
     const double q = std::abs(stq.value.z);
@@ -73,11 +73,14 @@ TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices
                               .st_error = arithmetic + kSnap * (glm::abs(place.per_x) + glm::abs(place.per_y)),
                               .rho = Interval(scale_factor(texture, place))};
     if (place.of_point) return bounds;
-    bounds.rho = rho_of_differences(texture, stq, place, std::max(arithmetic.x, arithmetic.y));
+    const double st_error = std::max(arithmetic.x, arithmetic.y);
+    bounds.rho = rho_of_differences(texture, stq, place, st_error);
     if (piece.shape == Shape::kLine) {
         // 3.8.8 takes the change along the line; drivers take that along x or y, whichever the line is longer in.
         const glm::dvec2 way = glm::abs(glm::dvec2(piece.to.position_window - piece.from.position_window));
-        bounds.rho.high *= quotient(glm::length(way), std::max(way.x, way.y));
+        const double longer = quotient(glm::length(way), std::max(way.x, way.y));
+        stq.per_x *= longer;
+        bounds.rho = hull(bounds.rho, rho_of_differences(texture, stq, place, st_error));
     }
     return bounds;
 }

@@ -51,7 +51,7 @@ class Builder {
         return choices[structure_.below(static_cast<int>(n))];
     }
     std::string four(double low = 0, double high = 1) {
-        return fmt::format("{:.4f}, {:.4f}, {:.4f}, {:.4f}", random_.uniform(low, high), random_.uniform(low, high),
+        return fmt::format("{:.6f}, {:.6f}, {:.6f}, {:.6f}", random_.uniform(low, high), random_.uniform(low, high),
                            random_.uniform(low, high), random_.uniform(low, high));
     }
     std::string vector(double low = 0, double high = 1) { return fmt::format("(GLfloat[]){{{}}}", four(low, high)); }
