@@ -19,12 +19,12 @@ namespace twinlight {
 
 namespace {
 
-constexpr int kWindow = 32;
+constexpr int kWindow = 64;
 
-// What all scenes start from: a red texture of one texel with a white border, where one is bound.
+// What all scenes start from.
 constexpr const char* kStart = R"(
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    GLubyte red[] = {255, 0, 0, 255}, green[] = {0, 255, 0, 255};
+    GLubyte green[] = {0, 255, 0, 255};
     GLubyte reds[] = {255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255};
     GLfloat white[] = {1, 1, 1, 1}, black[] = {0, 0, 0, 1};
 )";
@@ -64,11 +64,11 @@ TEST(Departures, OfFragmentsAreStillThere) {
 
 const std::vector<FragmentCase>& fragment_cases() {
     static const std::vector<FragmentCase> cases = {
-        // The triangle's border is cut at the right: 2.12 draws the edge that clipping adds, along x = 0 in the middle.
+        // The near plane, z = 1, cuts the triangle at x = 0: 2.12 draws the edge that this adds.
         {"clipped polygons as lines and points", R"(
-            glClipPlane(GL_CLIP_PLANE0, (GLdouble[]){-1, 0, 0, 0}); glEnable(GL_CLIP_PLANE0);
-            glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(8);
-            glBegin(GL_TRIANGLES); glVertex2f(-0.8, -0.8); glVertex2f(0.8, -0.8); glVertex2f(-0.8, 0.8); glEnd();)"},
+            glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(5);
+            glBegin(GL_TRIANGLES);
+            glVertex3f(-0.9, -0.9, -0.1); glVertex3f(0.9, -0.9, -1.9); glVertex3f(-0.9, 0.9, -0.1); glEnd();)"},
         // All edges of a strip are boundary edges, whatever the flags say.
         {"edge flags of strips and fans", R"(
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(8);
@@ -100,19 +100,22 @@ const std::vector<FragmentCase>& fragment_cases() {
             glFogfv(GL_FOG_COLOR, black);
             glNormal3f(0, 0, 1); glBegin(GL_TRIANGLES);
             glVertex3f(-4, -4, -0.5); glVertex3f(4, -4, -0.5); glVertex3f(0, 8, -0.5); glEnd();)"},
-        // At s = 0 a linear filter takes half of the border.
+        // All of it lies at s = -1. The part that is minified is red; the magnified one is half white, of the border.
         {"GL_CLAMP between a nearest and a linear filter", R"(
-            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, red);
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, reds);
             glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, white);
             glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
             glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
             glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP); glEnable(GL_TEXTURE_2D);
-            glBegin(GL_TRIANGLES); glTexCoord2f(0, 0.5);
-            glVertex2f(-4, -4); glVertex2f(4, -4); glVertex2f(0, 8); glEnd();)"},
-        // A loop about the window; its third vertex is the first that has an edge flag of its own.
-        {"a line loop whose first vertex lacks an attribute", R"(
-            glLineWidth(8); glBegin(GL_LINE_LOOP); glVertex2f(-0.7, -0.7); glVertex2f(0.7, -0.7);
-            glEdgeFlag(0); glVertex2f(0.7, 0.7); glVertex2f(-0.7, 0.7); glEnd();)"},
+            glMatrixMode(GL_PROJECTION); glFrustum(-1, 1, -1, 1, 1, 10);
+            glBegin(GL_TRIANGLES);
+            glTexCoord2f(-1, 0); glVertex3f(-3, -7, -7.5); glVertex3f(-6, 5, -7.5);
+            glTexCoord2f(-1, 3); glVertex3f(-0.5, 0.5, -4.4); glEnd();)"},
+        // A loop about the window; its fourth vertex is the first that has an edge flag and a colour of its own.
+        {"a line loop whose first vertex lacks attributes", R"(
+            glLineWidth(8); glBegin(GL_LINE_LOOP);
+            glVertex2f(-0.7, -0.7); glVertex2f(0.7, -0.7); glVertex2f(0.8, 0);
+            glEdgeFlag(1); glColor3f(1, 0, 0); glVertex2f(0.7, 0.7); glVertex2f(0, 0.9); glVertex2f(-0.7, 0.7); glEnd();)"},
     };
     return cases;
 }

@@ -179,7 +179,7 @@ class Builder {
             one_of({"GL_POINTS", "GL_LINES", "GL_LINE_STRIP", "GL_LINE_LOOP", "GL_TRIANGLE_FAN", "GL_TRIANGLE_STRIP"});
         std::string text = fmt::format("glBegin({});\n", structure_.chance(0.75) ? "GL_TRIANGLES" : other);
         for (int i = 0; i < 12; ++i) {
-            // What any vertex has of its own, the first has: see "a line loop whose first vertex lacks an attribute".
+            // What any vertex has of its own, the first has: see "a line loop whose first vertex lacks attributes".
             const bool first = i == 0;
             if (materials && (first || random_.chance(0.5)))
                 text += fmt::format("glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, {});\n", vector());
