@@ -93,7 +93,8 @@ void Lexer::directive() {
         while (position_ < words) advance();
         return;
     }
-    if (name != "include" && name != "pragma") {
+    const bool asks_for_prototypes = name == "define" && line.ends_with("GL_GLEXT_PROTOTYPES");
+    if (name != "include" && name != "pragma" && !asks_for_prototypes) {
         fail(start,
              fmt::format("#{} is not part of a scene; only #include (passed over) and #pragma twinlight are", name));
     }

@@ -235,6 +235,7 @@ std::string print_c_program(const CommandList& scene) {
     std::string text = fmt::format(
         "/* {}: a scene of Twinlight as a C program.\n"
         "   Build it with: cc -std=c99 FILE.c -lglut -lGLU -lGL -lm */\n"
+        "#define GL_GLEXT_PROTOTYPES\n"
         "#include <GL/freeglut.h>\n#include <math.h>\n\n"
         "static void draw_scene(void) {{\n",
         title);

@@ -22,16 +22,19 @@ class Assembler {
              .provoking = at(provoking),
              .boundary = boundary});
     }
-    // The corners in their order around the quadrilateral.
-    void quad(std::size_t a, std::size_t b, std::size_t c, std::size_t d, std::size_t provoking) {
+    // The corners in their order around the quadrilateral, and which of the edges from each to the next are boundary.
+    void quad(std::size_t a, std::size_t b, std::size_t c, std::size_t d, std::size_t provoking,
+              std::array<bool, 4> boundary = {true, true, true, true}) {
+        const auto [ab, bc, cd, da] = boundary;
         if (cut_ == QuadCut::kFirstToThird) {
-            triangle(a, b, c, provoking, {true, true, false});
-            triangle(a, c, d, provoking, {false, true, true});
+            triangle(a, b, c, provoking, {ab, bc, false});
+            triangle(a, c, d, provoking, {false, cd, da});
         } else {
-            triangle(a, b, d, provoking, {true, false, true});
-            triangle(b, c, d, provoking, {true, true, false});
+            triangle(a, b, d, provoking, {ab, false, da});
+            triangle(b, c, d, provoking, {bc, cd, false});
         }
     }
+    bool flag(std::size_t i) const { return draw_.vertices[at(i)].edge_flag; }
     std::vector<Primitive> take() { return std::move(primitives_); }
 
   private:
@@ -64,7 +67,8 @@ std::vector<Primitive> assemble(const Draw& draw, QuadCut cut) {
             if (draw.mode == kGL_LINE_LOOP && n >= 2) out.line(n - 1, 0);
             break;
         case kGL_TRIANGLES:
-            for (std::size_t i = 0; i + 2 < n; i += 3) out.triangle(i, i + 1, i + 2, i + 2);
+            for (std::size_t i = 0; i + 2 < n; i += 3)
+                out.triangle(i, i + 1, i + 2, i + 2, {out.flag(i), out.flag(i + 1), out.flag(i + 2)});
             break;
         case kGL_TRIANGLE_STRIP:  // every second triangle is turned, so that all face the same way
             for (std::size_t i = 0; i + 2 < n; ++i)
@@ -74,13 +78,17 @@ std::vector<Primitive> assemble(const Draw& draw, QuadCut cut) {
             for (std::size_t i = 0; i + 2 < n; ++i) out.triangle(0, i + 1, i + 2, i + 2);
             break;
         case kGL_QUADS:
-            for (std::size_t i = 0; i + 3 < n; i += 4) out.quad(i, i + 1, i + 2, i + 3, i + 3);
+            for (std::size_t i = 0; i + 3 < n; i += 4)
+                out.quad(i, i + 1, i + 2, i + 3, i + 3,
+                         {out.flag(i), out.flag(i + 1), out.flag(i + 2), out.flag(i + 3)});
             break;
         case kGL_QUAD_STRIP:
             for (std::size_t i = 0; i + 3 < n; i += 2) out.quad(i, i + 1, i + 3, i + 2, i + 3);
             break;
         case kGL_POLYGON:
-            for (std::size_t i = 0; i + 2 < n; ++i) out.triangle(0, i + 1, i + 2, 0, {i == 0, true, i + 3 == n});
+            for (std::size_t i = 0; i + 2 < n; ++i)
+                out.triangle(0, i + 1, i + 2, 0,
+                             {i == 0 && out.flag(0), out.flag(i + 1), i + 3 == n && out.flag(i + 2)});
             break;
     }
     return out.take();

@@ -1,7 +1,8 @@
 // Primitive assembly (2.6.1): from the order in which vertices are sent to points, lines and triangles.
 //
-// In: glBegin's primitive type and the Draw's vertex order. Out: primitives of at most three vertices, each
-// with its provoking vertex (2.14.7, table 2.12) and with the edges that PolygonMode may draw (2.6.2: the boundary).
+// In: glBegin's primitive type and the Draw's vertex order. Out: primitives of at most three vertices, each with its
+// provoking vertex (2.14.7, table 2.12) and with the edges that PolygonMode may draw: the boundary edges. Edge flags
+// (2.6.2) say which those are of independent triangles, quadrilaterals and polygons; of strips and fans all edges are.
 #pragma once
 
 #include <array>

@@ -56,15 +56,19 @@ std::vector<Edge> edges_of(const std::vector<Corner>& polygon) {
     return edges;
 }
 
-// 3.4.1. A line that is wider than high passes one pixel a column: where it passes the column's centre line
-// it is within that pixel's diamond. What is left are the ends: a line also leaves the diamond that it starts
-// in, and does not leave the diamond that it ends in. A line that is higher than wide is the same with x and
-// y exchanged.
-std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_window, const glm::dvec2& to_window,
+// 3.4.1, and 3.4.2.1 for other widths: the line is moved down (left, where it is higher than wide) by half of what the
+// width is beyond 1, and each fragment of the moved line is the lowest (leftmost) of `width` fragments.
+//
+// A line that is wider than high passes one pixel a column: where it passes the column's centre line it is within that
+// pixel's diamond. What is left are the ends: a line also leaves the diamond that it starts in, and does not leave the
+// diamond that it ends in. A line that is higher than wide is the same with x and y exchanged.
+std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_given, const glm::dvec2& to_given, int width,
                                              const PixelRect& within) {
-    const glm::dvec2 d = to_window - from_window;
+    const glm::dvec2 d = to_given - from_given;
     const int major = std::abs(d.x) >= std::abs(d.y) ? 0 : 1, minor = 1 - major;
     if (d[major] == 0) return {};
+    glm::dvec2 from_window = from_given, to_window = to_given;
+    for (glm::dvec2* end : {&from_window, &to_window}) (*end)[minor] -= (width - 1) / 2.0;
     const double slope = d[minor] / d[major];
     const auto pixel_at = [&](int step) {  // where the line passes the centre of that column (row)
         const double at = from_window[minor] + (step + 0.5 - from_window[major]) * slope;
@@ -88,8 +92,25 @@ std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_window, cons
     if (in_diamond(from_window, start.first, start.second) && (pixels.empty() || pixels.front() != start))
         pixels.insert(pixels.begin(), start);
     if (ends_in_diamond && !pixels.empty() && pixels.back() == end) pixels.pop_back();
-    std::erase_if(pixels, [&](const auto& pixel) { return !within.contains(pixel.first, pixel.second); });
-    return pixels;
+
+    std::vector<std::pair<int, int>> seen;
+    seen.reserve(pixels.size());
+    const int low_across = major == 0 ? within.y0 : within.x0, high_across = major == 0 ? within.y1 : within.x1;
+    for (const auto& [x, y] : pixels) {
+        const int first = major == 0 ? y : x, step = major == 0 ? x : y;
+        if (step < first_visible || step >= end_visible) continue;
+        for (int i = std::max(first, low_across); i < std::min(first + width, high_across); ++i)
+            seen.emplace_back(major == 0 ? step : i, major == 0 ? i : step);
+    }
+    return seen;
+}
+
+PixelRect point_square(const glm::dvec2& position_window, int size, const PixelRect& within) {
+    const double to_centre = size % 2 == 0 ? 0.5 : 0;
+    const int x = floor_int(position_window.x + to_centre) - size / 2;
+    const int y = floor_int(position_window.y + to_centre) - size / 2;
+    return {std::max(x, within.x0), std::max(y, within.y0), std::min(x + size, within.x1),
+            std::min(y + size, within.y1)};
 }
 
 }  // namespace twinlight::reference

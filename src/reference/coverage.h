@@ -51,23 +51,28 @@ class Edge {
 // The edges that have a direction; fewer than two of a polygon that is a point.
 std::vector<Edge> edges_of(const std::vector<Corner>& polygon);
 
-// The fragments of a line of width 1 by the diamond exit rule, in their order along it.
-std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_window, const glm::dvec2& to_window,
+// The fragments of a line, in their order along it: of width 1 by the diamond exit rule; of another, that many side by
+// side across the line (3.4.2.1).
+std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_window, const glm::dvec2& to_window, int width,
                                              const PixelRect& within);
+
+// The square of a point (3.3): about the pixel that holds it where the size is odd, about the nearest corner of a pixel
+// where it is even.
+PixelRect point_square(const glm::dvec2& position_window, int size, const PixelRect& within);
 
 // Calls fragment(x, y) for every pixel of `within` that the piece covers.
 template <class Fragment>
 void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment& fragment) {
     switch (piece.shape) {
-        case Shape::kPoint: {  // 3.3: the pixel that holds the point
-            const int x = static_cast<int>(std::floor(piece.from.position_window.x));
-            const int y = static_cast<int>(std::floor(piece.from.position_window.y));
-            if (within.contains(x, y)) fragment(x, y);
+        case Shape::kPoint: {
+            const PixelRect square = point_square(glm::dvec2(piece.from.position_window), piece.size, within);
+            for (int y = square.y0; y < square.y1; ++y)
+                for (int x = square.x0; x < square.x1; ++x) fragment(x, y);
             break;
         }
         case Shape::kLine:
-            for (const auto& [x, y] :
-                 line_pixels(glm::dvec2(piece.from.position_window), glm::dvec2(piece.to.position_window), within))
+            for (const auto& [x, y] : line_pixels(glm::dvec2(piece.from.position_window),
+                                                  glm::dvec2(piece.to.position_window), piece.size, within))
                 fragment(x, y);
             break;
         case Shape::kTriangle: {

@@ -1,5 +1,6 @@
 #include "reference/draw_lighting.h"
 
+#include <cassert>
 #include <glm/common.hpp>
 
 namespace twinlight::reference {
@@ -53,25 +54,28 @@ bool tracks(const ColorMaterial& color_material, Face face, Enum property) {
 
 }  // namespace
 
-DrawLighting::DrawLighting(const LightingState& state, bool lecture_variants)
-    : enabled_(state.enabled),
-      two_side_(state.light_model.two_side),
-      front_(state.front),
-      back_(state.back),
-      color_material_(state.color_material) {
-    model_.ambient = rgb(state.light_model.ambient);
-    model_.local_viewer = state.light_model.local_viewer;
-    model_.separate_specular = state.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
-    model_.reflection = lecture_variants && state.light_model.specular == Word::reflection;
-    model_.ambient_unattenuated = lecture_variants && state.light_model.light_ambient == Word::unattenuated;
-    for (const LightSource& source : state.lights)
+DrawLighting::DrawLighting(const Draw& draw, bool lecture_variants)
+    : enabled_(draw.lighting.enabled),
+      two_side_(draw.lighting.light_model.two_side),
+      materials_(draw.materials),
+      color_material_(draw.lighting.color_material) {
+    const LightModel& light_model = draw.lighting.light_model;
+    if (materials_.empty()) materials_.push_back({draw.lighting.front, draw.lighting.back});
+    model_.ambient = rgb(light_model.ambient);
+    model_.local_viewer = light_model.local_viewer;
+    model_.separate_specular = light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+    model_.reflection = lecture_variants && light_model.specular == Word::reflection;
+    model_.ambient_unattenuated = lecture_variants && light_model.light_ambient == Word::unattenuated;
+    for (const LightSource& source : draw.lighting.lights)
         if (source.enabled) lights_.push_back(light_of(source, lecture_variants));
 }
 
-lighting::Material<double> DrawLighting::material(Face face, const glm::dvec4& color) const {
-    const Material& base = face == Face::kFront ? front_ : back_;
+LitMaterial DrawLighting::material(const StageVertex& v, Face face) const {
+    assert(v.material < materials_.size());
+    const Materials& both = materials_[v.material];
+    const Material& base = face == Face::kFront ? both.front : both.back;
     const auto value = [&](Enum property, const glm::dvec4& own) {
-        return tracks(color_material_, face, property) ? color : own;
+        return tracks(color_material_, face, property) ? v.color : own;
     };
     const glm::dvec4 diffuse = value(kGL_DIFFUSE, base.diffuse);
     return {.emission = rgb(value(kGL_EMISSION, base.emission)),
@@ -82,15 +86,33 @@ lighting::Material<double> DrawLighting::material(Face face, const glm::dvec4& c
             .shininess = base.shininess};
 }
 
-Colors DrawLighting::colors(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const glm::dvec4& color,
-                            Face face) const {
-    if (!enabled_) return {.primary = color, .magnitude = glm::abs(color)};
+Colors DrawLighting::lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
+                         Face face) const {
     const Vec normal = vec3_cast<Vec>(normal_eye);
     const lighting::Surface<double> surface{divided_by_w(position_eye), face == Face::kFront ? normal : -normal};
-    const lighting::Lit<double> lit = lighting::light_surface<double>(model_, material(face, color), surface, lights_);
+    const lighting::Lit<double> lit = lighting::light_surface<double>(model_, material, surface, lights_);
     return {.primary = glm::dvec4(vec3_cast<glm::dvec3>(lit.primary), lit.alpha),
             .secondary = glm::dvec4(vec3_cast<glm::dvec3>(lit.secondary), 1),
             .magnitude = glm::dvec4(vec3_cast<glm::dvec3>(lit.magnitude), std::abs(lit.alpha))};
+}
+
+Colors DrawLighting::colors(const StageVertex& v, Face face) const {
+    if (!enabled_) return {.primary = v.color, .magnitude = glm::abs(v.color)};
+    return lit(v.position_eye, v.normal_eye, material(v, face), face);
+}
+
+LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials) {
+    LitMaterial sum{.diffuse_alpha = 0};
+    for (int i = 0; i < 3; ++i) {
+        const LitMaterial& m = materials[static_cast<std::size_t>(i)];
+        sum.emission += weights[i] * m.emission;
+        sum.ambient += weights[i] * m.ambient;
+        sum.diffuse += weights[i] * m.diffuse;
+        sum.specular += weights[i] * m.specular;
+        sum.diffuse_alpha += weights[i] * m.diffuse_alpha;
+        sum.shininess += weights[i] * m.shininess;
+    }
+    return sum;
 }
 
 glm::dvec4 clamped(const glm::dvec4& color) {

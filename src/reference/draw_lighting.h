@@ -4,14 +4,17 @@
 // colours of any point of a surface.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "lighting/equation.h"
+#include "reference/vertex_stage.h"
 #include "state/frame.h"
 
 namespace twinlight::reference {
 
 using Vec = Vec3<double>;
+using LitMaterial = lighting::Material<double>;
 
 struct Colors {
     glm::dvec4 primary{0};
@@ -24,27 +27,34 @@ enum class Face : std::uint8_t { kFront, kBack };
 class DrawLighting {
   public:
     // Without `lecture_variants` the lighting is GL's own.
-    DrawLighting(const LightingState& state, bool lecture_variants);
+    DrawLighting(const Draw& draw, bool lecture_variants);
 
-    // The colours, unclamped, of the point of a surface that has this eye position, normal and current
-    // colour. The back face is lit with its own material and the normal reversed (2.14.1).
-    Colors colors(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const glm::dvec4& color,
-                  Face face) const;
+    // The colours, unclamped, of a vertex, or of a point of a surface that has all that a vertex has. The back face is
+    // lit with its own material and the normal reversed (2.14.1). Without lighting: the current colour.
+    Colors colors(const StageVertex& v, Face face) const;
+    // With lighting, and with a material that need not be a vertex's.
+    Colors lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
+               Face face) const;
+    // What the vertex is lit with: its own material, with its colour where the material follows it (2.14.3).
+    LitMaterial material(const StageVertex& v, Face face) const;
 
     bool enabled() const { return enabled_; }
     // Whether the back face has colours of its own; GL uses the front's where it has not.
     bool two_side() const { return enabled_ && two_side_; }
+    // Whether vertices may differ in more of their material than what follows the current colour.
+    bool has_vertex_materials() const { return materials_.size() > 1; }
 
   private:
-    lighting::Material<double> material(Face face, const glm::dvec4& color) const;
-
     bool enabled_ = false;
     bool two_side_ = false;
     lighting::Model<double> model_;
     std::vector<lighting::Light<double>> lights_;  // the enabled ones
-    Material front_, back_;
+    std::vector<Materials> materials_;             // at least one
     ColorMaterial color_material_;
 };
+
+// The material between three, as far as `weights` says.
+LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials);
 
 // Every component to [0,1] (2.14.6).
 glm::dvec4 clamped(const glm::dvec4& color);

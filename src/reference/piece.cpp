@@ -10,14 +10,29 @@ namespace twinlight::reference {
 
 namespace {
 
-// 2.11.1. The depth range is [0, 1].
-glm::dvec3 window_from_ndc(const Viewport& viewport, const glm::dvec3& ndc) {
+// 2.11.1: of depths, z_w = scale z_d + offset.
+struct DepthRange {
+    explicit DepthRange(const RasterState& raster)
+        : scale((raster.depth_far - raster.depth_near) / 2), offset((raster.depth_far + raster.depth_near) / 2) {}
+    double scale, offset;
+};
+
+glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc) {
+    const Viewport& viewport = raster.viewport;
+    const DepthRange depth(raster);
     return {(ndc.x + 1) * 0.5 * viewport.width + viewport.x, (ndc.y + 1) * 0.5 * viewport.height + viewport.y,
-            (ndc.z + 1) * 0.5};
+            ndc.z * depth.scale + depth.offset};
 }
 
-WindowVertex window_vertex(const Viewport& viewport, const ClipVertex& v) {
-    return {window_from_ndc(viewport, glm::dvec3(v.position_clip) / v.position_clip.w), v.weights / v.position_clip.w};
+WindowVertex window_vertex(const RasterState& raster, const ClipVertex& v) {
+    return {window_from_ndc(raster, glm::dvec3(v.position_clip) / v.position_clip.w), v.weights / v.position_clip.w};
+}
+
+// 3.3 and 3.4.2.1: widths without smoothing are rounded to whole pixels; what rounds to 0 is 1.
+// RULING: the largest width and size, which are the implementation's to choose, are llvmpipe's.
+int whole_pixels(double width) {
+    constexpr double kLargest = 255;
+    return static_cast<int>(std::clamp(std::floor(width + 0.5), 1.0, kLargest));
 }
 
 // Twice the signed area in window coordinates, positive when counter-clockwise (2.14.1, equation 2.6).
@@ -44,7 +59,8 @@ void reverse(std::vector<Corner>& corners) {
 // y_ndc, 1): so b / w = M^-1 (x_ndc, y_ndc, 1), linear in the window, whichever part of the triangle clipping
 // leaves (Olano and Greer, "Triangle scan conversion using 2D homogeneous coordinates", 1997). False if the
 // triangle is seen edge on.
-bool set_planes(Piece& piece, const Viewport& viewport, const std::array<glm::dvec4, 3>& clip) {
+bool set_planes(Piece& piece, const RasterState& raster, const std::array<glm::dvec4, 3>& clip) {
+    const Viewport& viewport = raster.viewport;
     glm::dmat3 m;
     for (int i = 0; i < 3; ++i) m[i] = {clip[i].x, clip[i].y, clip[i].w};
     if (glm::determinant(m) == 0) return false;
@@ -59,15 +75,25 @@ bool set_planes(Piece& piece, const Viewport& viewport, const std::array<glm::dv
         piece.weight_over_w_planes[i] = plane;
         z_over_w += clip[i].z * plane;
     }
-    piece.depth_plane = 0.5 * z_over_w + glm::dvec3(0, 0, 0.5);
+    const DepthRange depth(raster);
+    piece.depth_plane = depth.scale * z_over_w + glm::dvec3(0, 0, depth.offset);
     return true;
+}
+
+// 3.5.5: o = m * factor + r * units, with m = max(|dz/dx|, |dz/dy|), which the text allows in the place of the length of
+// the gradient.
+double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec3& depth_plane) {
+    const PolygonOffset& offset = raster.polygon_offset;
+    const bool enabled = mode == kGL_FILL ? offset.fill : mode == kGL_LINE ? offset.line : offset.point;
+    if (!enabled) return 0;
+    return std::max(std::abs(depth_plane.x), std::abs(depth_plane.y)) * offset.factor + kDepthStep * offset.units;
 }
 
 double on_plane(const glm::dvec3& plane, const glm::dvec2& position_window) {
     return plane.x * position_window.x + plane.y * position_window.y + plane.z;
 }
 
-// How far along the line the nearest place to `position_window` is, along its major axis: 0 at `from`, 1 at `to`.
+// How far along the line the nearest place to `position_window` is: 0 at `from`, 1 at `to`, by its major axis.
 double along(const Piece& line, const glm::dvec2& position_window) {
     const glm::dvec2 from(line.from.position_window), d = glm::dvec2(line.to.position_window) - from;
     const int major = std::abs(d.x) >= std::abs(d.y) ? 0 : 1;
@@ -82,7 +108,7 @@ bool culled(const RasterState& raster, Face face) {
 class PieceMaker {
   public:
     PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices)
-        : draw_(draw), draw_index_(draw_index), vertices_(vertices) {}
+        : draw_(draw), draw_index_(draw_index), vertices_(vertices), volume_(draw.raster) {}
 
     void add(const Primitive& primitive) {
         switch (primitive.shape) {
@@ -95,7 +121,8 @@ class PieceMaker {
 
   private:
     ClipVertex vertex(const Primitive& primitive, int i) const {
-        ClipVertex v{.position_clip = vertices_[primitive.vertices[i]].position_clip};
+        const StageVertex& stage = vertices_[primitive.vertices[i]];
+        ClipVertex v{.position_clip = stage.position_clip, .position_eye = stage.position_eye};
         v.weights[i] = 1;
         v.edge_to_next = primitive.boundary[i] ? EdgeOrigin::kBoundary : EdgeOrigin::kInner;
         return v;
@@ -106,38 +133,48 @@ class PieceMaker {
         return pieces_.back();
     }
 
-    void point(const Primitive& primitive, Face face, const ClipVertex& v) {
-        if (!inside_view_volume(v.position_clip)) return;
-        append(primitive, face, Shape::kPoint).from = window_vertex(draw_.raster.viewport, v);
+    void point(const Primitive& primitive, Face face, const ClipVertex& v, double depth_offset = 0) {
+        if (!volume_.contains(v)) return;
+        Piece& piece = append(primitive, face, Shape::kPoint);
+        piece.size = whole_pixels(draw_.raster.point_size);
+        piece.from = window_vertex(draw_.raster, v);
+        piece.from.position_window.z += depth_offset;
     }
 
-    void line(const Primitive& primitive, Face face, const ClipVertex& from, const ClipVertex& to) {
-        const std::vector<ClipVertex> ends = clip_line(from, to);
+    void line(const Primitive& primitive, Face face, const ClipVertex& from, const ClipVertex& to,
+              double depth_offset = 0) {
+        const std::vector<ClipVertex> ends = volume_.line(from, to);
         if (ends.empty()) return;
         Piece& piece = append(primitive, face, Shape::kLine);
-        piece.from = window_vertex(draw_.raster.viewport, ends[0]);
-        piece.to = window_vertex(draw_.raster.viewport, ends[1]);
+        piece.size = whole_pixels(draw_.raster.line_width);
+        piece.from = window_vertex(draw_.raster, ends[0]);
+        piece.to = window_vertex(draw_.raster, ends[1]);
+        for (WindowVertex* end : {&piece.from, &piece.to}) end->position_window.z += depth_offset;
     }
 
     void triangle(const Primitive& primitive) {
-        const Viewport& viewport = draw_.raster.viewport;
+        const RasterState& raster = draw_.raster;
         const std::array<ClipVertex, 3> whole = {vertex(primitive, 0), vertex(primitive, 1), vertex(primitive, 2)};
-        const std::vector<ClipVertex> polygon = clip_polygon(whole);
+        const std::vector<ClipVertex> polygon = volume_.polygon(whole);
         if (polygon.size() < 3) return;
         std::vector<Corner> corners;
         corners.reserve(polygon.size());
         for (const ClipVertex& v : polygon)
-            corners.push_back({glm::dvec2(window_vertex(viewport, v).position_window), v.edge_to_next});
+            corners.push_back({glm::dvec2(window_vertex(raster, v).position_window), v.edge_to_next});
 
         // 2.14.1: an area that is not positive is a back face; GL_CW turns the sign.
         const double area = doubled_area(corners);
-        const Face face = (draw_.raster.front_face == kGL_CW ? -area : area) > 0 ? Face::kFront : Face::kBack;
-        if (culled(draw_.raster, face)) return;
-        const Enum mode = face == Face::kFront ? draw_.raster.polygon_mode_front : draw_.raster.polygon_mode_back;
+        const Face face = (raster.front_face == kGL_CW ? -area : area) > 0 ? Face::kFront : Face::kBack;
+        if (culled(raster, face)) return;
+        const Enum mode = face == Face::kFront ? raster.polygon_mode_front : raster.polygon_mode_back;
+        Piece piece{.primitive = primitive, .face = face, .draw = draw_index_, .shape = Shape::kTriangle};
+        const bool has_planes =
+            set_planes(piece, raster, {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip});
+        // RULING: the border of a polygon that is seen edge on has no slope to be offset by.
+        const double offset = polygon_offset(raster, mode, has_planes ? piece.depth_plane : glm::dvec3(0));
         if (mode == kGL_FILL) {
-            Piece piece{.primitive = primitive, .face = face, .draw = draw_index_, .shape = Shape::kTriangle};
-            if (!set_planes(piece, viewport, {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip}))
-                return;
+            if (!has_planes) return;
+            piece.depth_plane.z += offset;
             if (area < 0) reverse(corners);
             piece.corners = std::move(corners);
             pieces_.push_back(std::move(piece));
@@ -146,15 +183,16 @@ class PieceMaker {
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             if (polygon[i].edge_to_next == EdgeOrigin::kInner) continue;
             if (mode == kGL_LINE)
-                line(primitive, face, polygon[i], polygon[(i + 1) % polygon.size()]);
+                line(primitive, face, polygon[i], polygon[(i + 1) % polygon.size()], offset);
             else
-                point(primitive, face, polygon[i]);
+                point(primitive, face, polygon[i], offset);
         }
     }
 
     const Draw& draw_;
     const std::uint32_t draw_index_;
     const std::vector<StageVertex>& vertices_;
+    const ClipVolume volume_;
     std::vector<Piece> pieces_;
 };
 
@@ -175,11 +213,27 @@ double depth_at(const Piece& piece, const glm::dvec2& position_window) {
     return std::clamp(depth, 0.0, 1.0);
 }
 
-glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window) {
-    glm::dvec3 over_w = piece.from.weights_over_w;
+Linear3 weights_over_w_at(const Piece& piece, const glm::dvec2& position_window) {
+    Linear3 result{.value = piece.from.weights_over_w};
     if (piece.shape == Shape::kTriangle)
-        for (int i = 0; i < 3; ++i) over_w[i] = on_plane(piece.weight_over_w_planes[i], position_window);
-    if (piece.shape == Shape::kLine) over_w += along(piece, position_window) * (piece.to.weights_over_w - over_w);
+        for (int i = 0; i < 3; ++i) {
+            const glm::dvec3& plane = piece.weight_over_w_planes[i];
+            result.value[i] = on_plane(plane, position_window);
+            result.per_x[i] = plane.x;
+            result.per_y[i] = plane.y;
+        }
+    if (piece.shape == Shape::kLine) {
+        const glm::dvec3 whole = piece.to.weights_over_w - piece.from.weights_over_w;
+        const double length =
+            glm::distance(glm::dvec2(piece.from.position_window), glm::dvec2(piece.to.position_window));
+        result.value += along(piece, position_window) * whole;
+        if (length > 0) result.per_x = whole / length;
+    }
+    return result;
+}
+
+glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window) {
+    const glm::dvec3 over_w = weights_over_w_at(piece, position_window).value;
     return over_w / (over_w.x + over_w.y + over_w.z);
 }
 

@@ -1,8 +1,9 @@
-// Primitives in window coordinates: viewport (2.11.1), facing (2.14.1), culling (3.5.1), polygon mode (3.5.4).
+// Primitives in window coordinates: viewport and depth range (2.11.1), facing (2.14.1), culling (3.5.1), polygon mode
+// (3.5.4), polygon offset (3.5.5), the widths of lines and points (3.4.2.1, 3.3).
 //
-// In: a Draw's stage vertices and primitives. Out: Pieces, which is what the rasteriser covers pixels with: a
-// clipped polygon, a line, or a point. A piece answers for any window position what the depth is there, and
-// the perspective-correct weights of its primitive's vertices.
+// In: a Draw's stage vertices and primitives. Out: Pieces, which is what the rasteriser covers pixels with: a clipped
+// polygon, a line, or a point. A piece answers for any window position what the depth is there, and the
+// perspective-correct weights of its primitive's vertices.
 #pragma once
 
 #include <array>
@@ -26,6 +27,8 @@ struct WindowVertex {
 struct Corner {
     glm::dvec2 position_window{0};
     EdgeOrigin edge_to_next = EdgeOrigin::kInner;
+
+    friend bool operator==(const Corner&, const Corner&) = default;
 };
 
 struct Piece {
@@ -34,6 +37,7 @@ struct Piece {
     std::uint32_t draw = 0;  // which of the frame's Draws
 
     Shape shape = Shape::kPoint;    // how it is drawn: a triangle may be drawn as lines or points
+    int size = 1;                   // the width of a line, the side of a point's square; in pixels
     std::vector<Corner> corners{};  // of a polygon: convex, counter-clockwise (y up)
     WindowVertex from{}, to{};      // of a line; a point has only `from`
 
@@ -46,8 +50,19 @@ struct Piece {
 std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
                                QuadCut cut);
 
-// Depth and weights of a piece at a window position. Weights add up to 1 (of a line or point, at its nearest place).
+// What keeps two depths apart in a depth buffer of 24 bits, which is what Twinlight's contexts have: r of 3.5.5.
+inline constexpr double kDepthStep = 1.0 / (1 << 24);
+
+// Depth and weights of a piece at a window position, of a line or point at its nearest place. Weights add up to 1.
 double depth_at(const Piece& piece, const glm::dvec2& position_window);
 glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window);
+
+// A quantity that is linear over the window, and how it changes by one pixel along x and y: of a line, by one pixel
+// along the line and not at all across it; of a point, nowhere.
+struct Linear3 {
+    glm::dvec3 value{0}, per_x{0}, per_y{0};
+};
+// The weights before they are made to add up to 1.
+Linear3 weights_over_w_at(const Piece& piece, const glm::dvec2& position_window);
 
 }  // namespace twinlight::reference

@@ -10,8 +10,18 @@ namespace twinlight::reference {
 // Starts from black and depth 1.
 Image render(const Frame& frame, const RenderOptions& options);
 
-// The pixels where two right rasterisers may choose different triangles: a triangle's border passes through
-// them, or two surfaces cut each other there (DESIGN section 4, "Edges").
+// How far apart two right pictures may be, pixel by pixel.
+struct Freedom {
+    // Where they may choose differently: the border of what is drawn passes through the pixel, two surfaces cut each
+    // other there, or which texel, level or filter is the right one hangs on the last bits (docs/lighting.md, "Edges").
+    PixelMask edge;
+    // Elsewhere: how far apart a channel may be, beyond the rounding of the picture itself, for the precision of filters
+    // and of blending. 0 where nothing is textured or blended.
+    Image slack;
+};
+Freedom freedom(const Frame& frame);
+
+// The mask alone.
 PixelMask edge_pixels(const Frame& frame);
 
 // A vertex as the lighting equation leaves it: what GL's feedback returns.

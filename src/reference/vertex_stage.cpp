@@ -47,19 +47,20 @@ std::vector<StageVertex> vertex_stage(const Draw& draw) {
         v.normal_eye = normal_eye_from_object * vertex.normal_object;
         v.normal_eye = draw.lighting.normalize ? unit(v.normal_eye) : v.normal_eye * rescale;
         v.color = vertex.color;
+        v.tex_coord = draw.texture.texture_matrix * vertex.tex_coord;
+        v.material = vertex.material;
         result.push_back(v);
     }
     return result;
 }
 
 std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& options, bool clamp) {
-    const DrawLighting lighting(draw.lighting, options.lecture_variants);
+    const DrawLighting lighting(draw, options.lecture_variants);
     const auto finish = [&](const glm::dvec4& color) { return clamp ? clamped(color) : color; };
     std::vector<LitVertex> result;
     for (const StageVertex& v : vertex_stage(draw)) {
-        const Colors front = lighting.colors(v.position_eye, v.normal_eye, v.color, Face::kFront);
-        const Colors back =
-            lighting.two_side() ? lighting.colors(v.position_eye, v.normal_eye, v.color, Face::kBack) : front;
+        const Colors front = lighting.colors(v, Face::kFront);
+        const Colors back = lighting.two_side() ? lighting.colors(v, Face::kBack) : front;
         result.push_back({.position_clip = v.position_clip,
                           .front_primary = finish(front.primary),
                           .front_secondary = finish(front.secondary),

@@ -1,4 +1,4 @@
-// The vertex stage (2.11, 2.14): object -> eye -> clip, and the normal.
+// The vertex stage (2.11, 2.14): object -> eye -> clip, the normal, the texture coordinates.
 //
 // In: a Draw's vertices, in object coordinates. Out: one StageVertex each, with what the later stages need.
 #pragma once
@@ -14,6 +14,8 @@ struct StageVertex {
     glm::dvec4 position_clip{0};
     glm::dvec3 normal_eye{0};  // as NORMALIZE and RESCALE_NORMAL leave it
     glm::dvec4 color{0};       // the current colour that came with the vertex
+    glm::dvec4 tex_coord{0};   // (s, t, r, q), as the texture matrix leaves it (2.11.2)
+    std::uint32_t material = 0;
 };
 
 std::vector<StageVertex> vertex_stage(const Draw& draw);

@@ -71,9 +71,15 @@ Image Comparison::counterpart(const Pair& pair) const {
     return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut) : b(pair).image;
 }
 
-bool Comparison::within_tolerance() const {
-    return std::ranges::none_of(pairs, [](const Pair& pair) { return pair.verdict == Verdict::kBeyond; });
+Verdict Comparison::verdict() const {
+    const auto any = [&](Verdict verdict) {
+        return std::ranges::any_of(pairs, [verdict](const Pair& pair) { return pair.verdict == verdict; });
+    };
+    if (any(Verdict::kBeyond)) return Verdict::kBeyond;
+    return any(Verdict::kPartial) ? Verdict::kPartial : Verdict::kWithin;
 }
+
+bool Comparison::within_tolerance() const { return verdict() != Verdict::kBeyond; }
 
 Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
     const RegionDifference& interior = difference.interior;
@@ -81,6 +87,26 @@ Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
                         (interior.differing == 0 || interior.differing_share() < tolerance.differing_share);
     return within ? Verdict::kWithin : Verdict::kBeyond;
 }
+
+namespace {
+
+// Whether a render leaves this out. Its name is its renderer's, "-phong" may follow.
+bool lacks(const Render& render, const Unsupported& item) {
+    return std::ranges::any_of(item.renderers, [&](const std::string& name) { return render.name.starts_with(name); });
+}
+
+Verdict verdict_of(const Comparison& comparison, const Pair& pair) {
+    const Verdict verdict = judge(pair.difference, comparison.tolerance);
+    const Render &a = comparison.a(pair), &b = comparison.b(pair);
+    bool partial = false;
+    for (const Unsupported& item : comparison.unsupported) {
+        if (lacks(a, item) != lacks(b, item)) return Verdict::kPartial;  // a difference may come of it
+        partial = partial || lacks(a, item);
+    }
+    return partial && verdict == Verdict::kWithin ? Verdict::kPartial : verdict;
+}
+
+}  // namespace
 
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
                          const Renderers& renderers, const Progress& progress) {
@@ -109,7 +135,7 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
         pair.a = planned.a;
         pair.b = planned.b;
         pair.difference = difference(result.a(pair).image, result.counterpart(pair), result.edges);
-        if (planned.judged) pair.verdict = judge(pair.difference, result.tolerance);
+        if (planned.judged) pair.verdict = verdict_of(result, pair);
         // The interior is what is judged; an edge pixel that is wholly different must not darken it.
         pair.factor = amplification_for(pair.difference.interior.max);
         result.pairs.push_back(pair);

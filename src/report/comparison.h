@@ -41,6 +41,7 @@ struct Render {
 enum class Verdict : std::uint8_t {
     kWithin,       // the tolerance
     kBeyond,       // the tolerance
+    kPartial,      // the pictures are not the whole scene, and what both show does not differ beyond the tolerance
     kInformative,  // the two show different models: no tolerance applies
 };
 
@@ -72,9 +73,11 @@ struct Comparison {
     const Render& b(const Pair& pair) const { return renders[pair.b]; }
     // b's picture as a's is held against it: of a reference with two cuts, the nearer one at each pixel.
     Image counterpart(const Pair& pair) const;
-    bool within_tolerance() const;  // every judged pair is
+    Verdict verdict() const;        // kBeyond if a pair is; else kPartial if one is; else kWithin
+    bool within_tolerance() const;  // as far as the pictures tell: no pair is beyond
 };
 
+// What a comparison says of two pictures that show the whole scene.
 Verdict judge(const ImageDifference& difference, const Tolerance& tolerance);
 
 // The per-vertex pictures follow GL's own model (the lecture's variants off), flat or gouraud as the scene
@@ -91,11 +94,11 @@ std::string picture_file(const Render& render);
 std::string difference_file(const Comparison& comparison, const Pair& pair);
 
 // One JSON object, indented, with a newline at the end:
-//   {"scene", "driver", "size": [w, h],
+//   {"scene", "driver", "size": [w, h], "verdict": "within" | "beyond" | "partial",
 //    "renders": [{"name", "file", "ms"}],
 //    "pairs": [{"a", "b",                        names of renders
 //               "interior": {"pixels", "differing", "max", "rms", "worst": [x, y]}, "edge": {the same},
-//               "verdict": "within" | "beyond" | "informative",
+//               "verdict": "within" | "beyond" | "partial" | "informative",
 //               "tolerance": {"max", "differing_share"},   of the interior; not where informative
 //               "file", "factor"}],             the difference picture and its amplification
 //    "unsupported": [{"name", "count", "place", "renderers": [...]}]}

@@ -38,6 +38,7 @@ Json json_of(const Comparison& comparison, const Pair& pair) {
 std::string comparison_json(const Comparison& comparison) {
     Json json = {
         {"scene", comparison.scene}, {"driver", comparison.driver}, {"size", {comparison.width, comparison.height}}};
+    json["verdict"] = word_of(comparison.verdict());
     json["renders"] = Json::array();
     for (const Render& render : comparison.renders) {
         json["renders"].push_back({{"name", render.name}, {"file", picture_file(render)}, {"ms", render.ms}});

@@ -137,7 +137,7 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
                   {{"scene", escaped(comparison.scene)},
                    {"driver", escaped(comparison.driver)},
                    {"size", fmt::format("{} &times; {}", comparison.width, comparison.height)},
-                   {"state", comparison.within_tolerance() ? "within" : "beyond"},
+                   {"state", word_of(comparison.verdict())},
                    {"verdict", verdict(comparison)},
                    {"renders", renders},
                    {"differences", differences},

@@ -29,6 +29,7 @@ std::string word_of(Verdict verdict) {
     switch (verdict) {
         case Verdict::kWithin: return "within";
         case Verdict::kBeyond: return "beyond";
+        case Verdict::kPartial: return "partial";
         case Verdict::kInformative: return "informative";
     }
     return "";
@@ -42,6 +43,14 @@ std::string words_of(const Tolerance& tolerance) {
 std::vector<std::string> verdict_sentences(const Comparison& comparison) {
     if (comparison.pairs.front().difference.interior.pixels == 0) {  // all pairs share one mask
         return {"Nothing is judged: every pixel is an edge pixel; try a larger --size."};
+    }
+    if (comparison.verdict() == Verdict::kPartial) {
+        return {fmt::format(
+            "The comparison is partial: not every renderer draws the whole scene, {} "
+            "not done by all. What is drawn by all is within the tolerance ({}) where it can be told.",
+            comparison.unsupported.size() == 1 ? "one kind of command is"
+                                               : fmt::format("{} kinds of commands are", comparison.unsupported.size()),
+            words_of(comparison.tolerance))};
     }
     if (comparison.within_tolerance()) {
         return {"The renderers agree: every judged pair is within the tolerance (" + words_of(comparison.tolerance) +

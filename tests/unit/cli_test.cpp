@@ -157,7 +157,7 @@ TEST_F(Cli, RefusesScenesThatAreNotThere) {
     expect_refused(render(in_.str()), "Is a directory");
     expect_refused(render("no-such-scene-at-all"), "there is no built-in scene and no file of this name");
     expect_refused(render("a\nb"), "a\\x0ab");
-    expect_refused(render("game.trace"), "game.trace: traces are not read yet");
+    expect_refused(render("game.trace"), "game.trace: No such file or directory");
     expect_refused(render("repot"), "did you mean 'report'?");
 }
 

@@ -31,6 +31,7 @@ Frame empty_frame() {
 // Pictures of one grey; the left column is an edge.
 struct Stub {
     float fixed = 0.5F, programmable = 0.5F, reference = 0.5F;
+    std::vector<Unsupported> unsupported;
     std::map<std::string, int> calls;  // "fixed gouraud GL", ...
 
     RenderFunction renderer(const std::string& name, const float& grey) {
@@ -53,7 +54,11 @@ struct Stub {
                     return mask;
                 }};
     }
-    Comparison compare() { return compare_scene(empty_frame(), "stub", "a driver", renderers()); }
+    Comparison compare() {
+        Frame frame = empty_frame();
+        frame.unsupported = unsupported;
+        return compare_scene(frame, "stub", "a driver", renderers());
+    }
 };
 
 Unsupported fog(int count) {
@@ -160,6 +165,31 @@ TEST(Verdict, NamesThePairsThatDiffer) {
     ASSERT_EQ(sentences.size(), 3U);
     EXPECT_EQ(sentences[1],
               "fixed ~ programmable: 1,170 of 1,170 interior pixels differ (100.00%), by up to 25/255 at (1, 0).");
+}
+
+TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
+    Stub stub;
+    stub.fixed = 0.6F;
+    stub.unsupported = {fog(2)};  // programmable and reference do without
+    const Comparison comparison = stub.compare();
+    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kPartial);
+    EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kPartial);
+    EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kPartial);
+    EXPECT_EQ(comparison.verdict(), Verdict::kPartial);
+    EXPECT_TRUE(comparison.within_tolerance());
+    EXPECT_TRUE(verdict_sentences(comparison).front().starts_with("The comparison is partial"));
+    EXPECT_EQ(json::parse(comparison_json(comparison))["verdict"], "partial");
+}
+
+// What both leave out cannot be why they differ.
+TEST(Verdict, IsBeyondWhereBothLeaveTheSameOut) {
+    Stub stub;
+    stub.reference = 0.6F;
+    stub.unsupported = {fog(2)};
+    const Comparison comparison = stub.compare();
+    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kPartial);
+    EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kBeyond);
+    EXPECT_EQ(comparison.verdict(), Verdict::kBeyond);
 }
 
 TEST(Verdict, IsNotGivenForPhongAgainstFixed) {

@@ -45,8 +45,9 @@ TEST(EdgePixels, AreNotWhereHiddenThingsHaveTheirBorders) {
     behind.raster.depth_test = true;
     EXPECT_TRUE(marked(edges({front, behind})).empty());
     EXPECT_TRUE(marked(edges({behind, front})).empty());
-    behind.raster.depth_test = false;
-    EXPECT_TRUE(marked(edges({behind, front})).size() > 0);  // it left no depth: nobody can be sure
+    behind.raster.depth_test = false;  // it leaves no depth: what comes later is held against the clear's
+    EXPECT_TRUE(marked(edges({behind, front})).empty());
+    EXPECT_FALSE(marked(edges({front, behind})).empty());
     Draw painted = front;
     painted.raster.depth_test = false;
     EXPECT_TRUE(marked(edges({behind, painted})).empty());
@@ -62,9 +63,16 @@ TEST(EdgePixels, AreWhereSurfacesCutEachOther) {
 }
 
 TEST(EdgePixels, AreAllOfTwoSurfacesThatLieInEachOther) {
-    EXPECT_EQ(
-        marked(edges({without_diagonal(deep_quad(kRed, 0.5)), without_diagonal(deep_quad(kGreen, 0.5, kGL_LEQUAL))})),
-        rectangle(0, 0, 16, 16));
+    Draw other = without_diagonal(deep_quad(kGreen, 0.5, kGL_LEQUAL));
+    other.vertices[1].position_object.x += 10;  // another triangle of the same plane
+    EXPECT_EQ(marked(edges({without_diagonal(deep_quad(kRed, 0.5)), other})), rectangle(0, 0, 16, 16));
+}
+
+TEST(EdgePixels, AreNotWhereTheSameTriangleIsDrawnAgain) {
+    for (const Enum depth_func : {kGL_LESS, kGL_LEQUAL, kGL_EQUAL}) {
+        const Draw first = without_diagonal(deep_quad(kRed, 0.5));
+        EXPECT_TRUE(marked(edges({first, without_diagonal(deep_quad(kGreen, 0.5, depth_func))})).empty());
+    }
 }
 
 TEST(EdgePixels, AreLinesWithTheirNeighbours) {

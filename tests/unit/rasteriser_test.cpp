@@ -6,7 +6,7 @@
 #include <random>
 
 #include "reference/coverage.h"
-#include "reference/visibility.h"
+#include "reference/stages.h"
 #include "small_frames.h"
 
 namespace twinlight {

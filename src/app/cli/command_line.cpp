@@ -27,7 +27,8 @@ const std::map<std::string, Shading> kShadings = {
 }  // namespace
 
 void add_scene_argument(CLI::App& app, std::string& scene) {
-    app.add_option("SCENE", scene, "a built-in scene's name, a .gl file, an apitrace .trace or its dump, or - for standard input")
+    app.add_option("SCENE", scene,
+                   "a built-in scene's name, a .gl file, an apitrace .trace or its dump, or - for standard input")
         ->required()
         ->type_name("")
         ->check(not_empty());
@@ -71,8 +72,10 @@ Frame load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
     }
     if (recorded.first_error) {
         const GlError& first = *recorded.first_error;
-        fmt::print(stderr, "twinlight: note: GL refuses {} of the program's commands up to this frame; the first: {}: {} ({})\n",
-                   recorded.error_count, first.place.str(), one_line(first.message), enum_name(first.code));
+        fmt::print(
+            stderr,
+            "twinlight: note: GL refuses {} of the program's commands up to this frame; the first: {}: {} ({})\n",
+            recorded.error_count, first.place.str(), one_line(first.message), enum_name(first.code));
     }
     return std::move(recorded.frame);
 }

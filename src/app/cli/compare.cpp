@@ -26,6 +26,7 @@ std::string colored(const std::string& text, report::Verdict verdict) {
     switch (verdict) {
         case report::Verdict::kWithin: return "\x1b[32m" + text + "\x1b[0m";
         case report::Verdict::kBeyond: return "\x1b[1;31m" + text + "\x1b[0m";
+        case report::Verdict::kPartial: return "\x1b[33m" + text + "\x1b[0m";
         case report::Verdict::kInformative: return text;
     }
     return text;
@@ -94,7 +95,7 @@ Subcommand add_compare(CLI::App& app) {
     add_size_option(*compare, arguments->size);
     add_frame_option(*compare, arguments->frame);
     compare->add_flag("--json", arguments->json, "print comparison.json's object instead of the table");
-    compare->footer("Exit status: 0 within the tolerance, 1 beyond it, 2 bad input or use.");
+    compare->footer("Exit status: 0 within the tolerance or partial, 1 beyond it, 2 bad input or use.");
     return {compare, [arguments] { return run(*arguments); }};
 }
 

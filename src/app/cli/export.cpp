@@ -28,13 +28,13 @@ std::string c_program(const Frame& frame) {
     frame.commands->for_each([&](const Step& step) {
         if (step.kind == Step::Kind::kCommand) commands.commands.push_back(step.command);
         if (commands.commands.size() <= kMostExported) return true;
-        throw SceneError(fmt::format("{}: more than {} commands lead to this picture, too many for a C program; choose an "
-                                     "earlier --frame",
-                                     frame.commands->name, kMostExported));
+        throw SceneError(
+            fmt::format("{}: more than {} commands lead to this picture, too many for a C program; choose an "
+                        "earlier --frame",
+                        frame.commands->name, kMostExported));
     });
     return print_c_program(with_shapes_as_primitives(commands));
 }
-
 
 const std::map<std::string, std::function<std::string(const Frame&, const RenderOptions&)>> kForms = {
     {"c", [](const Frame& frame, const RenderOptions&) { return c_program(frame); }},

@@ -1,0 +1,123 @@
+// Where the driver leaves the text on the way from vertices to pixels: one small scene for each name that stands in
+// golden/known_differences, drawn by the driver and by the reference.
+#include "fragment_departures.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "../property/random_states.h"
+#include "command/text.h"
+#include "context/context.h"
+#include "fixed/fixed.h"
+#include "reference/reference.h"
+#include "state/state.h"
+
+namespace twinlight {
+
+namespace {
+
+constexpr int kWindow = 64;
+
+// What all scenes start from.
+constexpr const char* kStart = R"(
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    GLubyte green[] = {0, 255, 0, 255};
+    GLubyte reds[] = {255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255};
+    GLfloat white[] = {1, 1, 1, 1}, black[] = {0, 0, 0, 1};
+)";
+
+// How many interior pixels differ by more than a rounding and the slack.
+int differing_pixels(const FragmentCase& shown) {
+    const auto scene = std::make_shared<const CommandList>(
+        read_scene(std::string(kStart) + shown.scene, "case.gl", std::string(shown.name)));
+    StateOptions options;
+    options.width = options.height = kWindow;
+    const Frame frame = make_frame(scene, options);
+    EXPECT_TRUE(frame.unsupported.empty());
+    const Image driver = fixed::render(frame, {}), reference = reference::render(frame, {});
+    const reference::Freedom freedom = reference::freedom(frame);
+    int differing = 0;
+    for (std::size_t i = 0; i < driver.pixels.size(); ++i) {
+        if (freedom.edge[i]) continue;
+        bool differs = false;
+        for (std::size_t c = 0; c < 4; ++c) {
+            const int codes = std::abs(channel_code(driver.pixels[i][c]) - channel_code(reference.pixels[i][c]));
+            differs = differs || codes > 1 + 255.0 * static_cast<double>(freedom.slack.pixels[i][c]);
+        }
+        differing += differs;
+    }
+    return differing;
+}
+
+TEST(Departures, OfFragmentsAreStillThere) {
+    const auto context = make_offscreen_context(kWindow, kWindow);
+    for (const FragmentCase& shown : fragment_cases()) {
+        SCOPED_TRACE(shown.name);
+        EXPECT_TRUE(differing_pixels(shown) > 0 || !is_listed_driver()) << "the driver keeps to the text now";
+    }
+}
+
+}  // namespace
+
+const std::vector<FragmentCase>& fragment_cases() {
+    static const std::vector<FragmentCase> cases = {
+        // The near plane, z = 1, cuts the triangle at x = 0: 2.12 draws the edge that this adds.
+        {"clipped polygons as lines and points", R"(
+            glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(5);
+            glBegin(GL_TRIANGLES);
+            glVertex3f(-0.9, -0.9, -0.1); glVertex3f(0.9, -0.9, -1.9); glVertex3f(-0.9, 0.9, -0.1); glEnd();)"},
+        // All edges of a strip are boundary edges, whatever the flags say.
+        {"edge flags of strips and fans", R"(
+            glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(8);
+            glBegin(GL_TRIANGLE_STRIP); glEdgeFlag(0);
+            glVertex2f(-0.8, -0.8); glVertex2f(0.8, -0.8); glVertex2f(-0.8, 0.8); glEnd();)"},
+        // A front face in FILL without offset, then a back face as LINE with one that takes it behind a wall.
+        {"polygon offset of one of two polygon modes", R"(
+            glEnable(GL_DEPTH_TEST);
+            glBegin(GL_TRIANGLES); glVertex3f(-4, -4, 0); glVertex3f(4, -4, 0); glVertex3f(0, 8, 0); glEnd();
+            glColor3f(1, 0, 0); glPolygonMode(GL_BACK, GL_LINE); glLineWidth(8);
+            glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 1e6);
+            glBegin(GL_TRIANGLES);
+            glVertex3f(-0.9, -0.9, 0.5); glVertex3f(-0.5, -0.9, 0.5); glVertex3f(-0.9, -0.5, 0.5);
+            glVertex3f(-0.6, 0.7, -0.01); glVertex3f(0.7, 0.7, -0.01); glVertex3f(0.7, -0.6, -0.01); glEnd();)"},
+        // rho is 1 and lambda the bias: the second level, which is green.
+        {"level of detail of points", R"(
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, reds);
+            glTexImage2D(GL_TEXTURE_2D, 1, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, green);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+            glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 1); glEnable(GL_TEXTURE_2D);
+            glPointSize(8); glBegin(GL_POINTS); glVertex2f(0, 0); glEnd();)"},
+        // White and a white highlight are white, and half of it in black fog is grey.
+        {"the colour sum in fog", R"(
+            glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);
+            glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+            glMaterialfv(GL_FRONT, GL_DIFFUSE, white); glMaterialfv(GL_FRONT, GL_SPECULAR, white);
+            glEnable(GL_FOG); glFogi(GL_FOG_MODE, GL_LINEAR); glFogf(GL_FOG_START, 0); glFogf(GL_FOG_END, 1);
+            glFogfv(GL_FOG_COLOR, black);
+            glNormal3f(0, 0, 1); glBegin(GL_TRIANGLES);
+            glVertex3f(-4, -4, -0.5); glVertex3f(4, -4, -0.5); glVertex3f(0, 8, -0.5); glEnd();)"},
+        // All of it lies at s = -1. The part that is minified is red; the magnified one is half white, of the border.
+        {"GL_CLAMP between a nearest and a linear filter", R"(
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, reds);
+            glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, white);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP); glEnable(GL_TEXTURE_2D);
+            glMatrixMode(GL_PROJECTION); glFrustum(-1, 1, -1, 1, 1, 10);
+            glBegin(GL_TRIANGLES);
+            glTexCoord2f(-1, 0); glVertex3f(-3, -7, -7.5); glVertex3f(-6, 5, -7.5);
+            glTexCoord2f(-1, 3); glVertex3f(-0.5, 0.5, -4.4); glEnd();)"},
+        // A loop about the window; its fourth vertex is the first that has an edge flag and a colour of its own.
+        {"a line loop whose first vertex lacks attributes", R"(
+            glLineWidth(8); glBegin(GL_LINE_LOOP);
+            glVertex2f(-0.7, -0.7); glVertex2f(0.7, -0.7); glVertex2f(0.8, 0);
+            glEdgeFlag(1); glColor3f(1, 0, 0); glVertex2f(0.7, 0.7); glVertex2f(0, 0.9); glVertex2f(-0.7, 0.7); glEnd();)"},
+    };
+    return cases;
+}
+
+}  // namespace twinlight
