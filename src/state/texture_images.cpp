@@ -92,12 +92,12 @@ bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     return false;
 }
 
-// The pixels that the command's pointer leads to; black where it is null. Nothing, and the error, where the memory ends
-// before the image does.
+// The pixels that the command's pointer leads to. RULING: all 0 where it is null, which 3.8.1 leaves undefined. Nothing,
+// and the error, where the memory ends before the image does.
 std::optional<std::vector<glm::dvec4>> State::pixels(const Command& c, const PixelSource& source) {
     if (!c.memory) {
         const auto count = static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height);
-        return std::vector<glm::dvec4>(count, glm::dvec4(0, 0, 0, 1));
+        return std::vector<glm::dvec4>(count, glm::dvec4(0));
     }
     const double offset = c.arguments.back();
     const std::size_t needed = bytes_read(source, pixel_store_), size = c.memory->bytes.size();

@@ -151,8 +151,9 @@ class SceneText {
         const bool mixed = linear_ && (magnified + minified).find("GL_NEAREST") != std::string::npos;
         for (const char* axis : {"S", "T"})
             add("glTexParameteri({}, GL_TEXTURE_WRAP_{}, {});\n", target, axis,
-                chance(0.4) ? "GL_CLAMP"
-                            : one_of({"GL_REPEAT", "GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_BORDER", "GL_MIRRORED_REPEAT"}));
+                chance(mixed ? 0 : 0.4)
+                    ? "GL_CLAMP"
+                    : one_of({"GL_REPEAT", "GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_BORDER", "GL_MIRRORED_REPEAT"}));
         add("glTexParameterfv({}, GL_TEXTURE_BORDER_COLOR, {});\n", target, vector(4, 0, 1));
         add("glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, {});\n", enum_name(environment_));
         add("glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {});\n", vector(4, 0, 1));
