@@ -46,7 +46,7 @@ struct Found {
 
 Found compare(const Frame& frame) {
     const Image driver = fixed::render(frame, {}), reference = reference::render(frame, {});
-    const reference::Freedom freedom = reference::freedom(frame);
+    const Freedom freedom = reference::freedom(frame);
     Found found;
     for (int y = 0; y < kWindow; ++y)
         for (int x = 0; x < kWindow; ++x) {
