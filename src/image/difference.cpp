@@ -26,6 +26,15 @@ int largest_difference(const Rgba& a, const Rgba& b) {
     return *std::ranges::max_element(codes);
 }
 
+Codes excess(const Codes& codes, const Rgba& slack) {
+    Codes result;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+        const double left = std::ceil(codes[c] - 255.0 * static_cast<double>(slack[c]));
+        result[c] = std::max(static_cast<int>(left), 0);
+    }
+    return result;
+}
+
 void check_sizes(const Image& a, const Image& b) {
     if (a.width != b.width || a.height != b.height) {
         throw std::invalid_argument("pictures of different sizes cannot be compared");
@@ -63,17 +72,26 @@ struct Region {
 
 }  // namespace
 
-ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge) {
+ImageDifference difference(const Image& a, const Image& b, const Freedom& freedom) {
     check_sizes(a, b);
-    if (edge.size() != a.pixels.size()) throw std::invalid_argument("the edge mask has another size than the pictures");
-    Region interior_region, edge_region;
+    check_sizes(a, freedom.slack);
+    if (freedom.edge.size() != a.pixels.size()) {
+        throw std::invalid_argument("the edge mask has another size than the pictures");
+    }
+    Region interior, edge, beyond;
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             const std::size_t i = a.index(x, y);
-            (edge[i] ? edge_region : interior_region).add(absolute_difference(a.pixels[i], b.pixels[i]), x, y);
+            const Codes codes = absolute_difference(a.pixels[i], b.pixels[i]);
+            (freedom.edge[i] ? edge : interior).add(codes, x, y);
+            if (!freedom.edge[i]) beyond.add(excess(codes, freedom.slack.pixels[i]), x, y);
         }
     }
-    return {.interior = interior_region.result(), .edge = edge_region.result()};
+    return {.interior = interior.result(), .edge = edge.result(), .beyond_slack = beyond.result()};
+}
+
+ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge) {
+    return difference(a, b, {.edge = edge, .slack = Image(a.width, a.height, {0, 0, 0, 0})});
 }
 
 Image nearer_of(const Image& image, const Image& first, const Image& second) {

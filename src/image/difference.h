@@ -22,13 +22,25 @@ struct RegionDifference {
     }
 };
 
+// How far apart two right pictures of one scene may be, pixel by pixel.
+struct Freedom {
+    // Where they may choose differently: the border of what is drawn passes through the pixel, two surfaces cut each
+    // other there, or which texel, level or filter is the right one hangs on the last bits (docs/lighting.md, "Edges").
+    PixelMask edge;
+    // Elsewhere: how far apart a channel may be, beyond the rounding of the picture itself, for the precision of filters
+    // and of blending. 0 where nothing is textured or blended.
+    Image slack;
+};
+
 struct ImageDifference {
     RegionDifference interior;
     RegionDifference edge;
+    RegionDifference beyond_slack;  // of the interior: what is left of each channel's difference, in whole codes
 };
 
-// The pixels of the mask are the edge, all others the interior. Throws std::invalid_argument unless both
-// images and the mask have one size.
+// The pixels of the mask are the edge, all others the interior. Throws std::invalid_argument unless all have one size.
+ImageDifference difference(const Image& a, const Image& b, const Freedom& freedom);
+// The same without slack.
 ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge);
 
 // At each pixel whichever of two right answers is nearer to `image`: the one with the smaller largest difference of a

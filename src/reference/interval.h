@@ -21,8 +21,8 @@ struct Interval {
     friend Interval operator+(Interval a, Interval b) { return {a.low + b.low, a.high + b.high}; }
     friend Interval operator-(Interval a, Interval b) { return {a.low - b.high, a.high - b.low}; }
     friend Interval operator*(Interval a, Interval b) {
-        const auto [low, high] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-        return {low, high};
+        const auto [least, most] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
+        return {least, most};
     }
     friend bool operator==(const Interval&, const Interval&) = default;
 };

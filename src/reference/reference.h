@@ -2,6 +2,7 @@
 // specification, without a driver. Sees only the Frame.
 #pragma once
 
+#include "image/difference.h"
 #include "image/image.h"
 #include "state/frame.h"
 
@@ -10,15 +11,7 @@ namespace twinlight::reference {
 // Starts from black and depth 1.
 Image render(const Frame& frame, const RenderOptions& options);
 
-// How far apart two right pictures may be, pixel by pixel.
-struct Freedom {
-    // Where they may choose differently: the border of what is drawn passes through the pixel, two surfaces cut each
-    // other there, or which texel, level or filter is the right one hangs on the last bits (docs/lighting.md, "Edges").
-    PixelMask edge;
-    // Elsewhere: how far apart a channel may be, beyond the rounding of the picture itself, for the precision of filters
-    // and of blending. 0 where nothing is textured or blended.
-    Image slack;
-};
+// How far apart right pictures of the frame may be (docs/lighting.md, "Edges").
 Freedom freedom(const Frame& frame);
 
 // The mask alone.

@@ -82,9 +82,9 @@ Verdict Comparison::verdict() const {
 bool Comparison::within_tolerance() const { return verdict() != Verdict::kBeyond; }
 
 Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
-    const RegionDifference& interior = difference.interior;
-    const bool within = interior.max <= tolerance.max &&
-                        (interior.differing == 0 || interior.differing_share() < tolerance.differing_share);
+    const RegionDifference& judged = difference.beyond_slack;
+    const bool within =
+        judged.max <= tolerance.max && (judged.differing == 0 || judged.differing_share() < tolerance.differing_share);
     return within ? Verdict::kWithin : Verdict::kBeyond;
 }
 
@@ -127,14 +127,14 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
         result.renders.push_back(render(planned, frame, renderers));
     }
     begin_step("edges");
-    result.edges = renderers.edge_pixels(frame);
+    result.freedom = renderers.freedom(frame);
 
     begin_step("differences");
     for (const PlannedPair& planned : kPairs) {
         Pair pair;
         pair.a = planned.a;
         pair.b = planned.b;
-        pair.difference = difference(result.a(pair).image, result.counterpart(pair), result.edges);
+        pair.difference = difference(result.a(pair).image, result.counterpart(pair), result.freedom);
         if (planned.judged) pair.verdict = verdict_of(result, pair);
         // The interior is what is judged; an edge pixel that is wholly different must not darken it.
         pair.factor = amplification_for(pair.difference.interior.max);

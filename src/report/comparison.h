@@ -22,7 +22,7 @@ struct Renderers {
     RenderFunction programmable;
     RenderFunction reference;
     // The pixels where right rasterisers may differ; all others are interior.
-    std::function<PixelMask(const Frame&)> edge_pixels;
+    std::function<Freedom(const Frame&)> freedom;
 };
 
 // Called before each step: how many are done, how many there are, what comes next.
@@ -45,8 +45,8 @@ enum class Verdict : std::uint8_t {
     kInformative,  // the two show different models: no tolerance applies
 };
 
-// What a judged pair is held to: in the interior, no channel off by more than max, and a share of the pixels
-// that differ below differing_share.
+// What a judged pair is held to, in the interior, beyond the slack that filters and blending have: no channel off by
+// more than max, and a share of the pixels that differ below differing_share.
 struct Tolerance {
     double max = 1 / 255.0;          // one code: two right roundings of one value may be neighbours
     double differing_share = 0.001;  // as rarely as float and double lie on different sides of a rounding border
@@ -65,7 +65,7 @@ struct Comparison {
     int width = 0, height = 0;
     std::vector<Render> renders;
     std::vector<Pair> pairs;
-    PixelMask edges;
+    Freedom freedom;
     std::vector<Unsupported> unsupported;
     Tolerance tolerance;
 
@@ -97,7 +97,9 @@ std::string difference_file(const Comparison& comparison, const Pair& pair);
 //   {"scene", "driver", "size": [w, h], "verdict": "within" | "beyond" | "partial",
 //    "renders": [{"name", "file", "ms"}],
 //    "pairs": [{"a", "b",                        names of renders
-//               "interior": {"pixels", "differing", "max", "rms", "worst": [x, y]}, "edge": {the same},
+//               "interior": {"pixels", "differing", "max", "rms", "worst": [x, y]},
+//               "beyond_slack": {the same},     what is judged of the interior
+//               "edge": {the same},
 //               "verdict": "within" | "beyond" | "partial" | "informative",
 //               "tolerance": {"max", "differing_share"},   of the interior; not where informative
 //               "file", "factor"}],             the difference picture and its amplification

@@ -35,6 +35,10 @@ std::string word_of(Verdict verdict) {
     return "";
 }
 
+bool has_slack(const Pair& pair) {
+    return pair.verdict != Verdict::kInformative && pair.difference.beyond_slack.rms < pair.difference.interior.rms;
+}
+
 std::string words_of(const Tolerance& tolerance) {
     return fmt::format("no interior channel off by more than {}, fewer than {:g}% of interior pixels differing",
                        codes_of(tolerance.max), 100 * tolerance.differing_share);
@@ -60,11 +64,11 @@ std::vector<std::string> verdict_sentences(const Comparison& comparison) {
                                           ") is exceeded."};
     for (const Pair& pair : comparison.pairs) {
         if (pair.verdict != Verdict::kBeyond) continue;
-        const RegionDifference& interior = pair.difference.interior;
-        sentences.push_back(fmt::format("{}: {} of {} interior pixels differ ({}), by up to {} at ({}, {}).",
-                                        name_of(comparison, pair), grouped(interior.differing),
-                                        grouped(interior.pixels), share_of(interior), codes_of(interior.max),
-                                        interior.worst_x, interior.worst_y));
+        const RegionDifference& judged = pair.difference.beyond_slack;
+        sentences.push_back(fmt::format("{}: {} of {} interior pixels differ ({}), by up to {} at ({}, {}){}.",
+                                        name_of(comparison, pair), grouped(judged.differing), grouped(judged.pixels),
+                                        share_of(judged), codes_of(judged.max), judged.worst_x, judged.worst_y,
+                                        has_slack(pair) ? ", beyond the slack of filters and blending" : ""));
     }
     return sentences;
 }

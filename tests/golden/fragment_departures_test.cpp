@@ -38,7 +38,7 @@ int differing_pixels(const FragmentCase& shown) {
     const Frame frame = make_frame(scene, options);
     EXPECT_TRUE(frame.unsupported.empty());
     const Image driver = fixed::render(frame, {}), reference = reference::render(frame, {});
-    const reference::Freedom freedom = reference::freedom(frame);
+    const Freedom freedom = reference::freedom(frame);
     int differing = 0;
     for (std::size_t i = 0; i < driver.pixels.size(); ++i) {
         if (freedom.edge[i]) continue;

@@ -30,14 +30,20 @@ constexpr double kRounding = 1;
 // How many pixels may differ beyond their slack at all: as rarely as float and double lie on different sides of a
 // rounding border.
 constexpr double kDifferingShare = 0.001;
+// The freedom must not grow until nothing is compared: what it may leave open, and its mean slack, in codes.
+constexpr double kInteriorShare = 0.85;
+constexpr double kMeanSlack = 0.15;
 
 struct Found {
-    long interior = 0, differing = 0, beyond = 0;
+    long pixels = 0, interior = 0, differing = 0, beyond = 0;
+    double slack = 0;            // summed up over the channels of the interior, in codes
     double worst_excess = -1e9;  // codes beyond the slack
     int worst_x = 0, worst_y = 0;
 
     void operator+=(const Found& more) {
+        pixels += more.pixels;
         interior += more.interior;
+        slack += more.slack;
         differing += more.differing;
         beyond += more.beyond;
         worst_excess = std::max(worst_excess, more.worst_excess);
@@ -46,16 +52,19 @@ struct Found {
 
 Found compare(const Frame& frame) {
     const Image driver = fixed::render(frame, {}), reference = reference::render(frame, {});
-    const reference::Freedom freedom = reference::freedom(frame);
+    const Freedom freedom = reference::freedom(frame);
     Found found;
     for (int y = 0; y < kWindow; ++y)
         for (int x = 0; x < kWindow; ++x) {
+            ++found.pixels;
             if (freedom.edge[driver.index(x, y)]) continue;
             ++found.interior;
             double excess = -1e9;
             for (std::size_t c = 0; c < 4; ++c) {
                 const int codes = std::abs(channel_code(driver.at(x, y)[c]) - channel_code(reference.at(x, y)[c]));
-                excess = std::max(excess, codes - 255.0 * static_cast<double>(freedom.slack.at(x, y)[c]));
+                const double slack = 255.0 * static_cast<double>(freedom.slack.at(x, y)[c]);
+                excess = std::max(excess, codes - slack);
+                found.slack += slack;
             }
             found.differing += excess > 0;
             found.beyond += excess > kRounding;
@@ -106,8 +115,13 @@ TEST(FragmentsMatchDriver, OverRandomStates) {
                                      seed, found.beyond, found.interior, found.worst_x, found.worst_y,
                                      found.worst_excess, failing_states == 1 ? text : "");
     }
-    fmt::print("{} interior pixels compared, {} differing beyond their slack\n", all.interior, all.differing);
-    EXPECT_LT(static_cast<double>(all.differing), kDifferingShare * static_cast<double>(all.interior));
+    const double pixels = static_cast<double>(all.pixels), interior = static_cast<double>(all.interior);
+    fmt::print(
+        "{} interior pixels ({:.0f} %) compared, {} differing beyond their slack, which is {:.2f} codes on average\n",
+        all.interior, 100 * interior / pixels, all.differing, all.slack / (4 * interior));
+    EXPECT_LT(static_cast<double>(all.differing), kDifferingShare * interior);
+    EXPECT_GT(interior, kInteriorShare * pixels);
+    EXPECT_LT(all.slack / (4 * interior), kMeanSlack);
     for (const auto& [name, count] : left_out) fmt::print("  {} states left out: {}\n", count, name);
 }
 

@@ -31,6 +31,7 @@ Frame empty_frame() {
 // Pictures of one grey; the left column is an edge.
 struct Stub {
     float fixed = 0.5F, programmable = 0.5F, reference = 0.5F;
+    float slack = 0;
     std::vector<Unsupported> unsupported;
     std::map<std::string, int> calls;  // "fixed gouraud GL", ...
 
@@ -48,10 +49,11 @@ struct Stub {
         return {.fixed = renderer("fixed", fixed),
                 .programmable = renderer("programmable", programmable),
                 .reference = renderer("reference", reference),
-                .edge_pixels = [](const Frame& frame) {
-                    PixelMask mask(static_cast<std::size_t>(frame.width * frame.height));
-                    for (int y = 0; y < frame.height; ++y) mask[static_cast<std::size_t>(y * frame.width)] = true;
-                    return mask;
+                .freedom = [this](const Frame& frame) {
+                    Freedom freedom{PixelMask(static_cast<std::size_t>(frame.width * frame.height)),
+                                    Image(frame.width, frame.height, {slack, slack, slack, slack})};
+                    for (int y = 0; y < frame.height; ++y) freedom.edge[freedom.slack.index(0, y)] = true;
+                    return freedom;
                 }};
     }
     Comparison compare() {
@@ -123,13 +125,28 @@ TEST(Comparison, CountsInteriorAndEdgesApart) {
 
 TEST(Verdict, IsWithinUpToOneCodeInFewPixels) {
     ImageDifference difference;
-    difference.interior = {.pixels = 10'000, .differing = 9, .max = 1 / 255.0, .rms = 0};
+    difference.beyond_slack = {.pixels = 10'000, .differing = 9, .max = 1 / 255.0, .rms = 0};
     EXPECT_EQ(judge(difference, {}), Verdict::kWithin);
-    difference.interior.differing = 10;  // 0.1 %: not fewer
+    difference.beyond_slack.differing = 10;  // 0.1 %: not fewer
     EXPECT_EQ(judge(difference, {}), Verdict::kBeyond);
-    difference.interior.differing = 1;
-    difference.interior.max = 2 / 255.0;
+    difference.beyond_slack.differing = 1;
+    difference.beyond_slack.max = 2 / 255.0;
     EXPECT_EQ(judge(difference, {}), Verdict::kBeyond);
+}
+
+// 25 codes off: one code more than the slack, in every pixel; then none.
+TEST(Verdict, IsOfWhatIsLeftBeyondTheSlack) {
+    Stub stub;
+    stub.fixed = 0.6F;
+    stub.slack = 24.2F / 255;
+    const Comparison beyond = stub.compare();
+    const ImageDifference& difference = pair_named(beyond, "fixed ~ programmable").difference;
+    EXPECT_EQ(difference.interior.max, 25 / 255.0);
+    EXPECT_EQ(difference.beyond_slack.max, 1 / 255.0);
+    EXPECT_EQ(difference.beyond_slack.differing, difference.interior.pixels);
+    EXPECT_EQ(beyond.verdict(), Verdict::kBeyond);
+    stub.slack = 25.0F / 255;
+    EXPECT_EQ(stub.compare().verdict(), Verdict::kWithin);
 }
 
 TEST(Verdict, LeavesEdgesAlone) {
