@@ -29,7 +29,8 @@ int largest_difference(const Rgba& a, const Rgba& b) {
 Codes excess(const Codes& codes, const Rgba& slack) {
     Codes result;
     for (std::size_t c = 0; c < kChannels; ++c) {
-        const double left = std::ceil(codes[c] - 255.0 * static_cast<double>(slack[c]));
+        const double allowed = slack[c] > 0 ? 1 + 255.0 * static_cast<double>(slack[c]) : 0;
+        const double left = std::ceil(codes[c] - allowed);
         result[c] = std::max(static_cast<int>(left), 0);
     }
     return result;

@@ -35,7 +35,9 @@ struct Freedom {
 struct ImageDifference {
     RegionDifference interior;
     RegionDifference edge;
-    RegionDifference beyond_slack;  // of the interior: what is left of each channel's difference, in whole codes
+    // Of the interior: what is left of each channel's difference beyond its slack, in whole codes. Where there is slack,
+    // two right answers may also be rounded apart: one code of the difference is theirs.
+    RegionDifference beyond_slack;
 };
 
 // The pixels of the mask are the edge, all others the interior. Throws std::invalid_argument unless all have one size.
