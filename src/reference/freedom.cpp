@@ -335,9 +335,11 @@ class Rows {
 
 }  // namespace
 
-Freedom freedom(const Frame& frame) {
-    const Stages stages = run_stages(frame, QuadCut::kFirstToThird);
-    const std::vector<Shader> shaders = make_shaders(stages, {.shading = std::nullopt, .lecture_variants = false});
+namespace {
+
+Freedom freedom_of_cut(const Frame& frame, const RenderOptions& options) {
+    const Stages stages = run_stages(frame, options.quad_cut);
+    const std::vector<Shader> shaders = make_shaders(stages, options);
     const std::size_t count = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
     std::vector<char> edge(count);  // bytes, not bits: bands write beside each other
     Freedom result{.edge = {}, .slack = Image(frame.width, frame.height)};
@@ -352,6 +354,26 @@ Freedom freedom(const Frame& frame) {
             }
     });
     result.edge.assign(edge.begin(), edge.end());
+    return result;
+}
+
+void join(Freedom& freedom, const Freedom& other) {
+    for (std::size_t i = 0; i < freedom.edge.size(); ++i) {
+        freedom.edge[i] = freedom.edge[i] || other.edge[i];
+        for (std::size_t c = 0; c < freedom.slack.pixels[i].size(); ++c) {
+            freedom.slack.pixels[i][c] = std::max(freedom.slack.pixels[i][c], other.slack.pixels[i][c]);
+        }
+    }
+}
+
+}  // namespace
+
+Freedom freedom(const Frame& frame, RenderOptions options) {
+    options.quad_cut = QuadCut::kFirstToThird;
+    Freedom result = freedom_of_cut(frame, options);
+    if (!has_quadrilaterals(frame)) return result;
+    options.quad_cut = QuadCut::kSecondToFourth;
+    join(result, freedom_of_cut(frame, options));
     return result;
 }
 

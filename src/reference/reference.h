@@ -12,7 +12,8 @@ namespace twinlight::reference {
 Image render(const Frame& frame, const RenderOptions& options);
 
 // How far apart right pictures of the frame may be (docs/lighting.md, "Edges").
-Freedom freedom(const Frame& frame);
+// Of either cut of quadrilaterals.
+Freedom freedom(const Frame& frame, RenderOptions options = {});
 
 // The mask alone.
 PixelMask edge_pixels(const Frame& frame);

@@ -38,10 +38,11 @@ constexpr std::size_t kReference = 2;
 struct PlannedPair {
     std::size_t a, b;  // into kRenders
     bool judged;
+    bool phong = false;  // both
 };
 constexpr std::array kPairs = {
-    PlannedPair{0, 1, true}, PlannedPair{0, 2, true},  PlannedPair{1, 2, true},
-    PlannedPair{3, 4, true}, PlannedPair{0, 3, false},  // what GL's lighting of vertices cannot show
+    PlannedPair{0, 1, true},       PlannedPair{0, 2, true},  PlannedPair{1, 2, true},
+    PlannedPair{3, 4, true, true}, PlannedPair{0, 3, false},  // what GL's lighting of vertices cannot show
 };
 
 bool is_of_drivers(const PlannedPair& pair) { return kRenders[pair.a].by_driver && kRenders[pair.b].by_driver; }
@@ -58,13 +59,6 @@ Freedom freedom_of_drivers(Freedom freedom, const Render& reference) {
         }
     }
     return freedom;
-}
-
-bool has_quadrilaterals(const Frame& frame) {
-    return std::ranges::any_of(frame.items, [](const auto& item) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        return draw && (draw->mode == kGL_QUADS || draw->mode == kGL_QUAD_STRIP);
-    });
 }
 
 Render render(const PlannedRender& planned, const Frame& frame, const Renderers& renderers) {
@@ -145,7 +139,11 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
         result.renders.push_back(render(planned, frame, renderers));
     }
     begin_step("edges");
-    result.freedom = renderers.freedom(frame);
+    result.freedom = renderers.freedom(frame, kPerVertex);
+    Freedom of_phong = renderers.freedom(frame, kPerPixel);
+    for (std::size_t i = 0; i < result.freedom.edge.size(); ++i) {  // one mask for all pairs
+        result.freedom.edge[i] = of_phong.edge[i] = result.freedom.edge[i] || of_phong.edge[i];
+    }
 
     begin_step("differences");
     const Freedom of_drivers = freedom_of_drivers(result.freedom, result.renders[kReference]);
@@ -154,7 +152,9 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
         pair.a = planned.a;
         pair.b = planned.b;
         pair.difference = difference(result.a(pair).image, result.counterpart(pair),
-                                     is_of_drivers(planned) ? of_drivers : result.freedom);
+                                     is_of_drivers(planned) ? of_drivers
+                                     : planned.phong        ? of_phong
+                                                            : result.freedom);
         if (planned.judged) pair.verdict = verdict_of(result, pair);
         // The interior is what is judged; an edge pixel that is wholly different must not darken it.
         pair.factor = amplification_for(pair.difference.interior.max);

@@ -22,7 +22,7 @@ struct Renderers {
     RenderFunction programmable;
     RenderFunction reference;
     // The pixels where right rasterisers may differ; all others are interior.
-    std::function<Freedom(const Frame&)> freedom;
+    std::function<Freedom(const Frame&, const RenderOptions&)> freedom;
 };
 
 // Called before each step: how many are done, how many there are, what comes next.
@@ -65,7 +65,7 @@ struct Comparison {
     int width = 0, height = 0;
     std::vector<Render> renders;
     std::vector<Pair> pairs;
-    Freedom freedom;
+    Freedom freedom;  // of the per-vertex pictures; its edges are of all
     std::vector<Unsupported> unsupported;
     Tolerance tolerance;
 

@@ -4,6 +4,7 @@
 // Spaces: object -> eye (modelview) -> clip (projection) -> ndc -> window (viewport, depth range).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -251,6 +252,13 @@ enum class Shading : std::uint8_t { kFlat, kGouraud, kPhong };
 // Where a quadrilateral is cut into triangles. The specification leaves it open (3.5: any correct algorithm), it shows
 // wherever colours do not vary linearly over it, and a driver may do now this, now that. Only the reference asks.
 enum class QuadCut : std::uint8_t { kFirstToThird, kSecondToFourth };  // corners in their order around it
+// Whether there is a choice.
+inline bool has_quadrilaterals(const Frame& frame) {
+    return std::any_of(frame.items.begin(), frame.items.end(), [](const auto& item) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        return draw && (draw->mode == kGL_QUADS || draw->mode == kGL_QUAD_STRIP);
+    });
+}
 
 struct RenderOptions {
     std::optional<Shading> shading;  // nothing: flat or gouraud, as each Draw's glShadeModel says

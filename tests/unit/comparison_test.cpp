@@ -49,7 +49,7 @@ struct Stub {
         return {.fixed = renderer("fixed", fixed),
                 .programmable = renderer("programmable", programmable),
                 .reference = renderer("reference", reference),
-                .freedom = [this](const Frame& frame) {
+                .freedom = [this](const Frame& frame, const RenderOptions&) {
                     Freedom freedom{PixelMask(static_cast<std::size_t>(frame.width * frame.height)),
                                     Image(frame.width, frame.height, {slack, slack, slack, slack})};
                     for (int y = 0; y < frame.height; ++y) freedom.edge[freedom.slack.index(0, y)] = true;
