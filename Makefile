@@ -123,7 +123,7 @@ deps:  ## install what is missing (apt), and nothing else
 
 golden: deps  ## write golden pictures anew (CASE=scene for one): look at each before it is committed
 	@$(MAKE) test-binary
-	@TWINLIGHT_BUILD=$(BUILD) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(BUILD)/twinlight-tests --gtest_filter='Golden*'
+	@TWINLIGHT_BUILD=$(BUILD) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(BUILD)/twinlight-tests --gtest_filter='*GoldenScenes*'
 
 format:  ## clang-format every source
 	clang-format -i $(SOURCES_all) $(wildcard src/*/*.h src/*/*/*.h tests/*/*.h)

