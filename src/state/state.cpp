@@ -202,6 +202,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
     }
     draw.fog = a_.fog;
     draw.fragment = a_.fragment;
+    if (!a_.draws_color) draw.fragment.color_mask.fill(false);
     for (std::size_t i = 0; i < a_.clip_planes.size(); ++i) {
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     }

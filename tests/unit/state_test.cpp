@@ -342,6 +342,20 @@ TEST(Frames, AreRefusedAtTheFirstError) {
               "scene.gl:2:1: GL_SPOT_CUTOFF is 120; it must be in [0, 90] or 180 (GL_INVALID_VALUE)");
 }
 
+// 4.2.1: with no buffer to draw to, depth is drawn and cleared alone.
+TEST(State, DrawsNoColorWithoutABuffer) {
+    const Frame frame = frame_of(
+        "glClearColor(1, 0, 0, 1); glPushAttrib(GL_COLOR_BUFFER_BIT); glDrawBuffer(GL_NONE);\n"
+        "glClear(GL_COLOR_BUFFER_BIT); glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); glRectf(0, 0, 1, 1);\n"
+        "glPopAttrib(); glRectf(0, 0, 1, 1);");
+    EXPECT_TRUE(frame.unsupported.empty());
+    ASSERT_EQ(frame.items.size(), 3u);
+    EXPECT_FALSE(std::get<Clear>(frame.items[0]).color);
+    EXPECT_TRUE(std::get<Clear>(frame.items[0]).depth);
+    EXPECT_EQ(std::get<Draw>(frame.items[1]).fragment.color_mask, (std::array{false, false, false, false}));
+    EXPECT_EQ(std::get<Draw>(frame.items[2]).fragment.color_mask, (std::array{true, true, true, true}));
+}
+
 }  // namespace
 
 }  // namespace twinlight
