@@ -70,8 +70,9 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene) {
 CommandList load_scene(const std::string& scene) {
     const auto list = std::dynamic_pointer_cast<const CommandList>(load_recording(scene));
     if (!list) {
-        throw SceneError(scene + ": a recorded program cannot be shown here; 'twinlight render', 'compare' and 'export' "
-                                 "read it");
+        throw SceneError(scene +
+                         ": a recorded program cannot be shown here; 'twinlight render', 'compare' and 'export' "
+                         "read it");
     }
     return *list;
 }

@@ -112,8 +112,8 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         if (!bit(row.group) && !bit(kGL_ENABLE_BIT)) continue;
         const auto is_of_row = [&row](const auto& on) { return on.first.first == row.cap; };
         std::erase_if(now.elsewhere, is_of_row);
-        std::copy_if(saved.elsewhere.begin(), saved.elsewhere.end(),
-                     std::inserter(now.elsewhere, now.elsewhere.end()), is_of_row);
+        std::copy_if(saved.elsewhere.begin(), saved.elsewhere.end(), std::inserter(now.elsewhere, now.elsewhere.end()),
+                     is_of_row);
     }
 }
 

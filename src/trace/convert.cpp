@@ -110,8 +110,7 @@ void add_pointer(const Argument& argument, const Arguments& arguments, const Par
             command.memory = blobs.read(arguments.blobs[argument.first], command.place);
             command.arguments.push_back(0);
             return;
-        case Form::kBlobSize:
-            refuse(command, parameter, "is not in this dump; make it with 'apitrace dump --blobs'");
+        case Form::kBlobSize: refuse(command, parameter, "is not in this dump; make it with 'apitrace dump --blobs'");
         case Form::kArray:
         case Form::kOther:
         case Form::kMissing: refuse(command, parameter, "is neither a blob nor an offset");
