@@ -76,6 +76,7 @@ std::optional<std::size_t> length_of(const Command& command, const Parameter& pa
         case Extent::kPointer:
         case Extent::kOutput:
         case Extent::kRest:
+        case Extent::kImage:
         case Extent::kResult: break;
     }
     return std::nullopt;
@@ -110,8 +111,7 @@ void add_pointer(const Argument& argument, const Arguments& arguments, const Par
             command.memory = blobs.read(arguments.blobs[argument.first], command.place);
             command.arguments.push_back(0);
             return;
-        case Form::kBlobSize:
-            refuse(command, parameter, "is not in this dump; make it with 'apitrace dump --blobs'");
+        case Form::kBlobSize: refuse(command, parameter, "is not in this dump; make it with 'apitrace dump --blobs'");
         case Form::kArray:
         case Form::kOther:
         case Form::kMissing: refuse(command, parameter, "is neither a blob nor an offset");
@@ -144,6 +144,7 @@ void convert(const Arguments& arguments, const Arguments& result, const BlobFold
             case Extent::kNames: add_array(argument, arguments, parameter, command); break;
             case Extent::kOutput:
             case Extent::kRest:
+            case Extent::kImage:
             case Extent::kResult: break;
         }
     }
