@@ -34,6 +34,8 @@ const std::vector<Signature>& table() {
     Parameter { #name, kind, Extent::kNames, 0 }
 #define X(name, kind) \
     Parameter { #name, kind, Extent::kResult, 1 }
+#define I(name) \
+    Parameter { #name, kSizei, Extent::kImage, 2 }
 #define GL_COMMAND(name, effect, ...) {#name, Family::kGl, {__VA_ARGS__}},
 #define SHAPE_COMMAND(name, effect, ...) {#name, Family::kShape, {__VA_ARGS__}},
 #define QUADRIC_COMMAND(name, effect, ...) {#name, Family::kQuadric, {__VA_ARGS__}},
@@ -48,6 +50,7 @@ const std::vector<Signature>& table() {
 #undef C
 #undef N
 #undef X
+#undef I
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
 #undef QUADRIC_COMMAND
@@ -74,7 +77,8 @@ std::optional<CommandId> find(const std::unordered_map<std::string_view, Command
 }  // namespace
 
 bool operator==(const Command& a, const Command& b) {
-    const bool same_memory = a.memory == b.memory || (a.memory && b.memory && a.memory->bytes == b.memory->bytes);
+    const bool same_memory = a.memory == b.memory || (a.memory && b.memory && a.memory->bytes == b.memory->bytes &&
+                                                      a.memory->file == b.memory->file);
     return a.id == b.id && a.arguments == b.arguments && same_memory;
 }
 
@@ -115,6 +119,7 @@ std::size_t Command::count(std::size_t parameter) const {
         case Extent::kPointer:
         case Extent::kResult: return 1;
         case Extent::kArray: return static_cast<std::size_t>(parameters[parameter].count);
+        case Extent::kImage: return static_cast<std::size_t>(parameters[parameter].count);
         case Extent::kOutput: return 0;
         case Extent::kByCount:
         case Extent::kNames:
@@ -146,6 +151,14 @@ std::string Signature::usage() const {
         if (parameter.extent == Extent::kRest) names.back() += "...";
     }
     return fmt::format("{}({})", name, fmt::join(names, ", "));
+}
+
+Command texture_command(const Command& pragma) {
+    return {CommandId::gluBuild2DMipmaps,
+            {double{kGL_TEXTURE_2D}, double{kGL_RGBA}, pragma.number(0), pragma.number(1), double{kGL_RGBA},
+             double{kGL_UNSIGNED_BYTE}, 0},
+            pragma.place,
+            pragma.memory};
 }
 
 const Signature& signature(CommandId id) { return table()[static_cast<std::size_t>(id)]; }

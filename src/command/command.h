@@ -59,6 +59,7 @@ enum class Extent : std::uint8_t {
     kNames,    // the same, written by the command: the names of new objects, which are recorded
     kRest,     // any number of values
     kResult,   // what the command returned, one value, which is recorded; no argument in C
+    kImage,    // the name of an image's file: its width and its height are the values; see Command::memory
 };
 
 struct Parameter {
@@ -110,6 +111,7 @@ struct Place {
 struct Memory {
     Kind kind = Kind::kUbyte;
     std::vector<std::byte> bytes;
+    std::string file{};  // of an image that was read from one: its name
 };
 
 // The arguments one after the other, an array as its elements, the result (if any) last. Each is held as a double that has
@@ -119,7 +121,8 @@ struct Command {
     std::vector<double> arguments;
     Place place;
     // Of a command with a pointer argument: null for a null pointer or an offset into a buffer object. The argument
-    // itself is the offset in bytes, into the memory or into the buffer object that is bound.
+    // itself is the offset in bytes, into the memory or into the buffer object that is bound. Of a command with an image:
+    // its pixels, four bytes each, the lowest row first.
     std::shared_ptr<const Memory> memory = nullptr;
 
     const Signature& sig() const { return signature(id); }
@@ -137,6 +140,9 @@ struct Command {
     // Equal commands do the same; where they stand does not matter.
     friend bool operator==(const Command& a, const Command& b);
 };
+
+// The command of GL and GLU that #pragma twinlight texture(...) stands for.
+Command texture_command(const Command& pragma);
 
 // One step of a recording.
 struct Step {

@@ -101,6 +101,24 @@ void Lexer::directive() {
     while (position_ < line_end) advance();
 }
 
+// From '"' to '"'. Strings are names of files: they have no escapes.
+void Lexer::string() {
+    const Place start = place_;
+    advance();
+    while (position_ < text_.size() && text_[position_] != '"') {
+        const auto byte = static_cast<unsigned char>(text_[position_]);
+        if (byte == '\n') break;
+        if (byte < 0x20 || byte == 0x7F || byte == '\\') {
+            fail(place_, fmt::format("a string cannot hold {}", quoted(text_.substr(position_, 1))));
+        }
+        advance();
+    }
+    if (position_ >= text_.size() || text_[position_] != '"') {
+        fail(start, "this string is not closed on its line; end it with \"");
+    }
+    advance();
+}
+
 Token Lexer::next() {
     while (true) {
         skip_space_and_comments();
@@ -136,6 +154,9 @@ Token Lexer::next() {
             if (!is_letter(d) && !is_digit(d) && d != '.' && !exponent_sign) break;
             advance();
         }
+    } else if (c == '"') {
+        token.kind = TokenKind::kString;
+        string();
     } else if (std::string_view("(){}[],;=+-*/|&").find(c) != std::string_view::npos) {
         advance();
     } else {

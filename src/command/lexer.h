@@ -9,15 +9,17 @@
 
 namespace twinlight {
 
-enum class TokenKind : std::uint8_t { kName, kNumber, kPunctuation, kPragma, kEnd };
+enum class TokenKind : std::uint8_t { kName, kNumber, kString, kPunctuation, kPragma, kEnd };
 
 struct Token {
     TokenKind kind = TokenKind::kEnd;
-    std::string_view text;  // of a pragma: "#pragma twinlight" itself; the words after it are tokens of their own
+    // Of a pragma: "#pragma twinlight" itself; the words after it are tokens of their own. Of a string: with its quotes.
+    std::string_view text;
     Place place;
 
     bool is(std::string_view punctuation_or_name) const {
-        return kind != TokenKind::kNumber && kind != TokenKind::kEnd && text == punctuation_or_name;
+        return kind != TokenKind::kNumber && kind != TokenKind::kString && kind != TokenKind::kEnd &&
+               text == punctuation_or_name;
     }
 };
 
@@ -34,6 +36,7 @@ class Lexer {
     void skip_space_and_comments();
     void advance();
     void directive();
+    void string();
     bool at(std::string_view word) const { return text_.substr(position_).starts_with(word); }
 
     std::string_view text_;

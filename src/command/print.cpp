@@ -178,6 +178,7 @@ std::string print(const Command& command, const PrintedArray& array) {
             case Extent::kValue:
                 arguments.push_back(print_value(command, parameter, command.number(command.first(i))));
                 break;
+            case Extent::kImage: arguments.push_back(fmt::format("\"{}\"", command.memory->file)); break;
             case Extent::kPointer: arguments.push_back(print_pointer(command, i, array)); break;
             case Extent::kRest:
                 for (double value : command.values(i)) arguments.push_back(print_number(value, parameter.kind));
@@ -202,7 +203,8 @@ std::string print_lines(const CommandList& scene, std::string_view indent) {
     MemoryNames memories;
     ObjectNames names;
     for (const Command& command : scene.commands) {
-        const PrintedArray array = command.memory ? memories.name(*command.memory, indent, text) : PrintedArray{};
+        const bool has_array = command.memory && command.id != CommandId::pragma_texture;
+        const PrintedArray array = has_array ? memories.name(*command.memory, indent, text) : PrintedArray{};
         // What a reader could not know.
         const Signature& sig = command.sig();
         const bool has_result = sig.c_arguments() < sig.parameters.size();
@@ -224,7 +226,8 @@ std::string print_lines(const CommandList& scene, std::string_view indent) {
 }  // namespace
 
 std::string print_command(const Command& command) {
-    return print(command, command.memory ? print_literal(*command.memory) : PrintedArray{});
+    const bool has_array = command.memory && command.id != CommandId::pragma_texture;
+    return print(command, has_array ? print_literal(*command.memory) : PrintedArray{});
 }
 
 std::string print_scene(const CommandList& scene) { return print_lines(scene, ""); }

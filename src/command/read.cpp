@@ -348,12 +348,18 @@ void Reader::forget_literals() {
     literals_.clear();
 }
 
-CommandList read_scene(std::string_view text, const std::string& file, const std::string& name) {
+ImageFile no_images(const std::string&) {
+    throw std::runtime_error(
+        "this scene stands in no folder that the picture could be read from; save it to a file beside the picture");
+}
+
+CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
+                       const ImageLoader& load_image) {
     if (text.size() > kMaxSceneBytes) {
         throw SceneError(
             fmt::format("{}: this scene has {} bytes; at most {} are read", file, text.size(), kMaxSceneBytes));
     }
-    return {name, Reader(text, file).read()};
+    return {name, Reader(text, file, load_image).read()};
 }
 
 }  // namespace twinlight

@@ -38,6 +38,7 @@ void Reader::argument(Command& command, std::size_t i) {
     const Parameter& parameter = command.sig().parameters[i];
     switch (parameter.extent) {
         case Extent::kPointer: return pointer_argument(command, parameter);
+        case Extent::kImage: return image_argument(command);
         case Extent::kArray:
         case Extent::kByPname:
         case Extent::kOutput:
@@ -100,6 +101,35 @@ void Reader::pointer_argument(Command& command, const Parameter& parameter) {
         command.memory = given.object->memory;
     }
     command.arguments.push_back(static_cast<double>(given.offset));
+}
+
+// A picture's file in the scene's folder, "brick.png", read once however often it is named.
+void Reader::image_argument(Command& command) {
+    const Token name = token_;
+    if (name.kind != TokenKind::kString) {
+        fail(name.place,
+             fmt::format("expected the name of a picture in quotes, such as \"brick.png\", found {}", shown(name)));
+    }
+    advance();
+    const std::string file(name.text.substr(1, name.text.size() - 2));
+    auto found = images_.find(file);
+    if (found == images_.end()) {
+        try {
+            ImageFile image = load_image_(file);
+            if (image.rgba.size() > kMaxMemoryBytes - bytes_) {
+                throw std::runtime_error(fmt::format(
+                    "all arrays and pictures of a scene hold {} MiB at the most together", kMaxMemoryBytes >> 20));
+            }
+            bytes_ += image.rgba.size();
+            auto memory = std::make_shared<const Memory>(Memory{Kind::kUbyte, std::move(image.rgba), file});
+            found = images_.emplace(file, LoadedImage{image.width, image.height, std::move(memory)}).first;
+        } catch (const std::runtime_error& error) {
+            fail(name.place, fmt::format("{}: {}", quoted(file), error.what()));
+        }
+    }
+    command.arguments.push_back(found->second.width);
+    command.arguments.push_back(found->second.height);
+    command.memory = found->second.memory;
 }
 
 namespace {

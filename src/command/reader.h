@@ -12,6 +12,7 @@
 
 #include "command/lexer.h"
 #include "command/object_names.h"
+#include "command/text.h"
 
 namespace twinlight {
 
@@ -54,7 +55,10 @@ struct Value {
 
 class Reader {
   public:
-    Reader(std::string_view text, const std::string& file) : lexer_(text, file) { advance(); }
+    Reader(std::string_view text, const std::string& file, const ImageLoader& load_image)
+        : lexer_(text, file), load_image_(load_image) {
+        advance();
+    }
 
     std::vector<Command> read();
 
@@ -98,6 +102,7 @@ class Reader {
     void pointer_argument(Command& command, const Parameter& parameter);
     void array_argument(Command& command, std::size_t parameter);
     void rest_arguments(Command& command, const Parameter& parameter);
+    void image_argument(Command& command);
     void give_names(Command& command, ObjectType type, const Value& array, std::size_t count);
     double result(const Command& command, const Parameter& parameter);
 
@@ -139,7 +144,13 @@ class Reader {
     bool program_read_ = false;
     std::map<std::string_view, Object> variables_;
     std::deque<Object> literals_;  // of the statement that is being read
-    std::size_t bytes_ = 0;        // that all objects hold
+    std::size_t bytes_ = 0;        // that all objects and images hold
+    const ImageLoader& load_image_;
+    struct LoadedImage {
+        int width = 0, height = 0;
+        std::shared_ptr<const Memory> memory;
+    };
+    std::map<std::string, LoadedImage, std::less<>> images_;  // by their files' names
     ObjectNames names_;
     std::optional<double> returns_;  // what the next call returns, where a pragma says so
     Place returns_place_;

@@ -101,6 +101,7 @@ void Driver::generate(const Command& command) {
 }
 
 void Driver::execute(const Command& command) {
+    if (command.id == CommandId::pragma_texture) return execute(texture_command(command));
     if (!may_see(command)) return;
     if (command.memory) memories_.insert(command.memory);
     switch (command.id) {

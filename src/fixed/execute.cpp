@@ -168,6 +168,7 @@ void Executor::execute(const Command& command) {
 #define B(name) const void*
 #define C(name, kind) Input<Kind::kind>
 #define N(name, kind) Output<Kind::kind>
+#define I(name) const void*
 #define X(name, kind) Result<Value<Kind::kind>>
 #define GL_COMMAND(name, effect, ...) \
     case CommandId::name: return Call<__VA_ARGS__>::make(&::name, command);
@@ -188,6 +189,7 @@ void Executor::execute(const Command& command) {
 #undef C
 #undef N
 #undef X
+#undef I
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
 #undef QUADRIC_COMMAND

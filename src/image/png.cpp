@@ -4,6 +4,7 @@
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
+#include <algorithm>
 #include <climits>
 #include <cstdint>
 #include <memory>
@@ -31,8 +32,63 @@ std::string encode_png(const Image& image) {
     return png;
 }
 
+namespace {
+
+constexpr int kRgba = 4;
+
+// The compressed pixels: the data of all IDAT chunks (PNG, section 5.3: length, type, data, check sum).
+std::string packed_pixels(std::string_view bytes) {
+    constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
+    constexpr std::size_t kAroundData = 12;
+    if (!bytes.starts_with(kSignature)) throw std::runtime_error("it is no PNG; convert it to one");
+    std::string packed;
+    for (std::string_view rest = bytes.substr(kSignature.size()); rest.size() >= kAroundData;) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(rest[i]);
+        if (length > rest.size() - kAroundData) break;
+        const std::string_view type = rest.substr(4, 4);
+        if (type == "IEND") return packed;
+        if (type == "IDAT") packed += rest.substr(8, length);
+        rest.remove_prefix(length + kAroundData);
+    }
+    throw std::runtime_error("the PNG is cut off; save it anew");
+}
+
+}  // namespace
+
+PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
+    const std::string packed = packed_pixels(bytes);
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
+    const auto refuse = [] {
+        throw std::runtime_error(std::string("the PNG cannot be read: ") + stbi_failure_reason() + "; save it anew");
+    };
+    PngPixels image;
+    int channels_in_file = 0;
+    if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels_in_file) == 0) refuse();
+    if (image.width > longest_side || image.height > longest_side) {
+        const std::string limit = std::to_string(longest_side);
+        throw std::runtime_error("it has " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                                 " pixels, at most " + limit + " x " + limit + " are read; make it smaller");
+    }
+    // The most that the pixels can unpack to: 16 bits a channel, a byte more a row, and eight times the rows for the
+    // passes of an interlaced image. The decoder itself would go on unpacking whatever there is.
+    constexpr std::size_t kLargestPixel = 8, kRowBytes = 1, kPasses = 8;
+    const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+    std::string unpacked(height * width * kLargestPixel + (height + kPasses) * kRowBytes * kPasses, '\0');
+    if (stbi_zlib_decode_buffer(unpacked.data(), static_cast<int>(unpacked.size()), packed.data(),
+                                static_cast<int>(packed.size())) < 0) {
+        throw std::runtime_error("the PNG's pixels cannot be unpacked, or are more than its size says; save it anew");
+    }
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> codes(
+        stbi_load_from_memory(data, size, &image.width, &image.height, &channels_in_file, kRgba), stbi_image_free);
+    if (!codes) refuse();
+    image.rgba.assign(codes.get(), codes.get() + width * height * kRgba);
+    return image;
+}
+
 Image decode_png(std::string_view bytes) {
-    constexpr int kChannels = 4;
+    constexpr int kChannels = kRgba;
     if (bytes.size() > INT_MAX) throw std::runtime_error("the PNG is larger than 2 GiB");
     int width = 0, height = 0, channels_in_file = 0;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> codes(

@@ -4,14 +4,26 @@
 // and a viewer would take it for that.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "image/image.h"
 
 namespace twinlight {
 
 std::string encode_png(const Image& image);
+
+// What a PNG holds: red, green, blue and alpha, a byte each, the highest row first.
+struct PngPixels {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+// Any PNG, rounded to 8 bits; alpha is 255 where the file has none. A side longer than `longest_side`, or pixel data that
+// unpacks to more than such an image has, is refused before it takes memory. Throws std::runtime_error.
+PngPixels decode_png_pixels(std::string_view bytes, int longest_side);
 
 // Any PNG of 8 bits or fewer; alpha is 1 where the file has none. Throws std::runtime_error with the decoder's reason.
 Image decode_png(std::string_view bytes);

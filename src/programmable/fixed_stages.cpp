@@ -47,6 +47,7 @@ void set_fragment_operations(const FragmentState& fragment) {
     glAlphaFunc(fragment.alpha_func, static_cast<float>(fragment.alpha_ref));
     set_enabled(GL_BLEND, fragment.blend);
     glBlendFuncSeparate(fragment.blend_src, fragment.blend_dst, fragment.blend_src_alpha, fragment.blend_dst_alpha);
+    glBlendEquationSeparate(fragment.blend_equation, fragment.blend_equation_alpha);
     const glm::vec4 color(fragment.blend_color);
     glBlendColor(color.r, color.g, color.b, color.a);
     set_color_mask(fragment.color_mask);
@@ -62,7 +63,6 @@ FixedStages::FixedStages() {
           GL_VERTEX_PROGRAM_POINT_SIZE, GL_VERTEX_PROGRAM_TWO_SIDE, GL_DEPTH_CLAMP, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP,
           GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
         glDisable(capability);
-    glBlendEquation(GL_FUNC_ADD);
     glActiveTexture(GL_TEXTURE0);
     glEdgeFlag(GL_TRUE);
 }

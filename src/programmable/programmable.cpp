@@ -155,7 +155,7 @@ std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
         {fragment.scissor.enabled, "the scissor (glScissor)"},
         {fragment.alpha_test, "the alpha test (glAlphaFunc; core GL has `discard`)"},
         {raster.depth_test, "the depth test (glDepthFunc)"},
-        {fragment.blend, "blending (glBlendFunc)"},
+        {fragment.blend, "blending (glBlendFunc, glBlendEquation)"},
         {fragment.color_mask != FragmentState{}.color_mask, "the colour mask (glColorMask)"},
         {plan.effects.has_texture(), "the texture's images, filters and wrapping (glTexParameter)"},
     };

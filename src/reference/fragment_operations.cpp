@@ -37,7 +37,8 @@ bool alpha_passes(const FragmentState& state, double alpha) {
 }
 
 bool overwrites_color(const FragmentState& state) {
-    const bool blends = state.blend && (state.blend_src != kGL_ONE || state.blend_dst != kGL_ZERO ||
+    const bool adds = state.blend_equation == kGL_FUNC_ADD && state.blend_equation_alpha == kGL_FUNC_ADD;
+    const bool blends = state.blend && (!adds || state.blend_src != kGL_ONE || state.blend_dst != kGL_ZERO ||
                                         state.blend_src_alpha != kGL_ONE || state.blend_dst_alpha != kGL_ZERO);
     return !blends && std::ranges::all_of(state.color_mask, [](bool on) { return on; });
 }

@@ -52,14 +52,26 @@ Real blend_factor(Enum factor, std::size_t i, const Channels<Real>& source, cons
     return Real(1);
 }
 
-// 4.1.8: C_s S + C_d D of one channel, before it is clamped. `constant`: the blend colour, in [0,1].
+// Table 4.1's equation for a channel.
+inline Enum blend_equation(const FragmentState& state, std::size_t i) {
+    return i == 3 ? state.blend_equation_alpha : state.blend_equation;
+}
+
+// 4.1.8, table 4.1: C_s S + C_d D of one channel, or what else the equation says, before it is clamped. `constant`: the
+// blend colour, in [0,1].
 template <class Real>
 Real blended(const FragmentState& state, std::size_t i, const Channels<Real>& source, const Channels<Real>& destination,
              const Channels<Real>& constant) {
     const Enum s = i == 3 ? state.blend_src_alpha : state.blend_src,
                d = i == 3 ? state.blend_dst_alpha : state.blend_dst;
-    return source[i] * blend_factor(s, i, source, destination, constant) +
-           destination[i] * blend_factor(d, i, source, destination, constant);
+    const Enum equation = blend_equation(state, i);
+    if (equation == kGL_MIN) return smaller(source[i], destination[i]);  // without the factors
+    if (equation == kGL_MAX) return larger(source[i], destination[i]);
+    const Real from_source = source[i] * blend_factor(s, i, source, destination, constant),
+               from_destination = destination[i] * blend_factor(d, i, source, destination, constant);
+    if (equation == kGL_FUNC_SUBTRACT) return from_source - from_destination;
+    if (equation == kGL_FUNC_REVERSE_SUBTRACT) return from_destination - from_source;
+    return from_source + from_destination;
 }
 
 }  // namespace twinlight::reference

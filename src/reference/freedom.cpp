@@ -85,6 +85,8 @@ Interval held(const Interval& channel) {
 
 // How many products of the blend equation round: all but those with 0 or 1.
 int rounded_products(const FragmentState& state, std::size_t i) {
+    const Enum equation = blend_equation(state, i);
+    if (equation == kGL_MIN || equation == kGL_MAX) return 0;
     const auto rounds = [](Enum factor) { return factor != kGL_ZERO && factor != kGL_ONE ? 1 : 0; };
     return i == 3 ? rounds(state.blend_src_alpha) + rounds(state.blend_dst_alpha)
                   : rounds(state.blend_src) + rounds(state.blend_dst);

@@ -34,7 +34,9 @@ inline double clamp01(double x) { return lighting::clamp01(x); }
 inline Interval clamp01(Interval x) { return {clamp01(x.low), clamp01(x.high)}; }
 
 inline double smaller(double a, double b) { return std::min(a, b); }
+inline double larger(double a, double b) { return std::max(a, b); }
 inline Interval smaller(Interval a, Interval b) { return {std::min(a.low, b.low), std::min(a.high, b.high)}; }
+inline Interval larger(Interval a, Interval b) { return {std::max(a.low, b.low), std::max(a.high, b.high)}; }
 
 // R, G, B, A.
 template <class Real>

@@ -7,6 +7,7 @@
 
 #include "command/text.h"
 #include "image/file.h"
+#include "scenes/images.h"
 #include "scenes/scenes.h"
 #include "trace/trace.h"
 
@@ -17,12 +18,13 @@ namespace {
 // One byte more than the limit tells a text that is too long from one that just fits.
 constexpr std::size_t kReadAtMost = kMaxSceneBytes + 1;
 
-CommandList read_limited(const std::string& text, const std::string& file, const std::string& name) {
+CommandList read_limited(const std::string& text, const std::string& file, const std::string& name,
+                         const ImageLoader& load_image = no_images) {
     if (text.size() > kMaxSceneBytes) {
         throw SceneError(file + ": is larger than " + std::to_string(kMaxSceneBytes >> 20) +
                          " MiB; a scene is a program's commands, without its data");
     }
-    return read_scene(text, file, name);
+    return read_scene(text, file, name, load_image);
 }
 
 // What the front of a file, or of standard input, says that it is. apitrace's newest containers have no mark of their own.
@@ -63,8 +65,9 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene) {
         if (!again) throw SceneError(scene + ": a recorded program is read from a file, or from standard input as -");
         return holds_trace(front, path) ? trace::open_trace(scene) : trace::open_dump(scene);
     }
-    return std::make_shared<CommandList>(
-        read_limited(again ? read_file(scene, kReadAtMost) : front, scene, path.filename().string()));
+    return std::make_shared<CommandList>(read_limited(again ? read_file(scene, kReadAtMost) : front, scene,
+                                                      path.filename().string(),
+                                                      again ? images_beside(path) : ImageLoader(no_images)));
 }
 
 CommandList load_scene(const std::string& scene) {

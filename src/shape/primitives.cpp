@@ -4,9 +4,13 @@
 
 namespace twinlight {
 
-CommandList with_shapes_as_primitives(const CommandList& scene) {
+CommandList with_pragmas_written_out(const CommandList& scene) {
     CommandList result{scene.name, {}};
     for (const Command& command : scene.commands) {
+        if (command.id == CommandId::pragma_texture) {
+            result.commands.push_back(texture_command(command));
+            continue;
+        }
         if (command.id != CommandId::pragma_shape) {
             result.commands.push_back(command);
             continue;

@@ -51,11 +51,13 @@ void State::blend_func(const Command& c) {
 }
 
 void State::blend_equation(const Command& c) {
-    const Enum mode = c.enumerant(0);
-    if (!known(c, mode, {kGL_FUNC_ADD, kGL_FUNC_SUBTRACT, kGL_FUNC_REVERSE_SUBTRACT, kGL_MIN, kGL_MAX})) return;
-    if (mode != kGL_FUNC_ADD) {
-        note_unsupported(fmt::format("glBlendEquation({})", enum_name(mode)), c.place, {"programmable", "reference"});
+    for (double mode : c.arguments) {
+        if (!known(c, static_cast<Enum>(mode),
+                   {kGL_FUNC_ADD, kGL_FUNC_SUBTRACT, kGL_FUNC_REVERSE_SUBTRACT, kGL_MIN, kGL_MAX}))
+            return;
     }
+    a_.fragment.blend_equation = c.enumerant(0);
+    a_.fragment.blend_equation_alpha = c.enumerant(c.arguments.size() - 1);
 }
 
 void State::blend_color(const Command& c) { a_.fragment.blend_color = clamped(four(c)); }

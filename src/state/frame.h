@@ -174,7 +174,9 @@ struct FragmentState {
     bool alpha_test = false;  // 4.1.4
     Enum alpha_func = kGL_ALWAYS;
     double alpha_ref = 0;
-    bool blend = false;  // 4.1.8, GL_FUNC_ADD
+    bool blend = false;                        // 4.1.8
+    Enum blend_equation = kGL_FUNC_ADD;        // or GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX
+    Enum blend_equation_alpha = kGL_FUNC_ADD;  // the same, but for glBlendEquationSeparate
     Enum blend_src = kGL_ONE, blend_dst = kGL_ZERO;
     Enum blend_src_alpha = kGL_ONE, blend_dst_alpha = kGL_ZERO;  // the same, but for glBlendFuncSeparate
     glm::dvec4 blend_color{0, 0, 0, 0};

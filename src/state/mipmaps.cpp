@@ -112,4 +112,6 @@ void State::build_mipmaps(const Command& c) {
     }
 }
 
+void State::texture_file(const Command& c) { build_mipmaps(texture_command(c)); }
+
 }  // namespace twinlight

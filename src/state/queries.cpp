@@ -65,6 +65,8 @@ Answer of_fragments(const FragmentState& fragment, const Fog& fog, const Clear& 
         case kGL_BLEND_DST_RGB: return one(fragment.blend_dst);
         case kGL_BLEND_SRC_ALPHA: return one(fragment.blend_src_alpha);
         case kGL_BLEND_DST_ALPHA: return one(fragment.blend_dst_alpha);
+        case kGL_BLEND_EQUATION: return one(fragment.blend_equation);
+        case kGL_BLEND_EQUATION_ALPHA: return one(fragment.blend_equation_alpha);
         case kGL_BLEND_COLOR: return list(fragment.blend_color);
         case kGL_COLOR_WRITEMASK: return {fragment.color_mask.begin(), fragment.color_mask.end()};
         case kGL_FOG_MODE: return one(fog.mode);

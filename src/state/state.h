@@ -175,6 +175,7 @@ class State {
     void client_arrays(const Command&);
     void array_element(const Command&);
     void draw_arrays(const Command&);
+    void texture_file(const Command&);
     void specular_model(const Command&);
     void ambient_model(const Command&);
     void spot_cone(const Command&);

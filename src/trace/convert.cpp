@@ -76,6 +76,7 @@ std::optional<std::size_t> length_of(const Command& command, const Parameter& pa
         case Extent::kPointer:
         case Extent::kOutput:
         case Extent::kRest:
+        case Extent::kImage:
         case Extent::kResult: break;
     }
     return std::nullopt;
@@ -143,6 +144,7 @@ void convert(const Arguments& arguments, const Arguments& result, const BlobFold
             case Extent::kNames: add_array(argument, arguments, parameter, command); break;
             case Extent::kOutput:
             case Extent::kRest:
+            case Extent::kImage:
             case Extent::kResult: break;
         }
     }

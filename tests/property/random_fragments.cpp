@@ -131,6 +131,11 @@ class Builder {
             add("glBlendFunc({}, {});", structure_.chance(0.1) ? "GL_SRC_ALPHA_SATURATE" : factor(), factor());
         else
             add("glBlendFuncSeparate({}, {}, {}, {});", factor(), factor(), factor(), factor());
+        const auto equation = [&] {
+            return one_of({"GL_FUNC_ADD", "GL_FUNC_SUBTRACT", "GL_FUNC_REVERSE_SUBTRACT", "GL_MIN", "GL_MAX"});
+        };
+        if (structure_.chance(0.2)) add("glBlendEquation({});", equation());
+        if (structure_.chance(0.1)) add("glBlendEquationSeparate({}, {});", equation(), equation());
     }
 
     void raster() {

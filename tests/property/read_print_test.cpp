@@ -50,6 +50,11 @@ std::shared_ptr<const Memory> random_memory(Random& random) {
     return std::make_shared<Memory>(std::move(memory));
 }
 
+// What stands in the file of a picture.
+ImageFile image(const std::string& name) {
+    return {4, 2, std::vector<std::byte>(4 * 2 * 4, static_cast<std::byte>(name.size()))};
+}
+
 Command random_command(Random& random, CommandId id) {
     Command command{id, {}, {}};
     for (const Parameter& parameter : signature(id).parameters) {
@@ -67,6 +72,12 @@ Command random_command(Random& random, CommandId id) {
         const bool names = parameter.extent == Extent::kNames || parameter.extent == Extent::kResult;
         if (names && parameter.kind != Kind::kQuadric) {
             for (int i = 0; i < count; ++i) command.arguments.push_back(1 + random.below(1000));
+            continue;
+        }
+        if (parameter.extent == Extent::kImage) {
+            command.arguments = {4, 2};
+            command.memory =
+                std::make_shared<const Memory>(Memory{Kind::kUbyte, image("a picture.png").rgba, "a picture.png"});
             continue;
         }
         if (parameter.extent == Extent::kOutput) break;
@@ -99,7 +110,7 @@ TEST(ReadPrint, GivesTheSameCommandForEveryRowOfTheTable) {
             scene.commands.push_back(random_command(random, static_cast<CommandId>(i)));
         }
         const std::string text = print_scene(scene);
-        const CommandList back = read_scene(text, "printed", "random");
+        const CommandList back = read_scene(text, "printed", "random", image);
         ASSERT_EQ(back.commands.size(), scene.commands.size()) << "seed " << kSeed;
         for (std::size_t i = 0; i < scene.commands.size(); ++i) {
             ASSERT_EQ(back.commands[i], scene.commands[i])

@@ -119,6 +119,9 @@ Enum random_enum(Random& random, CommandId id, std::string_view parameter) {
         case CommandId::glHint: return one_of(random, {kGL_FASTEST, kGL_NICEST, kGL_DONT_CARE});
         case CommandId::glAlphaFunc:
         case CommandId::glDepthFunc: return kGL_NEVER + static_cast<Enum>(random.below(8));
+        case CommandId::glBlendEquation:
+        case CommandId::glBlendEquationSeparate:
+            return one_of(random, {kGL_FUNC_ADD, kGL_FUNC_SUBTRACT, kGL_FUNC_REVERSE_SUBTRACT, kGL_MIN, kGL_MAX});
         case CommandId::glColorMaterial:
             return one_of(random, {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION, kGL_AMBIENT_AND_DIFFUSE});
         default: return kGL_FRONT;

@@ -50,6 +50,29 @@ TEST(Blending, TakesEachFactorOfTable42) {
     EXPECT_NEAR(red_with(kGL_ONE_MINUS_CONSTANT_COLOR, kGL_ONE_MINUS_CONSTANT_ALPHA), 0.375 + 0.05, kAs32Bit);
 }
 
+TEST(Blending, TakesEachEquationOfTable41) {
+    const auto over = [](Enum equation, Enum of_alpha) {
+        Draw draw = whole_window({0.5, 0.2, 0, 0.4});
+        draw.fragment.blend = true;
+        draw.fragment.blend_src = draw.fragment.blend_src_alpha = kGL_SRC_ALPHA;
+        draw.fragment.blend_dst = draw.fragment.blend_dst_alpha = kGL_ONE;
+        draw.fragment.blend_equation = equation;
+        draw.fragment.blend_equation_alpha = of_alpha;
+        return middle({whole_window({0.2, 0.4, 0.6, 0.8}), draw});
+    };
+    const double kAs32Bit = 1e-6;
+    const auto expect_near = [&](const glm::dvec4& found, const glm::dvec4& expected) {
+        for (int i = 0; i < 4; ++i) EXPECT_NEAR(found[i], expected[i], kAs32Bit) << i;
+    };
+    // C_s S is (0.2, 0.08, 0, 0.16), C_d D is (0.2, 0.4, 0.6, 0.8); a difference below 0 is clamped.
+    expect_near(over(kGL_FUNC_ADD, kGL_FUNC_SUBTRACT), {0.4, 0.48, 0.6, 0});
+    expect_near(over(kGL_FUNC_SUBTRACT, kGL_FUNC_REVERSE_SUBTRACT), {0, 0, 0, 0.64});
+    expect_near(over(kGL_FUNC_REVERSE_SUBTRACT, kGL_FUNC_ADD), {0, 0.32, 0.6, 0.96});
+    // The smallest and the largest go without the factors.
+    expect_near(over(kGL_MIN, kGL_MAX), {0.2, 0.2, 0, 0.8});
+    expect_near(over(kGL_MAX, kGL_MIN), {0.5, 0.4, 0.6, 0.4});
+}
+
 TEST(AlphaTest, ComparesWhatTheBufferWouldHold) {
     const auto seen = [](Enum func, double alpha, double reference) {
         Draw draw = whole_window({1, 1, 1, alpha});

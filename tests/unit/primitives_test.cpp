@@ -10,7 +10,7 @@ namespace twinlight {
 
 namespace {
 
-TEST(ShapesAsPrimitives, DrawTheSamePicture) {
+TEST(PragmasWrittenOut, DrawTheSamePicture) {
     const CommandList scene = read_scene(
         "glRotated(30, 1, 1, 0); glScaled(0.4, 0.4, 0.4);\n"
         "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_DEPTH_TEST); glEnable(GL_NORMALIZE);\n"
@@ -22,7 +22,7 @@ TEST(ShapesAsPrimitives, DrawTheSamePicture) {
         "glTranslated(0, 1.3, 0);\n"
         "#pragma twinlight shape(sphere, 0.5, 12, 6)\n",
         "scene.gl", "scene");
-    const CommandList written_out = with_shapes_as_primitives(scene);
+    const CommandList written_out = with_pragmas_written_out(scene);
     for (const Command& command : written_out.commands) EXPECT_NE(command.id, CommandId::pragma_shape);
     const auto picture = [](const CommandList& list) {
         const StateOptions options{.width = 64, .height = 64};

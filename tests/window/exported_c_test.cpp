@@ -55,6 +55,19 @@ glPushMatrix(); glTranslatef(3.5, -2.2, 0); glutSolidOctahedron(); glPopMatrix()
 gluDeleteQuadric(q); gluDeleteQuadric(flat);
 )";
 
+// A picture from a file, which the exported program holds as an array.
+constexpr const char* kPicture = R"(
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+glEnable(GL_TEXTURE_2D);
+#pragma twinlight texture("picture.png")
+glBegin(GL_QUADS);
+glTexCoord2f(0, 0); glVertex2f(-0.9, -0.8);
+glTexCoord2f(1, 0); glVertex2f(0.9, -0.9);
+glTexCoord2f(1, 1); glVertex2f(0.8, 0.9);
+glTexCoord2f(0, 1); glVertex2f(-0.7, 0.8);
+glEnd();
+)";
+
 Image picture_of(const std::string& rgb) {
     Image image(kWidth, kHeight, {0, 0, 0, 1});
     for (int y = 0; y < kHeight; ++y) {
@@ -79,8 +92,14 @@ TEST(ExportedC, DrawsWhatTheFixedFunctionDraws) {
     const TemporaryFolder folder;
     write_file_atomically(folder / "keep.c", kKeepPicture);
     write_file_atomically(folder / "shapes.gl", kShapes);
-    for (const std::string& scene :
-         {std::string("report"), std::string("lab"), std::string("commands"), folder / "shapes.gl"}) {
+    write_file_atomically(folder / "picture.gl", kPicture);
+    Image picture(5, 3);  // of a size that GLU scales
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        picture.pixels[i] = {static_cast<float>(i % 4) / 3, static_cast<float>(i % 3) / 2, i % 2 == 0 ? 1.0F : 0.2F, 1};
+    }
+    write_png(folder / "picture.png", picture);
+    for (const std::string& scene : {std::string("report"), std::string("lab"), std::string("commands"),
+                                     folder / "shapes.gl", folder / "picture.gl"}) {
         SCOPED_TRACE(scene);
         const ProgramResult exported = run_program("twinlight", {"export", scene, "--as", "c"});
         ASSERT_EQ(exported.status, 0) << exported.err;

@@ -33,7 +33,7 @@ std::string c_program(const Frame& frame) {
                         "earlier --frame",
                         frame.commands->name, kMostExported));
     });
-    return print_c_program(with_shapes_as_primitives(commands));
+    return print_c_program(with_pragmas_written_out(commands));
 }
 
 const std::map<std::string, std::function<std::string(const Frame&, const RenderOptions&)>> kForms = {
