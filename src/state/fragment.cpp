@@ -109,7 +109,7 @@ void State::clear(const Command& c) {
     clear.scissor = a_.fragment.scissor;
     clear.color_mask = a_.fragment.color_mask;
     clear.depth = (mask & kGL_DEPTH_BUFFER_BIT) != 0 && a_.raster.depth_mask;
-    if (clear.color || clear.depth) items_.emplace_back(clear);
+    if ((clear.color || clear.depth) && has_room(c, sizeof items_[0])) items_.emplace_back(clear);
 }
 
 }  // namespace twinlight
