@@ -1,4 +1,4 @@
-#include "random_fragments.h"
+#include "fuzz/fragment_states.h"
 
 #include <fmt/format.h>
 
@@ -6,16 +6,16 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "random_states.h"
+#include "command/text.h"
+#include "fuzz/random.h"
 
-namespace twinlight {
+namespace twinlight::fuzz {
 
 namespace {
 
 class Builder {
   public:
-    explicit Builder(std::uint64_t seed)
-        : structure_(seed / kFragmentStatesPerStructure + 0x5EED), random_(seed ^ 0xF4A6) {}
+    explicit Builder(const Seed& seed) : structure_(seed.structure), random_(seed.values), departure_(seed.departure) {}
 
     std::string build() {
         clear("GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
@@ -196,73 +196,13 @@ class Builder {
     }
 
     Random structure_, random_;
+    std::string_view departure_;
     bool lit_ = false;
     std::string text_;
 };
 
-// ---- Departures ----
-
-bool draws_borders(const Draw& draw) {
-    return draw.raster.polygon_mode_front != kGL_FILL || draw.raster.polygon_mode_back != kGL_FILL;
-}
-
-bool is_clipped(const Draw& draw) {
-    return std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
-        const glm::dvec4 eye = draw.eye_from_object * vertex.position_object, clip = draw.clip_from_eye * eye;
-        for (const auto& plane : draw.raster.clip_planes_eye)
-            if (plane && glm::dot(*plane, eye) < 0) return true;
-        return std::max({std::abs(clip.x), std::abs(clip.y), std::abs(clip.z)}) > clip.w;
-    });
-}
-
-bool draws_borders_of_clipped_polygons(const Draw& draw) { return draws_borders(draw) && is_clipped(draw); }
-
-bool has_edge_flags_in_strip(const Draw& draw) {
-    const bool strip = draw.mode == kGL_TRIANGLE_STRIP || draw.mode == kGL_TRIANGLE_FAN || draw.mode == kGL_QUAD_STRIP;
-    return strip && draws_borders(draw) &&
-           std::ranges::any_of(draw.vertices, [](const Vertex& vertex) { return !vertex.edge_flag; });
-}
-
-bool offsets_one_of_two_modes(const Draw& draw) {
-    const PolygonOffset& offset = draw.raster.polygon_offset;
-    const auto is_offset = [&](Enum mode) {
-        return mode == kGL_FILL ? offset.fill : mode == kGL_LINE ? offset.line : offset.point;
-    };
-    return is_offset(draw.raster.polygon_mode_front) != is_offset(draw.raster.polygon_mode_back);
-}
-
-bool biases_level_of_points(const Draw& draw) {
-    const bool points = draw.mode == kGL_POINTS || draw.raster.polygon_mode_front == kGL_POINT ||
-                        draw.raster.polygon_mode_back == kGL_POINT;
-    return points && draw.texture.texture && draw.texture.lod_bias > 0;
-}
-
-bool adds_secondary_color_in_fog(const Draw& draw) {
-    return draw.fog.enabled && draw.lighting.enabled && draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
-}
-
-bool clamps_between_nearest_and_linear(const Draw& draw) {
-    const Texture* texture = draw.texture.texture.get();
-    if (!texture || (texture->wrap_s != kGL_CLAMP && texture->wrap_t != kGL_CLAMP)) return false;
-    const bool min_nearest = texture->min_filter == kGL_NEAREST || texture->min_filter == kGL_NEAREST_MIPMAP_NEAREST ||
-                             texture->min_filter == kGL_NEAREST_MIPMAP_LINEAR;
-    return min_nearest != (texture->mag_filter == kGL_NEAREST);
-}
-
 }  // namespace
 
-std::string random_fragments(std::uint64_t seed) { return Builder(seed).build(); }
+CommandList fragment_state(const Seed& seed) { return read_scene(Builder(seed).build(), "fuzz", "fuzz"); }
 
-const std::vector<FragmentDeparture>& fragment_departures() {
-    static const std::vector<FragmentDeparture> departures = {
-        {"clipped polygons as lines and points", draws_borders_of_clipped_polygons},
-        {"edge flags of strips and fans", has_edge_flags_in_strip},
-        {"polygon offset of one of two polygon modes", offsets_one_of_two_modes},
-        {"level of detail of points", biases_level_of_points},
-        {"the colour sum in fog", adds_secondary_color_in_fog},
-        {"GL_CLAMP between a nearest and a linear filter", clamps_between_nearest_and_linear},
-    };
-    return departures;
-}
-
-}  // namespace twinlight
+}  // namespace twinlight::fuzz
