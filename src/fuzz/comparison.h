@@ -23,7 +23,8 @@ struct PairFound {
     long differing = 0;  // pixels of another code
     double worst = 0;    // floats: of the terms' magnitude; pictures: codes beyond the slack
     bool fails = false;
-    std::string what;  // of a failure: where, and how much
+    bool misses = false;  // the failure is that only one of the two shows anything
+    std::string what;     // of a failure: where, and how much
 };
 
 // How often a departure was left out, and how often it showed.

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <set>
 
 namespace twinlight::fuzz {
 
@@ -86,6 +87,43 @@ bool restores_tracked_color(const CommandList& scene) {
            });
 }
 
+bool lights_two_sides(const CommandList& scene) {
+    return std::ranges::any_of(scene.commands, [](const Command& command) {
+        return command.name().starts_with("glLightModel") && command.enumerant(0) == kGL_LIGHT_MODEL_TWO_SIDE &&
+               command.number(1) != 0;
+    });
+}
+
+bool sets_back_between_vertices(const CommandList& scene) {
+    if (!lights_two_sides(scene)) return false;
+    bool inside = false;
+    for (const Command& command : scene.commands) {
+        if (command.id == Id::glBegin || command.id == Id::glEnd) inside = command.id == Id::glBegin;
+        if (inside && command.name().starts_with("glMaterial") && command.enumerant(0) == kGL_BACK) return true;
+    }
+    return false;
+}
+
+// A parameter of both sides' material that the first vertex of a glBegin does not have, but a later one.
+bool sets_both_sides_after_vertex(const CommandList& scene) {
+    if (!lights_two_sides(scene)) return false;
+    std::set<Enum> set;
+    bool has_vertex = false;
+    for (const Command& command : scene.commands) {
+        if (command.id == Id::glBegin) {
+            set.clear();
+            has_vertex = false;
+        }
+        if (command.name().starts_with("glVertex")) has_vertex = true;
+        if (!command.name().starts_with("glMaterial") || command.enumerant(0) != kGL_FRONT_AND_BACK) continue;
+        if (!has_vertex)
+            set.insert(command.enumerant(1));
+        else if (!set.contains(command.enumerant(1)))
+            return true;
+    }
+    return false;
+}
+
 bool sets_color_before_new_mode(const CommandList& scene) {
     bool enabled = false, color = false;
     for (const Command& command : scene.commands) {
@@ -125,6 +163,10 @@ bool offsets_one_of_two_modes(const Draw& draw) {
         return mode == kGL_FILL ? offset.fill : mode == kGL_LINE ? offset.line : offset.point;
     };
     return is_offset(draw.raster.polygon_mode_front) != is_offset(draw.raster.polygon_mode_back);
+}
+
+bool has_no_q(const Draw& draw, const Vertex& vertex) {
+    return draw.texture.texture && (draw.texture.texture_matrix * vertex.tex_coord).w <= 1e-6;
 }
 
 bool biases_level_of_points(const Draw& draw) {
@@ -237,6 +279,22 @@ bool rescales_much(const Draw& draw) {
     return scale > 1e5 || scale < 1e-5;
 }
 
+bool has_no_answer(const Draw& draw, const Vertex& vertex) {
+    const glm::dvec4 eye = draw.eye_from_object * vertex.position_object;
+    if (eye.w <= 0) return true;
+    if (!draw.lighting.enabled) return false;
+    if (vertex.normal_object == glm::dvec3(0) || glm::determinant(glm::dmat3(draw.eye_from_object)) == 0) return true;
+    return any_light(draw, [&](const LightSource& light) {
+        const glm::dvec3 p(light.position_eye);
+        const bool is_here = light.position_eye.w == 0
+                                 ? p == glm::dvec3(0)
+                                 : glm::length(p / light.position_eye.w - eye_position(draw, vertex)) < 1e-3;
+        const double attenuation = light.constant_attenuation + light.linear_attenuation + light.quadratic_attenuation;
+        const bool has_axis = light.spot_cutoff_deg == 180 || light.spot_direction_eye != glm::dvec3(0);
+        return is_here || !has_axis || (light.position_eye.w != 0 && attenuation == 0);
+    });
+}
+
 // Float rounding moves a cosine of unit vectors by some 1e-6: nearer than this to a jump, it decides.
 constexpr double kJump = 1e-5;
 
@@ -267,6 +325,11 @@ bool has_light_at_horizon(const Draw& draw, const Vertex& vertex) {
 const std::vector<Departure>& departures() {
     static const std::vector<Departure> list = {
         // What shaders share comes first: where one of these applies, the others do not matter.
+        {.name = "no answer in the text",
+         .section = "2.1.1, 2.11.3, 2.14.1: singular matrices, directions of length 0, a vertex without a place, a "
+                    "light at it",
+         .leaves = Leaves::kOpen,
+         .of_vertex = has_no_answer},
         {.name = "light at the horizon of a vertex",
          .section = "2.14.1: f_i jumps at n.VP = 0, and rounding decides",
          .leaves = Leaves::kOpen,
@@ -278,6 +341,10 @@ const std::vector<Departure>& departures() {
          .section = "2.14.1: spot_i jumps at the cutoff, and rounding decides",
          .leaves = Leaves::kOpen,
          .of_vertex = is_at_edge_of_cone},
+        {.name = "texture coordinates whose q is 0",
+         .section = "3.8.7: s/q and t/q have no value",
+         .leaves = Leaves::kOpen,
+         .of_vertex = has_no_q},
         {.name = "clipped polygons as lines and points",
          .section = "2.12, 3.5.4",
          .leaves = Leaves::kDriver,
@@ -297,6 +364,7 @@ const std::vector<Departure>& departures() {
         {.name = "the colour sum in fog", .section = "3.9, 3.10", .of_draw = adds_secondary_color_in_fog},
         {.name = "GL_CLAMP between a nearest and a linear filter",
          .section = "3.8.7, 3.8.8",
+         .leaves = Leaves::kDriver,
          .of_draw = clamps_between_nearest_and_linear},
         {.name = "shininess 0 with attenuation or a spot",
          .section = "2.14.1: a factor of 1; the driver gives (n.VP)^(n.VP)",
@@ -311,6 +379,12 @@ const std::vector<Departure>& departures() {
          .section =
              "2.14.3: all channels of the back's material follow; the driver's program multiplies the red one only",
          .of_draw = has_color_material_on_back_alone},
+        {.name = "materials of vertices on the back alone of two sides",
+         .section = "2.14.2: glMaterial(GL_BACK, ...) between glBegin and glEnd changes all channels",
+         .of_commands = sets_back_between_vertices},
+        {.name = "glMaterial of two sides after a vertex",
+         .section = "2.6, 2.14.2: the vertices before it in the same glBegin have the material that each side had",
+         .of_commands = sets_both_sides_after_vertex},
         {.name = "glColor before a new glColorMaterial",
          .section = "2.14.3",
          .of_commands = sets_color_before_new_mode},

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include "command/text.h"
 #include "context/gl.h"
@@ -21,14 +23,27 @@ constexpr int kTile = 4;     // of a scene in the shaders' picture: a vertex sta
 constexpr int kTiles = 32;   // in a row
 static_assert(kTiles * kTiles == Floats::kMostScenes);
 
-// The bars, relative to the sum of the magnitudes of a colour's terms. The fixed function: 2.1.1 allows each operation
-// 1e-5; what a driver really loses is float rounding (6e-8 an operation, some forty operations deep) and, for large
-// exponents, that of n.h times the exponent.
-constexpr double kFixedBar = 1e-5;
-// Shaders: the same, some forty operations, and an ulp or two in n.h, 128 times as large in its 128th power.
+// What a channel may be off by, relative to the sum of the magnitudes of a colour's terms, in units of a float's last place.
+// 2.1.1 allows each operation 1e-5; what drivers and shaders really lose is less.
 constexpr double kUlp = 0x1p-23;
-constexpr double kProgrammableBar = 40 * kUlp + 2 * 128 * kUlp;
-constexpr std::array<double, kPairs> kBars = {kFixedBar + kProgrammableBar, kFixedBar, kProgrammableBar};
+constexpr double kArithmeticUlps = 40;  // as many operations deep
+// Of n.h, which its power multiplies by the exponent: a unit normal, and one that is the product of an inverse matrix that
+// the driver has in floats.
+constexpr double kUnitCosineUlps = 2, kCosineUlps = 4;
+// Of the logarithm that a power is made of: it is multiplied by the exponent, and matters where n.h is greater than 1, for
+// then the power is the greatest term by far.
+constexpr double kLogarithmUlps = 5;
+
+double bar(const Draw& draw, const Vertex& vertex) {
+    const LightingState& lighting = draw.lighting;
+    const Materials materials =
+        draw.materials.empty() ? Materials{lighting.front, lighting.back} : draw.materials[vertex.material];
+    const double exponent = std::max(materials.front.shininess, materials.back.shininess);
+    if (lighting.normalize) return kUlp * (kArithmeticUlps + kUnitCosineUlps * exponent);
+    const glm::dvec3 normal_eye = glm::transpose(glm::inverse(glm::dmat3(draw.eye_from_object))) * vertex.normal_object;
+    const double length = lighting.rescale_normal ? 1 : std::max(1.0, glm::length(normal_eye));
+    return kUlp * (kArithmeticUlps + kCosineUlps * exponent + kLogarithmUlps * exponent * std::log(length));
+}
 
 using Color = std::optional<glm::dvec4>;  // nothing where a renderer shows no such vertex
 
@@ -46,6 +61,22 @@ bool is_polygon(Enum mode) {
 }
 
 glm::dvec2 ndc(const reference::LitVertex& vertex) { return glm::dvec2(vertex.position_clip) / vertex.position_clip.w; }
+
+// Each vertex in a corner of the view of its own, where feedback and the shaders' picture have a place for it.
+bool stands_in_corners(const std::vector<reference::LitVertex>& lit) {
+    std::array<bool, 4> taken{};
+    for (const reference::LitVertex& vertex : lit) {
+        const glm::dvec2 place = ndc(vertex);
+        const glm::dvec2 size = glm::abs(place);
+        const double depth = std::abs(vertex.position_clip.z / vertex.position_clip.w);
+        const bool is_in_corner =
+            vertex.position_clip.w > 0 && std::min(size.x, size.y) > 0.5 && std::max({size.x, size.y, depth}) < 1;
+        bool& corner = taken.at((place.x > 0 ? 1u : 0u) + (place.y > 0 ? 2u : 0u));
+        if (!is_in_corner || corner) return false;
+        corner = true;
+    }
+    return true;
+}
 
 // The sign of a triangle's area in window space decides its face (2.14.1); points and lines show the front.
 bool shows_back(const Scene& scene) {
@@ -68,6 +99,8 @@ std::optional<Scene> make_scene(const std::shared_ptr<const CommandList>& comman
             error = scene.frame.unsupported.front().name + " is not supported";
         if (!error.empty()) return std::nullopt;
         scene.lit = reference::light_vertices(*draw, kGlsOwnModel, false);
+        if (!stands_in_corners(scene.lit)) error = "two vertices stand in one corner of the view, or one in none";
+        if (!error.empty()) return std::nullopt;
         scene.fixed.resize(scene.lit.size());
         scene.programmable.resize(scene.lit.size());
         return scene;
@@ -153,7 +186,7 @@ void compare(PairFound& found, double bar, const Color& a, const Color& b, const
              const std::string& where) {
     ++found.compared;
     if (!a || !b) {
-        found.fails = true;
+        found.fails = found.misses = true;
         found.worst = 1;
         found.what = where + ": only one of the two shows this vertex";
         return;
@@ -186,14 +219,12 @@ Found judge(const Scene& scene, const std::vector<std::string_view>& lifted) {
 
         std::array<PairFound, kPairs> here;
         const auto of = [&](Pair pair) -> PairFound& { return here[static_cast<std::size_t>(pair)]; };
-        const auto bar = [&](Pair pair) { return kBars[static_cast<std::size_t>(pair)]; };
-        compare(of(Pair::kFixedReference), bar(Pair::kFixedReference), scene.fixed[i], primary, magnitude, where);
-        compare(of(Pair::kProgrammableReference), bar(Pair::kProgrammableReference), scene.programmable[i], sum,
-                at_least_1, where);
+        const double bar_here = bar(scene.draw(), scene.draw().vertices[i]);
+        compare(of(Pair::kFixedReference), bar_here, scene.fixed[i], primary, magnitude, where);
+        compare(of(Pair::kProgrammableReference), bar_here, scene.programmable[i], sum, at_least_1, where);
         if (!is_sum) {  // feedback returns the primary colour alone
             const Color fixed = scene.fixed[i] ? Color(clamped(*scene.fixed[i])) : Color();
-            compare(of(Pair::kFixedProgrammable), bar(Pair::kFixedProgrammable), fixed, scene.programmable[i],
-                    at_least_1, where);
+            compare(of(Pair::kFixedProgrammable), 2 * bar_here, fixed, scene.programmable[i], at_least_1, where);
         }
 
         const Departure* departure = left_out.at(scene.draw(), scene.draw().vertices[i]);
@@ -207,6 +238,7 @@ Found judge(const Scene& scene, const std::vector<std::string_view>& lifted) {
             PairFound& all = found.pairs[pair];
             all.compared += here[pair].compared;
             if (here[pair].fails && !all.fails) all.what = here[pair].what;
+            all.misses = all.misses || here[pair].misses;
             all.fails = all.fails || here[pair].fails;
             all.worst = std::max(all.worst, here[pair].worst);
         }

@@ -65,6 +65,13 @@ bool Summary::fails() const {
 
 namespace {
 
+// Whether a smaller scene fails in the same way. A difference of another size has another cause.
+bool is_same(const PairFound& before, const PairFound& now) {
+    constexpr double kAlike = 8;
+    return now.fails && now.misses == before.misses && now.worst < kAlike * before.worst &&
+           before.worst < kAlike * now.worst;
+}
+
 class Run {
   public:
     Run(const Options& options, const Progress& progress) : options_(options), progress_(progress) {
@@ -88,6 +95,7 @@ class Run {
             done = end - options_.first;
             show(done);
         }
+        summary_.broken_off = stops();
         return std::move(summary_);
     }
 
@@ -152,10 +160,11 @@ class Run {
             while (!found.pairs[failure.pair].fails) ++failure.pair;
             // The reference stands in most pairs that say something.
             if (found.pairs[1].fails && failure.pair == 0) failure.pair = 1;
+            const PairFound& first = found.pairs[failure.pair];
             show(state - options_.first, "shrinking");
             failure.scene = shrink(*scene, [&](const CommandList& smaller) {
                 const Found again = compare_one(failure.is_picture, shared(smaller));
-                return again.error.empty() && again.pairs[failure.pair].fails;
+                return again.error.empty() && is_same(first, again.pairs[failure.pair]);
             });
             const Found smallest = compare_one(failure.is_picture, shared(failure.scene));
             failure.what = smallest.pairs[failure.pair].what;

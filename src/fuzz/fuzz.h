@@ -48,6 +48,7 @@ struct Worst {
 
 struct Summary {
     std::uint64_t float_states = 0, picture_states = 0;
+    bool broken_off = false;
     std::array<long, kPairs> vertices{}, pixels{}, differing_pixels{};
     std::array<Worst, kPairs> worst_float, worst_picture;
     LeftOutCounts vertices_left_out, pictures_left_out;

@@ -125,8 +125,10 @@ class LightingState : Writer {
             add(chance(0.5) ? Id::glLightModeli : Id::glLightModelf, {static_cast<double>(name), on});
         };
         flag(kGL_LIGHT_MODEL_LOCAL_VIEWER, 0.5);
-        const bool of_two_sides =
-            shows("shininess 0 on one side of two") || shows("colour material on the back alone of two sides");
+        const bool of_two_sides = shows("shininess 0 on one side of two") ||
+                                  shows("colour material on the back alone of two sides") ||
+                                  shows("materials of vertices on the back alone of two sides") ||
+                                  shows("glMaterial of two sides after a vertex");
         flag(kGL_LIGHT_MODEL_TWO_SIDE, of_two_sides ? 1 : 0.5);
         add(Id::glLightModeli, {kGL_LIGHT_MODEL_COLOR_CONTROL,
                                 static_cast<double>(chance(0.3) ? kGL_SEPARATE_SPECULAR_COLOR : kGL_SINGLE_COLOR)});
@@ -208,7 +210,6 @@ class LightingState : Writer {
             add(Id::glColorMaterial, {face, static_cast<double>(mode())});
             add(Id::glEnable, {kGL_COLOR_MATERIAL});
         }
-        color_material_ = true;
         if (!shows("colour material before the first glColor")) color(Id::glColor4f);
     }
 
@@ -268,14 +269,29 @@ class LightingState : Writer {
         }
     }
 
-    void vertex_material() {
-        if (!vertex_materials_ || values_.chance(0.3)) return;
-        const double face = one_of({kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK});
-        if (chance(0.2))
-            add(Id::glMaterialf, {face, kGL_SHININESS, uniform(1, 128)});
-        else
-            color(Id::glMaterialfv,
-                  {face, static_cast<double>(one_of({kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION}))});
+    // What any vertex has of its own, the first has: see "glMaterial of two sides after a vertex".
+    void vertex_material(bool is_first) {
+        const bool is_late = shows("glMaterial of two sides after a vertex");
+        for (const auto& [face, pname] : vertex_materials_) {
+            if (is_first == is_late || (!is_first && values_.chance(0.4))) continue;
+            if (pname == kGL_SHININESS)
+                add(Id::glMaterialf, {static_cast<double>(face), kGL_SHININESS, uniform(1, 128)});
+            else
+                color(Id::glMaterialfv, {static_cast<double>(face), static_cast<double>(pname)});
+        }
+    }
+
+    void choose_vertex_materials() {
+        const bool of_back = shows("materials of vertices on the back alone of two sides");
+        const bool of_both = shows("glMaterial of two sides after a vertex");
+        if (!of_back && !of_both && !chance(0.25)) return;
+        for (int i = structure_.below(3); i >= 0; --i) {
+            const Enum face = of_back   ? kGL_BACK
+                              : of_both ? kGL_FRONT_AND_BACK
+                                        : one_of({kGL_FRONT, kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK});
+            vertex_materials_.emplace_back(
+                face, one_of({kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION, kGL_SHININESS}));
+        }
     }
 
     void vertex_position(int corner) {
@@ -299,7 +315,7 @@ class LightingState : Writer {
         color_form_ = structure_.below(8);
         normal_form_ = structure_.below(8);
         position_form_ = structure_.below(4);
-        vertex_materials_ = chance(0.25);
+        choose_vertex_materials();
         const double mode = one_of({kGL_TRIANGLES, kGL_TRIANGLES, kGL_TRIANGLES, kGL_TRIANGLE_STRIP, kGL_TRIANGLE_FAN,
                                     kGL_POLYGON, kGL_POINTS, kGL_LINE_STRIP});
         add(Id::glBegin, {mode});
@@ -308,7 +324,7 @@ class LightingState : Writer {
         for (int i = 0; i < 3; ++i) {
             if (!keep_color_ && (i == 0 || values_.chance(0.6))) vertex_color();
             vertex_normal();
-            vertex_material();
+            vertex_material(i == 0);
             vertex_position(corners[i]);
         }
         add(Id::glEnd);
@@ -316,8 +332,9 @@ class LightingState : Writer {
 
     double scale_ = 1;
     glm::dmat4 clip_from_eye_{1}, eye_from_object_{1};
+    std::vector<std::pair<Enum, Enum>> vertex_materials_;  // face, parameter
     int color_form_ = 0, normal_form_ = 0, position_form_ = 0;
-    bool color_material_ = false, vertex_materials_ = false, keep_color_ = false;
+    bool keep_color_ = false;
 };
 
 }  // namespace

@@ -25,11 +25,15 @@ struct Seed {
     std::string_view departure{};
 };
 
+// What the scene is about; empty: nothing.
+std::string_view departure_of(const Seed& seed, Random& structure);
+
 using Id = CommandId;
 
 class Writer {
   public:
-    explicit Writer(const Seed& seed) : structure_(seed.structure), values_(seed.values), departure_(seed.departure) {}
+    explicit Writer(const Seed& seed)
+        : structure_(seed.structure), values_(seed.values), departure_(departure_of(seed, structure_)) {}
 
   protected:
     void add(Id id, std::vector<double> arguments = {}) {

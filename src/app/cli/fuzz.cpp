@@ -83,7 +83,7 @@ std::string summary_text(const Arguments& arguments, const Summary& summary, dou
     const std::uint64_t states = summary.float_states + summary.picture_states;
     std::string text = fmt::format(
         "{} states of seed {}{} in {}, {:.0f} a second: {} at float precision, {} as pictures\n",
-        report::grouped(states), arguments.options.seed, states < arguments.options.count ? " (broken off)" : "",
+        report::grouped(states), arguments.options.seed, summary.broken_off ? " (broken off)" : "",
         minutes(seconds), static_cast<double>(states) / std::max(seconds, 1e-9), report::grouped(summary.float_states),
         report::grouped(summary.picture_states));
     text += fmt::format("\n{:<26}  {:>11}  {:>8}  {:>9}  {:>13}  {:>9}  {:>5}  {:>9}\n", "pair", "vertices", "worst",
