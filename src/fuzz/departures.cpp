@@ -44,20 +44,22 @@ bool mixes_tex_coords(const CommandList& scene) {
     return false;
 }
 
-// Between a glPushAttrib whose mask has one of `bits` and its glPopAttrib.
-bool has_inside_push(const CommandList& scene, Enum bits, const std::function<bool(const Command&)>& is_it) {
+// Between a glPushAttrib whose mask has one of `bits`, and none of `without`, and its glPopAttrib.
+bool has_inside_push(const CommandList& scene, Enum bits, Enum without,
+                     const std::function<bool(const Command&)>& is_it) {
     std::vector<Enum> masks;
     for (const Command& command : scene.commands) {
         if (command.id == Id::glPushAttrib) masks.push_back(command.enumerant(0));
         if (command.id == Id::glPopAttrib && !masks.empty()) masks.pop_back();
-        const bool saved = std::ranges::any_of(masks, [&](Enum mask) { return (mask & bits) != 0; });
+        const bool saved =
+            std::ranges::any_of(masks, [&](Enum mask) { return (mask & bits) != 0 && (mask & without) == 0; });
         if (saved && is_it(command)) return true;
     }
     return false;
 }
 
 bool sets_material_before_pop(const CommandList& scene) {
-    return has_inside_push(scene, kGL_LIGHTING_BIT,
+    return has_inside_push(scene, kGL_LIGHTING_BIT, 0,
                            [](const Command& command) { return command.name().starts_with("glMaterial"); });
 }
 
@@ -66,11 +68,11 @@ bool switches_lights_before_pop(const CommandList& scene) {
         return (command.id == Id::glEnable || command.id == Id::glDisable) && command.enumerant(0) >= kGL_LIGHT0 &&
                command.enumerant(0) < kGL_LIGHT0 + kMaxLights;
     };
-    return has_inside_push(scene, kGL_ENABLE_BIT, is_light);
+    return has_inside_push(scene, kGL_ENABLE_BIT, kGL_LIGHTING_BIT, is_light);
 }
 
 bool generates_mipmaps_after_pop(const CommandList& scene) {
-    return has_inside_push(scene, kGL_TEXTURE_BIT, [](const Command& command) {
+    return has_inside_push(scene, kGL_TEXTURE_BIT, 0, [](const Command& command) {
         return command.name().starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP;
     });
 }
@@ -82,7 +84,7 @@ bool enables_color_material(const CommandList& scene) {
 }
 
 bool restores_tracked_color(const CommandList& scene) {
-    return enables_color_material(scene) && has_inside_push(scene, kGL_CURRENT_BIT, [](const Command& command) {
+    return enables_color_material(scene) && has_inside_push(scene, kGL_CURRENT_BIT, 0, [](const Command& command) {
                return command.name().starts_with("glColor");
            });
 }

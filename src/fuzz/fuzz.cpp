@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "command/text.h"
+#include "fuzz/disguise.h"
 #include "fuzz/floats.h"
 #include "fuzz/fragment_states.h"
 #include "fuzz/lighting_states.h"
@@ -34,6 +35,9 @@ CommandList random_scene(const Options& options, std::uint64_t state) {
         picture ? 2 * (pictures_before / kPicturesPerStructure) + 1 : 2 * (state / kStatesPerStructure);
     const Seed seed{mixed(options.seed, structure), mixed(~options.seed, state), options.lifted};
     CommandList scene = picture ? fragment_state(seed) : lighting_state(seed);
+    // A scene about a departure is often about the very commands that a disguise would replace.
+    Random random(mixed(options.seed + 1, state));
+    if (options.lifted.empty() && random.chance(0.6)) scene = disguised(scene, random);
     scene.name = fmt::format("fuzz-{}-{}", options.seed, state);
     return scene;
 }
