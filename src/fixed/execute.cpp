@@ -143,6 +143,8 @@ struct Call {
 
 }  // namespace
 
+Executor::Executor() : color_buffer_(draw_buffer()) {}
+
 void Executor::draw_shape(const Command& command) {
     if (draws_quadric(command)) return quadrics_.execute(command);
     draw_by_arrays(shape_parts(command));
@@ -155,7 +157,7 @@ void Executor::pragma(const Command& command) {
 
 void Executor::execute(const Command& command) {
     // Offscreen there is one colour buffer, and it has another name than a window's.
-    if (command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE) return;
+    if (command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE) return glDrawBuffer(color_buffer_);
     switch (command.id) {
 // clang-format off
 #define P(name, kind) Value<Kind::kind>

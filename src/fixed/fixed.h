@@ -27,6 +27,7 @@ class InitialState {
 
   private:
     int width_, height_;
+    Enum draw_buffer_;
 };
 
 // The driver, for the commands of one scene: it starts in GL's initial state, for a window of this size, and has it again

@@ -242,8 +242,19 @@ void reset(int width, int height) {
 
 }  // namespace
 
-InitialState::InitialState(int width, int height) : width_(width), height_(height) { reset(width_, height_); }
+Enum draw_buffer() {
+    GLint buffer = GL_NONE;
+    glGetIntegerv(GL_DRAW_BUFFER, &buffer);
+    return static_cast<Enum>(buffer);
+}
 
-InitialState::~InitialState() { reset(width_, height_); }
+InitialState::InitialState(int width, int height) : width_(width), height_(height), draw_buffer_(draw_buffer()) {
+    reset(width_, height_);
+}
+
+InitialState::~InitialState() {
+    reset(width_, height_);
+    glDrawBuffer(draw_buffer_);
+}
 
 }  // namespace twinlight::fixed

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace twinlight::report {
@@ -33,7 +34,7 @@ const std::array kRenders = {
                   &Renderers::reference, kPerPixel, false},
 };
 
-constexpr std::size_t kReference = 2;
+constexpr std::size_t kReference = 2, kReferencePhong = 4;
 
 struct PlannedPair {
     std::size_t a, b;  // into kRenders
@@ -46,6 +47,19 @@ constexpr std::array kPairs = {
 };
 
 bool is_of_drivers(const PlannedPair& pair) { return kRenders[pair.a].by_driver && kRenders[pair.b].by_driver; }
+
+// 2.1.1: a colour need not be computed to more than 1 part in 10^5. Where the right value lies that near to the border of
+// two codes, such as a background of 0.3 (76.5 codes), either code is right.
+void free_ties(Freedom& freedom, const Image& reference) {
+    constexpr double kArithmetic = 1e-5;
+    for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
+        for (std::size_t c = 0; c < reference.pixels[i].size(); ++c) {
+            const double codes = 255 * std::clamp(static_cast<double>(reference.pixels[i][c]), 0.0, 1.0);
+            const double from_border = std::abs(codes - std::floor(codes) - 0.5);
+            if (from_border <= 255 * kArithmetic) freedom.slack.pixels[i][c] += static_cast<float>(kArithmetic);
+        }
+    }
+}
 
 // Of two pictures of drivers each may use the slack to its side, and cut quadrilaterals its own way: a driver may cut those
 // of a display list otherwise than the same ones outside of it.
@@ -146,6 +160,9 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
     for (std::size_t i = 0; i < result.freedom.edge.size(); ++i) {  // one mask for all pairs
         result.freedom.edge[i] = of_phong.edge[i] = result.freedom.edge[i] || of_phong.edge[i];
     }
+
+    free_ties(result.freedom, result.renders[kReference].image);
+    free_ties(of_phong, result.renders[kReferencePhong].image);
 
     begin_step("differences");
     const Freedom of_drivers = freedom_of_drivers(result.freedom, result.renders[kReference]);

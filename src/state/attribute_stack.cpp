@@ -55,6 +55,7 @@ void restore_color_buffer(Attributes& now, const Attributes& saved) {
     now.fragment.scissor = scissor;
     now.fragment.color_sum = color_sum;
     now.clear.clear_color = saved.clear.clear_color;
+    now.draws_color = saved.draws_color;
 }
 
 void restore_polygon(RasterState& now, const RasterState& saved) {

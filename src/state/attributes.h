@@ -68,8 +68,9 @@ struct Attributes {
     std::array<TextureBindings, kMaxTextureUnits> units;
     std::size_t active_unit = 0;  // glActiveTexture's
     std::array<ClipPlane, kMaxClipPlanes> clip_planes;
-    Vertex current;  // colour, normal, texture coordinates, edge flag
-    Clear clear;     // the clear colour and depth
+    Vertex current;           // colour, normal, texture coordinates, edge flag
+    Clear clear;              // the clear colour and depth
+    bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
     Hints hints;
     Enum matrix_mode = kGL_MODELVIEW;
     std::uint32_t list_base = 0;

@@ -23,7 +23,7 @@ void State::draw_buffer(const Command& c) {
                {kGL_NONE, kGL_FRONT, kGL_BACK, kGL_LEFT, kGL_RIGHT, kGL_FRONT_AND_BACK, kGL_FRONT_LEFT, kGL_FRONT_RIGHT,
                 kGL_BACK_LEFT, kGL_BACK_RIGHT}))
         return;
-    if (mode == kGL_NONE) note_unsupported("glDrawBuffer(GL_NONE)", c.place, {"programmable", "reference"});
+    a_.draws_color = mode != kGL_NONE;
 }
 
 }  // namespace twinlight

@@ -30,7 +30,7 @@ Frame empty_frame() {
 
 // Pictures of one grey; the left column is an edge.
 struct Stub {
-    float fixed = 0.5F, programmable = 0.5F, reference = 0.5F;
+    float fixed = 128.0F / 255, programmable = 128.0F / 255, reference = 128.0F / 255;
     float slack = 0;
     std::vector<Unsupported> unsupported;
     std::map<std::string, int> calls;  // "fixed gouraud GL", ...
@@ -150,6 +150,17 @@ TEST(Verdict, IsOfWhatIsLeftBeyondTheSlack) {
     EXPECT_EQ(pair_named(stub.compare(), "fixed ~ reference").verdict, Verdict::kBeyond);
     stub.slack = 24.01F / 255;
     EXPECT_EQ(stub.compare().verdict(), Verdict::kWithin);
+}
+
+// 76.5 codes: one driver rounds down, another up.
+TEST(Verdict, TakesEitherCodeOfAColorOnTheirBorder) {
+    Stub stub;
+    stub.reference = 0.3F;
+    stub.fixed = 76.0F / 255;
+    stub.programmable = 77.0F / 255;
+    EXPECT_EQ(stub.compare().verdict(), Verdict::kWithin);
+    stub.reference = 0.3005F;  // 76.63
+    EXPECT_EQ(pair_named(stub.compare(), "fixed ~ reference").verdict, Verdict::kBeyond);
 }
 
 TEST(Verdict, LeavesEdgesAlone) {

@@ -1,0 +1,127 @@
+// Frames of real programs, three ways. The recordings of this folder are read from their dumps; glxgears is recorded anew.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "../unit/run_program.h"
+#include "context/context.h"
+#include "fixed/fixed.h"
+#include "image/file.h"
+#include "programmable/programmable.h"
+#include "reference/reference.h"
+#include "report/comparison.h"
+#include "report/words.h"
+#include "scenes/load.h"
+#include "state/recorded_frame.h"
+
+namespace twinlight {
+
+namespace {
+
+constexpr const char* kFolder = "tests/traces";
+
+// What the programs use that not every renderer does.
+const std::map<std::string, std::set<std::string>>& expected_unsupported() {
+    static const std::map<std::string, std::set<std::string>> table = {
+        {"geomview", {"glRenderMode"}},
+        {"stonerview", {"glEnable(GL_LINE_SMOOTH)"}},
+    };
+    return table;
+}
+
+std::vector<std::string> recordings() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+        if (entry.is_directory()) names.push_back(entry.path().filename());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+report::Comparison comparison_of(const Frame& frame) {
+    const auto context = make_offscreen_context(frame.width, frame.height);
+    programmable::Renderer shaders;
+    const report::Renderers renderers = {
+        .fixed = fixed::render,
+        .programmable = [&](const Frame& f, const RenderOptions& options) { return shaders.render(f, options); },
+        .reference = reference::render,
+        .freedom = reference::freedom,
+    };
+    return report::compare_scene(frame, frame.commands->name, driver_name(), renderers);
+}
+
+std::size_t pixels_drawn(const Image& image) {
+    return static_cast<std::size_t>(std::count_if(image.pixels.begin(), image.pixels.end(), [](const Rgba& pixel) {
+        return pixel[0] > 0 || pixel[1] > 0 || pixel[2] > 0;
+    }));
+}
+
+class RealPrograms : public testing::TestWithParam<std::string> {};
+
+TEST_P(RealPrograms, LookAlikeThreeWays) {
+    const auto recording = load_recording(fmt::format("{}/{}/dump.txt", kFolder, GetParam()));
+    const RecordedFrame recorded = make_recorded_frame(recording, {});
+    EXPECT_EQ(recorded.error_count, 0u) << (recorded.first_error ? recorded.first_error->message : "");
+
+    const report::Comparison comparison = comparison_of(recorded.frame);
+    std::set<std::string> unsupported;
+    for (const Unsupported& item : comparison.unsupported) unsupported.insert(item.name);
+    const auto expected = expected_unsupported().find(GetParam());
+    EXPECT_EQ(unsupported, expected == expected_unsupported().end() ? std::set<std::string>() : expected->second);
+    EXPECT_EQ(comparison.verdict(), unsupported.empty() ? report::Verdict::kWithin : report::Verdict::kPartial);
+    std::string told;
+    for (const std::string& sentence : report::verdict_sentences(comparison)) told += sentence + "\n";
+    SCOPED_TRACE(told);
+    for (const report::Pair& pair : comparison.pairs) {
+        EXPECT_NE(pair.verdict, report::Verdict::kBeyond) << report::name_of(comparison, pair);
+        // A picture without an interior would pass, whatever it shows.
+        EXPECT_GT(pair.difference.interior.pixels, pair.difference.edge.pixels);
+    }
+    for (const report::Render& render : comparison.renders) {
+        EXPECT_GT(pixels_drawn(render.image), render.image.pixels.size() / 200) << render.name << " is all but black";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfDebian, RealPrograms, testing::ValuesIn(recordings()),
+                         [](const testing::TestParamInfo<std::string>& program) { return program.param; });
+
+// As a user does it: apitrace trace glxgears; twinlight compare glxgears.trace.
+TEST(RealProgram, GlxgearsRecordedNowIsAsGlSaysInEveryRenderer) {
+    for (const char* tool : {"apitrace", "Xvfb", "glxgears"}) {
+        if (run_shell("", std::string("command -v ") + tool).status != 0) GTEST_SKIP() << tool << " is not installed";
+    }
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(std::string(kFolder) + "/record.sh", folder / "record.sh");
+    write_file_atomically(folder / "README.md",
+                          "| `gears` | mesa-utils | MIT | gl | 3 | 2 | `glxgears -geometry 300x300` |\n");
+    const ProgramResult recorded =
+        run_shell("", quoted(folder / "record.sh") + " -o " + quoted(folder / "out") + " gears");
+    ASSERT_EQ(recorded.status, 0) << recorded.err;
+
+    const ProgramResult result = run_program(
+        "twinlight", {"compare", folder / "out/gears.trace", "--json", "-o", folder / "report", "--frame", "1"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const nlohmann::json comparison = nlohmann::json::parse(result.out);
+    EXPECT_EQ(comparison["verdict"], "within");
+    EXPECT_EQ(comparison["unsupported"].size(), 0u);
+    EXPECT_EQ(comparison["size"], nlohmann::json({300, 300}));
+    int pairs = 0;
+    for (const nlohmann::json& pair : comparison["pairs"]) {
+        const std::string both = pair["a"].get<std::string>() + pair["b"].get<std::string>();
+        if (both.find("phong") != std::string::npos) continue;
+        ++pairs;
+        EXPECT_LE(pair["interior"]["max"].get<double>(), 1 / 255.0) << both;
+        EXPECT_GT(pair["interior"]["pixels"].get<int>(), 60'000);
+    }
+    EXPECT_EQ(pairs, 3);
+}
+
+}  // namespace
+
+}  // namespace twinlight
