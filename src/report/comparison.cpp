@@ -162,7 +162,7 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
     }
 
     free_ties(result.freedom, result.renders[kReference].image);
-    free_ties(of_phong, result.renders[kReferencePhong].image);
+    if (pictures == Pictures::kAll) free_ties(of_phong, result.renders[kReferencePhong].image);
 
     begin_step("differences");
     const Freedom of_drivers = freedom_of_drivers(result.freedom, result.renders[kReference]);
