@@ -6,13 +6,13 @@
 #include <fstream>
 #include <set>
 
-#include "../property/random_fragments.h"
-#include "../property/random_states.h"
 #include "command/text.h"
 #include "context/context.h"
 #include "context/gl.h"
 #include "fixed/fixed.h"
 #include "fragment_departures.h"
+#include "fuzz/departures.h"
+#include "listed_driver.h"
 #include "state/state.h"
 
 namespace twinlight {
@@ -146,6 +146,24 @@ void color_material_after_pop() {
     expect_departure(ambient[0] == 0.75F);
 }
 
+void texture_matrix_after_pop() {
+    const Both both(
+        "glActiveTexture(GL_TEXTURE7); glPushAttrib(GL_TEXTURE_BIT); glActiveTexture(GL_TEXTURE1);\n"
+        "glMatrixMode(GL_TEXTURE); glPopAttrib(); glTranslatef(0.5, 0, 0);");
+    EXPECT_EQ(both.state.get(kGL_TEXTURE_MATRIX)[12], 0.5);
+    std::array<GLfloat, 16> matrix{};
+    glGetFloatv(GL_TEXTURE_MATRIX, matrix.data());
+    expect_departure(matrix[12] == 0);
+}
+
+void blend_equation_after_pop() {
+    const Both both("glPushAttrib(GL_COLOR_BUFFER_BIT); glBlendEquationSeparate(GL_FUNC_ADD, GL_MIN); glPopAttrib();");
+    EXPECT_EQ(both.state.get(kGL_BLEND_EQUATION_ALPHA)[0], kGL_FUNC_ADD);
+    GLint equation = 0;
+    glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equation);
+    expect_departure(equation == GL_MIN);
+}
+
 void color_lost_before_a_new_color_material() {
     const Both both(
         "glColor4f(0.1, 0.1, 0.1, 1);\n"
@@ -186,6 +204,8 @@ constexpr Departure kDepartures[] = {
     {"glEnable of a vertex array", client_state_by_enable},
     {"GL_GENERATE_MIPMAP after glPopAttrib", generate_mipmap_after_pop},
     {"colour material after glPopAttrib", color_material_after_pop},
+    {"the texture matrix after glPopAttrib", texture_matrix_after_pop},
+    {"glBlendEquationSeparate before glPopAttrib", blend_equation_after_pop},
     {"glColor before a new glColorMaterial", color_lost_before_a_new_color_material},
 };
 
@@ -196,19 +216,15 @@ TEST(Departures, OfTheStateMachineAreStillThere) {
     }
 }
 
-// FixedMatchesReference shows that each of the exclusions still differs, fragment_departures_test.cpp its scenes.
+// The fuzzer's tests show that each of those it leaves out still differs, fragment_departures_test.cpp its scenes.
 TEST(Departures, AreTheOnesOfTheList) {
     std::set<std::string> shown;
     for (const Departure& departure : kDepartures) shown.insert(departure.name);
-    for (const Exclusion& exclusion : exclusions()) {
-        if (exclusion.departure) shown.emplace(exclusion.name);
+    for (const fuzz::Departure& departure : fuzz::departures()) {
+        if (departure.leaves != fuzz::Leaves::kOpen) shown.emplace(departure.name);
     }
     for (const FragmentCase& fragment_case : fragment_cases()) shown.emplace(fragment_case.name);
     EXPECT_EQ(shown, listed_names());
-    // What the random states leave out is listed, too.
-    for (const FragmentDeparture& departure : fragment_departures()) {
-        EXPECT_TRUE(shown.contains(std::string(departure.name))) << departure.name;
-    }
 }
 
 }  // namespace

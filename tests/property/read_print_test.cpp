@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "command/text.h"
-#include "random_states.h"
+#include "fuzz/random.h"
 
 namespace twinlight {
 
 namespace {
 
-double random_bits(Random& random, Kind kind) {
+double random_bits(fuzz::Random& random, Kind kind) {
     const auto bits = static_cast<std::uint32_t>(random.uniform(0, 4294967296.0));
     switch (kind) {
         case Kind::kEnum:
@@ -42,7 +42,7 @@ double random_bits(Random& random, Kind kind) {
 }
 
 // Bytes of any kind, NaNs and odd lengths among them.
-std::shared_ptr<const Memory> random_memory(Random& random) {
+std::shared_ptr<const Memory> random_memory(fuzz::Random& random) {
     Memory memory;
     memory.kind = static_cast<Kind>(random.below(static_cast<int>(Kind::kSizeiptr) + 1));
     memory.bytes.resize(static_cast<std::size_t>(random.below(50)));
@@ -55,7 +55,7 @@ ImageFile image(const std::string& name) {
     return {4, 2, std::vector<std::byte>(4 * 2 * 4, static_cast<std::byte>(name.size()))};
 }
 
-Command random_command(Random& random, CommandId id) {
+Command random_command(fuzz::Random& random, CommandId id) {
     Command command{id, {}, {}};
     for (const Parameter& parameter : signature(id).parameters) {
         int count = 1;
@@ -103,7 +103,7 @@ Command random_command(Random& random, CommandId id) {
 TEST(ReadPrint, GivesTheSameCommandForEveryRowOfTheTable) {
     constexpr std::uint64_t kSeed = 20240502;
     constexpr int kRounds = 100;
-    Random random(kSeed);
+    fuzz::Random random(kSeed);
     for (int round = 0; round < kRounds; ++round) {
         CommandList scene{"random", {}};
         for (std::size_t i = 0; i < signatures().size(); ++i) {

@@ -13,7 +13,7 @@
 #include "context/context.h"
 #include "context/gl.h"
 #include "fixed/fixed.h"
-#include "random_states.h"
+#include "fuzz/random.h"
 #include "state/state.h"
 
 namespace twinlight {
@@ -40,12 +40,12 @@ constexpr CommandId kElsewhere[] = {
 #undef PRAGMA_COMMAND
 };
 
-Enum one_of(Random& random, const std::vector<Enum>& choices) {
+Enum one_of(fuzz::Random& random, const std::vector<Enum>& choices) {
     return choices[static_cast<std::size_t>(random.below(static_cast<int>(choices.size())))];
 }
 
 // An enum that is mostly right for the parameter, and sometimes any.
-Enum random_enum(Random& random, CommandId id, std::string_view parameter) {
+Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter) {
     if (random.chance(0.06)) {
         const auto& names = gl_names();
         const Enum any = names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
@@ -129,7 +129,7 @@ Enum random_enum(Random& random, CommandId id, std::string_view parameter) {
 }
 
 // A value for a parameter that takes names.
-double random_name(Random& random, Enum pname) {
+double random_name(fuzz::Random& random, Enum pname) {
     switch (pname) {
         case kGL_FOG_MODE: return one_of(random, {kGL_LINEAR, kGL_EXP, kGL_EXP2});
         case kGL_TEXTURE_ENV_MODE: return one_of(random, {kGL_MODULATE, kGL_DECAL, kGL_REPLACE, kGL_BLEND, kGL_ADD});
@@ -141,7 +141,7 @@ double random_name(Random& random, Enum pname) {
     }
 }
 
-double random_number(Random& random, Kind kind) {
+double random_number(fuzz::Random& random, Kind kind) {
     const auto whole = [&random](double low, double high) { return std::floor(random.uniform(low, high + 1)); };
     switch (kind) {
         case Kind::kByte: return whole(-128, 127);
@@ -163,7 +163,7 @@ double random_number(Random& random, Kind kind) {
     }
 }
 
-double random_bits(Random& random, CommandId id) {
+double random_bits(fuzz::Random& random, CommandId id) {
     if (id == CommandId::glClear) return random.chance(0.8) ? 0x4100 : 3;
     if (random.chance(0.2)) return static_cast<double>(kGL_ALL_ATTRIB_BITS);
     const auto bits = static_cast<Enum>(random.uniform(0, 0x100000));
@@ -181,7 +181,7 @@ bool uses_arrays_or_names(const Signature& sig) {
            });
 }
 
-Command random_command(Random& random) {
+Command random_command(fuzz::Random& random) {
     while (true) {
         const auto id = static_cast<CommandId>(random.below(static_cast<int>(signatures().size())));
         const Signature& sig = signature(id);
@@ -264,7 +264,8 @@ bool is_departure(const Command& command, const State& state) {
     if (name.starts_with("glTexCoord") && name[10] != '4' && !plain) return true;
     // 6.2: glPopAttrib restores them, but not in the driver.
     const bool switches = command.id == CommandId::glEnable || command.id == CommandId::glDisable;
-    const bool stays = (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
+    const bool stays = command.id == CommandId::glBlendEquationSeparate ||
+                       (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
                        (command.id == CommandId::glHint && command.enumerant(0) == kGL_GENERATE_MIPMAP_HINT) ||
                        (name.starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP);
     if (switches && enum_name(command.enumerant(0)).ends_with("_ARRAY")) return true;  // the driver takes them as well
@@ -272,6 +273,8 @@ bool is_departure(const Command& command, const State& state) {
     // Beyond the fixed function's units a driver has some for shaders; those are no part of State.
     const auto is_far_unit = [](Enum unit) { return unit >= kGL_TEXTURE0 + kMaxTextureUnits && unit < 0x8600; };
     if (command.id == CommandId::glActiveTexture && is_far_unit(command.enumerant(0))) return true;
+    // The driver goes on with the texture matrix of the unit that was active before.
+    if (command.id == CommandId::glPopAttrib && state.get(kGL_MATRIX_MODE)[0] == kGL_TEXTURE) return true;
     // Of EXT_direct_state_access, which the driver has.
     const auto is_unit = [](Enum mode) { return mode >= kGL_TEXTURE0 && mode <= kGL_TEXTURE0 + 31; };
     if (command.id == CommandId::glMatrixMode && is_unit(command.enumerant(0))) return true;
@@ -367,7 +370,7 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
     for (std::uint64_t seed = 1; seed <= kSequences && !testing::Test::HasFailure(); ++seed) {
         fixed::Driver driver(64, 48);
         State state({.width = 64, .height = 48});
-        Random random(seed);
+        fuzz::Random random(seed);
         CommandList sequence;
         bool open = false;  // glGetError is not legal between glBegin and glEnd
         GLenum first_expected = GL_NO_ERROR;
