@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "command/command.h"
 #include "command/object_names.h"
@@ -47,6 +48,10 @@ class Driver {
     // One command. Pragmas that GL has no command for do nothing, but shape(...) draws.
     void execute(const Command& command);
 
+    // Makes empty lists of these names, which do what no lists do; and so do those that are deleted. Mesa (22.3) crashes where
+    // a list calls another that is not there when it is compiled.
+    void make_empty_lists(const std::vector<std::uint32_t>& names);
+
     // The driver's name for an object of the scene; 0 for one that it does not have.
     std::uint32_t name_of(ObjectType type, std::uint32_t name) const;
 
@@ -60,6 +65,7 @@ class Driver {
     Command translated(const Command& command);
     std::uint32_t new_name(ObjectType type);
     void delete_lists(const Command& command);
+    void empty_lists();
 
     bool may_see(const Command& command);
     bool may_see_arrays(const Command& command);
@@ -67,6 +73,7 @@ class Driver {
     bool may_see_pixels(const Command& command);
     // Whether the driver answers queries: between glBegin and glEnd it does not, and carries out few commands.
     static bool answers();
+    static bool is_compiling();  // a display list
     // Whether arrays_ is what the driver has, as far as it answers.
     bool arrays_agree();
     bool holds_arrays() const;
@@ -75,10 +82,11 @@ class Driver {
     std::optional<InitialState> initial_;
     Executor executor_;
     std::map<ObjectType, Names> names_;
-    std::set<std::uint32_t> lists_;   // that the scene compiled
-    VertexArrays arrays_;             // as the driver should have them
-    bool arrays_may_differ_ = false;  // since the driver was asked
-    bool arrays_agreed_ = true;       // when it was asked
+    std::set<std::uint32_t> kept_lists_, emptied_lists_;  // those that are there always; to be emptied after glEndList
+    std::set<std::uint32_t> lists_;                       // that the scene compiled
+    VertexArrays arrays_;                                 // as the driver should have them
+    bool arrays_may_differ_ = false;                      // since the driver was asked
+    bool arrays_agreed_ = true;                           // when it was asked
 };
 
 // Clears to black and depth 1, executes the frame's commands, reads the picture. Throws std::invalid_argument for

@@ -66,7 +66,8 @@ std::optional<ContextName> DumpReader::first_to_draw() {
 void DumpReader::fail_here(const std::string& message) const { fail({command_.place.file, lexer_.line(), 1}, message); }
 
 bool DumpReader::cut_off_or(const std::string& message) {
-    if (!lexer_.at_end()) fail_here(message);
+    const Place here{command_.place.file, lexer_.line(), 1};
+    if (lexer_.skip_line()) fail(here, message);
     const std::string text = fmt::format("the recording ends inside call {}", command_.place.line);
     step({Step::Kind::kCutOff, command_, text});
     return false;
