@@ -83,13 +83,20 @@ void restore_transform(Attributes& now, const Attributes& saved) {
 
 void restore(Attributes& now, const Attributes& saved, Enum mask) {
     const auto bit = [mask](Enum one) { return (mask & one) != 0; };
-    if (bit(kGL_CURRENT_BIT)) now.current = saved.current;
-    if (bit(kGL_POINT_BIT)) now.raster.point_size = saved.raster.point_size;
+    if (bit(kGL_CURRENT_BIT)) {
+        now.current = saved.current;
+        now.secondary_color = saved.secondary_color;
+    }
+    if (bit(kGL_POINT_BIT)) {
+        now.raster.point_size = saved.raster.point_size;
+        now.point_parameters = saved.point_parameters;
+    }
     if (bit(kGL_LINE_BIT)) now.raster.line_width = saved.raster.line_width;
     if (bit(kGL_POLYGON_BIT)) restore_polygon(now.raster, saved.raster);
     if (bit(kGL_LIGHTING_BIT)) restore_lighting(now.lighting, saved.lighting);
     if (bit(kGL_FOG_BIT)) {
         now.fog = saved.fog;
+        now.fog_coordinates = saved.fog_coordinates;
         now.fragment.color_sum = saved.fragment.color_sum;
     }
     if (bit(kGL_DEPTH_BUFFER_BIT)) restore_depth(now, saved);
@@ -112,8 +119,8 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         if (!bit(row.group) && !bit(kGL_ENABLE_BIT)) continue;
         const auto is_of_row = [&row](const auto& on) { return on.first.first == row.cap; };
         std::erase_if(now.elsewhere, is_of_row);
-        std::copy_if(saved.elsewhere.begin(), saved.elsewhere.end(),
-                     std::inserter(now.elsewhere, now.elsewhere.end()), is_of_row);
+        std::copy_if(saved.elsewhere.begin(), saved.elsewhere.end(), std::inserter(now.elsewhere, now.elsewhere.end()),
+                     is_of_row);
     }
 }
 
