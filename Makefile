@@ -38,6 +38,10 @@ apitrace            command -v apitrace
 mesa-utils          command -v glxgears
 endef
 export DEPENDENCIES
+define newline
+
+
+endef
 
 # ---- Flags ------------------------------------------------------------------------------------------------------
 
@@ -66,9 +70,10 @@ SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
 SOURCES_demo := $(SOURCES_app) $(wildcard src/app/demo/*.cpp)
 # What of the demo the tests link: all but GLUT.
 SOURCES_demo_library := $(filter-out src/app/demo/main.cpp src/app/demo/window.cpp,$(SOURCES_demo))
-SOURCES_tests := $(wildcard tests/*/*.cpp)
+SOURCES_bench := $(wildcard tests/bench/*.cpp)
+SOURCES_tests := $(filter-out $(SOURCES_bench),$(wildcard tests/*/*.cpp))
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
-SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder))
+SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) $(SOURCES_bench))
 EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp
 FILES_scenes := $(wildcard src/scenes/*.gl)
 FILES_shaders := $(wildcard src/programmable/shaders/*.glsl)
@@ -77,7 +82,7 @@ object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 
-.PHONY: all deps demo test test-binary programs golden format check tidy clean help force
+.PHONY: all deps demo test test-binary bench programs golden format check tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -98,6 +103,11 @@ test: deps  ## build; run every test headless (TEST=Filter* runs some)
 	@$(MAKE) test-binary
 	@LSAN_OPTIONS=suppressions=tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(BUILD) \
 	    $(BUILD)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
+
+bench: export DEPENDENCIES := $(DEPENDENCIES)$(newline)libbenchmark-dev pkg-config --exists benchmark
+bench: deps  ## measure: a table of medians, and ratios in build/bench.json (BENCH=Regex runs some)
+	@$(MAKE) $(BUILD)/twinlight-bench
+	@TWINLIGHT_BUILD=$(BUILD) $(BUILD)/twinlight-bench --benchmark_filter='$(or $(BENCH),.)'
 
 deps:  ## install what is missing (apt), and nothing else
 	@missing() { echo "$$DEPENDENCIES" | while read -r package ask; do \
@@ -176,6 +186,9 @@ $(BUILD)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
 
 $(BUILD)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_demo_library)) $(BUILD)/libtwinlight.a
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
+
+$(BUILD)/twinlight-bench: $(call object,$(SOURCES_bench)) $(BUILD)/libtwinlight.a
+	$(link) $(LIBS_offscreen) $(LIBS) $(shell pkg-config --libs benchmark 2>/dev/null)
 
 # What the real freeglut and GLU send for their shapes: the tests hold src/shape against it.
 $(BUILD)/shape-recorder: $(call object,$(SOURCES_recorder))

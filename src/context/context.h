@@ -11,6 +11,8 @@ namespace twinlight {
 class OffscreenContext {
   public:
     virtual ~OffscreenContext() = default;
+    // Where there are several.
+    virtual void make_current() = 0;
 };
 
 enum class ColorBuffer { kUnorm8, kFloat };

@@ -13,15 +13,15 @@ namespace {
 
 class OsmesaContext final : public OffscreenContext {
   public:
-    OsmesaContext(int width, int height, ColorBuffer color_buffer) {
+    OsmesaContext(int width, int height, ColorBuffer color_buffer)
+        : width_(width), height_(height), type_(color_buffer == ColorBuffer::kFloat ? GL_FLOAT : GL_UNSIGNED_BYTE) {
         const int attributes[] = {
             OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
         context_ = OSMesaCreateContextAttribs(attributes, nullptr);
         if (!context_) throw std::runtime_error("OSMesa gives no compatibility-profile context");
-        const bool is_float = color_buffer == ColorBuffer::kFloat;
-        const std::size_t bytes_per_pixel = is_float ? 16 : 4;
+        const std::size_t bytes_per_pixel = color_buffer == ColorBuffer::kFloat ? 16 : 4;
         buffer_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * bytes_per_pixel);
-        if (!OSMesaMakeCurrent(context_, buffer_.data(), is_float ? GL_FLOAT : GL_UNSIGNED_BYTE, width, height)) {
+        if (!bind()) {
             OSMesaDestroyContext(context_);
             throw std::runtime_error("OSMesa cannot draw into a buffer of this size");
         }
@@ -29,13 +29,22 @@ class OsmesaContext final : public OffscreenContext {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     }
     ~OsmesaContext() override {
+        bind();
         glFinish();
         OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
         OSMesaDestroyContext(context_);
     }
 
+    void make_current() override {
+        if (!bind()) throw std::runtime_error("OSMesa does not take up a context again");
+    }
+
   private:
+    bool bind() { return OSMesaMakeCurrent(context_, buffer_.data(), type_, width_, height_) == GL_TRUE; }
+
     OSMesaContext context_ = nullptr;
+    int width_, height_;
+    GLenum type_;
     std::vector<unsigned char> buffer_;
 };
 

@@ -75,10 +75,10 @@ Freedom freedom_of_drivers(Freedom freedom, const Render& reference) {
     return freedom;
 }
 
-Render render(const PlannedRender& planned, const Frame& frame, const Renderers& renderers) {
+Render render(const PlannedRender& planned, const Frame& frame, const Renderers& renderers, Pictures pictures) {
     using Clock = std::chrono::steady_clock;
     const RenderFunction& draw = renderers.*planned.renderer;
-    if (planned.by_driver) draw(frame, planned.options);
+    if (planned.by_driver && pictures == Pictures::kAll) draw(frame, planned.options);
     const Clock::time_point start = Clock::now();
     Image image = draw(frame, planned.options);
     const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
@@ -135,7 +135,7 @@ Verdict verdict_of(const Comparison& comparison, const Pair& pair) {
 }  // namespace
 
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
-                         const Renderers& renderers, const Progress& progress) {
+                         const Renderers& renderers, const Progress& progress, Pictures pictures) {
     constexpr int kSteps = static_cast<int>(kRenders.size()) + 2;
     int done = 0;
     const auto begin_step = [&](std::string_view name) {
@@ -148,23 +148,26 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
     result.width = frame.width;
     result.height = frame.height;
     result.unsupported = frame.unsupported;
+    const auto is_left_out = [pictures](bool phong) { return phong && pictures == Pictures::kPerVertex; };
     for (const PlannedRender& planned : kRenders) {
+        if (is_left_out(planned.options.shading == Shading::kPhong)) continue;
         begin_step(planned.name);
-        result.renders.push_back(render(planned, frame, renderers));
+        result.renders.push_back(render(planned, frame, renderers, pictures));
     }
     begin_step("edges");
     result.freedom = renderers.freedom(frame, kPerVertex);
-    Freedom of_phong = renderers.freedom(frame, kPerPixel);
+    Freedom of_phong = pictures == Pictures::kAll ? renderers.freedom(frame, kPerPixel) : result.freedom;
     for (std::size_t i = 0; i < result.freedom.edge.size(); ++i) {  // one mask for all pairs
         result.freedom.edge[i] = of_phong.edge[i] = result.freedom.edge[i] || of_phong.edge[i];
     }
 
     free_ties(result.freedom, result.renders[kReference].image);
-    free_ties(of_phong, result.renders[kReferencePhong].image);
+    if (pictures == Pictures::kAll) free_ties(of_phong, result.renders[kReferencePhong].image);
 
     begin_step("differences");
     const Freedom of_drivers = freedom_of_drivers(result.freedom, result.renders[kReference]);
     for (const PlannedPair& planned : kPairs) {
+        if (is_left_out(kRenders[planned.b].options.shading == Shading::kPhong)) continue;
         Pair pair;
         pair.a = planned.a;
         pair.b = planned.b;

@@ -80,11 +80,13 @@ struct Comparison {
 // What a comparison says of two pictures that show the whole scene.
 Verdict judge(const ImageDifference& difference, const Tolerance& tolerance);
 
+enum class Pictures : std::uint8_t { kAll, kPerVertex };  // the second: each drawn once, and not timed
+
 // The per-vertex pictures follow GL's own model (the lecture's variants off), flat or gouraud as the scene
 // says, so that the three can be held against each other; the phong pictures follow the scene's variants.
 // What the driver draws with is drawn twice and the second time is told, for in the first the driver compiles.
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
-                         const Renderers& renderers, const Progress& progress = {});
+                         const Renderers& renderers, const Progress& progress = {}, Pictures pictures = Pictures::kAll);
 
 // ---- What is written of it ----
 

@@ -68,7 +68,7 @@ std::vector<std::string> verdict_sentences(const Comparison& comparison) {
         sentences.push_back(fmt::format("{}: {} of {} interior pixels differ ({}), by up to {} at ({}, {}){}.",
                                         name_of(comparison, pair), grouped(judged.differing), grouped(judged.pixels),
                                         share_of(judged), codes_of(judged.max), judged.worst_x, judged.worst_y,
-                                        has_slack(pair) ? ", beyond the slack of filters and blending" : ""));
+                                        has_slack(pair) ? ", beyond their slack" : ""));
     }
     return sentences;
 }

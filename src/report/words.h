@@ -21,7 +21,7 @@ std::string words_of(const Tolerance& tolerance);
 std::vector<std::string> verdict_sentences(const Comparison& comparison);
 
 // "glEnable(GL_FOG), 2 times, first at scene.gl:3:1, is not done by programmable and reference."
-// Whether a part of the pair's difference is the slack of filters and blending, and is not judged.
+// Whether a part of the pair's difference is slack, and is not judged.
 bool has_slack(const Pair& pair);
 std::string sentence_of(const Unsupported& unsupported);
 

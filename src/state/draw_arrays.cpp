@@ -30,15 +30,7 @@ std::optional<ArrayVertices> State::array_vertices(const Command& c) {
         return std::nullopt;
     }
     ArrayVertices read = arrays_.read(c, options_.signed_rule);
-    // RULING: as for the arguments of commands, NaN and infinity are refused.
-    for (const Vertex& v : read.vertices) {
-        double sum = 0;  // finite if all are
-        for (int i = 0; i < 4; ++i) sum += 0 * v.position_object[i] + 0 * v.color[i] + 0 * v.tex_coord[i];
-        for (int i = 0; i < 3; ++i) sum += 0 * v.normal_object[i];
-        if (std::isfinite(sum)) continue;
-        raise(kGL_INVALID_VALUE, c, fmt::format("{} reads a value that is not finite", c.name()));
-        return std::nullopt;
-    }
+    for (Vertex& v : read.vertices) represent(v);
     return read;
 }
 

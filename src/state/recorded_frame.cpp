@@ -142,7 +142,8 @@ void Player::command(const Command& command) {
     if (command.id == CommandId::glViewport) reach(state_.raster().viewport);
     if (state_.items().size() == before) return;
     changed_ = true;
-    for (auto item = state_.items().begin() + static_cast<std::ptrdiff_t>(before); item != state_.items().end(); ++item) {
+    for (auto item = state_.items().begin() + static_cast<std::ptrdiff_t>(before); item != state_.items().end();
+         ++item) {
         const Draw* draw = std::get_if<Draw>(&*item);
         if (!draw) continue;
         const Viewport& viewport = draw->raster.viewport;
@@ -203,16 +204,17 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
         if (!found) {
             const int frames = player.frames();
             if (!choice.number || frames == 0) throw SceneError(recording->name + ": this recording draws nothing");
-            throw SceneError(fmt::format("{}: there is no frame {}; the recording has {}", recording->name,
-                                         *choice.number,
-                                         frames == 1 ? "one, frame 0" : fmt::format("{}, 0 to {}", frames, frames - 1)));
+            throw SceneError(
+                fmt::format("{}: there is no frame {}; the recording has {}", recording->name, *choice.number,
+                            frames == 1 ? "one, frame 0" : fmt::format("{}, 0 to {}", frames, frames - 1)));
         }
         RecordedFrame result = player.result(recording);
         if (choice.width && choice.height) return result;
         const auto [reach_x, reach_y] = player.size().value_or(std::pair(width, height));
         if (std::max(reach_x, reach_y) > kLargestSide) {
-            throw SceneError(fmt::format("{}: a viewport reaches beyond {} pixels; choose the picture's size with --size",
-                                         recording->name, kLargestSide));
+            throw SceneError(
+                fmt::format("{}: a viewport reaches beyond {} pixels; choose the picture's size with --size",
+                            recording->name, kLargestSide));
         }
         const bool same = reach_x == width && reach_y == height;
         if (!same && player.draws_in_initial_viewport()) {  // the first viewport is the picture's: play it again

@@ -28,6 +28,12 @@ constexpr bool legal_inside(std::string_view effect) {
     return false;
 }
 
+// What a vertex is given may be any number, by effect.
+constexpr bool takes_any_number(std::string_view effect) {
+    return effect == "vertex" || effect == "normal" || effect == "color" || effect == "tex_coord" ||
+           effect == "multi_tex_coord" || effect == "elsewhere_secondary_color" || effect == "elsewhere_attribute";
+}
+
 // Counts one more of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place,
            std::vector<std::string> renderers) {
@@ -60,9 +66,11 @@ void State::carry_out(const Command& command) {
     struct Row {
         void (State::*effect)(const Command&);
         bool legal_inside;
+        bool takes_any_number = false;
     };
     static constexpr Row kRows[] = {
-#define GL_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
+#define GL_COMMAND(name, effect, ...) \
+    {&State::effect, twinlight::legal_inside(#effect), twinlight::takes_any_number(#effect)},
 #define SHAPE_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
 #define QUADRIC_COMMAND(name, effect, ...) {&State::effect, true},  // no GL, so legal anywhere
 #define PRAGMA_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
@@ -74,8 +82,10 @@ void State::carry_out(const Command& command) {
     };
     const Row& row = kRows[static_cast<std::size_t>(command.id)];
     if (open_ && !row.legal_inside) return raise_inside(command);
-    // RULING: GL leaves NaN and infinity open (2.1.1); here they are refused, so that no later value is either.
-    if (std::any_of(command.arguments.begin(), command.arguments.end(), [](double v) { return !std::isfinite(v); })) {
+    // RULING: GL leaves NaN and infinity open (2.1.1); here they are refused, so that no later value is either. A vertex may
+    // be given them, for programs do so: represent() says what becomes of it.
+    const auto is_finite = [](double v) { return std::isfinite(v); };
+    if (!row.takes_any_number && !std::ranges::all_of(command.arguments, is_finite)) {
         return raise(kGL_INVALID_VALUE, command, fmt::format("{} is given a value that is not finite", command.name()));
     }
     (this->*row.effect)(command);
@@ -153,12 +163,14 @@ void State::vertex(const Command& c) {
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
         a_.current.position_object[static_cast<int>(i)] = c.number(i);
     }
+    represent(a_.current);
     open_->vertices.push_back(a_.current);
 }
 
 void State::normal(const Command& c) {
     const Kind kind = c.sig().parameters[0].kind;
     for (int i = 0; i < 3; ++i) a_.current.normal_object[i] = to_real(c.number(static_cast<std::size_t>(i)), kind);
+    represent(a_.current);
 }
 
 void State::color(const Command& c) {
@@ -167,6 +179,7 @@ void State::color(const Command& c) {
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
         a_.current.color[static_cast<int>(i)] = to_real(c.number(i), kind);
     }
+    represent(a_.current);
     track_color();
 }
 
@@ -174,6 +187,17 @@ void State::tex_coord(const Command& c) {
     a_.current.tex_coord = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
         a_.current.tex_coord[static_cast<int>(i)] = c.number(i);
+    }
+    represent(a_.current);
+}
+
+void represent(Vertex& vertex) {
+    const auto is_finite = [](const auto& v) { return std::isfinite(glm::dot(v, v * 0.0)); };
+    if (!is_finite(vertex.position_object)) vertex.position_object = glm::dvec4(0);
+    if (!is_finite(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
+    for (int i = 0; i < 4; ++i) {
+        if (!std::isfinite(vertex.color[i])) vertex.color[i] = 0;
+        if (!std::isfinite(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
     }
 }
 
@@ -190,6 +214,7 @@ void State::multi_tex_coord(const Command& c) {
     for (std::size_t i = 1; i < c.arguments.size(); ++i) {
         a_.current.tex_coord[static_cast<int>(i) - 1] = c.number(i);
     }
+    represent(a_.current);
 }
 
 double State::to_real(double c, Kind kind) const { return real_from(c, kind, options_.signed_rule); }

@@ -28,6 +28,10 @@ inline constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 31;
 inline constexpr std::size_t kMaxErrorsKept = 100;
 inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; what is beyond counts under one of its own
 
+// RULING: a vertex that is given NaN or infinity. A position of them is (0, 0, 0, 0), which belongs to no polygon, line or
+// point (2.12); a normal of them is zero; such a component of a colour or a texture coordinate is 0.
+void represent(Vertex& vertex);
+
 class State {
   public:
     explicit State(const StateOptions& options = {});

@@ -48,15 +48,23 @@ std::string first_words(const std::string& path) {
 ApitraceDump::ApitraceDump(const std::string& trace, TemporaryFolder& folder) : folder_(folder) {
     const std::string program = find_apitrace();
     if (program.empty()) {
-        throw SceneError(trace + ": a .trace is read by apitrace, which is not installed; install it (apt-get install "
-                                 "apitrace), or give the text that 'apitrace dump --blobs' prints elsewhere");
+        throw SceneError(trace +
+                         ": a .trace is read by apitrace, which is not installed; install it (apt-get install "
+                         "apitrace), or give the text that 'apitrace dump --blobs' prints elsewhere");
     }
     // The dump runs in the folder, for it writes its blobs where it runs.
     std::error_code error;
     const std::string file = std::filesystem::absolute(trace, error).string();
     const std::string words = folder.path() + "/" + kWords;
-    const std::array arguments = {program.c_str(),     "dump",          "--color=never",     "--blobs", "--thread-ids=yes",
-                                  "--arg-names=no",    "--multiline=no", file.c_str(), static_cast<const char*>(nullptr)};
+    const std::array arguments = {program.c_str(),
+                                  "dump",
+                                  "--color=never",
+                                  "--blobs",
+                                  "--thread-ids=yes",
+                                  "--arg-names=no",
+                                  "--multiline=no",
+                                  file.c_str(),
+                                  static_cast<const char*>(nullptr)};
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw SceneError(trace + ": " + std::strerror(errno));
     output_ = Descriptor(ends[0]);

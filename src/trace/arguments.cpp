@@ -75,8 +75,14 @@ class Reading {
         switch (lexer_.peek()) {
             case '{': return array(argument, depth);
             case '&': return pointed_at(argument, depth);
-            case '"': lexer_.string(0); argument.form = Form::kOther; return true;
-            case '?': lexer_.skip(); argument.form = Form::kMissing; return true;
+            case '"':
+                lexer_.string(0);
+                argument.form = Form::kOther;
+                return true;
+            case '?':
+                lexer_.skip();
+                argument.form = Form::kMissing;
+                return true;
             default: break;
         }
         if (is_letter(lexer_.peek())) return word_value(lexer_.word(), argument, depth);

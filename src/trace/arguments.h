@@ -10,13 +10,13 @@ namespace twinlight::trace {
 
 struct Argument {
     enum class Form : std::uint8_t {
-        kNumber,   // or an enumerant, or several joined by |
-        kArray,    // {1, 2}, or &1
-        kNull,     // NULL
-        kBlob,     // blob("file"): memory, in a file
-        kBlobSize, // blob(24): memory that was not dumped
-        kOther,    // a string, a structure
-        kMissing,  // ?: the call was never finished
+        kNumber,    // or an enumerant, or several joined by |
+        kArray,     // {1, 2}, or &1
+        kNull,      // NULL
+        kBlob,      // blob("file"): memory, in a file
+        kBlobSize,  // blob(24): memory that was not dumped
+        kOther,     // a string, a structure
+        kMissing,   // ?: the call was never finished
     };
     Form form = Form::kNumber;
     std::size_t first = 0, count = 0;  // the values of a number or an array, in Arguments::numbers; kBlob: in blobs

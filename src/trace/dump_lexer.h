@@ -15,7 +15,9 @@ class DumpLexer {
   public:
     static constexpr std::size_t kLongestToken = 1024;
 
-    explicit DumpLexer(ByteSource& source) : source_(source), buffer_(kBufferSize + 1) { position_ = end_ = &buffer_[0]; }
+    explicit DumpLexer(ByteSource& source) : source_(source), buffer_(kBufferSize + 1) {
+        position_ = end_ = &buffer_[0];
+    }
 
     // The next character; 0 at the end of the text.
     char peek() {

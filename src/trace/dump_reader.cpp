@@ -63,9 +63,7 @@ std::optional<ContextName> DumpReader::first_to_draw() {
     return std::nullopt;
 }
 
-void DumpReader::fail_here(const std::string& message) const {
-    fail({command_.place.file, lexer_.line(), 1}, message);
-}
+void DumpReader::fail_here(const std::string& message) const { fail({command_.place.file, lexer_.line(), 1}, message); }
 
 bool DumpReader::cut_off_or(const std::string& message) {
     if (!lexer_.at_end()) fail_here(message);
@@ -109,8 +107,9 @@ bool DumpReader::next_call() {
     if (!function_name_.empty() && lexer_.accept('(')) return true;
     const char c = lexer_.peek();
     if (c == '\x1b') fail_here("this dump has colours in it; make it with 'apitrace dump --color=never'");
-    return cut_off_or(fmt::format("expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found {}",
-                                  quoted(function_name_.empty() ? std::string(1, c) : function_name_)));
+    return cut_off_or(
+        fmt::format("expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found {}",
+                    quoted(function_name_.empty() ? std::string(1, c) : function_name_)));
 }
 
 bool DumpReader::read_call() {

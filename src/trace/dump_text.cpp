@@ -41,9 +41,10 @@ void DumpText::keep(std::string_view bytes) {
         const ssize_t written = ::pwrite(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(kept_));
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) {
-            throw SceneError(fmt::format("{}: the recording cannot be kept while it is read: {}; set TMPDIR to a folder "
-                                         "with more room",
-                                         name_, std::strerror(errno)));
+            throw SceneError(
+                fmt::format("{}: the recording cannot be kept while it is read: {}; set TMPDIR to a folder "
+                            "with more room",
+                            name_, std::strerror(errno)));
         }
         bytes.remove_prefix(static_cast<std::size_t>(written));
         kept_ += static_cast<std::uint64_t>(written);

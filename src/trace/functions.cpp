@@ -10,7 +10,8 @@ namespace twinlight::trace {
 namespace {
 
 bool starts_with_one_of(std::string_view name, std::initializer_list<std::string_view> starts) {
-    return std::any_of(starts.begin(), starts.end(), [name](std::string_view start) { return name.starts_with(start); });
+    return std::any_of(starts.begin(), starts.end(),
+                       [name](std::string_view start) { return name.starts_with(start); });
 }
 
 // Queries change nothing; what a query answers, the program has taken into account already.
@@ -23,16 +24,50 @@ bool is_query(std::string_view name) {
 // glUseProgram, the color index mode, hints on residence, marks for debuggers, buffers that nothing draws to.
 bool is_without_effect(std::string_view name) {
     if (name == "glGenerateMipmap" || name == "glGenerateMipmapEXT") return false;
-    return starts_with_one_of(
-        name, {"glGen", "glDelete", "glCreate", "glCompileShader", "glShaderSource", "glAttach", "glDetach", "glLink",
-               "glUniform", "glBindAttribLocation", "glBindFragDataLocation", "glValidateProgram", "glProgram",
-               "glIndex", "glClearIndex", "glPrioritizeTextures", "glDebugMessage", "glPushDebugGroup",
-               "glPopDebugGroup", "glObjectLabel", "glObjectPtrLabel", "glStringMarker", "glInsertEventMarker",
-               "glPushGroupMarker", "glPopGroupMarker", "glFrameTerminator", "glLockArrays", "glUnlockArrays",
-               "glFence", "glClientWaitSync", "glWaitSync", "glBeginQuery", "glEndQuery", "glReadBuffer",
-               "glFeedbackBuffer", "glSelectBuffer", "glPassThrough", "glRenderbufferStorage",
-               "glFramebufferTexture", "glFramebufferRenderbuffer", "glUnmapBuffer", "glReleaseShaderCompiler",
-               "glSampleMaski", "glTexBarrier", "glMemoryBarrier"});
+    return starts_with_one_of(name, {"glGen",
+                                     "glDelete",
+                                     "glCreate",
+                                     "glCompileShader",
+                                     "glShaderSource",
+                                     "glAttach",
+                                     "glDetach",
+                                     "glLink",
+                                     "glUniform",
+                                     "glBindAttribLocation",
+                                     "glBindFragDataLocation",
+                                     "glValidateProgram",
+                                     "glProgram",
+                                     "glIndex",
+                                     "glClearIndex",
+                                     "glPrioritizeTextures",
+                                     "glDebugMessage",
+                                     "glPushDebugGroup",
+                                     "glPopDebugGroup",
+                                     "glObjectLabel",
+                                     "glObjectPtrLabel",
+                                     "glStringMarker",
+                                     "glInsertEventMarker",
+                                     "glPushGroupMarker",
+                                     "glPopGroupMarker",
+                                     "glFrameTerminator",
+                                     "glLockArrays",
+                                     "glUnlockArrays",
+                                     "glFence",
+                                     "glClientWaitSync",
+                                     "glWaitSync",
+                                     "glBeginQuery",
+                                     "glEndQuery",
+                                     "glReadBuffer",
+                                     "glFeedbackBuffer",
+                                     "glSelectBuffer",
+                                     "glPassThrough",
+                                     "glRenderbufferStorage",
+                                     "glFramebufferTexture",
+                                     "glFramebufferRenderbuffer",
+                                     "glReleaseShaderCompiler",
+                                     "glSampleMaski",
+                                     "glTexBarrier",
+                                     "glMemoryBarrier"});
 }
 
 bool is_of_window_system(std::string_view name) {
@@ -57,7 +92,8 @@ bool draws_something(std::string_view name) {
 }
 
 bool makes_objects(std::string_view name) {
-    return name == "glNewList" || starts_with_one_of(name, {"glTexImage", "glTexSubImage", "glCopyTex", "glBufferData"});
+    return name == "glNewList" ||
+           starts_with_one_of(name, {"glTexImage", "glTexSubImage", "glCopyTex", "glBufferData"});
 }
 
 Function what_is(std::string_view name) {
@@ -69,11 +105,13 @@ Function what_is(std::string_view name) {
         function.role = Role::kMakeCurrent;
     } else if (is_query(name) || is_of_window_system(name)) {
         function.role = Role::kPassedOver;
+    } else if (name.starts_with("glMapBuffer")) {  // what is copied there counts: glBufferSubData
+        function.role = Role::kMapBuffer;
+    } else if (name.starts_with("glUnmapBuffer")) {
+        function.role = Role::kPassedOver;
     } else if (command) {
         function.role = Role::kCommand;
         function.command = *command;
-    } else if (starts_with_one_of(name, {"glMapBuffer"})) {
-        function.role = Role::kMapBuffer;
     } else if (name == "memcpy") {
         function.role = Role::kCopy;
     } else if (starts_with_one_of(name, {"glUseProgram", "glBind"})) {
@@ -106,8 +144,8 @@ const Function& FunctionTable::find(std::string_view name) {
 
 std::optional<Enum> find_dumped_name(std::string_view name) {
     if (const auto value = find_gl_name(name)) return value;
-    const auto later = std::find_if(kLaterNames.begin(), kLaterNames.end(),
-                                    [name](const LaterName& row) { return row.name == name; });
+    const auto later =
+        std::find_if(kLaterNames.begin(), kLaterNames.end(), [name](const LaterName& row) { return row.name == name; });
     if (later != kLaterNames.end()) return later->value;
     return find_gl_name_or_extension(name);
 }

@@ -12,20 +12,20 @@ namespace twinlight::trace {
 
 // What a call of a function comes to.
 enum class Role : std::uint8_t {
-    kCommand,       // a row of commands.def
-    kPassedOver,    // of the window system, or a query, or without an effect on the picture
-    kFrameEnd,      // SwapBuffers
-    kMakeCurrent,   // a thread's context; the last argument says which
-    kMapBuffer,     // glMapBuffer: what is written there later is copied into the buffer object
-    kCopy,          // memcpy: such a copy
-    kBinding,       // of an object that Twinlight does not have; 0, the last argument, is GL's own
-    kOutside,       // anything else: named as unsupported
+    kCommand,      // a row of commands.def
+    kPassedOver,   // of the window system, or a query, or without an effect on the picture
+    kFrameEnd,     // SwapBuffers
+    kMakeCurrent,  // a thread's context; the last argument says which
+    kMapBuffer,    // glMapBuffer: what is written there later is copied into the buffer object
+    kCopy,         // memcpy: such a copy
+    kBinding,      // of an object that Twinlight does not have; 0, the last argument, is GL's own
+    kOutside,      // anything else: named as unsupported
 };
 
 struct Function {
     Role role = Role::kOutside;
-    CommandId command{};   // of kCommand
-    bool draws = false;    // vertices or pixels
+    CommandId command{};         // of kCommand
+    bool draws = false;          // vertices or pixels
     bool makes_objects = false;  // that contexts may share: textures, lists, buffer objects
 };
 

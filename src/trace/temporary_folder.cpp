@@ -61,7 +61,7 @@ std::array<Slot, kMostFolders> slots;  // NOLINT: a handler reaches nothing but 
 
 constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP};
 std::array<struct sigaction, kEndingSignals.size()> actions_before;  // NOLINT
-int folders = 0;                                                    // NOLINT
+int folders = 0;                                                     // NOLINT
 
 extern "C" void remove_folders_and_end(int signal) {
     for (const Slot& slot : slots) {

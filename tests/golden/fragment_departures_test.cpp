@@ -8,10 +8,10 @@
 #include <cmath>
 #include <memory>
 
-#include "../property/random_states.h"
 #include "command/text.h"
 #include "context/context.h"
 #include "fixed/fixed.h"
+#include "listed_driver.h"
 #include "reference/reference.h"
 #include "state/state.h"
 

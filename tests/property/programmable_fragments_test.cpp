@@ -19,8 +19,8 @@
 #include "context/context.h"
 #include "effect/plan.h"
 #include "fixed/fixed.h"
+#include "fuzz/random.h"
 #include "programmable/programmable.h"
-#include "random_states.h"
 #include "state/state.h"
 
 namespace twinlight {
@@ -268,7 +268,7 @@ class SceneText {
         if (separate_ && chance(0.5)) add("glMaterialf(GL_FRONT, GL_SHININESS, {});\n", number(1, 30));
     }
 
-    Random structure_, random_;
+    fuzz::Random structure_, random_;
     Enum format_ = kGL_RGBA, environment_ = kGL_MODULATE;
     bool textured_ = false, one_dimensional_ = false, q_ = false, matrix_ = false;
     bool lit_ = false, two_side_ = false, separate_ = false, color_material_ = false, vertex_materials_ = false;

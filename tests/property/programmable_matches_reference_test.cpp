@@ -9,8 +9,8 @@
 
 #include "context/context.h"
 #include "effect/plan.h"
+#include "fuzz/random.h"
 #include "programmable/programmable.h"
-#include "random_states.h"
 #include "reference/reference.h"
 
 namespace twinlight {
@@ -94,7 +94,7 @@ class RandomDraw {
         return light;
     }
 
-    Random random_;
+    fuzz::Random random_;
 };
 
 // One pixel a vertex, from left to right.

@@ -6,13 +6,13 @@
 
 #include "command/object_names.h"
 #include "command/text.h"
-#include "random_states.h"
+#include "fuzz/random.h"
 
 namespace twinlight {
 
 namespace {
 
-double random_bits(Random& random, Kind kind) {
+double random_bits(fuzz::Random& random, Kind kind) {
     const auto bits = static_cast<std::uint32_t>(random.uniform(0, 4294967296.0));
     switch (kind) {
         case Kind::kEnum:
@@ -43,7 +43,7 @@ double random_bits(Random& random, Kind kind) {
 }
 
 // Bytes of any kind, NaNs and odd lengths among them.
-std::shared_ptr<const Memory> random_memory(Random& random) {
+std::shared_ptr<const Memory> random_memory(fuzz::Random& random) {
     Memory memory;
     memory.kind = static_cast<Kind>(random.below(static_cast<int>(Kind::kSizeiptr) + 1));
     memory.bytes.resize(static_cast<std::size_t>(random.below(50)));
@@ -57,7 +57,7 @@ ImageFile image(const std::string& name) {
 }
 
 // A target, strides, orders and the points; half of the time wrong, and then without points.
-void random_map(Random& random, Command& command) {
+void random_map(fuzz::Random& random, Command& command) {
     const std::vector<Parameter>& parameters = command.sig().parameters;
     if (random.chance(0.5))
         command.arguments[0] = (parameters.size() == 6 ? kGL_MAP1_COLOR_4 : kGL_MAP2_COLOR_4) + random.below(9);
@@ -69,7 +69,7 @@ void random_map(Random& random, Command& command) {
     for (std::size_t i = 0; i < count; ++i) command.arguments.push_back(random_bits(random, parameters.back().kind));
 }
 
-Command random_command(Random& random, CommandId id) {
+Command random_command(fuzz::Random& random, CommandId id) {
     Command command{id, {}, {}};
     bool is_counted = false;
     for (const Parameter& parameter : signature(id).parameters) {
@@ -139,7 +139,7 @@ Command random_command(Random& random, CommandId id) {
 TEST(ReadPrint, GivesTheSameCommandForEveryRowOfTheTable) {
     constexpr std::uint64_t kSeed = 20240502;
     constexpr int kRounds = 100;
-    Random random(kSeed);
+    fuzz::Random random(kSeed);
     for (int round = 0; round < kRounds; ++round) {
         CommandList scene{"random", {}};
         for (std::size_t i = 0; i < signatures().size(); ++i) {

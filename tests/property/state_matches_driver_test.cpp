@@ -13,7 +13,7 @@
 #include "context/context.h"
 #include "context/gl.h"
 #include "fixed/fixed.h"
-#include "random_states.h"
+#include "fuzz/random.h"
 #include "state/state.h"
 
 namespace twinlight {
@@ -40,12 +40,12 @@ constexpr CommandId kElsewhere[] = {
 #undef PRAGMA_COMMAND
 };
 
-Enum one_of(Random& random, const std::vector<Enum>& choices) {
+Enum one_of(fuzz::Random& random, const std::vector<Enum>& choices) {
     return choices[static_cast<std::size_t>(random.below(static_cast<int>(choices.size())))];
 }
 
 // An enum that is mostly right for the parameter, and sometimes any.
-Enum random_enum(Random& random, CommandId id, std::string_view parameter) {
+Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter) {
     if (random.chance(0.06)) {
         const auto& names = gl_names();
         const Enum any = names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
@@ -134,7 +134,7 @@ Enum random_enum(Random& random, CommandId id, std::string_view parameter) {
 }
 
 // A value for a parameter that takes names.
-double random_name(Random& random, Enum pname) {
+double random_name(fuzz::Random& random, Enum pname) {
     switch (pname) {
         case kGL_FOG_MODE: return one_of(random, {kGL_LINEAR, kGL_EXP, kGL_EXP2});
         case kGL_TEXTURE_ENV_MODE: return one_of(random, {kGL_MODULATE, kGL_DECAL, kGL_REPLACE, kGL_BLEND, kGL_ADD});
@@ -146,7 +146,7 @@ double random_name(Random& random, Enum pname) {
     }
 }
 
-double random_number(Random& random, Kind kind) {
+double random_number(fuzz::Random& random, Kind kind) {
     const auto whole = [&random](double low, double high) { return std::floor(random.uniform(low, high + 1)); };
     switch (kind) {
         case Kind::kByte: return whole(-128, 127);
@@ -168,7 +168,7 @@ double random_number(Random& random, Kind kind) {
     }
 }
 
-double random_bits(Random& random, CommandId id) {
+double random_bits(fuzz::Random& random, CommandId id) {
     if (id == CommandId::glClear) return random.chance(0.8) ? 0x4100 : 3;
     if (random.chance(0.2)) return static_cast<double>(kGL_ALL_ATTRIB_BITS);
     const auto bits = static_cast<Enum>(random.uniform(0, 0x100000));
@@ -187,7 +187,7 @@ bool uses_arrays_or_names(const Signature& sig) {
            });
 }
 
-Command random_command(Random& random) {
+Command random_command(fuzz::Random& random) {
     while (true) {
         const auto id = static_cast<CommandId>(random.below(static_cast<int>(signatures().size())));
         const Signature& sig = signature(id);
@@ -393,7 +393,7 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
     for (std::uint64_t seed = 1; seed <= kSequences && !testing::Test::HasFailure(); ++seed) {
         fixed::Driver driver(64, 48);
         State state({.width = 64, .height = 48});
-        Random random(seed);
+        fuzz::Random random(seed);
         CommandList sequence;
         bool open = false;  // glGetError is not legal between glBegin and glEnd
         GLenum first_expected = GL_NO_ERROR;

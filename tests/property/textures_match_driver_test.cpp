@@ -10,7 +10,7 @@
 #include "context/context.h"
 #include "context/gl.h"
 #include "fixed/fixed.h"
-#include "random_states.h"
+#include "fuzz/random.h"
 #include "state/state.h"
 
 namespace twinlight {
@@ -66,11 +66,11 @@ constexpr Enum kTypes[] = {kGL_UNSIGNED_BYTE,
                            kGL_UNSIGNED_INT_2_10_10_10_REV};
 
 template <std::size_t n>
-double one_of(Random& random, const Enum (&choices)[n]) {
+double one_of(fuzz::Random& random, const Enum (&choices)[n]) {
     return choices[random.below(static_cast<int>(n))];
 }
 
-std::shared_ptr<const Memory> random_memory(Random& random, std::size_t size, Enum type) {
+std::shared_ptr<const Memory> random_memory(fuzz::Random& random, std::size_t size, Enum type) {
     auto memory = std::make_shared<Memory>();
     memory->bytes.resize(size);
     for (std::size_t i = 0; i < size; ++i) memory->bytes[i] = static_cast<std::byte>(random.below(256));
@@ -148,7 +148,7 @@ double step_of(double internal) {
 
 TEST(TexturesMatchDriver, ImagesOfEveryFormatAndType) {
     const auto context = make_offscreen_context(16, 16);
-    Random random(31);
+    fuzz::Random random(31);
     double total = 0;
     int images = 0;
     for (int i = 0; i < 1500 && !testing::Test::HasFailure(); ++i) {
@@ -187,7 +187,7 @@ TEST(TexturesMatchDriver, ImagesOfEveryFormatAndType) {
 
 TEST(TexturesMatchDriver, GluMipmapsOfEverySize) {
     const auto context = make_offscreen_context(16, 16);
-    Random random(32);
+    fuzz::Random random(32);
     double total = 0;
     int images = 0;
     for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {

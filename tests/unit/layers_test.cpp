@@ -29,6 +29,9 @@ const std::map<std::string, Layers>& allowed() {
         {"fixed", {"math", "command", "shape", "state", "effect", "context", "image"}},
         {"programmable", {"math", "command", "state", "effect", "shape", "context", "image"}},
         {"report", {"math", "command", "state", "image"}},  // the renderers come as functions
+        {"fuzz",
+         {"math", "command", "state", "shape", "lighting", "image", "context", "fixed", "programmable", "reference",
+          "report"}},
         {"app", {}},                                        // all
     };
     return table;

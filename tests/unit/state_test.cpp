@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"glGetMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, (GLfloat[4]){0});", kGL_INVALID_ENUM,
                 "GL_FRONT, GL_BACK"},
         Refused{"glScaled(INFINITY, 1, 1);", kGL_INVALID_VALUE, "not finite"},
-        Refused{"glColor3f(NAN, 1, 1);", kGL_INVALID_VALUE, "not finite"},
+        Refused{"glMaterialf(GL_FRONT, GL_SHININESS, NAN);", kGL_INVALID_VALUE, "not finite"},
         Refused{"#pragma twinlight specular(cube)", kGL_INVALID_ENUM, "half_vector or reflection"},
         Refused{"#pragma twinlight spot_cone(GL_LIGHT0, -5, 10)", kGL_INVALID_VALUE, "[0, 180]"}));
 
@@ -219,8 +219,8 @@ TEST(MaterialState, BetweenVerticesIsTheNextVertices) {
 }
 
 TEST(MaterialState, BeforeTheFirstVertexIsTheDraws) {
-    const Draw draw = first_draw(
-        frame_of("glBegin(GL_LINES); glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 0); glVertex2f(0, 1); glEnd();"));
+    const Draw draw = first_draw(frame_of(
+        "glBegin(GL_LINES); glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 0); glVertex2f(0, 1); glEnd();"));
     EXPECT_TRUE(draw.materials.empty());
     EXPECT_EQ(draw.lighting.front.shininess, 7);
 }
@@ -340,6 +340,26 @@ TEST(Frames, AreRefusedWhenNothingIsDrawn) {
 TEST(Frames, AreRefusedAtTheFirstError) {
     EXPECT_EQ(error_of("glutSolidCube(1);\nglLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 120);"),
               "scene.gl:2:1: GL_SPOT_CUTOFF is 120; it must be in [0, 90] or 180 (GL_INVALID_VALUE)");
+}
+
+// A program that normalises the normals of degenerate triangles sends NaN, freeglut's teapot among them.
+TEST(State, TakesVerticesThatAreNotNumbers) {
+    const Frame frame = frame_of(
+        "glBegin(GL_POINTS); glNormal3f(NAN, 1, 0); glColor4f(1, NAN, INFINITY, 0.5); glTexCoord2f(NAN, 0.5);\n"
+        "glVertex2f(0, 0); glVertex2f(NAN, 0); glEnd();\n"
+        "GLfloat normals[] = {NAN, NAN, NAN}; GLfloat corner[] = {0.25, 0.5};\n"
+        "glEnableClientState(GL_VERTEX_ARRAY); glEnableClientState(GL_NORMAL_ARRAY);\n"
+        "glVertexPointer(2, GL_FLOAT, 0, corner); glNormalPointer(GL_FLOAT, 0, normals); glDrawArrays(GL_POINTS, 0, "
+        "1);");
+    const Vertex& v = first_draw(frame).vertices[0];
+    EXPECT_EQ(v.normal_object, glm::dvec3(0));
+    EXPECT_EQ(v.color, glm::dvec4(1, 0, 0, 0.5));
+    EXPECT_EQ(v.tex_coord, glm::dvec4(0, 0.5, 0, 1));
+    EXPECT_EQ(v.position_object, glm::dvec4(0, 0, 0, 1));
+    EXPECT_EQ(first_draw(frame).vertices[1].position_object, glm::dvec4(0));
+    const Vertex& of_array = std::get<Draw>(frame.items.back()).vertices[0];
+    EXPECT_EQ(of_array.normal_object, glm::dvec3(0));
+    EXPECT_EQ(of_array.position_object, glm::dvec4(0.25, 0.5, 0, 1));
 }
 
 // 4.2.1: with no buffer to draw to, depth is drawn and cleared alone.

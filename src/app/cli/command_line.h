@@ -24,6 +24,7 @@ Subcommand add_render(CLI::App& app);
 Subcommand add_compare(CLI::App& app);
 Subcommand add_export(CLI::App& app);
 Subcommand add_scenes(CLI::App& app);
+Subcommand add_fuzz(CLI::App& app);
 
 // Accepts the keys of a map.
 template <class Map>

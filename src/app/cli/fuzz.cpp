@@ -1,0 +1,230 @@
+// twinlight fuzz: random scenes, three ways.
+#include "fuzz/fuzz.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command_line.h"
+#include "app/cli/progress.h"
+#include "command/names.h"
+#include "context/context.h"
+#include "image/file.h"
+#include "report/words.h"
+
+namespace twinlight::cli {
+
+namespace {
+
+using fuzz::Options;
+using fuzz::Summary;
+
+struct Arguments {
+    Options options;
+    std::string folder = "fuzz-failures";
+    bool json = false;
+};
+
+volatile std::sig_atomic_t interrupted = 0;  // the one thing that a handler may write to
+
+// Ctrl-C ends the run, once; a second one ends the program.
+class Interrupt {
+  public:
+    Interrupt() {
+        interrupted = 0;
+        struct sigaction action {};
+        action.sa_handler = [](int) { interrupted = 1; };
+        action.sa_flags = static_cast<int>(SA_RESETHAND);
+        sigaction(SIGINT, &action, &before_);
+    }
+    ~Interrupt() { sigaction(SIGINT, &before_, nullptr); }
+    Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
+
+  private:
+    struct sigaction before_ {};
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string minutes(double seconds) {
+    const auto whole = static_cast<long>(seconds);
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string file_of(const Arguments& arguments, const fuzz::Failure& failure) {
+    const std::string name = fmt::format("seed-{}-state-{}.gl", arguments.options.seed, failure.state);
+    return (std::filesystem::path(arguments.folder) / name).string();
+}
+
+// Written as soon as it is found: a long run may end in any way.
+void write_failure(const Arguments& arguments, const fuzz::Failure& failure, const std::string& driver) {
+    std::error_code error;
+    std::filesystem::create_directories(arguments.folder, error);
+    if (error) throw FileError(arguments.folder + ": " + error.message());
+    write_file_atomically(file_of(arguments, failure), fuzz::failure_text(failure, arguments.options, driver));
+}
+
+std::string grouped(long n) { return report::grouped(static_cast<std::size_t>(n)); }
+
+void append_left_out(std::string& text, const char* what, const fuzz::LeftOutCounts& counts) {
+    for (const auto& [departure, count] : counts) {
+        text += fmt::format("  {:>11}  {:>11}  {}: {}\n", grouped(count.cases), grouped(count.differing), what,
+                            departure->name);
+    }
+}
+
+std::string summary_text(const Arguments& arguments, const Summary& summary, double seconds) {
+    const std::uint64_t states = summary.float_states + summary.picture_states;
+    std::string text = fmt::format(
+        "{} states of seed {}{} in {}, {:.0f} a second: {} at float precision, {} as pictures\n",
+        report::grouped(states), arguments.options.seed, summary.broken_off ? " (broken off)" : "",
+        minutes(seconds), static_cast<double>(states) / std::max(seconds, 1e-9), report::grouped(summary.float_states),
+        report::grouped(summary.picture_states));
+    text += fmt::format("\n{:<26}  {:>11}  {:>8}  {:>9}  {:>13}  {:>9}  {:>5}  {:>9}\n", "pair", "vertices", "worst",
+                        "of state", "pixels", "differing", "worst", "of state");
+    for (std::size_t pair = 0; pair < fuzz::kPairs; ++pair) {
+        text += fmt::format("{:<26}  {:>11}  {:>8.1e}  {:>9}  {:>13}  {:>9}  {:>5}  {:>9}\n", fuzz::kPairNames.at(pair),
+                            grouped(summary.vertices.at(pair)), summary.worst_float.at(pair).value,
+                            summary.worst_float.at(pair).state, grouped(summary.pixels.at(pair)),
+                            grouped(summary.differing_pixels.at(pair)), summary.worst_picture.at(pair).value,
+                            summary.worst_picture.at(pair).state);
+    }
+    text +=
+        "Vertices: relative to the magnitude of a colour's terms. Pixels: of the interior; differing, and the worst in "
+        "codes, beyond\nthe slack of filters and blending.\n";
+    if (!summary.vertices_left_out.empty() || !summary.pictures_left_out.empty()) {
+        text += "\nLeft out, and how many of them differ:\n";
+        append_left_out(text, "vertices", summary.vertices_left_out);
+        append_left_out(text, "pictures", summary.pictures_left_out);
+    }
+    text += "\n";
+    for (const fuzz::Failure& failure : summary.failures) {
+        text += fmt::format("state {}: {}: {}\n  {} of {} commands: {}\n", failure.state,
+                            failure.pair < fuzz::kPairs ? fuzz::kPairNames.at(failure.pair) : "refused", failure.what,
+                            failure.scene.commands.size(), failure.commands_before, file_of(arguments, failure));
+    }
+    if (summary.failures.empty())
+        text += summary.fails() ? "Too many pixels differ by one code.\n" : "No unexplained difference.\n";
+    return text;
+}
+
+nlohmann::ordered_json left_out_json(const fuzz::LeftOutCounts& counts) {
+    auto list = nlohmann::ordered_json::array();
+    for (const auto& [departure, count] : counts)
+        list.push_back({{"name", departure->name}, {"cases", count.cases}, {"differing", count.differing}});
+    return list;
+}
+
+std::string summary_json(const Arguments& arguments, const Summary& summary, double seconds,
+                         const std::string& driver) {
+    nlohmann::ordered_json json = {{"driver", driver},
+                                   {"seed", arguments.options.seed},
+                                   {"first", arguments.options.first},
+                                   {"count", arguments.options.count},
+                                   {"float_states", summary.float_states},
+                                   {"picture_states", summary.picture_states},
+                                   {"seconds", seconds}};
+    auto& pairs = json["pairs"] = nlohmann::ordered_json::array();
+    for (std::size_t pair = 0; pair < fuzz::kPairs; ++pair) {
+        pairs.push_back({{"name", fuzz::kPairNames.at(pair)},
+                         {"vertices", summary.vertices.at(pair)},
+                         {"worst_relative", summary.worst_float.at(pair).value},
+                         {"pixels", summary.pixels.at(pair)},
+                         {"differing_pixels", summary.differing_pixels.at(pair)},
+                         {"worst_codes", summary.worst_picture.at(pair).value}});
+    }
+    json["left_out"] = {{"vertices", left_out_json(summary.vertices_left_out)},
+                        {"pictures", left_out_json(summary.pictures_left_out)}};
+    auto& failures = json["failures"] = nlohmann::ordered_json::array();
+    for (const fuzz::Failure& failure : summary.failures) {
+        failures.push_back({{"state", failure.state},
+                            {"pair", failure.pair < fuzz::kPairs ? fuzz::kPairNames.at(failure.pair) : "refused"},
+                            {"what", failure.what},
+                            {"file", file_of(arguments, failure)}});
+    }
+    return json.dump(2) + "\n";
+}
+
+int run(const Arguments& arguments) {
+    const Interrupt interrupt;
+    const auto start = std::chrono::steady_clock::now();
+    const std::string driver = [] {
+        const auto context = make_offscreen_context(1, 1);
+        return driver_name();
+    }();
+    Summary summary;
+    {
+        ProgressBar bar;
+        fuzz::Progress progress;
+        progress.stop = [] { return interrupted != 0; };
+        progress.found = [&](const fuzz::Failure& failure) { write_failure(arguments, failure, driver); };
+        progress.show = [&](std::uint64_t done, const Summary& so_far, const char* doing) {
+            const double seconds = seconds_since(start), rate = static_cast<double>(done) / std::max(seconds, 1e-9);
+            const double left = static_cast<double>(arguments.options.count - done) / std::max(rate, 1e-9);
+            std::string line = doing ? std::string(doing) : fmt::format("{:.0f}/s, {} left", rate, minutes(left));
+            if (!so_far.failures.empty()) line += fmt::format(", {} found", so_far.failures.size());
+            bar.show(static_cast<int>(done), static_cast<int>(arguments.options.count), line);
+        };
+        summary = fuzz::run(arguments.options, progress);
+    }
+    const double seconds = seconds_since(start);
+    write_result(arguments.json ? summary_json(arguments, summary, seconds, driver)
+                                : driver + "\n" + summary_text(arguments, summary, seconds));
+    return summary.fails() ? kDifferent : kFine;
+}
+
+// A name of departures(), or a near one in the message.
+std::string checked_departure(const std::string& text) {
+    std::vector<std::string_view> names;
+    for (const fuzz::Departure& departure : fuzz::departures()) names.push_back(departure.name);
+    if (std::ranges::find(names, text) != names.end()) return "";
+    const auto near = nearest(text, names);
+    return fmt::format("there is no departure '{}'; {}", text,
+                       near ? fmt::format("did you mean '{}'?", *near) : "golden/known_differences names them");
+}
+
+}  // namespace
+
+Subcommand add_fuzz(CLI::App& app) {
+    const auto arguments = std::make_shared<Arguments>();
+    Options& options = arguments->options;
+    CLI::App* fuzz = app.add_subcommand("fuzz", "Hold random scenes three ways against each other");
+    const auto most = static_cast<std::uint64_t>(1) << 31;
+    fuzz->add_option("--count", options.count, "how many states")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(std::uint64_t{1}, most - 1));
+    fuzz->add_option("--seed", options.seed, "the same seed gives the same scenes on every machine")
+        ->type_name("S")
+        ->capture_default_str();
+    fuzz->add_option("--first", options.first, "the first state: that of a failure, or where another run ended")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(std::uint64_t{0}, most << 20));
+    CLI::Option* floats_only = fuzz->add_flag_callback(
+        "--float-only", [&options] { options.pictures = false; }, "compare vertices alone");
+    fuzz->add_flag_callback(
+            "--pictures-only", [&options] { options.floats = false; }, "compare pictures alone")
+        ->excludes(floats_only);
+    fuzz->add_option("--lift", options.lifted, "a name of golden/known_differences, not to be left out but looked for")
+        ->type_name("NAME")
+        ->check(CLI::Validator(checked_departure, ""));
+    fuzz->add_option("-o", arguments->folder, "where failures are written, made if there is one")
+        ->type_name("DIR")
+        ->capture_default_str()
+        ->check(not_empty());
+    fuzz->add_flag("--json", arguments->json, "print one JSON object instead of the table");
+    fuzz->footer(
+        "Each failure is shrunk to the smallest scene that still fails, and written as a scene file.\n"
+        "Ctrl-C ends the run; what was found is kept. GALLIUM_DRIVER=softpipe asks Mesa's other driver.\n"
+        "Exit status: 0 no unexplained difference, 1 a difference, 2 bad input or use.");
+    return {fuzz, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace twinlight::cli

@@ -1,0 +1,453 @@
+// The table of departures and what each asks.
+#include "fuzz/departures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <set>
+
+namespace twinlight::fuzz {
+
+namespace {
+
+// ---- Of the order of commands ----
+
+using Id = CommandId;
+
+bool is_one_of(const Command& command, std::initializer_list<std::string_view> prefixes) {
+    return std::ranges::any_of(prefixes, [&](std::string_view prefix) { return command.name().starts_with(prefix); });
+}
+
+// Whether a command of the first kind stands anywhere before one of the second.
+bool stands_before(const CommandList& scene, std::string_view first, std::string_view second) {
+    bool seen = false;
+    for (const Command& command : scene.commands) {
+        if (seen && command.name().starts_with(second)) return true;
+        seen = seen || command.name().starts_with(first);
+    }
+    return false;
+}
+
+bool mixes_glcolor3_and_4(const CommandList& scene) { return stands_before(scene, "glColor4", "glColor3"); }
+
+bool mixes_tex_coords(const CommandList& scene) {
+    bool seen = false;
+    for (const Command& command : scene.commands) {
+        if (!command.name().starts_with("glTexCoord")) continue;
+        if (command.name()[10] == '4')
+            seen = true;
+        else if (seen && command.name()[10] != 'P')
+            return true;
+    }
+    return false;
+}
+
+// Between a glPushAttrib whose mask has one of `bits`, and none of `without`, and its glPopAttrib.
+bool has_inside_push(const CommandList& scene, Enum bits, Enum without,
+                     const std::function<bool(const Command&)>& is_it) {
+    std::vector<Enum> masks;
+    for (const Command& command : scene.commands) {
+        if (command.id == Id::glPushAttrib) masks.push_back(command.enumerant(0));
+        if (command.id == Id::glPopAttrib && !masks.empty()) masks.pop_back();
+        const bool saved =
+            std::ranges::any_of(masks, [&](Enum mask) { return (mask & bits) != 0 && (mask & without) == 0; });
+        if (saved && is_it(command)) return true;
+    }
+    return false;
+}
+
+bool sets_material_before_pop(const CommandList& scene) {
+    return has_inside_push(scene, kGL_LIGHTING_BIT, 0,
+                           [](const Command& command) { return command.name().starts_with("glMaterial"); });
+}
+
+bool switches_lights_before_pop(const CommandList& scene) {
+    const auto is_light = [](const Command& command) {
+        return (command.id == Id::glEnable || command.id == Id::glDisable) && command.enumerant(0) >= kGL_LIGHT0 &&
+               command.enumerant(0) < kGL_LIGHT0 + kMaxLights;
+    };
+    return has_inside_push(scene, kGL_ENABLE_BIT, kGL_LIGHTING_BIT, is_light);
+}
+
+bool generates_mipmaps_after_pop(const CommandList& scene) {
+    return has_inside_push(scene, kGL_TEXTURE_BIT, 0, [](const Command& command) {
+        return command.name().starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP;
+    });
+}
+
+bool enables_color_material(const CommandList& scene) {
+    return std::ranges::any_of(scene.commands, [](const Command& command) {
+        return command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL;
+    });
+}
+
+bool restores_tracked_color(const CommandList& scene) {
+    return enables_color_material(scene) && has_inside_push(scene, kGL_CURRENT_BIT, 0, [](const Command& command) {
+               return command.name().starts_with("glColor");
+           });
+}
+
+bool lights_two_sides(const CommandList& scene) {
+    return std::ranges::any_of(scene.commands, [](const Command& command) {
+        return command.name().starts_with("glLightModel") && command.enumerant(0) == kGL_LIGHT_MODEL_TWO_SIDE &&
+               command.number(1) != 0;
+    });
+}
+
+bool sets_back_between_vertices(const CommandList& scene) {
+    if (!lights_two_sides(scene)) return false;
+    bool inside = false;
+    for (const Command& command : scene.commands) {
+        if (command.id == Id::glBegin || command.id == Id::glEnd) inside = command.id == Id::glBegin;
+        if (inside && command.name().starts_with("glMaterial") && command.enumerant(0) == kGL_BACK) return true;
+    }
+    return false;
+}
+
+// A parameter of both sides' material that the first vertex of a glBegin does not have, but a later one.
+bool sets_both_sides_after_vertex(const CommandList& scene) {
+    if (!lights_two_sides(scene)) return false;
+    std::set<Enum> set;
+    bool has_vertex = false;
+    for (const Command& command : scene.commands) {
+        if (command.id == Id::glBegin) {
+            set.clear();
+            has_vertex = false;
+        }
+        if (command.name().starts_with("glVertex")) has_vertex = true;
+        if (!command.name().starts_with("glMaterial") || command.enumerant(0) != kGL_FRONT_AND_BACK) continue;
+        if (!has_vertex)
+            set.insert(command.enumerant(1));
+        else if (!set.contains(command.enumerant(1)))
+            return true;
+    }
+    return false;
+}
+
+bool sets_color_before_new_mode(const CommandList& scene) {
+    bool enabled = false, color = false;
+    for (const Command& command : scene.commands) {
+        if (command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL) enabled = true;
+        if (enabled && is_one_of(command, {"glColor3", "glColor4"})) color = true;
+        if (color && command.id == Id::glColorMaterial) return true;
+    }
+    return false;
+}
+
+// ---- Of the state of a Draw ----
+
+bool draws_borders(const Draw& draw) {
+    return draw.raster.polygon_mode_front != kGL_FILL || draw.raster.polygon_mode_back != kGL_FILL;
+}
+
+bool is_clipped(const Draw& draw) {
+    return std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+        const glm::dvec4 eye = draw.eye_from_object * vertex.position_object, clip = draw.clip_from_eye * eye;
+        for (const auto& plane : draw.raster.clip_planes_eye)
+            if (plane && glm::dot(*plane, eye) < 0) return true;
+        return std::max({std::abs(clip.x), std::abs(clip.y), std::abs(clip.z)}) > clip.w;
+    });
+}
+
+bool draws_borders_of_clipped_polygons(const Draw& draw) { return draws_borders(draw) && is_clipped(draw); }
+
+bool has_edge_flags_in_strip(const Draw& draw) {
+    const bool strip = draw.mode == kGL_TRIANGLE_STRIP || draw.mode == kGL_TRIANGLE_FAN || draw.mode == kGL_QUAD_STRIP;
+    return strip && draws_borders(draw) &&
+           std::ranges::any_of(draw.vertices, [](const Vertex& vertex) { return !vertex.edge_flag; });
+}
+
+bool offsets_one_of_two_modes(const Draw& draw) {
+    const PolygonOffset& offset = draw.raster.polygon_offset;
+    const auto is_offset = [&](Enum mode) {
+        return mode == kGL_FILL ? offset.fill : mode == kGL_LINE ? offset.line : offset.point;
+    };
+    return is_offset(draw.raster.polygon_mode_front) != is_offset(draw.raster.polygon_mode_back);
+}
+
+bool has_no_q(const Draw& draw, const Vertex& vertex) {
+    return draw.texture.texture && (draw.texture.texture_matrix * vertex.tex_coord).w <= 1e-6;
+}
+
+bool biases_level_of_points(const Draw& draw) {
+    const bool points = draw.mode == kGL_POINTS || draw.raster.polygon_mode_front == kGL_POINT ||
+                        draw.raster.polygon_mode_back == kGL_POINT;
+    return points && draw.texture.texture && draw.texture.lod_bias > 0;
+}
+
+bool adds_secondary_color_in_fog(const Draw& draw) {
+    return draw.fog.enabled && draw.lighting.enabled && draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
+}
+
+bool clamps_between_nearest_and_linear(const Draw& draw) {
+    const Texture* texture = draw.texture.texture.get();
+    if (!texture || (texture->wrap_s != kGL_CLAMP && texture->wrap_t != kGL_CLAMP)) return false;
+    const bool min_nearest = texture->min_filter == kGL_NEAREST || texture->min_filter == kGL_NEAREST_MIPMAP_NEAREST ||
+                             texture->min_filter == kGL_NEAREST_MIPMAP_LINEAR;
+    return min_nearest != (texture->mag_filter == kGL_NEAREST);
+}
+
+// ---- Of lighting ----
+
+glm::dvec3 eye_position(const Draw& draw, const Vertex& vertex) {
+    const glm::dvec4 eye = draw.eye_from_object * vertex.position_object;
+    return glm::dvec3(eye) / (eye.w == 0 ? 1 : eye.w);
+}
+
+glm::dvec3 eye_normal(const Draw& draw, const Vertex& vertex) {
+    const glm::dmat3 m = glm::transpose(glm::inverse(glm::dmat3(draw.eye_from_object)));
+    return glm::normalize(m * vertex.normal_object);
+}
+
+glm::dvec3 toward(const LightSource& light, const glm::dvec3& position_eye) {
+    const glm::dvec3 p(light.position_eye);
+    return glm::normalize(light.position_eye.w == 0 ? p : p / light.position_eye.w - position_eye);
+}
+
+template <class Predicate>
+bool any_light(const Draw& draw, Predicate predicate) {
+    if (!draw.lighting.enabled) return false;
+    return std::any_of(draw.lighting.lights.begin(), draw.lighting.lights.end(),
+                       [&](const LightSource& light) { return light.enabled && predicate(light); });
+}
+
+// Of either face, whichever vertex has it.
+bool any_material(const Draw& draw, const std::function<bool(const Material&, const Material&)>& predicate) {
+    if (predicate(draw.lighting.front, draw.lighting.back)) return true;
+    return std::ranges::any_of(draw.materials, [&](const Materials& m) { return predicate(m.front, m.back); });
+}
+
+bool has_shininess_0_with_factors(const Draw& draw) {
+    const bool two_side = draw.lighting.light_model.two_side;
+    const bool has_0 = any_material(draw, [&](const Material& front, const Material& back) {
+        return front.shininess == 0 || (two_side && back.shininess == 0);
+    });
+    return has_0 && any_light(draw, [](const LightSource& light) {
+               const bool attenuated =
+                   light.position_eye.w != 0 && (light.constant_attenuation != 1 || light.linear_attenuation != 0 ||
+                                                 light.quadratic_attenuation != 0);
+               return attenuated || light.spot_cutoff_deg != 180;
+           });
+}
+
+bool has_shininess_0_on_one_side(const Draw& draw) {
+    return draw.lighting.enabled && draw.lighting.light_model.two_side &&
+           any_material(draw, [](const Material& front, const Material& back) {
+               return (front.shininess == 0) != (back.shininess == 0);
+           });
+}
+
+bool has_color_material_of_no_color(const Draw& draw, const Vertex& vertex) {
+    return draw.lighting.color_material.enabled && vertex.color == Vertex{}.color;
+}
+
+bool has_color_material_on_back_alone(const Draw& draw) {
+    const ColorMaterial& color_material = draw.lighting.color_material;
+    return draw.lighting.light_model.two_side && color_material.enabled && color_material.face == kGL_BACK &&
+           color_material.mode != kGL_EMISSION;
+}
+
+bool has_w_under_positional_light(const Draw& draw, const Vertex& vertex) {
+    const double w = (draw.eye_from_object * vertex.position_object).w;
+    return std::abs(w - 1) > 1e-9 &&
+           (draw.lighting.light_model.local_viewer ||
+            any_light(draw, [](const LightSource& light) { return light.position_eye.w != 0; }));
+}
+
+bool has_w_in_fog(const Draw& draw) {
+    return draw.fog.enabled && std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+               return std::abs((draw.eye_from_object * vertex.position_object).w - 1) > 1e-9;
+           });
+}
+
+// The squares of such lengths are 0, subnormal or infinite in floats.
+bool leaves_floats(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length < 1e-18 || length > 1e18;
+}
+
+bool has_extreme_direction(const Draw& draw, const Vertex& vertex) {
+    return draw.lighting.enabled &&
+           (leaves_floats(vertex.normal_object) || any_light(draw, [](const LightSource& light) {
+                return light.position_eye.w == 0 && leaves_floats(glm::dvec3(light.position_eye));
+            }));
+}
+
+bool rescales_much(const Draw& draw) {
+    if (!draw.lighting.enabled || !draw.lighting.rescale_normal || draw.lighting.normalize) return false;
+    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(draw.eye_from_object))));
+    return scale > 1e5 || scale < 1e-5;
+}
+
+bool has_no_answer(const Draw& draw, const Vertex& vertex) {
+    const glm::dvec4 eye = draw.eye_from_object * vertex.position_object;
+    if (eye.w <= 0) return true;
+    if (!draw.lighting.enabled) return false;
+    if (vertex.normal_object == glm::dvec3(0) || glm::determinant(glm::dmat3(draw.eye_from_object)) == 0) return true;
+    return any_light(draw, [&](const LightSource& light) {
+        const glm::dvec3 p(light.position_eye);
+        const bool is_here = light.position_eye.w == 0
+                                 ? p == glm::dvec3(0)
+                                 : glm::length(p / light.position_eye.w - eye_position(draw, vertex)) < 1e-3;
+        const double attenuation = light.constant_attenuation + light.linear_attenuation + light.quadratic_attenuation;
+        const bool has_axis = light.spot_cutoff_deg == 180 || light.spot_direction_eye != glm::dvec3(0);
+        return is_here || !has_axis || (light.position_eye.w != 0 && attenuation == 0);
+    });
+}
+
+// Float rounding moves a cosine of unit vectors by some 1e-6: nearer than this to a jump, it decides.
+constexpr double kJump = 1e-5;
+
+bool is_at_edge_of_cone(const Draw& draw, const Vertex& vertex) {
+    return any_light(draw, [&](const LightSource& light) {
+        const double cos_angle =
+            glm::dot(-toward(light, eye_position(draw, vertex)), glm::normalize(light.spot_direction_eye));
+        return light.spot_cutoff_deg != 180 &&
+               std::abs(cos_angle - std::cos(light.spot_cutoff_deg * M_PI / 180)) < kJump;
+    });
+}
+
+// On the axis of a cone of 0 degrees, or at 90 degrees in one of 90: floats have no other answer than the text's.
+bool is_at_exact_edge_of_cone(const Draw& draw, const Vertex& vertex) {
+    return is_at_edge_of_cone(draw, vertex) && any_light(draw, [&](const LightSource& light) {
+               return light.spot_cutoff_deg == 0 || light.spot_cutoff_deg == 90;
+           });
+}
+
+bool has_light_at_horizon(const Draw& draw, const Vertex& vertex) {
+    return any_light(draw, [&](const LightSource& light) {
+        return std::abs(glm::dot(eye_normal(draw, vertex), toward(light, eye_position(draw, vertex)))) < kJump;
+    });
+}
+
+}  // namespace
+
+const std::vector<Departure>& departures() {
+    static const std::vector<Departure> list = {
+        // What shaders share comes first: where one of these applies, the others do not matter.
+        {.name = "no answer in the text",
+         .section = "2.1.1, 2.11.3, 2.14.1: singular matrices, directions of length 0, a vertex without a place, a "
+                    "light at it",
+         .leaves = Leaves::kOpen,
+         .of_vertex = has_no_answer},
+        {.name = "light at the horizon of a vertex",
+         .section = "2.14.1: f_i jumps at n.VP = 0, and rounding decides",
+         .leaves = Leaves::kOpen,
+         .of_vertex = has_light_at_horizon},
+        {.name = "a vertex on the edge of a spot's cone",
+         .section = "2.14.1: lit where the angle is the cutoff: on the axis of a cone of 0, at 90 degrees in one of 90",
+         .of_vertex = is_at_exact_edge_of_cone},
+        {.name = "vertex near the edge of a spot's cone",
+         .section = "2.14.1: spot_i jumps at the cutoff, and rounding decides",
+         .leaves = Leaves::kOpen,
+         .of_vertex = is_at_edge_of_cone},
+        {.name = "texture coordinates whose q is 0",
+         .section = "3.8.7: s/q and t/q have no value",
+         .leaves = Leaves::kOpen,
+         .of_vertex = has_no_q},
+        {.name = "clipped polygons as lines and points",
+         .section = "2.12, 3.5.4",
+         .leaves = Leaves::kDriver,
+         .of_draw = draws_borders_of_clipped_polygons},
+        {.name = "edge flags of strips and fans",
+         .section = "2.6.2",
+         .leaves = Leaves::kDriver,
+         .of_draw = has_edge_flags_in_strip},
+        {.name = "polygon offset of one of two polygon modes",
+         .section = "3.5.5",
+         .leaves = Leaves::kDriver,
+         .of_draw = offsets_one_of_two_modes},
+        {.name = "level of detail of points",
+         .section = "3.8.8",
+         .leaves = Leaves::kDriver,
+         .of_draw = biases_level_of_points},
+        {.name = "the colour sum in fog", .section = "3.9, 3.10", .of_draw = adds_secondary_color_in_fog},
+        {.name = "GL_CLAMP between a nearest and a linear filter",
+         .section = "3.8.7, 3.8.8",
+         .leaves = Leaves::kDriver,
+         .of_draw = clamps_between_nearest_and_linear},
+        {.name = "shininess 0 with attenuation or a spot",
+         .section = "2.14.1: a factor of 1; the driver gives (n.VP)^(n.VP)",
+         .of_draw = has_shininess_0_with_factors},
+        {.name = "shininess 0 on one side of two",
+         .section = "2.14.1: a factor of 1 on that side whatever the other has",
+         .of_draw = has_shininess_0_on_one_side},
+        {.name = "colour material before the first glColor",
+         .section = "2.14.3: the material follows the current colour from glEnable on",
+         .of_vertex = has_color_material_of_no_color},
+        {.name = "colour material on the back alone of two sides",
+         .section =
+             "2.14.3: all channels of the back's material follow; the driver's program multiplies the red one only",
+         .of_draw = has_color_material_on_back_alone},
+        {.name = "materials of vertices on the back alone of two sides",
+         .section = "2.14.2: glMaterial(GL_BACK, ...) between glBegin and glEnd changes all channels",
+         .of_commands = sets_back_between_vertices},
+        {.name = "glMaterial of two sides after a vertex",
+         .section = "2.6, 2.14.2: the vertices before it in the same glBegin have the material that each side had",
+         .of_commands = sets_both_sides_after_vertex},
+        {.name = "glColor before a new glColorMaterial",
+         .section = "2.14.3",
+         .of_commands = sets_color_before_new_mode},
+        {.name = "colour material after glPopAttrib", .section = "2.14.3", .of_commands = restores_tracked_color},
+        {.name = "glColor3 after glColor4", .section = "2.7", .of_commands = mixes_glcolor3_and_4},
+        {.name = "glTexCoord1 to 3 after glTexCoord4", .section = "2.7", .of_commands = mixes_tex_coords},
+        {.name = "glMaterial right before glPopAttrib", .section = "6.1.14", .of_commands = sets_material_before_pop},
+        {.name = "lights after glPopAttrib of GL_ENABLE_BIT",
+         .section = "6.2, table 6.10",
+         .of_commands = switches_lights_before_pop},
+        {.name = "GL_GENERATE_MIPMAP after glPopAttrib",
+         .section = "6.2, table 6.17",
+         .of_commands = generates_mipmaps_after_pop},
+        {.name = "a vertex whose w is not 1 under a positional light",
+         .section = "2.14.1: P1P2 is homogeneous",
+         .of_vertex = has_w_under_positional_light},
+        {.name = "fog of a vertex whose w is not 1", .section = "3.10", .of_draw = has_w_in_fog},
+        {.name = "a direction whose square leaves the floats",
+         .section = "2.14.1, 2.1.1: positions and normals up to 2^32 are representable, and unit vectors have length 1",
+         .of_vertex = has_extreme_direction},
+        {.name = "rescaling under a great scale", .section = "2.11.3", .of_draw = rescales_much},
+    };
+    return list;
+}
+
+LeftOut::LeftOut(const CommandList& scene, const std::vector<std::string_view>& lifted) {
+    for (const Departure& departure : departures()) {
+        if (std::ranges::find(lifted, departure.name) != lifted.end()) continue;
+        if (departure.of_draw || departure.of_vertex) asked_.push_back(&departure);
+        if (!of_all_ && departure.of_commands && departure.of_commands(scene)) of_all_ = &departure;
+    }
+}
+
+const Departure* LeftOut::find(const std::function<bool(const Departure&)>& applies) const {
+    const Departure* found = of_all_;
+    for (const Departure* departure : asked_) {
+        if (found && departure->leaves == Leaves::kFixedFunction) continue;
+        if (applies(*departure)) {
+            if (departure->leaves != Leaves::kFixedFunction) return departure;
+            found = departure;
+        }
+    }
+    return found;
+}
+
+const Departure* LeftOut::at(const Draw& draw, const Vertex& vertex) const {
+    return find([&](const Departure& departure) {
+        return departure.of_draw ? departure.of_draw(draw) : departure.of_vertex(draw, vertex);
+    });
+}
+
+const Departure* LeftOut::in(const Frame& frame) const {
+    return find([&](const Departure& departure) {
+        return std::ranges::any_of(frame.items, [&](const auto& item) {
+            const Draw* draw = std::get_if<Draw>(&item);
+            if (!draw) return false;
+            if (departure.of_draw) return departure.of_draw(*draw);
+            return std::ranges::any_of(draw->vertices,
+                                       [&](const Vertex& vertex) { return departure.of_vertex(*draw, vertex); });
+        });
+    });
+}
+
+}  // namespace twinlight::fuzz
