@@ -46,6 +46,25 @@ PixelStore unpacking() {
     return store;
 }
 
+// How many bytes a driver reads of the pixels; nothing for formats and types of which that is not known. It reads none of
+// sizes below 0, which it refuses.
+std::optional<std::size_t> bytes_read_of(const PixelSource& source) {
+    if (source.width <= 0 || source.height <= 0) return 0;
+    const bool is_index = source.format == kGL_COLOR_INDEX || source.format == kGL_STENCIL_INDEX;
+    if (source.type == kGL_BITMAP && is_index) return bitmap_bytes(source.width, source.height, unpacking());
+    if (const auto bytes = pixel_bytes_elsewhere(source.format, source.type)) {
+        // As many as of one colour component.
+        PixelSource same = source;
+        same.format = kGL_LUMINANCE;
+        return bytes_read(same, unpacking());
+    }
+    if (pixel_bytes(source.format, source.type)) return bytes_read(source, unpacking());
+    const bool is_format = components_of(source.format) || pixel_bytes_elsewhere(source.format, kGL_UNSIGNED_BYTE);
+    const bool is_type =
+        pixel_bytes(kGL_RGB, source.type) || pixel_bytes(kGL_RGBA, source.type) || source.type == kGL_BITMAP;
+    return is_format && is_type ? std::optional<std::size_t>(0) : std::nullopt;  // they do not go together: refused
+}
+
 // The size, the format and the type of the pixels that a command reads.
 std::optional<PixelSource> pixels_of(const Command& c) {
     PixelSource source;
@@ -66,6 +85,11 @@ std::optional<PixelSource> pixels_of(const Command& c) {
 Driver::Driver(int width, int height) { initial_.emplace(width, height); }
 
 Driver::~Driver() {
+    if (selects_) {  // the buffers go with this
+        glRenderMode(GL_RENDER);
+        glSelectBuffer(0, nullptr);
+        glFeedbackBuffer(0, GL_2D, nullptr);
+    }
     initial_.reset();  // what is bound is not deleted at once
     for (const auto& [type, names] : names_) delete_names(type, names.all);
     for (std::uint32_t list : lists_) glDeleteLists(list, 1);
@@ -100,13 +124,54 @@ void Driver::generate(const Command& command) {
     }
 }
 
+namespace {
+
+// How many values of a hit's or a feedback's buffer there are: what comes after them is cut off, as GL does, and a
+// scene cannot use any.
+constexpr GLsizei kMostHitValues = 1 << 16;
+
+constexpr bool is_query(std::string_view effect) { return effect == "elsewhere_query"; }
+
+// Queries whose answers' lengths State does not know: they change nothing, and are not sent.
+constexpr bool kIsQuery[] = {
+#define GL_COMMAND(name, effect, ...) is_query(#effect),
+#define SHAPE_COMMAND(name, effect, ...) false,
+#define QUADRIC_COMMAND(name, effect, ...) false,
+#define PRAGMA_COMMAND(name, effect, ...) false,
+#include "command/commands.def"
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
+#undef PRAGMA_COMMAND
+};
+
+}  // namespace
+
+// The driver writes into buffers of our own: they stay while it may.
+void Driver::selection_buffer(GLsizei size) {
+    selects_ = true;
+    selection_.resize(kMostHitValues);
+    glSelectBuffer(std::min(size, kMostHitValues), selection_.data());
+}
+
+void Driver::feedback_buffer(GLsizei size, GLenum type) {
+    selects_ = true;
+    feedback_.resize(kMostHitValues);
+    glFeedbackBuffer(std::min(size, kMostHitValues), type, feedback_.data());
+}
+
 void Driver::execute(const Command& command) {
+    if (kIsQuery[static_cast<std::size_t>(command.id)]) return;
     if (command.id == CommandId::pragma_texture) return execute(texture_command(command));
     if (!may_see(command)) return;
     if (command.memory) memories_.insert(command.memory);
     switch (command.id) {
         case CommandId::glGenTextures:
         case CommandId::glGenBuffers: return generate(command);
+        case CommandId::glSelectBuffer: return selection_buffer(static_cast<GLsizei>(command.number(0)));
+        case CommandId::glFeedbackBuffer:
+            return feedback_buffer(static_cast<GLsizei>(command.number(0)), command.enumerant(1));
+        case CommandId::glRenderMode: selects_ = true; break;
         case CommandId::glNewList: lists_.insert(command.enumerant(0)); break;
         case CommandId::glGenLists: {
             // 5.4: the scene's own names make lists as well. What the driver finds is not used.
@@ -159,6 +224,10 @@ bool enables_unknown_array(const Command& c) {
 bool Driver::may_see(const Command& c) {
     const auto error = draws_arrays(c.id) ? arrays_.check(c) : arrays_.apply(c);
     if ((error && error->is_undefined) || enables_unknown_array(c)) return false;
+    if (c.id == CommandId::glPolygonStipple) {
+        constexpr int kSide = 32;
+        return !arrays_.pixel_unpack_buffer() && bitmap_bytes(kSide, kSide, unpacking()) <= c.array().size();
+    }
     const std::vector<Parameter>& parameters = c.sig().parameters;
     const auto pointer = std::find_if(parameters.begin(), parameters.end(),
                                       [](const Parameter& p) { return p.extent == Extent::kPointer; });
@@ -169,10 +238,16 @@ bool Driver::may_see(const Command& c) {
     double needed = 0;
     if (c.id == CommandId::glCallLists) {
         needed = c.number(0) * list_name_bytes(c.enumerant(1));
-    } else if (const auto source = pixels_of(c)) {
+    } else if (c.id == CommandId::glBitmap) {
         if (arrays_.pixel_unpack_buffer()) return true;  // the driver knows its size itself
-        const bool is_legal = source->width >= 0 && source->height >= 0 && pixel_bytes(source->format, source->type);
-        needed = is_legal ? static_cast<double>(bytes_read(*source, unpacking())) : 0;
+        needed = static_cast<double>(
+            bitmap_bytes(static_cast<int>(c.number(0)), static_cast<int>(c.number(1)), unpacking()));
+        if (!c.memory) return needed == 0 && offset == 0;
+    } else if (const auto source = pixels_of(c)) {
+        if (arrays_.pixel_unpack_buffer()) return true;
+        const auto read = bytes_read_of(*source);
+        if (!read) return !c.memory && offset == 0;
+        needed = static_cast<double>(*read);
     } else {
         throw std::logic_error(fmt::format("no rule says how much {} reads", c.name()));
     }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "command/command.h"
 #include "command/object_names.h"
@@ -56,6 +57,8 @@ class Driver {
     };
 
     void generate(const Command& command);
+    void selection_buffer(int size);
+    void feedback_buffer(int size, Enum type);
     Command translated(const Command& command);
     std::uint32_t new_name(ObjectType type);
     bool may_see(const Command& command);
@@ -63,8 +66,11 @@ class Driver {
     std::optional<InitialState> initial_;
     Executor executor_;
     std::map<ObjectType, Names> names_;
-    std::set<std::uint32_t> lists_;                     // that the scene compiled
-    VertexArrays arrays_;                               // as the driver has them
+    std::set<std::uint32_t> lists_;         // that the scene compiled
+    VertexArrays arrays_;                   // as the driver has them
+    std::vector<std::uint32_t> selection_;  // where the driver writes what glRenderMode asks for
+    std::vector<float> feedback_;
+    bool selects_ = false;                              // the scene has set them, or the mode
     std::set<std::shared_ptr<const Memory>> memories_;  // that arrays may still be read from
 };
 
