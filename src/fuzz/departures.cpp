@@ -63,6 +63,25 @@ bool sets_material_before_pop(const CommandList& scene) {
                            [](const Command& command) { return command.name().starts_with("glMaterial"); });
 }
 
+// The same glShadeModel before and after a glPopAttrib of one list.
+bool shades_after_pop_in_list(const CommandList& scene) {
+    bool in_list = false, popped = false;
+    std::set<Enum> before;
+    for (const Command& command : scene.commands) {
+        if (command.id == Id::glNewList) {
+            in_list = true;
+            popped = false;
+            before.clear();
+        }
+        if (command.id == Id::glEndList) in_list = false;
+        if (command.id == Id::glPopAttrib) popped = in_list && !before.empty();
+        if (command.id != Id::glShadeModel) continue;
+        if (popped && before.contains(command.enumerant(0))) return true;
+        if (in_list) before.insert(command.enumerant(0));
+    }
+    return false;
+}
+
 bool switches_lights_before_pop(const CommandList& scene) {
     const auto is_light = [](const Command& command) {
         return (command.id == Id::glEnable || command.id == Id::glDisable) && command.enumerant(0) >= kGL_LIGHT0 &&
@@ -316,6 +335,10 @@ bool is_at_exact_edge_of_cone(const Draw& draw, const Vertex& vertex) {
            });
 }
 
+bool is_near_edge_of_cone(const Draw& draw, const Vertex& vertex) {
+    return is_at_edge_of_cone(draw, vertex) && !is_at_exact_edge_of_cone(draw, vertex);
+}
+
 bool has_light_at_horizon(const Draw& draw, const Vertex& vertex) {
     return any_light(draw, [&](const LightSource& light) {
         return std::abs(glm::dot(eye_normal(draw, vertex), toward(light, eye_position(draw, vertex)))) < kJump;
@@ -342,7 +365,7 @@ const std::vector<Departure>& departures() {
         {.name = "vertex near the edge of a spot's cone",
          .section = "2.14.1: spot_i jumps at the cutoff, and rounding decides",
          .leaves = Leaves::kOpen,
-         .of_vertex = is_at_edge_of_cone},
+         .of_vertex = is_near_edge_of_cone},
         {.name = "texture coordinates whose q is 0",
          .section = "3.8.7: s/q and t/q have no value",
          .leaves = Leaves::kOpen,
@@ -394,6 +417,9 @@ const std::vector<Departure>& departures() {
         {.name = "glColor3 after glColor4", .section = "2.7", .of_commands = mixes_glcolor3_and_4},
         {.name = "glTexCoord1 to 3 after glTexCoord4", .section = "2.7", .of_commands = mixes_tex_coords},
         {.name = "glMaterial right before glPopAttrib", .section = "6.1.14", .of_commands = sets_material_before_pop},
+        {.name = "glShadeModel after glPopAttrib in a display list",
+         .section = "5.4: a list holds every command that may be compiled",
+         .of_commands = shades_after_pop_in_list},
         {.name = "lights after glPopAttrib of GL_ENABLE_BIT",
          .section = "6.2, table 6.10",
          .of_commands = switches_lights_before_pop},

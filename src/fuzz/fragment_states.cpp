@@ -75,20 +75,33 @@ class Builder {
         const char* format =
             one_of({"GL_ALPHA", "GL_LUMINANCE", "GL_LUMINANCE_ALPHA", "GL_INTENSITY", "GL_RGB", "GL_RGBA", "GL_RGBA"});
         const std::string min =
-            one_of({"GL_NEAREST", "GL_LINEAR", "GL_NEAREST_MIPMAP_NEAREST", "GL_LINEAR_MIPMAP_NEAREST",
-                    "GL_NEAREST_MIPMAP_LINEAR", "GL_LINEAR_MIPMAP_LINEAR"});
+            shows("GL_GENERATE_MIPMAP after glPopAttrib")
+                ? "GL_LINEAR_MIPMAP_LINEAR"
+                : one_of({"GL_NEAREST", "GL_LINEAR", "GL_NEAREST_MIPMAP_NEAREST", "GL_LINEAR_MIPMAP_NEAREST",
+                          "GL_NEAREST_MIPMAP_LINEAR", "GL_LINEAR_MIPMAP_LINEAR"});
         int width = 1 << structure_.below(6), height = flat ? 1 : 1 << structure_.below(6);
+        const bool generates = shows("GL_GENERATE_MIPMAP after glPopAttrib");
+        if (generates)
+            add("glPushAttrib(GL_TEXTURE_BIT); glTexParameteri({}, GL_GENERATE_MIPMAP, GL_TRUE); glPopAttrib();",
+                target);
+        std::string base;  // where levels are generated it comes last, after what it would write over
         for (int level = 0;; ++level) {
             std::string texels;
             for (int i = 0; i < width * height * 4; ++i)
                 texels += fmt::format("{}{}", i ? "," : "", random_.below(256));
             add("GLubyte level{}[] = {{{}}};", level, texels);
-            add("glTexImage{}({}, {}, {}, {}{}, 0, GL_RGBA, GL_UNSIGNED_BYTE, level{});", flat ? "1D" : "2D", target,
+            const std::string image = fmt::format(
+                "glTexImage{}({}, {}, {}, {}{}, 0, GL_RGBA, GL_UNSIGNED_BYTE, level{});", flat ? "1D" : "2D", target,
                 level, format, width, flat ? "" : fmt::format(", {}", height), level);
+            if (generates && level == 0)
+                base = image;
+            else
+                add(image);
             if (min.find("MIPMAP") == std::string::npos || (width == 1 && height == 1)) break;
             width = std::max(1, width / 2);
             height = std::max(1, height / 2);
         }
+        add(base);
         // Filters of one kind keep GL_CLAMP in the comparison.
         const bool nearest = min.starts_with("GL_NEAREST");
         const bool mixed = shows("GL_CLAMP between a nearest and a linear filter") || structure_.chance(0.2);
@@ -171,8 +184,12 @@ class Builder {
         if (shows("clipped polygons as lines and points")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
         if (shows("edge flags of strips and fans")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
         if (shows("polygon offset of one of two polygon modes"))
-            add("glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(0, 1e5);");
+            add("glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(0, 4e6);"
+                "glLineWidth(9); glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
         add("glShadeModel({});", structure_.chance(0.2) ? "GL_FLAT" : "GL_SMOOTH");
+        if (shows("glShadeModel after glPopAttrib in a display list"))
+            add("glNewList(9, GL_COMPILE); glPushAttrib(GL_LIGHTING_BIT); glShadeModel(GL_FLAT); glPopAttrib();"
+                "glShadeModel(GL_FLAT); glEndList(); glShadeModel(GL_SMOOTH); glCallList(9);");
         if (structure_.chance(0.2))
             add("glEnable(GL_CULL_FACE); glCullFace({}); glFrontFace({});", one_of({"GL_FRONT", "GL_BACK"}),
                 one_of({"GL_CW", "GL_CCW"}));

@@ -16,10 +16,11 @@ class LightingState : Writer {
     using Writer::Writer;
 
     CommandList build() {
+        color_form_ = structure_.below(8);
         scale_ = structure_.chance(0.5) ? 1.5 : 0.4;  // the smaller colours stay below 1, the greater do not
         projection();
         // A light stands in the frame of the modelview matrix that is in force at its command (2.14.2).
-        const bool lights_first = chance(0.3);
+        const bool lights_first = chance(0.3) || shows("a vertex on the edge of a spot's cone");
         if (lights_first) lights();
         modelview();
         if (!lights_first) lights();
@@ -129,9 +130,11 @@ class LightingState : Writer {
                                   shows("colour material on the back alone of two sides") ||
                                   shows("materials of vertices on the back alone of two sides") ||
                                   shows("glMaterial of two sides after a vertex");
+        two_sided_ = of_two_sides;
         flag(kGL_LIGHT_MODEL_TWO_SIDE, of_two_sides ? 1 : 0.5);
-        add(Id::glLightModeli, {kGL_LIGHT_MODEL_COLOR_CONTROL,
-                                static_cast<double>(chance(0.3) ? kGL_SEPARATE_SPECULAR_COLOR : kGL_SINGLE_COLOR)});
+        add(Id::glLightModeli,
+            {kGL_LIGHT_MODEL_COLOR_CONTROL,
+             static_cast<double>(departure_.empty() && chance(0.3) ? kGL_SEPARATE_SPECULAR_COLOR : kGL_SINGLE_COLOR)});
     }
 
     void lights() {
@@ -159,13 +162,14 @@ class LightingState : Writer {
             const bool narrow = chance(0.5);
             add(Id::glLightfv, {l, kGL_SPOT_DIRECTION, narrow ? 0.0 : 1.0, 0, narrow ? -1.0 : 0.0});
             add(Id::glLightf, {l, kGL_SPOT_CUTOFF, narrow ? 0.0 : 90.0});
-        } else if (chance(0.4)) {
+        } else if (!shows("shininess 0 on one side of two") && chance(0.4)) {
             const glm::dvec3 d = direction();
             add(Id::glLightfv, {l, kGL_SPOT_DIRECTION, d.x, d.y, d.z});
             add(Id::glLightf, {l, kGL_SPOT_CUTOFF, uniform(20, 89)});
             add(Id::glLightf, {l, kGL_SPOT_EXPONENT, chance(0.3) ? 0 : uniform(0.5, 40)});
         }
-        if (chance(shows("shininess 0 with attenuation or a spot") ? 1 : 0.5)) {
+        const bool factors = shows("shininess 0 with attenuation or a spot");
+        if (!shows("shininess 0 on one side of two") && chance(factors ? 1 : 0.5)) {
             add(Id::glLightf, {l, kGL_CONSTANT_ATTENUATION, uniform(0.2, 2)});
             add(Id::glLightf, {l, kGL_LINEAR_ATTENUATION, uniform(0, 1)});
             add(Id::glLightf, {l, kGL_QUADRATIC_ATTENUATION, uniform(0, 0.5)});
@@ -192,7 +196,7 @@ class LightingState : Writer {
         }
         static constexpr std::string_view kOfColorMaterial[] = {
             "colour material before the first glColor", "colour material on the back alone of two sides",
-            "glColor before a new glColorMaterial", "colour material after glPopAttrib"};
+            "glColor before a new glColorMaterial", "colour material after glPopAttrib", "glColor3 after glColor4"};
         const bool about = std::ranges::find(kOfColorMaterial, departure_) != std::end(kOfColorMaterial);
         if (!about && !chance(0.4)) return;
         const auto mode = [&] {
@@ -203,33 +207,54 @@ class LightingState : Writer {
         if (shows("glColor before a new glColorMaterial")) {
             add(Id::glColorMaterial, {face, kGL_AMBIENT});
             add(Id::glEnable, {kGL_COLOR_MATERIAL});
-            color(Id::glColor4f);
-            color(Id::glColor4f);
+            vertex_color();
+            add(Id::glGetMaterialfv, {kGL_FRONT, kGL_AMBIENT});
+            vertex_color();
+            vertex_color();
             add(Id::glColorMaterial, {face, kGL_DIFFUSE});
         } else {
-            add(Id::glColorMaterial, {face, static_cast<double>(mode())});
+            const bool of_alpha = shows("glColor3 after glColor4");  // which the diffuse material alone shows
+            add(Id::glColorMaterial, {face, static_cast<double>(of_alpha ? kGL_DIFFUSE : mode())});
             add(Id::glEnable, {kGL_COLOR_MATERIAL});
         }
-        if (!shows("colour material before the first glColor")) color(Id::glColor4f);
+        keep_color_ = shows("colour material before the first glColor");
+        if (!keep_color_) vertex_color();
+    }
+
+    // A point out of sight, so that the driver has the state of now; before the last colour, where it has colours.
+    void draw_elsewhere(const std::vector<int>& color_forms = {}) {
+        add(Id::glBegin, {kGL_POINTS});
+        for (std::size_t i = 0; i < color_forms.size(); ++i) {
+            color_form_ = color_forms[i];
+            if (i + 1 == color_forms.size()) add(Id::glVertex4f, {0, 0, 1e6, 1});
+            vertex_color();
+        }
+        if (color_forms.empty()) add(Id::glVertex4f, {0, 0, 1e6, 1});
+        add(Id::glEnd);
     }
 
     // Departures of glPushAttrib and glPopAttrib.
     void about_stacks() {
         if (shows("glMaterial right before glPopAttrib")) {
             add(Id::glPushAttrib, {kGL_LIGHTING_BIT});
+            add(Id::glShadeModel, {kGL_FLAT});
             color(Id::glMaterialfv, {kGL_FRONT_AND_BACK, kGL_EMISSION});
             add(Id::glPopAttrib);
         } else if (shows("lights after glPopAttrib of GL_ENABLE_BIT")) {
             add(Id::glPushAttrib, {kGL_ENABLE_BIT});
             for (int i = 0; i < kMaxLights; ++i) add(Id::glDisable, {static_cast<double>(kGL_LIGHT0) + i});
             add(Id::glPopAttrib);
+        } else if (shows("glColor3 after glColor4")) {
+            // The last of them is current afterwards.
+            color_form_ = 0;
+            draw_elsewhere({0, 1});
+            draw_elsewhere({1, 0, 1});
+            keep_color_ = true;
         } else if (shows("colour material after glPopAttrib")) {
             // The colour is used in between, so that the driver has it as the material's.
             add(Id::glPushAttrib, {kGL_CURRENT_BIT});
-            color(Id::glColor4f);
-            add(Id::glBegin, {kGL_POINTS});
-            add(Id::glVertex4f, {0, 0, 3, 1});
-            add(Id::glEnd);
+            vertex_color();
+            draw_elsewhere();
             add(Id::glPopAttrib);
             keep_color_ = true;
         }
@@ -240,8 +265,7 @@ class LightingState : Writer {
     // One of the forms that a colour's command has, the same for all of the scene: forms with and without alpha side by
     // side are a departure.
     void vertex_color() {
-        const bool mixed = shows("glColor3 after glColor4");
-        switch (mixed ? values_.below(2) : color_form_) {
+        switch (color_form_) {
             case 0: return color(Id::glColor4f);
             case 1: return add(Id::glColor3f, {uniform(0, scale_), uniform(0, scale_), uniform(0, scale_)});
             case 2: {
@@ -284,7 +308,8 @@ class LightingState : Writer {
     void choose_vertex_materials() {
         const bool of_back = shows("materials of vertices on the back alone of two sides");
         const bool of_both = shows("glMaterial of two sides after a vertex");
-        if (!of_back && !of_both && !chance(0.25)) return;
+        const bool of_another = !departure_.empty();
+        if (!of_back && !of_both && (of_another || !chance(0.25))) return;
         for (int i = structure_.below(3); i >= 0; --i) {
             const Enum face = of_back   ? kGL_BACK
                               : of_both ? kGL_FRONT_AND_BACK
@@ -312,13 +337,12 @@ class LightingState : Writer {
     }
 
     void primitive() {
-        color_form_ = structure_.below(8);
         normal_form_ = structure_.below(8);
         position_form_ = structure_.below(4);
         choose_vertex_materials();
         const double mode = one_of({kGL_TRIANGLES, kGL_TRIANGLES, kGL_TRIANGLES, kGL_TRIANGLE_STRIP, kGL_TRIANGLE_FAN,
                                     kGL_POLYGON, kGL_POINTS, kGL_LINE_STRIP});
-        add(Id::glBegin, {mode});
+        add(Id::glBegin, {two_sided_ ? kGL_TRIANGLES : mode});
         int corners[] = {0, 1, 2, 3};
         for (int i = 3; i > 0; --i) std::swap(corners[i], corners[values_.below(i + 1)]);
         for (int i = 0; i < 3; ++i) {
@@ -334,7 +358,7 @@ class LightingState : Writer {
     glm::dmat4 clip_from_eye_{1}, eye_from_object_{1};
     std::vector<std::pair<Enum, Enum>> vertex_materials_;  // face, parameter
     int color_form_ = 0, normal_form_ = 0, position_form_ = 0;
-    bool keep_color_ = false;
+    bool keep_color_ = false, two_sided_ = false;
 };
 
 }  // namespace

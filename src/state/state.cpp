@@ -142,7 +142,6 @@ void State::begin(const Command& c) {
                                  enum_name(c.enumerant(0))));
     }
     if (!has_room(c, sizeof(Draw))) return;
-    a_.current.material = 0;
     open_ = new_draw(c.enumerant(0), c.place);
 }
 
@@ -154,6 +153,7 @@ void State::end(const Command& c) {
         show(std::move(*open_));
     }
     open_.reset();
+    a_.current.material = 0;  // what is drawn next has materials of its own
 }
 
 void State::vertex(const Command& c) {

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -39,8 +40,12 @@ std::string first_words(const std::string& path) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     std::array<char, 200> text{};
     const ssize_t count = file.valid() ? ::read(file.get(), text.data(), text.size()) : 0;
-    const std::string_view all(text.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
-    return std::string(all.substr(0, all.find('\n')));
+    std::string line(text.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
+    line.resize(std::min(line.find('\n'), line.size()));
+    // It may quote the trace, which may hold anything.
+    std::ranges::replace_if(
+        line, [](char c) { return c < 0x20 || c == 0x7F; }, '?');
+    return line;
 }
 
 }  // namespace

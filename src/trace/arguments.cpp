@@ -19,7 +19,7 @@ constexpr std::size_t kMostArguments = 64;
 constexpr std::size_t kMostBlobs = 4096;
 constexpr std::size_t kLongestNameShown = 80;
 constexpr std::size_t kLongestFileName = 255;
-constexpr int kDeepest = 8;  // arrays in arrays, pointers to pointers
+constexpr int kDeepest = 8;  // arrays in arrays, pointers to pointers, members of structures
 
 class Reading {
   public:
@@ -138,7 +138,8 @@ class Reading {
             return true;
         }
         if (lexer_.accept(" = ")) {  // a member of a structure
-            if (!value_into(argument, depth)) return false;
+            if (depth >= kDeepest) return wrong(fmt::format("values are nested deeper than {} here", kDeepest));
+            if (!value_into(argument, depth + 1)) return false;
             argument.form = Form::kOther;
             return true;
         }

@@ -33,7 +33,16 @@ std::shared_ptr<const Memory> BlobFolder::read(const std::string& name, const Pl
     if (size > kMaxBlobBytes) {
         fail(place, fmt::format("the blob {} has {} bytes; at most {} are read", quoted(name), size, kMaxBlobBytes));
     }
-    auto memory = std::make_shared<Memory>();
+    if (size > most_held_ - *held_) {
+        fail(place,
+             fmt::format("the blob {} has {} bytes, beside {} of blobs that are still in use; {} are held at most",
+                         quoted(name), size, *held_, most_held_));
+    }
+    const std::shared_ptr<Memory> memory(new Memory, [held = held_, size](const Memory* gone) {
+        *held -= size;
+        delete gone;
+    });
+    *held_ += size;
     memory->bytes.resize(size);
     std::size_t filled = 0;
     while (filled < size) {

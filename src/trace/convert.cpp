@@ -35,7 +35,7 @@ Range range_of(Kind kind) {
         case Kind::kBitfield:
         case Kind::kUint:
         case Kind::kWord:
-        case Kind::kQuadric:  // GLU's are not recorded: only the calls that they make return {0, 4294967295.0};
+        case Kind::kQuadric: return {0, 4294967295.0};
         case Kind::kSizeiptr: return {-9007199254740992.0, 9007199254740992.0};  // what a double holds exactly
         case Kind::kFloat:
         case Kind::kDouble: break;

@@ -199,8 +199,10 @@ void DumpReader::map_buffer() {
     if (!read_call()) return;
     const bool has_address = !result_.list.empty() && result_.list[0].form == Form::kNumber;
     if (!has_address || arguments_.numbers.size() < 2) return;
+    const double target = arguments_.numbers[0];
+    if (!(target >= 0 && target <= std::numeric_limits<Enum>::max())) return;
     const double offset = arguments_.numbers.size() >= 4 ? arguments_.numbers[1] : 0;
-    const Mapping mapping{result_.numbers[0], offset, static_cast<Enum>(arguments_.numbers[0])};
+    const Mapping mapping{result_.numbers[0], offset, static_cast<Enum>(target)};
     std::erase_if(mappings_, [&](const Mapping& old) { return old.address == mapping.address; });
     if (mappings_.size() >= kMostMappings) mappings_.erase(mappings_.begin());
     mappings_.push_back(mapping);

@@ -126,7 +126,11 @@ bool is_trace(std::string_view front) {
 bool is_dump(std::string_view front) {
     if (front.starts_with("// process.name = \"")) return true;
     std::string_view line = first_line_that_says(front);
-    while (line.starts_with("\x1b[")) line.remove_prefix(std::min(line.find('m') + 1, line.size()));  // told later
+    while (line.starts_with("\x1b[")) {  // colours: told later
+        const std::size_t end = line.find('m');
+        if (end == std::string_view::npos) return false;
+        line.remove_prefix(end + 1);
+    }
     // "12 glEnable(", "12 @0 glEnable("
     const auto skip = [&line](auto&& belongs) {
         std::size_t n = 0;

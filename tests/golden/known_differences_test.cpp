@@ -139,14 +139,6 @@ void change_within_inner_push() {
     expect_departure(range[0] == 0.25);
 }
 
-void blend_equation_after_pop() {
-    const Both both("glPushAttrib(GL_COLOR_BUFFER_BIT); glBlendEquationSeparate(GL_FUNC_ADD, GL_MAX); glPopAttrib();");
-    EXPECT_EQ(both.state.get(kGL_BLEND_EQUATION_ALPHA)[0], kGL_FUNC_ADD);
-    GLint equation = 0;
-    glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equation);
-    expect_departure(equation == GL_MAX);
-}
-
 void mipmap_hint_after_pop() {
     const Both both("glPushAttrib(GL_HINT_BIT); glHint(GL_GENERATE_MIPMAP_HINT, GL_NICEST); glPopAttrib();");
     EXPECT_EQ(both.state.get(kGL_GENERATE_MIPMAP_HINT)[0], kGL_DONT_CARE);
@@ -182,6 +174,24 @@ void color_material_after_pop() {
     expect_departure(ambient[0] == 0.75F);
 }
 
+void texture_matrix_after_pop() {
+    const Both both(
+        "glActiveTexture(GL_TEXTURE7); glPushAttrib(GL_TEXTURE_BIT); glActiveTexture(GL_TEXTURE1);\n"
+        "glMatrixMode(GL_TEXTURE); glPopAttrib(); glTranslatef(0.5, 0, 0);");
+    EXPECT_EQ(both.state.get(kGL_TEXTURE_MATRIX)[12], 0.5);
+    std::array<GLfloat, 16> matrix{};
+    glGetFloatv(GL_TEXTURE_MATRIX, matrix.data());
+    expect_departure(matrix[12] == 0);
+}
+
+void blend_equation_after_pop() {
+    const Both both("glPushAttrib(GL_COLOR_BUFFER_BIT); glBlendEquationSeparate(GL_FUNC_ADD, GL_MIN); glPopAttrib();");
+    EXPECT_EQ(both.state.get(kGL_BLEND_EQUATION_ALPHA)[0], kGL_FUNC_ADD);
+    GLint equation = 0;
+    glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equation);
+    expect_departure(equation == GL_MIN);
+}
+
 void color_lost_before_a_new_color_material() {
     const Both both(
         "glColor4f(0.1, 0.1, 0.1, 1);\n"
@@ -213,7 +223,6 @@ constexpr Departure kDepartures[] = {
     {"fog of a vertex whose w is not 1", fog_of_w},
     {"a single value for a vector parameter", single_value_for_a_vector},
     {"what an inner glPushAttrib does not save", change_within_inner_push},
-    {"the blend equation of alpha after glPopAttrib", blend_equation_after_pop},
     {"glMultiTexCoord of a unit that is none", unit_that_is_none},
     {"glRenderMode without a buffer", mode_without_buffer},
     {"glColor3 after glColor4", alpha_of_glcolor3},
@@ -226,6 +235,8 @@ constexpr Departure kDepartures[] = {
     {"glEnable of a vertex array", client_state_by_enable},
     {"GL_GENERATE_MIPMAP after glPopAttrib", generate_mipmap_after_pop},
     {"colour material after glPopAttrib", color_material_after_pop},
+    {"the texture matrix after glPopAttrib", texture_matrix_after_pop},
+    {"glBlendEquationSeparate before glPopAttrib", blend_equation_after_pop},
     {"glColor before a new glColorMaterial", color_lost_before_a_new_color_material},
 };
 

@@ -284,7 +284,8 @@ bool is_departure(const Command& command, const State& state) {
     if (command.id == CommandId::glRenderMode && command.enumerant(0) != kGL_RENDER) return true;
     // 6.2: glPopAttrib restores them, but not in the driver.
     const bool switches = command.id == CommandId::glEnable || command.id == CommandId::glDisable;
-    const bool stays = (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
+    const bool stays = command.id == CommandId::glBlendEquationSeparate ||
+                       (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
                        (command.id == CommandId::glHint && command.enumerant(0) == kGL_GENERATE_MIPMAP_HINT) ||
                        (name.starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP);
     // 6.1.14: what is changed within an inner glPushAttrib that does not save it, the outer one restores; the driver does not.
@@ -292,12 +293,12 @@ bool is_departure(const Command& command, const State& state) {
         state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0)
         return true;
     if (switches && enum_name(command.enumerant(0)).ends_with("_ARRAY")) return true;  // the driver takes them as well
-    const bool is_of_alpha =
-        command.id == CommandId::glBlendEquationSeparate && command.enumerant(0) != command.enumerant(1);
-    if ((stays || is_of_alpha) && state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0) return true;
+    if (stays && state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0) return true;
     // Beyond the fixed function's units a driver has some for shaders; those are no part of State.
     const auto is_shaders_unit = [](Enum unit) { return unit >= kGL_TEXTURE0 + kMaxTextureUnits && unit < 0x8600; };
     if (command.id == CommandId::glActiveTexture && is_shaders_unit(command.enumerant(0))) return true;
+    // The driver goes on with the texture matrix of the unit that was active before.
+    if (command.id == CommandId::glPopAttrib && state.get(kGL_MATRIX_MODE)[0] == kGL_TEXTURE) return true;
     // Of EXT_direct_state_access, which the driver has.
     const auto is_unit = [](Enum mode) { return mode >= kGL_TEXTURE0 && mode <= kGL_TEXTURE0 + 31; };
     if (command.id == CommandId::glMatrixMode && is_unit(command.enumerant(0))) return true;

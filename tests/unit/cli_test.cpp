@@ -69,7 +69,7 @@ TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
 
 TEST_F(Cli, RefusesBadUse) {
     const std::string file = scene(kScene);
-    expect_refused(run({}), "a command is missing: render, compare, export or scenes");
+    expect_refused(run({}), "a command is missing: render, compare, export, scenes or fuzz");
     expect_refused(run({"rendr"}), "there is no command 'rendr'; did you mean 'render'?");
     expect_refused(run({"--bogus"}), "'--bogus'");
     expect_refused(run({"render"}), "SCENE is required; see 'twinlight render --help'");

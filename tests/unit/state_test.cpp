@@ -166,6 +166,20 @@ TEST(StateErrors, AStackHolds32Matrices) {
 
 // ---- Materials and colour material (2.14.2, 2.14.3) ----
 
+TEST(MaterialState, OfVerticesEndsWithTheirPrimitive) {
+    const Frame frame = frame_of(
+        "glBegin(GL_POINTS); glVertex2f(0, 0); glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 0); glEnd();"
+        "glRectf(0, 0, 1, 1); glutSolidCube(1);");
+    const Draw& points = std::get<Draw>(frame.items.front());
+    EXPECT_EQ(points.materials.size(), 2u);
+    for (std::size_t i = 1; i < frame.items.size(); ++i) {
+        const Draw& draw = std::get<Draw>(frame.items[i]);
+        EXPECT_TRUE(draw.materials.empty());
+        EXPECT_EQ(draw.lighting.front.shininess, 7);
+        for (const Vertex& vertex : draw.vertices) EXPECT_EQ(vertex.material, 0u);
+    }
+}
+
 TEST(MaterialState, BothFacesAndBothColoursAreSetTogether) {
     const State state = after("glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, (GLfloat[]){1, 0.5, 0.25, 1});");
     for (const Material* material : {&state.lighting().front, &state.lighting().back}) {

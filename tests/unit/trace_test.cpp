@@ -15,6 +15,7 @@
 #include "run_program.h"
 #include "scenes/load.h"
 #include "state/recorded_frame.h"
+#include "trace/blobs.h"
 
 namespace twinlight {
 
@@ -181,6 +182,34 @@ TEST_F(Traces, RefuseArgumentsThatGlCouldNotHaveBeenGiven) {
         EXPECT_NE(found.find(expected), std::string::npos) << call << ": " << found;
         EXPECT_TRUE(found.starts_with("dump.txt: call 1: ")) << found;
     }
+}
+
+TEST_F(Traces, RefuseNamesThatNoGluintHolds) {
+    EXPECT_EQ(refusal("1 glBindTexture(target = GL_TEXTURE_2D, texture = -1)\n"),
+              "dump.txt: call 1: texture of glBindTexture is -1; it must be from 0 to 4294967295");
+    EXPECT_EQ(refusal("1 glCallList(list = 1e15)\n"),
+              "dump.txt: call 1: list of glCallList is 1000000000000000; it must be from 0 to 4294967295");
+    EXPECT_EQ(refusal("1 glMapBuffer(target = 1e300, access = GL_WRITE_ONLY) = 0x1000\n"), "no error");
+}
+
+// Each of these would once have been followed to the end of the stack, or for ever.
+TEST_F(Traces, AreNotFollowedIntoTheDepth) {
+    for (const char* opening : {"{", "&", "a = ", "{a = ", "&{"}) {
+        std::string deep = "1 glViewport(x = ";
+        for (int i = 0; i < 1'000'000; ++i) deep += opening;
+        EXPECT_NE(refusal(deep + "1)\n").find("nested deeper than 8 here"), std::string::npos) << opening;
+    }
+    EXPECT_FALSE(trace::is_dump("\x1b[1"));
+    EXPECT_FALSE(trace::is_dump("\x1b["));
+}
+
+TEST_F(Traces, HoldOnlySoManyBytesOfBlobsAtOnce) {
+    write_file_atomically(folder_ / "a.bin", "123456");
+    const trace::BlobFolder blobs(folder_.str(), 16);
+    std::shared_ptr<const Memory> first = blobs.read("a.bin", {}), second = blobs.read("a.bin", {});
+    EXPECT_THROW(blobs.read("a.bin", {}), SceneError);
+    first.reset();
+    EXPECT_EQ(blobs.read("a.bin", {})->bytes.size(), 6u);
 }
 
 TEST_F(Traces, ReadBlobsFromTheirOwnFolderOnly) {
