@@ -139,14 +139,6 @@ void change_within_inner_push() {
     expect_departure(range[0] == 0.25);
 }
 
-void blend_equation_after_pop() {
-    const Both both("glPushAttrib(GL_COLOR_BUFFER_BIT); glBlendEquationSeparate(GL_FUNC_ADD, GL_MAX); glPopAttrib();");
-    EXPECT_EQ(both.state.get(kGL_BLEND_EQUATION_ALPHA)[0], kGL_FUNC_ADD);
-    GLint equation = 0;
-    glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equation);
-    expect_departure(equation == GL_MAX);
-}
-
 void mipmap_hint_after_pop() {
     const Both both("glPushAttrib(GL_HINT_BIT); glHint(GL_GENERATE_MIPMAP_HINT, GL_NICEST); glPopAttrib();");
     EXPECT_EQ(both.state.get(kGL_GENERATE_MIPMAP_HINT)[0], kGL_DONT_CARE);
@@ -223,7 +215,6 @@ constexpr Departure kDepartures[] = {
     {"fog of a vertex whose w is not 1", fog_of_w},
     {"a single value for a vector parameter", single_value_for_a_vector},
     {"what an inner glPushAttrib does not save", change_within_inner_push},
-    {"the blend equation of alpha after glPopAttrib", blend_equation_after_pop},
     {"glMultiTexCoord of a unit that is none", unit_that_is_none},
     {"glRenderMode without a buffer", mode_without_buffer},
     {"glColor3 after glColor4", alpha_of_glcolor3},

@@ -292,9 +292,7 @@ bool is_departure(const Command& command, const State& state) {
         state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0)
         return true;
     if (switches && enum_name(command.enumerant(0)).ends_with("_ARRAY")) return true;  // the driver takes them as well
-    const bool is_of_alpha =
-        command.id == CommandId::glBlendEquationSeparate && command.enumerant(0) != command.enumerant(1);
-    if ((stays || is_of_alpha) && state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0) return true;
+    if (stays && state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0) return true;
     // Beyond the fixed function's units a driver has some for shaders; those are no part of State.
     const auto is_shaders_unit = [](Enum unit) { return unit >= kGL_TEXTURE0 + kMaxTextureUnits && unit < 0x8600; };
     if (command.id == CommandId::glActiveTexture && is_shaders_unit(command.enumerant(0))) return true;
