@@ -16,7 +16,10 @@ struct TextureObjects {
     // The textures of name 0 (3.8.12).
     std::shared_ptr<Texture> default_1d = std::make_shared<Texture>(Texture{.target = kGL_TEXTURE_1D});
     std::shared_ptr<Texture> default_2d = std::make_shared<Texture>();
+    std::size_t texels = 0;  // of all of them
 };
+
+std::size_t texels_of(const Texture& texture);  // of all its images
 
 inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: two at least (table 6.31), eight in Mesa
 

@@ -8,6 +8,22 @@
 
 namespace twinlight {
 
+namespace {
+
+// How many points of a map a command evaluates (5.1). A count up to the largest integer never ends in Mesa.
+double evaluated_points(const Command& c) {
+    const auto between = [&c](std::size_t from) {
+        constexpr double kLargest = 2147483647;
+        const double first = c.number(from), last = c.number(from + 1);
+        return last == kLargest ? kLargest : std::max(0.0, last - first + 1);
+    };
+    if (c.id == CommandId::glEvalMesh1) return between(1);
+    if (c.id == CommandId::glEvalMesh2) return between(1) * between(3);
+    return 1;
+}
+
+}  // namespace
+
 // These set what changes a picture only under a capability, or for a command, that is named itself.
 void State::elsewhere_state(const Command&) {}
 // The same, and legal between Begin and End: fog coordinates, and the indices of color index mode.
@@ -18,6 +34,7 @@ void State::elsewhere_query(const Command&) {}
 
 // These change the picture.
 void State::elsewhere_drawing(const Command& c) {
+    if (!has_time(c, evaluated_points(c))) return;
     note_unsupported(std::string(c.name()), c.place, {"programmable", "reference"});
 }
 

@@ -109,7 +109,7 @@ void State::clear(const Command& c) {
     clear.scissor = a_.fragment.scissor;
     clear.color_mask = a_.fragment.color_mask;
     clear.depth = (mask & kGL_DEPTH_BUFFER_BIT) != 0 && a_.raster.depth_mask;
-    if (clear.color || clear.depth) show(clear);
+    if ((clear.color || clear.depth) && has_room(c, sizeof items_[0])) show(clear);
 }
 
 }  // namespace twinlight

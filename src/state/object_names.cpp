@@ -37,7 +37,10 @@ void State::delete_textures(const Command& c) {
     if (!counts(c, "textures")) return;
     for (double value : c.array()) {
         const auto name = static_cast<std::uint32_t>(value);
-        if (name == 0 || textures_.named.erase(name) == 0) continue;
+        const auto found = textures_.named.find(name);
+        if (name == 0 || found == textures_.named.end()) continue;
+        if (found->second) textures_.texels -= texels_of(*found->second);
+        textures_.named.erase(found);
         for (TextureBindings& unit : a_.units) {
             if (unit.bound_1d == name) unit.bound_1d = 0;
             if (unit.bound_2d == name) unit.bound_2d = 0;

@@ -97,6 +97,7 @@ void State::raise(Enum code, const Command& command, std::string message) {
 
 void State::raise(GlError error) {
     ++error_count_;
+    if (error.code == kGL_OUT_OF_MEMORY && !exhausted_) exhausted_ = error;
     if (errors_.size() >= kMaxErrorsKept) return;
     if (lists_.nesting > 0) {
         error.message += fmt::format("; this stands in the list that is called at {}", lists_.called.str());
@@ -117,6 +118,16 @@ bool State::has_room(const Command& command, std::size_t bytes) {
     }
     raise(kGL_OUT_OF_MEMORY, command,
           fmt::format("one picture's vertices and state fill {} MiB at the most", kMaxFrameBytes >> 20));
+    return false;
+}
+
+bool State::has_time(const Command& command, double work) {
+    work_ += work;
+    if (work_ <= static_cast<double>(kMaxFrameWork)) return true;
+    raise(kGL_OUT_OF_MEMORY, command,
+          fmt::format("one picture's display lists, images and shapes come to {} commands, texels and vertices at the "
+                      "most",
+                      kMaxFrameWork));
     return false;
 }
 
@@ -314,7 +325,7 @@ Frame State::take_frame(std::shared_ptr<const Recording> commands) {
 void State::drop_picture() {
     items_.clear();
     item_bytes_ = 0;
-    lists_.executed = 0;
+    work_ = 0;
     unsupported_.clear();
 }
 

@@ -22,8 +22,13 @@ struct StateOptions {
     SignedRule signed_rule = SignedRule::kGl21;
 };
 
-// What a picture's draws may hold together: a hostile scene ends with GL_OUT_OF_MEMORY.
-inline constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 31;
+// Limits of Twinlight's own, so that a hostile scene ends with an error (GL_OUT_OF_MEMORY) and not with the machine's memory
+// or a day's work: what a picture's clears and draws may hold together, with the textures that they were drawn with and
+// that have changed since; and what its display lists, images, shapes and evaluators may come to, counted in commands,
+// texels, vertices and points (64 lists that call the next one twice would be 2^64). A recording ends there: the driver
+// knows no such limit.
+inline constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 30;
+inline constexpr std::size_t kMaxFrameWork = 50'000'000;
 // How many errors are kept; GL itself keeps one.
 inline constexpr std::size_t kMaxErrorsKept = 100;
 inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; what is beyond counts under one of its own
@@ -42,6 +47,8 @@ class State {
     // The first errors, kMaxErrorsKept of them at most; and how many there were.
     const std::vector<GlError>& errors() const { return errors_; }
     std::size_t error_count() const { return error_count_; }
+    // The first GL_OUT_OF_MEMORY: the scene asks for more than Twinlight gives, and the driver must not be asked for it.
+    const std::optional<GlError>& exhausted() const { return exhausted_; }
 
     // A call of a function that Twinlight does not have. What it would have changed is not known, so it stands in all
     // pictures from here on.
@@ -201,8 +208,9 @@ class State {
     std::optional<ArrayVertices> array_vertices(const Command& draw);  // nothing, and the error, for a wrong one
     void draw(const Command& command, const ArrayVertices& read);
     void send_element(const Command& command, const ArrayVertices& element);  // of glArrayElement
-    // Whether the picture still has room for so many more bytes; GL_OUT_OF_MEMORY if not.
+    // Whether the picture still has room for so many more bytes, or so much more work; GL_OUT_OF_MEMORY if not.
     bool has_room(const Command& command, std::size_t bytes);
+    bool has_time(const Command& command, double work);
     void execute_list(const Command& command, std::uint32_t name);
     void execute_listed(const ListedCommand& listed);
     void raise_inside(const Command& command);  // of a command that stands between Begin and End
@@ -224,8 +232,10 @@ class State {
     TextureBindings& unit() { return a_.units[a_.active_unit]; }
     const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
     bool check_pixel_type(const Command& command, const PixelSource& source);
-    std::optional<std::vector<glm::dvec4>> pixels(const Command& command, const PixelSource& source);
+    std::optional<PixelRows> pixels(const Command& command, const PixelSource& source);
     void generate_mipmaps(Texture& texture) const;
+    // Whether there is room and time for so many texels more, some of which replace others; GL_OUT_OF_MEMORY if not.
+    bool has_texels(const Command& command, double count, std::size_t replaced = 0);
     bool counts(const Command& command, const char* what);  // n >= 0, or GL_INVALID_VALUE
     void track_color();                                     // 2.14.3: the material follows the current colour
     void multiply(const glm::dmat4& matrix);
@@ -267,10 +277,12 @@ class State {
     std::map<double, Place> deleted_quadrics_;           // where gluDeleteQuadric stood
     std::vector<std::variant<Clear, Draw>> items_;
     std::size_t item_bytes_ = 0;  // what items_ holds, about
+    double work_ = 0;             // for this picture, so far
     std::vector<Unsupported> unsupported_;
     std::vector<Unsupported> outside_;
     std::vector<GlError> errors_;
     std::size_t error_count_ = 0;
+    std::optional<GlError> exhausted_;
 };
 
 // Runs a whole scene. Throws SceneError at the first GL error, at what is left open at the end, and for a scene that

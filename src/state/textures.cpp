@@ -21,7 +21,10 @@ std::shared_ptr<Texture>& State::texture_of(const TextureBindings& bindings, Enu
 Texture* State::writable_texture(const Command& c, Enum target) {
     if (!known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return nullptr;
     std::shared_ptr<Texture>& texture = bound_texture(target);
-    if (texture.use_count() > 1) texture = std::make_shared<Texture>(*texture);
+    if (texture.use_count() > 1) {
+        if (!has_room(c, texels_of(*texture) * sizeof(glm::vec4))) return nullptr;
+        texture = std::make_shared<Texture>(*texture);
+    }
     return texture.get();
 }
 
@@ -116,8 +119,13 @@ void State::tex_parameter(const Command& c) {
     const auto values = parameter_values(c, Owner::kTexture, pname);
     if (!values) return;
     const auto name = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
+    // A texture that keeps its value is not copied for it.
+    const auto assign = [&](auto Texture::*member, const auto& value) {
+        if ((*bound_texture(target)).*member == value) return;
+        if (Texture* texture = writable_texture(c, target)) texture->*member = value;
+    };
     const auto set = [&](Enum Texture::*member, std::initializer_list<Enum> allowed) {
-        if (known(c, name, allowed)) writable_texture(c, target)->*member = name;
+        if (known(c, name, allowed)) assign(member, name);
     };
     const auto wraps = {kGL_CLAMP, kGL_REPEAT, kGL_CLAMP_TO_EDGE, kGL_CLAMP_TO_BORDER, kGL_MIRRORED_REPEAT};
     switch (pname) {
@@ -130,13 +138,10 @@ void State::tex_parameter(const Command& c) {
         case kGL_TEXTURE_WRAP_T: return set(&Texture::wrap_t, wraps);
         case kGL_TEXTURE_WRAP_R: known(c, name, wraps); return;  // of no use to one and two dimensions
         case kGL_TEXTURE_BORDER_COLOR:
-            writable_texture(c, target)->border_color =
-                glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0);
-            return;
-        case kGL_TEXTURE_PRIORITY:
-            writable_texture(c, target)->priority = std::clamp(values->front(), 0.0, 1.0);
-            return;
-        case kGL_GENERATE_MIPMAP: writable_texture(c, target)->generate_mipmap = values->front() != 0; return;
+            return assign(&Texture::border_color,
+                          glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0));
+        case kGL_TEXTURE_PRIORITY: return assign(&Texture::priority, std::clamp(values->front(), 0.0, 1.0));
+        case kGL_GENERATE_MIPMAP: return assign(&Texture::generate_mipmap, values->front() != 0);
         default: return;
     }
 }
