@@ -115,12 +115,16 @@ bool lights_two_sides(const CommandList& scene) {
     });
 }
 
+// Of both sides' material the front's part may track the current colour (2.14.3).
 bool sets_back_between_vertices(const CommandList& scene) {
     if (!lights_two_sides(scene)) return false;
-    bool inside = false;
+    bool inside = false, tracks_front = false;
     for (const Command& command : scene.commands) {
         if (command.id == Id::glBegin || command.id == Id::glEnd) inside = command.id == Id::glBegin;
-        if (inside && command.name().starts_with("glMaterial") && command.enumerant(0) == kGL_BACK) return true;
+        if (command.id == Id::glColorMaterial && command.enumerant(0) == kGL_FRONT) tracks_front = true;
+        if (!inside || !command.name().starts_with("glMaterial")) continue;
+        if (command.enumerant(0) == kGL_BACK || (tracks_front && command.enumerant(0) == kGL_FRONT_AND_BACK))
+            return true;
     }
     return false;
 }
@@ -153,6 +157,15 @@ bool sets_color_before_new_mode(const CommandList& scene) {
         if (color && command.id == Id::glColorMaterial) return true;
     }
     return false;
+}
+
+bool draws_lit_rectangles(const CommandList& scene) {
+    bool lit = false, rectangle = false;
+    for (const Command& command : scene.commands) {
+        lit = lit || (command.id == Id::glEnable && command.enumerant(0) == kGL_LIGHTING);
+        rectangle = rectangle || command.name().starts_with("glRect");
+    }
+    return lit && rectangle;
 }
 
 // ---- Of the state of a Draw ----
@@ -417,6 +430,9 @@ const std::vector<Departure>& departures() {
         {.name = "glColor3 after glColor4", .section = "2.7", .of_commands = mixes_glcolor3_and_4},
         {.name = "glTexCoord1 to 3 after glTexCoord4", .section = "2.7", .of_commands = mixes_tex_coords},
         {.name = "glMaterial right before glPopAttrib", .section = "6.1.14", .of_commands = sets_material_before_pop},
+        {.name = "glRect under lighting",
+         .section = "2.10: glRect is a GL_POLYGON",
+         .of_commands = draws_lit_rectangles},
         {.name = "glShadeModel after glPopAttrib in a display list",
          .section = "5.4: a list holds every command that may be compiled",
          .of_commands = shades_after_pop_in_list},
