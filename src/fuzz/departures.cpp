@@ -159,6 +159,16 @@ bool sets_color_before_new_mode(const CommandList& scene) {
     return false;
 }
 
+bool lists_edge_flags(const CommandList& scene) {
+    bool in_list = false, flags = false, borders = false;
+    for (const Command& command : scene.commands) {
+        if (command.id == Id::glNewList || command.id == Id::glEndList) in_list = command.id == Id::glNewList;
+        flags = flags || (in_list && command.name().starts_with("glEdgeFlag"));
+        borders = borders || (command.id == Id::glPolygonMode && command.enumerant(1) != kGL_FILL);
+    }
+    return flags && borders;
+}
+
 bool draws_lit_rectangles(const CommandList& scene) {
     bool lit = false, rectangle = false;
     for (const Command& command : scene.commands) {
@@ -430,6 +440,9 @@ const std::vector<Departure>& departures() {
         {.name = "glColor3 after glColor4", .section = "2.7", .of_commands = mixes_glcolor3_and_4},
         {.name = "glTexCoord1 to 3 after glTexCoord4", .section = "2.7", .of_commands = mixes_tex_coords},
         {.name = "glMaterial right before glPopAttrib", .section = "6.1.14", .of_commands = sets_material_before_pop},
+        {.name = "edge flags in a display list",
+         .section = "5.4, 2.6.2: a list draws what its commands draw",
+         .of_commands = lists_edge_flags},
         {.name = "glRect under lighting",
          .section = "2.10: glRect is a GL_POLYGON",
          .of_commands = draws_lit_rectangles},

@@ -26,7 +26,7 @@ class Builder {
         const bool of_textures = shows("GL_CLAMP between a nearest and a linear filter") ||
                                  shows("glTexCoord1 to 3 after glTexCoord4") || shows("level of detail of points") ||
                                  shows("GL_GENERATE_MIPMAP after glPopAttrib");
-        if (of_textures || structure_.chance(0.7)) texture();
+        if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
         add("glMatrixMode(GL_MODELVIEW);");
         if (shows("the colour sum in fog") || shows("fog of a vertex whose w is not 1") || structure_.chance(0.4))
             fog();
@@ -229,6 +229,9 @@ class Builder {
         add("glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, {}); glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 8);",
             vector());
         add("glMaterialfv(GL_BACK, GL_EMISSION, {});", vector(0, 0.5));
+        if (shows("the colour sum in fog"))  // greater than 1
+            add("glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, (GLfloat[]){0.9, 0.9, 0.9, 1});"
+                "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 1);");
         if (structure_.chance(0.3))
             add("glColorMaterial({}, {}); glEnable(GL_COLOR_MATERIAL); glColor4f({});",
                 one_of({"GL_FRONT", "GL_FRONT_AND_BACK"}),
@@ -244,6 +247,10 @@ class Builder {
                                   shows("clipped polygons as lines and points") || shows("the colour sum in fog");
         if (shows("glRect under lighting")) return flat("glRectf");
         if (shows("edge flags of strips and fans")) return anywhere("GL_TRIANGLE_STRIP");
+        if (shows("edge flags in a display list"))
+            return "glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLE_FAN);\n" + attributes(true, true) +
+                   "glVertex3f(0, 0, -2); glEnd(); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);\n" +
+                   anywhere("GL_TRIANGLE_FAN") + "glEndList(); glCallList(9);\n";
         if (shows("level of detail of points")) return anywhere("GL_POINTS");
         if (shows("a line loop whose first vertex lacks attributes")) return anywhere("GL_LINE_LOOP");
         if (of_triangles || structure_.chance(0.55)) return anywhere("GL_TRIANGLES");
