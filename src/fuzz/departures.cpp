@@ -115,18 +115,38 @@ bool lights_two_sides(const CommandList& scene) {
     });
 }
 
-// Of both sides' material the front's part may track the current colour (2.14.3).
-bool sets_back_between_vertices(const CommandList& scene) {
+// The back's material has parameters that vary from vertex to vertex, and the front's are not the same ones, set in the
+// same way: by glMaterial between glBegin and glEnd, or as what tracks the current colour (2.14.3).
+bool sets_sides_apart(const CommandList& scene) {
     if (!lights_two_sides(scene)) return false;
-    bool inside = false, tracks_front = false;
+    enum Way { kByMaterial, kByColor };
+    std::set<std::pair<Enum, Way>> front, back;
+    Enum tracking_face = kGL_FRONT_AND_BACK, tracked = kGL_AMBIENT_AND_DIFFUSE;
+    bool inside = false;
+    const auto insert = [&](Enum face, Enum pname, Way way) {
+        for (const Enum one :
+             pname == kGL_AMBIENT_AND_DIFFUSE ? std::vector{kGL_AMBIENT, kGL_DIFFUSE} : std::vector{pname}) {
+            if (face != kGL_BACK) front.emplace(one, way);
+            if (face != kGL_FRONT) back.emplace(one, way);
+        }
+    };
     for (const Command& command : scene.commands) {
         if (command.id == Id::glBegin || command.id == Id::glEnd) inside = command.id == Id::glBegin;
-        if (command.id == Id::glColorMaterial && command.enumerant(0) == kGL_FRONT) tracks_front = true;
-        if (!inside || !command.name().starts_with("glMaterial")) continue;
-        if (command.enumerant(0) == kGL_BACK || (tracks_front && command.enumerant(0) == kGL_FRONT_AND_BACK))
-            return true;
+        if (command.id == Id::glColorMaterial) {
+            tracking_face = command.enumerant(0);
+            tracked = command.enumerant(1);
+        }
+        if (command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL)
+            insert(tracking_face, tracked, kByColor);
+        if (inside && command.name().starts_with("glMaterial"))
+            insert(command.enumerant(0), command.enumerant(1), kByMaterial);
     }
-    return false;
+    for (auto* side : {&front, &back}) {  // what tracks the colour is not changed by glMaterial
+        for (const auto& [pname, way] : std::set(*side)) {
+            if (way == kByColor) side->erase({pname, kByMaterial});
+        }
+    }
+    return !back.empty() && front != back;
 }
 
 // A parameter of both sides' material that the first vertex of a glBegin does not have, but a later one.
@@ -427,9 +447,9 @@ const std::vector<Departure>& departures() {
          .section =
              "2.14.3: all channels of the back's material follow; the driver's program multiplies the red one only",
          .of_draw = has_color_material_on_back_alone},
-        {.name = "materials of vertices on the back alone of two sides",
-         .section = "2.14.2: glMaterial(GL_BACK, ...) between glBegin and glEnd changes all channels",
-         .of_commands = sets_back_between_vertices},
+        {.name = "materials of vertices that two sides do not share",
+         .section = "2.14.2: glMaterial between glBegin and glEnd changes all channels of the side that it names",
+         .of_commands = sets_sides_apart},
         {.name = "glMaterial of two sides after a vertex",
          .section = "2.6, 2.14.2: the vertices before it in the same glBegin have the material that each side had",
          .of_commands = sets_both_sides_after_vertex},

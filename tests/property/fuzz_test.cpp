@@ -13,6 +13,8 @@
 #include "context/context.h"
 #include "fuzz/floats.h"
 #include "fuzz/shrink.h"
+#include "reference/reference.h"
+#include "state/state.h"
 
 namespace twinlight::fuzz {
 namespace {
@@ -42,6 +44,27 @@ TEST(Fuzz, FindsNoUnexplainedDifference) {
         EXPECT_GT(static_cast<double>(summary.pixels.at(pair)),
                   0.6 * kPixels * static_cast<double>(summary.picture_states));
     }
+}
+
+// A freedom that grew until nothing is compared would find nothing.
+TEST(Fuzz, LeavesLittleOfAPictureOpen) {
+    constexpr double kInteriorShare = 0.85, kMeanSlackCodes = 0.15;
+    double pixels = 0, interior = 0, slack = 0;
+    for (std::uint64_t picture = 0; picture < 150; ++picture) {
+        const std::uint64_t state = picture * kPicturesPerStructure * kPictureEvery + kPictureEvery - 1;
+        const auto scene = std::make_shared<const CommandList>(random_scene({.seed = 20}, state));
+        const Freedom freedom = reference::freedom(make_frame(scene, {.width = 64, .height = 64}));
+        for (std::size_t i = 0; i < freedom.edge.size(); ++i) {
+            ++pixels;
+            if (freedom.edge[i]) continue;
+            ++interior;
+            for (const float channel : freedom.slack.pixels[i]) slack += 255.0 * static_cast<double>(channel) / 4;
+        }
+    }
+    fmt::print("{:.0f} % of the pixels are interior, with a slack of {:.3f} codes on average\n",
+               100 * interior / pixels, slack / interior);
+    EXPECT_GT(interior, kInteriorShare * pixels);
+    EXPECT_LT(slack, kMeanSlackCodes * interior);
 }
 
 TEST(Fuzz, GivesTheSameSceneForTheSameState) {
