@@ -166,7 +166,7 @@ class Run {
             if (found.pairs[1].fails && failure.pair == 0) failure.pair = 1;
             const PairFound& first = found.pairs[failure.pair];
             show(state - options_.first, "shrinking");
-            failure.scene = shrink(*scene, [&](const CommandList& smaller) {
+            failure.scene = !options_.shrinks ? *scene : shrink(*scene, [&](const CommandList& smaller) {
                 const Found again = compare_one(failure.is_picture, shared(smaller));
                 return again.error.empty() && is_same(first, again.pairs[failure.pair]);
             });
