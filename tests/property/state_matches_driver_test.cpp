@@ -284,7 +284,8 @@ bool is_departure(const Command& command, const State& state) {
     if (command.id == CommandId::glRenderMode && command.enumerant(0) != kGL_RENDER) return true;
     // 6.2: glPopAttrib restores them, but not in the driver.
     const bool switches = command.id == CommandId::glEnable || command.id == CommandId::glDisable;
-    const bool stays = (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
+    const bool stays = command.id == CommandId::glBlendEquationSeparate ||
+                       (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
                        (command.id == CommandId::glHint && command.enumerant(0) == kGL_GENERATE_MIPMAP_HINT) ||
                        (name.starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP);
     // 6.1.14: what is changed within an inner glPushAttrib that does not save it, the outer one restores; the driver does not.
