@@ -146,7 +146,9 @@ bool sets_sides_apart(const CommandList& scene) {
             if (way == kByColor) side->erase({pname, kByMaterial});
         }
     }
-    return !back.empty() && front != back;
+    const bool any_material = std::ranges::any_of(back, [](const auto& one) { return one.second == kByMaterial; }) ||
+                              std::ranges::any_of(front, [](const auto& one) { return one.second == kByMaterial; });
+    return any_material && !back.empty() && front != back;
 }
 
 // A parameter of both sides' material that the first vertex of a glBegin does not have, but a later one.
