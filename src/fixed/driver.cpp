@@ -32,6 +32,11 @@ void delete_names(ObjectType type, const std::set<std::uint32_t>& names) {
 Driver::Driver(int width, int height) { initial_.emplace(width, height); }
 
 Driver::~Driver() {
+    if (selects_) {  // the buffers go with this
+        glRenderMode(GL_RENDER);
+        glSelectBuffer(0, nullptr);
+        glFeedbackBuffer(0, GL_2D, nullptr);
+    }
     initial_.reset();  // what is bound is not deleted at once
     for (const auto& [type, names] : names_) delete_names(type, names.all);
     for (std::uint32_t list : lists_) glDeleteLists(list, 1);
@@ -66,12 +71,53 @@ void Driver::generate(const Command& command) {
     }
 }
 
+namespace {
+
+// How many values of a hit's or a feedback's buffer there are: what comes after them is cut off, as GL does, and a
+// scene cannot use any.
+constexpr GLsizei kMostHitValues = 1 << 16;
+
+constexpr bool is_query(std::string_view effect) { return effect == "elsewhere_query"; }
+
+// Queries whose answers' lengths State does not know: they change nothing, and are not sent.
+constexpr bool kIsQuery[] = {
+#define GL_COMMAND(name, effect, ...) is_query(#effect),
+#define SHAPE_COMMAND(name, effect, ...) false,
+#define QUADRIC_COMMAND(name, effect, ...) false,
+#define PRAGMA_COMMAND(name, effect, ...) false,
+#include "command/commands.def"
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
+#undef PRAGMA_COMMAND
+};
+
+}  // namespace
+
+// The driver writes into buffers of our own: they stay while it may.
+void Driver::selection_buffer(GLsizei size) {
+    selects_ = true;
+    selection_.resize(kMostHitValues);
+    glSelectBuffer(std::min(size, kMostHitValues), selection_.data());
+}
+
+void Driver::feedback_buffer(GLsizei size, GLenum type) {
+    selects_ = true;
+    feedback_.resize(kMostHitValues);
+    glFeedbackBuffer(std::min(size, kMostHitValues), type, feedback_.data());
+}
+
 void Driver::execute(const Command& command) {
+    if (kIsQuery[static_cast<std::size_t>(command.id)]) return;
     if (command.id == CommandId::pragma_texture) return execute(texture_command(command));
     if (!may_see(command)) return;
     switch (command.id) {
         case CommandId::glGenTextures:
         case CommandId::glGenBuffers: return generate(command);
+        case CommandId::glSelectBuffer: return selection_buffer(static_cast<GLsizei>(command.number(0)));
+        case CommandId::glFeedbackBuffer:
+            return feedback_buffer(static_cast<GLsizei>(command.number(0)), command.enumerant(1));
+        case CommandId::glRenderMode: selects_ = true; break;
         case CommandId::glNewList:
             lists_.insert(command.enumerant(0));
             emptied_lists_.erase(command.enumerant(0));

@@ -67,6 +67,9 @@ bool Driver::may_see(const Command& c) {
             return true;
         case CommandId::glCallList:
         case CommandId::glCallLists: return may_see_lists(c);
+        case CommandId::glPolygonStipple: return may_see_stipple(c);
+        case CommandId::glCopyTexImage1D:
+        case CommandId::glCopyTexImage2D: return may_copy_pixels(c);
         default: return std::ranges::none_of(c.sig().parameters, names_memory) || may_see_pixels(c);
     }
 }
@@ -181,20 +184,21 @@ PixelSource pixels_of(const Command& c) {
         if (parameters[i].name == "type") source.type = c.enumerant(i);
         has_format |= parameters[i].name == "format";
     }
+    if (c.id == CommandId::glBitmap) {
+        source.type = kGL_BITMAP;
+        return source;
+    }
+    if (c.id == CommandId::glCopyTexImage1D || c.id == CommandId::glCopyTexImage2D) return source;
     if (!has_format) throw std::logic_error(fmt::format("no rule says how much {} reads", c.name()));
     return source;
 }
 
+// Asked for an image that is larger than it can be, llvmpipe (22.3) counts its levels beyond the end of an array.
+bool is_too_large(const PixelSource& source) { return std::max(source.width, source.height) > kMaxTextureSize + 2; }
+
 // As many bytes as a driver can read, exactly so for what GL 2.1 has.
-std::size_t most_bytes_read(PixelSource source, PixelStore store) {
-    if (source.type == kGL_BITMAP) {  // 3.6.4: a bit a pixel
-        const auto bytes = [](std::int64_t bits) { return static_cast<int>((bits + 7) / 8); };
-        source.width = source.width > 0 ? bytes(std::int64_t{store.unpack_skip_pixels} + source.width) : 0;
-        store.unpack_row_length = bytes(store.unpack_row_length);
-        store.unpack_skip_pixels = 0;
-        source.type = kGL_UNSIGNED_BYTE;
-        source.format = kGL_RED;
-    }
+std::size_t most_bytes_read(PixelSource source, const PixelStore& store) {
+    if (source.type == kGL_BITMAP) return bitmap_bytes(source.width, source.height, store);
     if (source.format == kGL_COLOR_INDEX || source.format == GL_STENCIL_INDEX || source.format == kGL_DEPTH_COMPONENT) {
         source.format = kGL_RED;  // one component as well
     }
@@ -208,17 +212,25 @@ std::size_t most_bytes_read(PixelSource source, PixelStore store) {
 
 }  // namespace
 
+bool Driver::may_see_stipple(const Command& c) {
+    constexpr int kSide = 32;
+    if (integer(GL_PIXEL_UNPACK_BUFFER_BINDING, -1) != 0) return false;
+    return bitmap_bytes(kSide, kSide, unpacking()) <= c.array().size();
+}
+
+bool Driver::may_copy_pixels(const Command& c) { return !is_too_large(pixels_of(c)); }
+
 bool Driver::may_see_pixels(const Command& c) {
     const GLint buffer = integer(GL_PIXEL_UNPACK_BUFFER_BINDING, -1);
     if (buffer < 0) return false;  // between glBegin and glEnd
     const bool is_of_glu = c.sig().name.starts_with("glu");
     const double offset = c.arguments.back();
     const PixelSource source = pixels_of(c);
-    // Asked for an image that is larger than it can be, llvmpipe (22.3) counts its levels beyond the end of an array.
-    const bool too_large = std::max(source.width, source.height) > kMaxTextureSize + 2;
-    if (too_large && c.id != CommandId::glDrawPixels) return false;
+    const bool is_drawn = c.id == CommandId::glDrawPixels || c.id == CommandId::glBitmap;
+    if (!is_drawn && is_too_large(source)) return false;
     if (buffer > 0) return !c.memory && !is_of_glu;  // GL knows the buffer's size itself, GLU knows no buffers
-    if (!c.memory) return offset == 0 && !is_of_glu && c.id != CommandId::glDrawPixels;
+    const bool is_empty = source.width <= 0 || source.height <= 0;
+    if (!c.memory) return offset == 0 && (is_empty || (!is_of_glu && !is_drawn));
     const auto size = static_cast<double>(c.memory->bytes.size());
     return offset >= 0 && offset + static_cast<double>(most_bytes_read(source, unpacking())) <= size;
 }

@@ -62,6 +62,8 @@ class Driver {
     };
 
     void generate(const Command& command);
+    void selection_buffer(int size);
+    void feedback_buffer(int size, Enum type);
     Command translated(const Command& command);
     std::uint32_t new_name(ObjectType type);
     void delete_lists(const Command& command);
@@ -71,6 +73,8 @@ class Driver {
     bool may_see_arrays(const Command& command);
     bool may_see_lists(const Command& command);
     bool may_see_pixels(const Command& command);
+    static bool may_see_stipple(const Command& command);
+    static bool may_copy_pixels(const Command& command);
     // Whether the driver answers queries: between glBegin and glEnd it does not, and carries out few commands.
     static bool answers();
     static bool is_compiling();  // a display list
@@ -82,11 +86,14 @@ class Driver {
     std::optional<InitialState> initial_;
     Executor executor_;
     std::map<ObjectType, Names> names_;
-    std::set<std::uint32_t> kept_lists_, emptied_lists_;  // those that are there always; to be emptied after glEndList
     std::set<std::uint32_t> lists_;                       // that the scene compiled
+    std::set<std::uint32_t> kept_lists_, emptied_lists_;  // those that are there always; to be emptied after glEndList
     VertexArrays arrays_;                                 // as the driver should have them
     bool arrays_may_differ_ = false;                      // since the driver was asked
     bool arrays_agreed_ = true;                           // when it was asked
+    std::vector<std::uint32_t> selection_;                // where the driver writes what glRenderMode asks for
+    std::vector<float> feedback_;
+    bool selects_ = false;  // the scene has set them, or the mode
 };
 
 // Clears to black and depth 1, executes the frame's commands, reads the picture. Throws std::invalid_argument for

@@ -115,14 +115,40 @@ bool lights_two_sides(const CommandList& scene) {
     });
 }
 
-bool sets_back_between_vertices(const CommandList& scene) {
+// The back's material has parameters that vary from vertex to vertex, and the front's are not the same ones, set in the
+// same way: by glMaterial between glBegin and glEnd, or as what tracks the current colour (2.14.3).
+bool sets_sides_apart(const CommandList& scene) {
     if (!lights_two_sides(scene)) return false;
+    enum Way { kByMaterial, kByColor };
+    std::set<std::pair<Enum, Way>> front, back;
+    Enum tracking_face = kGL_FRONT_AND_BACK, tracked = kGL_AMBIENT_AND_DIFFUSE;
     bool inside = false;
+    const auto insert = [&](Enum face, Enum pname, Way way) {
+        for (const Enum one :
+             pname == kGL_AMBIENT_AND_DIFFUSE ? std::vector{kGL_AMBIENT, kGL_DIFFUSE} : std::vector{pname}) {
+            if (face != kGL_BACK) front.emplace(one, way);
+            if (face != kGL_FRONT) back.emplace(one, way);
+        }
+    };
     for (const Command& command : scene.commands) {
         if (command.id == Id::glBegin || command.id == Id::glEnd) inside = command.id == Id::glBegin;
-        if (inside && command.name().starts_with("glMaterial") && command.enumerant(0) == kGL_BACK) return true;
+        if (command.id == Id::glColorMaterial) {
+            tracking_face = command.enumerant(0);
+            tracked = command.enumerant(1);
+        }
+        if (command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL)
+            insert(tracking_face, tracked, kByColor);
+        if (inside && command.name().starts_with("glMaterial"))
+            insert(command.enumerant(0), command.enumerant(1), kByMaterial);
     }
-    return false;
+    for (auto* side : {&front, &back}) {  // what tracks the colour is not changed by glMaterial
+        for (const auto& [pname, way] : std::set(*side)) {
+            if (way == kByColor) side->erase({pname, kByMaterial});
+        }
+    }
+    const bool any_material = std::ranges::any_of(back, [](const auto& one) { return one.second == kByMaterial; }) ||
+                              std::ranges::any_of(front, [](const auto& one) { return one.second == kByMaterial; });
+    return any_material && !back.empty() && front != back;
 }
 
 // A parameter of both sides' material that the first vertex of a glBegin does not have, but a later one.
@@ -153,6 +179,25 @@ bool sets_color_before_new_mode(const CommandList& scene) {
         if (color && command.id == Id::glColorMaterial) return true;
     }
     return false;
+}
+
+bool lists_edge_flags(const CommandList& scene) {
+    bool in_list = false, flags = false, borders = false;
+    for (const Command& command : scene.commands) {
+        if (command.id == Id::glNewList || command.id == Id::glEndList) in_list = command.id == Id::glNewList;
+        flags = flags || (in_list && command.name().starts_with("glEdgeFlag"));
+        borders = borders || (command.id == Id::glPolygonMode && command.enumerant(1) != kGL_FILL);
+    }
+    return flags && borders;
+}
+
+bool draws_lit_rectangles(const CommandList& scene) {
+    bool lit = false, rectangle = false;
+    for (const Command& command : scene.commands) {
+        lit = lit || (command.id == Id::glEnable && command.enumerant(0) == kGL_LIGHTING);
+        rectangle = rectangle || command.name().starts_with("glRect");
+    }
+    return lit && rectangle;
 }
 
 // ---- Of the state of a Draw ----
@@ -404,9 +449,9 @@ const std::vector<Departure>& departures() {
          .section =
              "2.14.3: all channels of the back's material follow; the driver's program multiplies the red one only",
          .of_draw = has_color_material_on_back_alone},
-        {.name = "materials of vertices on the back alone of two sides",
-         .section = "2.14.2: glMaterial(GL_BACK, ...) between glBegin and glEnd changes all channels",
-         .of_commands = sets_back_between_vertices},
+        {.name = "materials of vertices that two sides do not share",
+         .section = "2.14.2: glMaterial between glBegin and glEnd changes all channels of the side that it names",
+         .of_commands = sets_sides_apart},
         {.name = "glMaterial of two sides after a vertex",
          .section = "2.6, 2.14.2: the vertices before it in the same glBegin have the material that each side had",
          .of_commands = sets_both_sides_after_vertex},
@@ -417,6 +462,12 @@ const std::vector<Departure>& departures() {
         {.name = "glColor3 after glColor4", .section = "2.7", .of_commands = mixes_glcolor3_and_4},
         {.name = "glTexCoord1 to 3 after glTexCoord4", .section = "2.7", .of_commands = mixes_tex_coords},
         {.name = "glMaterial right before glPopAttrib", .section = "6.1.14", .of_commands = sets_material_before_pop},
+        {.name = "edge flags in a display list",
+         .section = "5.4, 2.6.2: a list draws what its commands draw",
+         .of_commands = lists_edge_flags},
+        {.name = "glRect under lighting",
+         .section = "2.10: glRect is a GL_POLYGON",
+         .of_commands = draws_lit_rectangles},
         {.name = "glShadeModel after glPopAttrib in a display list",
          .section = "5.4: a list holds every command that may be compiled",
          .of_commands = shades_after_pop_in_list},

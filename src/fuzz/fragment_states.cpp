@@ -26,12 +26,12 @@ class Builder {
         const bool of_textures = shows("GL_CLAMP between a nearest and a linear filter") ||
                                  shows("glTexCoord1 to 3 after glTexCoord4") || shows("level of detail of points") ||
                                  shows("GL_GENERATE_MIPMAP after glPopAttrib");
-        if (of_textures || structure_.chance(0.7)) texture();
+        if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
         add("glMatrixMode(GL_MODELVIEW);");
         if (shows("the colour sum in fog") || shows("fog of a vertex whose w is not 1") || structure_.chance(0.4))
             fog();
         raster();
-        lit_ = shows("the colour sum in fog") || structure_.chance(0.4);
+        lit_ = shows("the colour sum in fog") || shows("glRect under lighting") || structure_.chance(0.4);
         if (lit_) lighting();
         if (structure_.chance(0.6)) fragment_operations();
         std::string first = batch();
@@ -208,8 +208,8 @@ class Builder {
         const char* name = i == 0 ? "GL_LIGHT0" : "GL_LIGHT5";
         add("glEnable({});", name);
         add("glLightfv({}, GL_DIFFUSE, {}); glLightfv({}, GL_SPECULAR, {});", name, vector(), name, vector());
-        if (structure_.chance(0.6)) {
-            const bool positional = structure_.chance(0.5);
+        if (shows("glRect under lighting") || structure_.chance(0.6)) {
+            const bool positional = shows("glRect under lighting") || structure_.chance(0.5);
             add("glLightfv({}, GL_POSITION, (GLfloat[]){{{:.3f}, {:.3f}, {:.3f}, {}}});", name, random_.uniform(-3, 3),
                 random_.uniform(-3, 3), random_.uniform(0.5, 3), positional ? 1 : 0);
             if (positional) add("glLightf({}, GL_LINEAR_ATTENUATION, {:.3f});", name, random_.uniform(0, 0.3));
@@ -229,6 +229,9 @@ class Builder {
         add("glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, {}); glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 8);",
             vector());
         add("glMaterialfv(GL_BACK, GL_EMISSION, {});", vector(0, 0.5));
+        if (shows("the colour sum in fog"))  // greater than 1
+            add("glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, (GLfloat[]){0.9, 0.9, 0.9, 1});"
+                "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 1);");
         if (structure_.chance(0.3))
             add("glColorMaterial({}, {}); glEnable(GL_COLOR_MATERIAL); glColor4f({});",
                 one_of({"GL_FRONT", "GL_FRONT_AND_BACK"}),
@@ -242,7 +245,12 @@ class Builder {
         materials_ = lit_ && structure_.chance(0.5);
         const bool of_triangles = shows("polygon offset of one of two polygon modes") ||
                                   shows("clipped polygons as lines and points") || shows("the colour sum in fog");
+        if (shows("glRect under lighting")) return flat("glRectf");
         if (shows("edge flags of strips and fans")) return anywhere("GL_TRIANGLE_STRIP");
+        if (shows("edge flags in a display list"))
+            return "glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLE_FAN);\n" + attributes(true, true) +
+                   "glVertex3f(0, 0, -2); glEnd(); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);\n" +
+                   anywhere("GL_TRIANGLE_FAN") + "glEndList(); glCallList(9);\n";
         if (shows("level of detail of points")) return anywhere("GL_POINTS");
         if (shows("a line loop whose first vertex lacks attributes")) return anywhere("GL_LINE_LOOP");
         if (of_triangles || structure_.chance(0.55)) return anywhere("GL_TRIANGLES");
@@ -299,7 +307,7 @@ class Builder {
         std::string text;
         if (materials_ && (first || random_.chance(0.5)))
             text += fmt::format("glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, {});\n", vector());
-        if (first || (flags && random_.chance(0.1)))
+        if (first || (flags && random_.chance(shows("edge flags of strips and fans") ? 0.5 : 0.1)))
             text += fmt::format("glEdgeFlag({});\n", first || random_.below(2) ? 1 : 0);
         text += fmt::format("glColor4f({}); glNormal3f({:.3f}, {:.3f}, {:.3f});\n", four(), random_.uniform(-1, 1),
                             random_.uniform(-1, 1), random_.uniform(0.3, 1));

@@ -80,13 +80,12 @@ class Run {
   public:
     Run(const Options& options, const Progress& progress) : options_(options), progress_(progress) {
         if (!options.lifted.empty()) lifted_.push_back(options.lifted);
-        if (options.floats) floats_.emplace(lifted_);
-        if (options.pictures) pictures_.emplace(lifted_);
     }
 
     Summary run() {
         for (std::uint64_t done = 0; done < options_.count && !stops();) {
             const std::uint64_t begin = options_.first + done;
+            if (done % kStatesPerContext < kStatesPerStructure) renew_contexts();
             // To the end of what shares a structure, at most.
             const std::uint64_t end =
                 std::min(options_.first + options_.count, (begin / kStatesPerStructure + 1) * kStatesPerStructure);
@@ -104,6 +103,15 @@ class Run {
     }
 
   private:
+    // A context keeps every program that was made in it.
+    static constexpr std::uint64_t kStatesPerContext = 8 * kStatesPerStructure;
+    void renew_contexts() {
+        floats_.reset();
+        pictures_.reset();
+        if (options_.floats) floats_.emplace(lifted_);
+        if (options_.pictures) pictures_.emplace(lifted_);
+    }
+
     bool stops() const { return progress_.stop() || summary_.failures.size() >= options_.most_failures; }
     void show(std::uint64_t done, const char* doing = nullptr) {
         if (progress_.show) progress_.show(done, summary_, doing);
@@ -166,7 +174,7 @@ class Run {
             if (found.pairs[1].fails && failure.pair == 0) failure.pair = 1;
             const PairFound& first = found.pairs[failure.pair];
             show(state - options_.first, "shrinking");
-            failure.scene = shrink(*scene, [&](const CommandList& smaller) {
+            failure.scene = !options_.shrinks ? *scene : shrink(*scene, [&](const CommandList& smaller) {
                 const Found again = compare_one(failure.is_picture, shared(smaller));
                 return again.error.empty() && is_same(first, again.pairs[failure.pair]);
             });

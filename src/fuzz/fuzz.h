@@ -19,10 +19,11 @@ struct Options {
     // A departure that is not left out; then every scene is likely to show it.
     std::string lifted{};
     std::size_t most_failures = 10;
+    bool shrinks = true;
 };
 
 // One in kPictureEvery states is drawn as a picture, the others are compared at float precision.
-inline constexpr std::uint64_t kPictureEvery = 16;
+inline constexpr std::uint64_t kPictureEvery = 32;
 // States that share a structure follow one another.
 inline constexpr std::uint64_t kStatesPerStructure = 512;
 inline constexpr std::uint64_t kPicturesPerStructure = 8;

@@ -128,7 +128,7 @@ class LightingState : Writer {
         flag(kGL_LIGHT_MODEL_LOCAL_VIEWER, 0.5);
         const bool of_two_sides = shows("shininess 0 on one side of two") ||
                                   shows("colour material on the back alone of two sides") ||
-                                  shows("materials of vertices on the back alone of two sides") ||
+                                  shows("materials of vertices that two sides do not share") ||
                                   shows("glMaterial of two sides after a vertex");
         two_sided_ = of_two_sides;
         flag(kGL_LIGHT_MODEL_TWO_SIDE, of_two_sides ? 1 : 0.5);
@@ -306,7 +306,7 @@ class LightingState : Writer {
     }
 
     void choose_vertex_materials() {
-        const bool of_back = shows("materials of vertices on the back alone of two sides");
+        const bool of_back = shows("materials of vertices that two sides do not share");
         const bool of_both = shows("glMaterial of two sides after a vertex");
         const bool of_another = !departure_.empty();
         if (!of_back && !of_both && (of_another || !chance(0.25))) return;

@@ -96,13 +96,25 @@ ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge
 }
 
 Image nearer_of(const Image& image, const Image& first, const Image& second) {
+    return nearer_of(image, first, second, Image(image.width, image.height));
+}
+
+Image nearer_of(const Image& image, const Image& first, const Image& second, const Image& slack) {
     check_sizes(image, first);
     check_sizes(image, second);
+    check_sizes(image, slack);
     Image result = first;
+    const auto largest_excess = [&](const Image& other, std::size_t i) {
+        const Codes codes = absolute_difference(image.pixels[i], other.pixels[i]);
+        return std::ranges::max(excess(codes, slack.pixels[i]));
+    };
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
         const int to_first = largest_difference(image.pixels[i], first.pixels[i]);
         const int to_second = largest_difference(image.pixels[i], second.pixels[i]);
-        if (to_second < to_first) result.pixels[i] = second.pixels[i];
+        const int beyond_first = largest_excess(first, i), beyond_second = largest_excess(second, i);
+        const bool is_second_nearer =
+            beyond_second < beyond_first || (beyond_second == beyond_first && to_second < to_first);
+        if (is_second_nearer) result.pixels[i] = second.pixels[i];
     }
     return result;
 }

@@ -48,6 +48,9 @@ ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge
 // At each pixel whichever of two right answers is nearer to `image`: the one with the smaller largest difference of a
 // channel, `first` where they are equally near. All of one size.
 Image nearer_of(const Image& image, const Image& first, const Image& second);
+// The same of what is left beyond the slack: of a right answer with a great difference that is its own to make, and one
+// with a small difference that is not, the first is the nearer.
+Image nearer_of(const Image& image, const Image& first, const Image& second, const Image& slack);
 
 // A difference too small to see must be amplified, by a factor that is told: the largest power of two, at
 // most 64, that does not take `max` beyond 1.

@@ -94,7 +94,7 @@ Render render(const PlannedRender& planned, const Frame& frame, const Renderers&
 }  // namespace
 
 Image Comparison::counterpart(const Pair& pair) const {
-    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut) : b(pair).image;
+    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, freedom.slack) : b(pair).image;
 }
 
 Verdict Comparison::verdict() const {

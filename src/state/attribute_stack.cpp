@@ -83,13 +83,20 @@ void restore_transform(Attributes& now, const Attributes& saved) {
 
 void restore(Attributes& now, const Attributes& saved, Enum mask) {
     const auto bit = [mask](Enum one) { return (mask & one) != 0; };
-    if (bit(kGL_CURRENT_BIT)) now.current = saved.current;
-    if (bit(kGL_POINT_BIT)) now.raster.point_size = saved.raster.point_size;
+    if (bit(kGL_CURRENT_BIT)) {
+        now.current = saved.current;
+        now.secondary_color = saved.secondary_color;
+    }
+    if (bit(kGL_POINT_BIT)) {
+        now.raster.point_size = saved.raster.point_size;
+        now.point_parameters = saved.point_parameters;
+    }
     if (bit(kGL_LINE_BIT)) now.raster.line_width = saved.raster.line_width;
     if (bit(kGL_POLYGON_BIT)) restore_polygon(now.raster, saved.raster);
     if (bit(kGL_LIGHTING_BIT)) restore_lighting(now.lighting, saved.lighting);
     if (bit(kGL_FOG_BIT)) {
         now.fog = saved.fog;
+        now.fog_coordinates = saved.fog_coordinates;
         now.fragment.color_sum = saved.fragment.color_sum;
     }
     if (bit(kGL_DEPTH_BUFFER_BIT)) restore_depth(now, saved);

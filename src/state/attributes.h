@@ -74,6 +74,10 @@ struct Attributes {
     Vertex current;           // colour, normal, texture coordinates, edge flag
     Clear clear;              // the clear colour and depth
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
+    // What a picture is partial by, where it is drawn with it: values of which Draws have none, and where they were set.
+    std::optional<Place> secondary_color;    // other than black
+    std::optional<Place> fog_coordinates;    // GL_FOG_COORD_SRC is GL_FOG_COORD
+    std::map<Enum, Place> point_parameters;  // that are not GL's initial ones
     Hints hints;
     Enum matrix_mode = kGL_MODELVIEW;
     std::uint32_t list_base = 0;

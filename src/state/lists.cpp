@@ -19,7 +19,8 @@ namespace {
 constexpr bool never_compiled(std::string_view effect) {
     for (std::string_view effect_of_client :
          {"new_list", "end_list", "gen_lists", "delete_lists", "pixel_store", "flush", "gen_textures",
-          "delete_textures", "client_arrays", "get_light", "get_material"}) {
+          "delete_textures", "client_arrays", "get_light", "get_material", "render_mode", "hit_buffer", "is_enabled",
+          "query_clip_plane", "query_tex_env", "query_tex_parameter", "elsewhere_query"}) {
         if (effect == effect_of_client) return true;
     }
     return false;
@@ -141,7 +142,7 @@ bool State::compile(const Command& c) {
             for (Vertex& v : read.vertices) represent(v);
             listed.arrays = std::make_shared<const ArrayVertices>(std::move(read));
         }
-    } else if (c.memory) {
+    } else if (c.memory || c.id == CommandId::glPolygonStipple) {
         listed.pixel_store = std::make_shared<const PixelStore>(pixel_store_);
     } else if (const BufferObject* buffer = arrays_.pixel_unpack_buffer(); buffer && reads_pixels(c)) {
         listed.pixel_store = std::make_shared<const PixelStore>(pixel_store_);

@@ -206,6 +206,21 @@ std::optional<int> pixel_bytes(Enum format, Enum type) {
     return element ? std::optional(*element * *components) : std::nullopt;
 }
 
+std::size_t bitmap_bytes(int width, int height, const PixelStore& store) {
+    if (width <= 0 || height <= 0) return 0;
+    const auto at_least_0 = [](int value) { return static_cast<std::size_t>(std::max(0, value)); };
+    const auto alignment = at_least_0(store.unpack_alignment);
+    const std::size_t row_pixels = at_least_0(store.unpack_row_length > 0 ? store.unpack_row_length : width);
+    const std::size_t row = (row_pixels + 8 * alignment - 1) / (8 * alignment) * alignment;
+    const std::size_t rows = at_least_0(store.unpack_skip_rows) + at_least_0(height) - 1;
+    return rows * row + (at_least_0(store.unpack_skip_pixels) + at_least_0(width) + 7) / 8;
+}
+
+std::optional<int> pixel_bytes_elsewhere(Enum format, Enum type) {
+    if (format != kGL_COLOR_INDEX && format != kGL_DEPTH_COMPONENT && format != kGL_STENCIL_INDEX) return std::nullopt;
+    return element_bytes(type);
+}
+
 std::size_t bytes_read(const PixelSource& source, const PixelStore& store) {
     if (source.width <= 0 || source.height <= 0) return 0;
     const auto pixel = static_cast<std::size_t>(*pixel_bytes(source.format, source.type));

@@ -46,7 +46,7 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts) {
         }
         if (!part.immediate) a_.current = before;
         draw.indices = std::move(part.indices);
-        items_.emplace_back(std::move(draw));
+        show(std::move(draw));
     }
 }
 

@@ -108,6 +108,7 @@ class State {
     void color(const Command&);
     void vertex(const Command&);
     void tex_coord(const Command&);
+    void multi_tex_coord(const Command&);
     void matrix_mode(const Command&);
     void load_identity(const Command&);
     void push_matrix(const Command&);
@@ -176,8 +177,23 @@ class State {
     void elsewhere_state(const Command&);
     void elsewhere_drawing(const Command&);
     void elsewhere_vertex(const Command&);
+    void elsewhere_attribute(const Command&);
+    void elsewhere_query(const Command&);
+    void elsewhere_secondary_color(const Command&);
+    void elsewhere_point_parameter(const Command&);
+    void elsewhere_pixel_transfer(const Command&);
+    void elsewhere_bitmap(const Command&);
+    void elsewhere_stipple(const Command&);
+    void elsewhere_copy_image(const Command&);
+    void render_mode(const Command&);
+    void hit_buffer(const Command&);
+    void is_enabled(const Command&);
+    void query_clip_plane(const Command&);
+    void query_tex_env(const Command&);
+    void query_tex_parameter(const Command&);
     void gen_textures(const Command&);
     void delete_textures(const Command&);
+    void prioritize_textures(const Command&);
     void rect(const Command&);
     void client_arrays(const Command&);
     void array_element(const Command&);
@@ -208,7 +224,8 @@ class State {
     // The values of glLight*, glMaterial*, glFog*, glTexEnv*, ... as real numbers; nothing, and the error, if they are refused.
     std::optional<std::vector<double>> parameter_values(const Command& command, Owner owner, Enum pname);
     void set_capability(const Command& command, bool enabled);
-    bool* followed_capability(Enum cap);  // null for those that State does not follow
+    bool known_capability(const Command& command);  // or GL_INVALID_ENUM
+    bool* followed_capability(Enum cap);            // null for those that State does not follow
     // The texture that a glTex* command changes: one that no Draw holds. Null, and the error, for a wrong target.
     Texture* writable_texture(const Command& command, Enum target);
     std::shared_ptr<Texture>& bound_texture(Enum target);
@@ -228,8 +245,12 @@ class State {
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
     void send_shape(const Command& command, std::vector<ShapePart> parts);
-    Quadric* quadric(const Command& command);  // its first argument; null, and the error, where there is none
-    bool can_send(const Command& command);     // whether its quadric can be sent; false, and the error, if not
+    Quadric* quadric(const Command& command);   // its first argument; null, and the error, where there is none
+    bool can_send(const Command& command);      // whether its quadric can be sent; false, and the error, if not
+    void show(std::variant<Clear, Draw> item);  // adds it to the picture, in the mode that makes one
+    void note_draws_elsewhere(const Draw& draw);
+    // Of what is drawn now, and of what changes all pictures from here on.
+    void note_lasting(std::string_view name, const Place& place);
     void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
     double to_real(double c,
                    Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
@@ -251,9 +272,11 @@ class State {
     MatrixStack modelview_{{}}, projection_{{}};
     std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
     std::vector<SavedAttributes> attribute_stack_;
-    std::optional<Draw> open_;                  // between Begin and End
-    std::map<double, Quadric> quadrics_;        // by number
-    std::map<double, Place> deleted_quadrics_;  // where gluDeleteQuadric stood
+    Enum render_mode_ = kGL_RENDER;                      // 5.2
+    bool has_selection_ = false, has_feedback_ = false;  // a buffer of some size
+    std::optional<Draw> open_;                           // between Begin and End
+    std::map<double, Quadric> quadrics_;                 // by number
+    std::map<double, Place> deleted_quadrics_;           // where gluDeleteQuadric stood
     std::vector<std::variant<Clear, Draw>> items_;
     std::size_t item_bytes_ = 0;  // what items_ holds, about
     double work_ = 0;             // for this picture, so far

@@ -73,8 +73,8 @@ void State::pixel_store(const Command& c) {
 // 3.6.4: a format and a type that GL knows and that go together.
 bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX || source.format == kGL_DEPTH_COMPONENT) {
-        note_unsupported(fmt::format("{} of {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
-                         c.place, {"programmable", "reference"});
+        note_lasting(fmt::format("{} of {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
+                     c.place);
         return false;
     }
     if (!components_of(source.format)) {
@@ -175,7 +175,7 @@ void State::tex_image(const Command& c) {
     if (!rows) return;
     // RULING: borders are cut off, as drivers do; what samples them is named.
     if (a.border == 1) {
-        note_unsupported(fmt::format("{} with a border", c.name()), c.place, {"programmable", "reference"});
+        note_lasting(fmt::format("{} with a border", c.name()), c.place);
     }
     const int dx = a.border, dy = two ? a.border : 0;
     TextureImage image{

@@ -62,17 +62,59 @@ void State::active_texture(const Command& c) {
     a_.active_unit = texture - kGL_TEXTURE0;
 }
 
+namespace {
+
+// Parameters of later versions, and of textures that are not here.
+struct ParameterElsewhere {
+    Enum pname;
+    std::optional<double> initial;  // nothing: it says how another one acts, and alone changes no pixel
+};
+constexpr ParameterElsewhere kParametersElsewhere[] = {
+    {kGL_TEXTURE_BASE_LEVEL, 0},
+    {kGL_TEXTURE_MAX_LEVEL, 1000},
+    {kGL_TEXTURE_MIN_LOD, -1000},
+    {kGL_TEXTURE_MAX_LOD, 1000},
+    {kGL_TEXTURE_LOD_BIAS, 0},
+    {kGL_TEXTURE_MAX_ANISOTROPY_EXT, 1},
+    {kGL_TEXTURE_COMPARE_MODE, kGL_NONE},
+    {kGL_TEXTURE_COMPARE_FUNC, std::nullopt},
+    {kGL_DEPTH_TEXTURE_MODE, std::nullopt},
+};
+
+const ParameterElsewhere* parameter_elsewhere(Enum pname) {
+    const auto* row = std::find_if(std::begin(kParametersElsewhere), std::end(kParametersElsewhere),
+                                   [pname](const ParameterElsewhere& r) { return r.pname == pname; });
+    return row == std::end(kParametersElsewhere) ? nullptr : row;
+}
+
+}  // namespace
+
+void State::query_tex_parameter(const Command& c) {
+    const Enum target = c.enumerant(0), pname = c.enumerant(1);
+    if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (pname == kGL_TEXTURE_RESIDENT || parameter_elsewhere(pname) || find_parameter(Owner::kTexture, pname)) return;
+    raise(kGL_INVALID_ENUM, c,
+          fmt::format("{} is given {}; expected GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, ...", c.name(),
+                      enum_name(pname)));
+}
+
+void State::query_tex_env(const Command& c) {
+    const Enum target = c.enumerant(0), pname = c.enumerant(1);
+    if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
+    if (target == kGL_TEXTURE_ENV) {
+        known(c, pname, {kGL_TEXTURE_ENV_MODE, kGL_TEXTURE_ENV_COLOR});
+    } else {
+        known(c, pname, {kGL_TEXTURE_LOD_BIAS});
+    }
+}
+
 void State::tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
     if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
-    // Parameters of later versions, and of textures that are not here.
-    for (Enum later :
-         {kGL_TEXTURE_BASE_LEVEL, kGL_TEXTURE_MAX_LEVEL, kGL_TEXTURE_MIN_LOD, kGL_TEXTURE_MAX_LOD, kGL_TEXTURE_LOD_BIAS,
-          kGL_TEXTURE_MAX_ANISOTROPY_EXT, kGL_TEXTURE_COMPARE_MODE, kGL_TEXTURE_COMPARE_FUNC, kGL_DEPTH_TEXTURE_MODE}) {
-        if (pname == later) {
-            return note_unsupported(fmt::format("glTexParameter({})", enum_name(pname)), c.place,
-                                    {"programmable", "reference"});
-        }
+    if (const ParameterElsewhere* row = parameter_elsewhere(pname)) {
+        const bool changes = row->initial && c.arguments.size() > 2 && c.number(2) != *row->initial;
+        if (changes) note_lasting(fmt::format("glTexParameter({})", enum_name(pname)), c.place);
+        return;
     }
     const auto values = parameter_values(c, Owner::kTexture, pname);
     if (!values) return;

@@ -54,7 +54,7 @@ class Cli : public testing::Test {
 
 TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
     for (const std::vector<std::string>& command :
-         std::vector<std::vector<std::string>>{{}, {"render"}, {"compare"}, {"export"}, {"scenes"}}) {
+         std::vector<std::vector<std::string>>{{}, {"render"}, {"compare"}, {"export"}, {"scenes"}, {"fuzz"}}) {
         for (const char* flag : {"--help", "-h", "--version"}) {
             std::vector<std::string> arguments = command;
             arguments.emplace_back(flag);
@@ -94,7 +94,7 @@ TEST_F(Cli, RefusesBadUse) {
                    "use --with programmable or --with reference");
     expect_refused(run({"render", file, "--with", "fixed", "--shading", "smooth", "-o", out_ / "p.png"}), "flat");
     expect_refused(run({"compare", file}), "-o is required");
-    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl");
+    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
     expect_refused(run({"scenes", "no-such-scene-at-all"}), "there is no built-in scene 'no-such-scene-at-all'");
 }
 
@@ -302,6 +302,20 @@ TEST_F(Cli, ExportsTheShapesOfPragmasAsPrimitives) {
     EXPECT_NE(result.out.find("glBegin(GL_TRIANGLE_FAN);"), std::string::npos);
 }
 
+// The frame of a recorded program as a scene draws the same picture.
+TEST_F(Cli, ExportsARecordedProgramAsAScene) {
+    const std::string program = "tests/traces/geomview/dump.txt";
+    const ProgramResult result = run({"export", program, "--as", "scene"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::string exported = scene(result.out, "exported.gl");
+    for (const std::string& input : {program, exported}) {
+        const std::string picture = out_ / (input == program ? "a.png" : "b.png");
+        const ProgramResult drawn = run({"render", input, "--with", "fixed", "--size", "300x300", "-o", picture});
+        ASSERT_EQ(drawn.status, 0) << drawn.err;
+    }
+    EXPECT_EQ(read_file(out_ / "a.png"), read_file(out_ / "b.png"));
+}
+
 TEST_F(Cli, ExportsTheShadersOfEachShading) {
     const std::string file = scene(kScene);
     const ProgramResult result = run({"export", file, "--as", "glsl"});
@@ -309,6 +323,42 @@ TEST_F(Cli, ExportsTheShadersOfEachShading) {
     EXPECT_EQ(result.err, "");
     EXPECT_NE(result.out.find("void main("), std::string::npos);
     EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "phong"}).out, result.out);
+}
+
+// ---- fuzz ----
+
+TEST_F(Cli, FuzzTellsWhatItCompared) {
+    const ProgramResult result = run({"fuzz", "--count", "64", "--seed", "3", "-o", out_ / "failures", "--json"});
+    EXPECT_EQ(result.status, 0) << result.out;
+    EXPECT_EQ(result.err, "");
+    const json summary = json::parse(result.out);
+    EXPECT_EQ(summary["float_states"], 62);
+    EXPECT_EQ(summary["picture_states"], 2);
+    EXPECT_EQ(summary["pairs"].size(), 3u);
+    EXPECT_EQ(summary["failures"], json::array());
+    EXPECT_EQ(out_.names(), std::vector<std::string>());  // the folder is made for failures alone
+}
+
+TEST_F(Cli, FuzzRefusesBadUse) {
+    expect_refused(run({"fuzz", "--count", "0"}), "--count");
+    expect_refused(run({"fuzz", "--float-only", "--pictures-only"}), "--pictures-only");
+    expect_refused(run({"fuzz", "--lift", "fog of a vertex whose w is not 2"}),
+                   "did you mean 'fog of a vertex whose w is not 1'?");
+}
+
+// A vertex beyond the light's cone by the driver, on its edge by the text: any driver but the listed one may agree.
+TEST_F(Cli, FuzzWritesWhatItFindsAsAScene) {
+    const ProgramResult result = run({"fuzz", "--count", "8", "--float-only", "--lift",
+                                      "a vertex on the edge of a spot's cone", "-o", out_ / "failures"});
+    const std::vector<std::string> names = out_.names();
+    EXPECT_EQ(result.status, names.empty() ? 0 : 1) << result.out;
+    if (names.empty()) return;
+    for (const auto& file : fs::directory_iterator(out_ / "failures")) {
+        const std::string text = read_file(file.path());
+        EXPECT_TRUE(text.starts_with("// twinlight fuzz --seed 1 --first ")) << text;
+        EXPECT_NE(result.out.find(file.path().filename()), std::string::npos) << result.out;
+        EXPECT_EQ(run({"render", file.path(), "--with", "reference", "--size", "8x8", "-o", out_ / "p.png"}).status, 0);
+    }
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ const std::map<std::string, Layers>& allowed() {
         {"fuzz",
          {"math", "command", "state", "shape", "lighting", "image", "context", "fixed", "programmable", "reference",
           "report"}},
-        {"app", {}},                                        // all
+        {"app", {}},  // all
     };
     return table;
 }
