@@ -27,7 +27,7 @@ bool is_listed() {
 TEST(Fuzz, FindsNoUnexplainedDifference) {
     const Options options{.count = 2048, .seed = 20};
     const Summary summary = run(options, {});
-    for (const Failure& failure : summary.failures) ADD_FAILURE() << failure_text(failure, options, "this driver");
+    for (const Failure& failure : summary.failures) ADD_FAILURE() << failure_text(failure, options);
     EXPECT_EQ(summary.float_states + summary.picture_states, options.count);
     for (std::size_t pair = 0; pair < kPairs; ++pair) {
         SCOPED_TRACE(kPairNames.at(pair));
@@ -101,7 +101,7 @@ TEST(Fuzz, ShrinksAFailureToASceneThatStillFails) {
     ASSERT_EQ(summary.failures.size(), 1u);
     const Failure& failure = summary.failures[0];
     EXPECT_LT(failure.scene.commands.size(), failure.commands_before / 2);
-    const std::string text = failure_text(failure, options, "this driver");
+    const std::string text = failure_text(failure, options);
     EXPECT_TRUE(text.starts_with("// twinlight fuzz --seed 1 --first ")) << text;
     EXPECT_NE(text.find("glPopAttrib();"), std::string::npos) << text;
     const auto again = std::make_shared<const CommandList>(read_scene(text, "failure.gl", "failure"));
