@@ -34,6 +34,14 @@ const std::vector<Signature>& table() {
     Parameter { #name, kind, Extent::kNames, 0 }
 #define X(name, kind) \
     Parameter { #name, kind, Extent::kResult, 1 }
+#define O(name, kind, n) \
+    Parameter { #name, kind, Extent::kOutput, n }
+#define W(name, kind) \
+    Parameter { #name, kind, Extent::kOutputByCount, 0 }
+#define M(name) \
+    Parameter { #name, kSizeiptr, Extent::kOutputMemory, 0 }
+#define G(name, kind) \
+    Parameter { #name, kind, Extent::kControlPoints, 0 }
 #define I(name) \
     Parameter { #name, kSizei, Extent::kImage, 2 }
 #define GL_COMMAND(name, effect, ...) {#name, Family::kGl, {__VA_ARGS__}},
@@ -50,6 +58,10 @@ const std::vector<Signature>& table() {
 #undef C
 #undef N
 #undef X
+#undef O
+#undef W
+#undef M
+#undef G
 #undef I
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
@@ -86,7 +98,37 @@ namespace {
 
 bool is_single(const Parameter& parameter) {
     return parameter.extent == Extent::kValue || parameter.extent == Extent::kPointer ||
-           parameter.extent == Extent::kResult;
+           parameter.extent == Extent::kOutputMemory || parameter.extent == Extent::kResult;
+}
+
+// 5.1: how many coordinates a control point has; 0 for what is no target of glMap.
+int coordinates_of_map(Enum target) {
+    const bool is_two = target >= kGL_MAP2_COLOR_4;
+    switch (is_two ? target - kGL_MAP2_COLOR_4 + kGL_MAP1_COLOR_4 : target) {
+        case kGL_MAP1_INDEX:
+        case kGL_MAP1_TEXTURE_COORD_1: return 1;
+        case kGL_MAP1_TEXTURE_COORD_2: return 2;
+        case kGL_MAP1_NORMAL:
+        case kGL_MAP1_TEXTURE_COORD_3:
+        case kGL_MAP1_VERTEX_3: return 3;
+        case kGL_MAP1_COLOR_4:
+        case kGL_MAP1_TEXTURE_COORD_4:
+        case kGL_MAP1_VERTEX_4: return 4;
+        default: return 0;
+    }
+}
+
+// The values from the first control point's to the last one's; 0 where the command is wrong and GL reads none.
+std::size_t control_point_values(const Command& c) {
+    constexpr double kMaxOrder = 64;  // GL_MAX_EVAL_ORDER is less in any driver (8 at least)
+    const int coordinates = coordinates_of_map(c.enumerant(0));
+    double last = 0;  // where the last point starts
+    for (std::size_t stride = 3; stride + 1 < c.sig().parameters.size(); stride += 4) {
+        const double order = c.number(stride + 1);
+        if (order < 1 || order > kMaxOrder || c.number(stride) < coordinates) return 0;
+        last += c.number(stride) * (order - 1);
+    }
+    return coordinates == 0 ? 0 : static_cast<std::size_t>(last) + static_cast<std::size_t>(coordinates);
 }
 
 }  // namespace
@@ -112,22 +154,28 @@ std::size_t Command::first(std::size_t parameter) const {
     return position;
 }
 
+std::size_t Command::counted(std::size_t parameter) const {
+    const std::vector<Parameter>& parameters = sig().parameters;
+    for (std::size_t i = parameter; i-- > 0;) {
+        if (parameters[i].kind == Kind::kSizei) return static_cast<std::size_t>(std::max(0.0, number(first(i))));
+    }
+    return 0;
+}
+
 std::size_t Command::count(std::size_t parameter) const {
     const std::vector<Parameter>& parameters = sig().parameters;
     switch (parameters[parameter].extent) {
         case Extent::kValue:
         case Extent::kPointer:
+        case Extent::kOutputMemory:
         case Extent::kResult: return 1;
+        case Extent::kControlPoints: return control_point_values(*this);
         case Extent::kArray: return static_cast<std::size_t>(parameters[parameter].count);
         case Extent::kImage: return static_cast<std::size_t>(parameters[parameter].count);
-        case Extent::kOutput: return 0;
+        case Extent::kOutput:
+        case Extent::kOutputByCount: return 0;
         case Extent::kByCount:
-        case Extent::kNames:
-            for (std::size_t i = parameter; i-- > 0;) {
-                if (parameters[i].kind != Kind::kSizei) continue;
-                return static_cast<std::size_t>(std::max(0.0, number(first(i))));
-            }
-            return 0;
+        case Extent::kNames: return counted(parameter);
         case Extent::kByPname:
         case Extent::kRest: return arguments.size() - std::min(arguments.size(), first(parameter));
     }
@@ -168,6 +216,17 @@ std::span<const Signature> signatures() { return table(); }
 std::optional<CommandId> find_command(std::string_view name) {
     static const auto index = index_commands(false);
     return find(index, name);
+}
+
+std::optional<CommandId> find_command_or_extension(std::string_view name) {
+    if (const auto id = find_command(name)) return id;
+    // EXT_vertex_array counts the elements, EXT_polygon_offset's bias is a depth.
+    for (std::string_view other : {"glVertexPointerEXT", "glNormalPointerEXT", "glColorPointerEXT",
+                                   "glTexCoordPointerEXT", "glEdgeFlagPointerEXT", "glPolygonOffsetEXT"}) {
+        if (name == other) return std::nullopt;
+    }
+    const bool is_of_extension = name.ends_with("ARB") || name.ends_with("EXT");
+    return is_of_extension ? find_command(name.substr(0, name.size() - 3)) : std::nullopt;
 }
 
 std::optional<CommandId> find_pragma(std::string_view name) {
@@ -214,6 +273,7 @@ std::optional<Owner> owner_of(CommandId id) {
     if (name.starts_with("glTexEnv") || name.starts_with("glGetTexEnv")) return Owner::kTexEnv;
     if (name.starts_with("glTexParameter") || name.starts_with("glGetTexParameter")) return Owner::kTexture;
     if (name.starts_with("glPixelStore")) return Owner::kPixelStore;
+    if (name.starts_with("glPointParameter")) return Owner::kPoint;
     return std::nullopt;
 }
 
@@ -227,10 +287,50 @@ const ParameterInfo* parameter_info(const Command& command) {
     return nullptr;
 }
 
+std::optional<int> query_length(Enum pname) {
+    switch (pname) {
+        case kGL_MODELVIEW_MATRIX:
+        case kGL_PROJECTION_MATRIX:
+        case kGL_TEXTURE_MATRIX:
+        case kGL_TRANSPOSE_MODELVIEW_MATRIX:
+        case kGL_TRANSPOSE_PROJECTION_MATRIX:
+        case kGL_TRANSPOSE_TEXTURE_MATRIX: return 16;
+        case kGL_ACCUM_CLEAR_VALUE:
+        case kGL_BLEND_COLOR:
+        case kGL_COLOR_CLEAR_VALUE:
+        case kGL_COLOR_WRITEMASK:
+        case kGL_CURRENT_COLOR:
+        case kGL_CURRENT_RASTER_COLOR:
+        case kGL_CURRENT_RASTER_POSITION:
+        case kGL_CURRENT_RASTER_TEXTURE_COORDS:
+        case kGL_CURRENT_SECONDARY_COLOR:
+        case kGL_CURRENT_TEXTURE_COORDS:
+        case kGL_FOG_COLOR:
+        case kGL_LIGHT_MODEL_AMBIENT:
+        case kGL_MAP2_GRID_DOMAIN:
+        case kGL_SCISSOR_BOX:
+        case kGL_VIEWPORT: return 4;
+        case kGL_CURRENT_NORMAL:
+        case kGL_POINT_DISTANCE_ATTENUATION: return 3;
+        case kGL_ALIASED_LINE_WIDTH_RANGE:
+        case kGL_ALIASED_POINT_SIZE_RANGE:
+        case kGL_DEPTH_RANGE:
+        case kGL_LINE_WIDTH_RANGE:
+        case kGL_MAP1_GRID_DOMAIN:
+        case kGL_MAP2_GRID_SEGMENTS:
+        case kGL_MAX_VIEWPORT_DIMS:
+        case kGL_POINT_SIZE_RANGE:
+        case kGL_POLYGON_MODE: return 2;
+        default: return std::nullopt;
+    }
+}
+
 std::optional<int> array_length(CommandId id, std::optional<Enum> pname) {
     const Signature& sig = signature(id);
     const Parameter& array = sig.parameters.at(sig.first_array());
-    if (array.extent == Extent::kArray) return array.count;
+    if (array.extent == Extent::kArray || (array.extent == Extent::kOutput && array.count > 0)) return array.count;
+    const bool asks_state = signature(id).name.starts_with("glGet") && array.extent == Extent::kOutput;
+    if (asks_state && sig.parameters[0].name == "pname") return pname ? query_length(*pname) : std::nullopt;
     const std::optional<Owner> owner = owner_of(id);
     const ParameterInfo* info = owner && pname ? find_parameter(*owner, *pname) : nullptr;
     return info ? std::optional(info->count) : std::nullopt;

@@ -54,19 +54,22 @@ enum class Extent : std::uint8_t {
     kPointer,  // a pointer to memory, or an offset into a buffer object: one value, the offset; see Command::memory
     kArray,    // an array of `count` values
     kByPname,  // an array whose length the argument pname decides
-    kOutput,   // the same, written by the command; none of its values are arguments
+    kOutput,   // the same, or with a `count`, written by the command; none of its values are arguments
     kByCount,  // an array whose length the last GLsizei argument before it gives
     kNames,    // the same, written by the command: the names of new objects, which are recorded
-    kRest,     // any number of values
-    kResult,   // what the command returned, one value, which is recorded; no argument in C
-    kImage,    // the name of an image's file: its width and its height are the values; see Command::memory
+    kOutputByCount,  // the same, written by the command; none of its values are arguments
+    kOutputMemory,   // memory that the command writes: one value, how many bytes there are
+    kControlPoints,  // of glMap: as many values as its order and its stride say
+    kRest,           // any number of values
+    kResult,         // what the command returned, one value, which is recorded; no argument in C
+    kImage,          // the name of an image's file: its width and its height are the values; see Command::memory
 };
 
 struct Parameter {
     std::string_view name;
     Kind kind = Kind::kInt;
     Extent extent = Extent::kValue;
-    int count = 1;  // of an Extent::kArray
+    int count = 1;  // of an Extent::kArray; of an Extent::kOutput, where 0 means that the pname decides
 };
 
 enum class Family : std::uint8_t { kGl, kShape, kQuadric, kPragma };
@@ -91,6 +94,9 @@ const Signature& signature(CommandId id);
 std::span<const Signature> signatures();
 
 std::optional<CommandId> find_command(std::string_view name);  // of GL, GLU and GLUT
+// The same; for a name with the suffix of an extension, glActiveTextureARB, the core command of the same meaning, where it
+// has the same parameters.
+std::optional<CommandId> find_command_or_extension(std::string_view name);
 std::optional<CommandId> find_pragma(std::string_view name);
 
 // Where a command stands in its text; lines and columns count from 1, 0 means unknown. A command of a recorded program
@@ -134,6 +140,8 @@ struct Command {
     std::size_t first(std::size_t parameter) const;
     std::size_t count(std::size_t parameter) const;
     std::span<const double> values(std::size_t parameter) const;
+    // What the last GLsizei argument before a parameter says, and 0 where that is less.
+    std::size_t counted(std::size_t parameter) const;
     // The elements of the first array argument (empty if the command has none).
     std::span<const double> array() const;
 
@@ -196,7 +204,8 @@ enum class Owner : std::uint8_t {
     kTexEnv,
     kTexFilterControl,
     kTexture,
-    kPixelStore
+    kPixelStore,
+    kPoint
 };
 enum class Meaning : std::uint8_t { kColor, kPosition, kDirection, kScalar, kEnum };
 
@@ -217,6 +226,9 @@ std::optional<Owner> owner_of(CommandId id);
 
 // The parameter that the argument pname of this command names; null where it has none, or names none of its owner's.
 const ParameterInfo* parameter_info(const Command& command);
+
+// How many values glGet* gives for a name; nothing where that is one, or not known here.
+std::optional<int> query_length(Enum pname);
 
 // How many elements the command's array argument has; the pname decides where the table says so. For an unknown pname
 // the answer is nothing (the driver would raise GL_INVALID_ENUM and read none).

@@ -47,6 +47,14 @@ std::optional<Enum> find_gl_name(std::string_view name) {
     return find(index, name);
 }
 
+std::optional<Enum> find_gl_name_or_extension(std::string_view name) {
+    if (const auto value = find_gl_name(name)) return value;
+    for (std::string_view suffix : {"_ARB", "_EXT", "_SGIS", "_NV"}) {
+        if (name.ends_with(suffix)) return find_gl_name(name.substr(0, name.size() - suffix.size()));
+    }
+    return std::nullopt;
+}
+
 std::optional<Enum> find_word(std::string_view word) {
     static const auto index = index_by_name(words());
     return find(index, word);

@@ -34,6 +34,8 @@ const std::vector<NamedValue>& gl_names();  // every row of enums.def, in its or
 const std::vector<NamedValue>& words();     // every row of words.def, in its order
 
 std::optional<Enum> find_gl_name(std::string_view name);
+// The same; for a name of an extension, GL_TEXTURE0_ARB, also GL's own of the same meaning.
+std::optional<Enum> find_gl_name_or_extension(std::string_view name);
 std::optional<Enum> find_word(std::string_view word);
 
 std::string_view word_name(Word word);

@@ -70,18 +70,26 @@ std::string print_array(const Command& command, std::size_t i) {
     const Parameter& parameter = command.sig().parameters[i];
     const std::string_view type = c_type_name(parameter.kind);
     if (parameter.extent == Extent::kOutput) {
-        constexpr int kLongestAnswer = 4;
-        const Enum pname = command.enumerant(command.first(i) - 1);
+        constexpr int kLongestAnswer = 64;  // longer than GL's answers to any name that the table has not
+        const std::optional<Enum> pname =
+            parameter.count == 0 ? std::optional(command.enumerant(command.first(i) - 1)) : std::nullopt;
         return fmt::format("({}[{}]){{0}}", type, array_length(command.id, pname).value_or(kLongestAnswer));
+    }
+    if (parameter.extent == Extent::kOutputByCount) {
+        return fmt::format("({}[{}]){{0}}", type, std::max<std::size_t>(1, command.counted(i)));
     }
     std::vector<std::string> values;
     for (double value : command.values(i)) values.push_back(print_value(command, parameter, value));
-    const bool is_counted = parameter.extent == Extent::kByCount || parameter.extent == Extent::kNames;
+    const bool is_counted = parameter.extent == Extent::kByCount || parameter.extent == Extent::kNames ||
+                            parameter.extent == Extent::kControlPoints;
     if (is_counted && values.empty()) return fmt::format("({}[1]){{0}}", type);  // C has no empty arrays
     return fmt::format("({}[]){{{}}}", type, fmt::join(values, ", "));
 }
 
 // ---- Memory ----
+
+// Memory of so many bytes for a command to write to.
+std::string print_written(double bytes) { return bytes == 0 ? "NULL" : fmt::format("(GLubyte[{}]){{0}}", bytes); }
 
 // The values, broken into lines that start with `indent` where that is given.
 std::string print_values(const Memory& memory, Kind kind, std::string_view indent) {
@@ -187,7 +195,10 @@ std::string print(const Command& command, const PrintedArray& array) {
             case Extent::kByPname:
             case Extent::kOutput:
             case Extent::kByCount:
-            case Extent::kNames: arguments.push_back(print_array(command, i)); break;
+            case Extent::kNames:
+            case Extent::kOutputByCount:
+            case Extent::kControlPoints: arguments.push_back(print_array(command, i)); break;
+            case Extent::kOutputMemory: arguments.push_back(print_written(command.number(command.first(i)))); break;
             case Extent::kResult: break;
         }
     }

@@ -141,7 +141,7 @@ void Reader::initialise(Object& object, const Token& name) {
     if (object.dimensions.empty()) {
         allocate(object, name.place);
         if (!accept("=")) return;
-        if (ahead_.is("(") && find_command(token_.text)) return assign_result({&object, 0, {}});
+        if (ahead_.is("(") && find_command_or_extension(token_.text)) return assign_result({&object, 0, {}});
         const Place place = token_.place;
         const double value = converted(number(), object.kind, place, fmt::format("the value of {}", object.shown));
         return fill(object, {value});
@@ -177,7 +177,7 @@ void Reader::assignment() {
     advance();
     const std::optional<Lvalue> target = lvalue(name);
     if (target && target->object->kind == Kind::kQuadric) return quadric_assignment(*target->object);
-    if (!target || !accept("=") || !ahead_.is("(") || !find_command(token_.text)) refuse();
+    if (!target || !accept("=") || !ahead_.is("(") || !find_command_or_extension(token_.text)) refuse();
     if (!target->dimensions.empty()) refuse();
     assign_result(*target);
     expect(";", "after the assignment");
@@ -202,7 +202,7 @@ void Reader::assign_result(const Lvalue& target) {
 
 const Command& Reader::call() {
     const Token name = token_;
-    const std::optional<CommandId> id = find_command(name.text);
+    const std::optional<CommandId> id = find_command_or_extension(name.text);
     if (!id) {
         std::vector<std::string_view> names;
         for (const Signature& sig : signatures()) {

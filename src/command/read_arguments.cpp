@@ -43,7 +43,10 @@ void Reader::argument(Command& command, std::size_t i) {
         case Extent::kByPname:
         case Extent::kOutput:
         case Extent::kByCount:
-        case Extent::kNames: return array_argument(command, i);
+        case Extent::kNames:
+        case Extent::kOutputByCount:
+        case Extent::kControlPoints: return array_argument(command, i);
+        case Extent::kOutputMemory: return written_argument(command, parameter);
         case Extent::kValue:
         case Extent::kRest:
         case Extent::kResult: break;
@@ -142,11 +145,51 @@ std::string with_pname(std::string_view name, std::optional<Enum> pname) {
     return std::string(name);
 }
 
-bool is_written(const Parameter& parameter) {
-    return parameter.extent == Extent::kOutput || parameter.extent == Extent::kNames;
+bool is_answer(const Parameter& parameter) {
+    return parameter.extent == Extent::kOutput || parameter.extent == Extent::kOutputByCount;
+}
+
+bool is_written(const Parameter& parameter) { return is_answer(parameter) || parameter.extent == Extent::kNames; }
+
+// The object holds what a driver answered.
+void forget_values(Object& object, const Command& command) {
+    object.known = false;
+    object.unknown_because =
+        fmt::format("{} at {} writes to it, and a scene cannot use the answer", command.name(), command.place.str());
+}
+
+// How many values of an array the command reads or writes; nothing where that is not known.
+std::optional<std::size_t> length_of(const Command& command, std::size_t i, std::optional<Enum> pname) {
+    switch (command.sig().parameters[i].extent) {
+        case Extent::kByPname:
+        case Extent::kOutput: {
+            const std::optional<int> by_table = array_length(command.id, pname);
+            return by_table ? std::optional(static_cast<std::size_t>(*by_table)) : std::nullopt;
+        }
+        case Extent::kOutputByCount: return command.counted(i);
+        default: return command.count(i);
+    }
 }
 
 }  // namespace
+
+// An array of any type that the command writes to, or NULL. What is kept is how many bytes there are.
+void Reader::written_argument(Command& command, const Parameter& parameter) {
+    const Token start = token_;
+    const Value given = expression();
+    const bool is_null = !given.object && (given.is_pointer() || given.is_integer()) &&
+                         (given.is_pointer() ? given.offset : given.integer) == 0;
+    if (!given.object && !is_null) {
+        fail(start.place,
+             fmt::format("the argument {} of {} is an array that it writes to, or NULL; a scene reads nothing "
+                         "back into buffer objects",
+                         parameter.name, command.name()));
+    }
+    if (given.object) forget_values(*given.object, command);
+    command.arguments.push_back(given.object ? static_cast<double>(given.object->memory->bytes.size()) -
+                                                   static_cast<double>(given.offset)
+                                             : 0.0);
+}
 
 void Reader::array_argument(Command& command, std::size_t i) {
     const Parameter& parameter = command.sig().parameters[i];
@@ -167,22 +210,17 @@ void Reader::array_argument(Command& command, std::size_t i) {
     const std::size_t size = size_of(kind);
     const std::size_t available = (object.memory->bytes.size() - static_cast<std::size_t>(given.offset)) / size;
 
-    const bool by_pname = parameter.extent == Extent::kByPname || parameter.extent == Extent::kOutput;
+    const bool by_pname =
+        parameter.extent == Extent::kByPname || (parameter.extent == Extent::kOutput && parameter.count == 0);
     const std::optional<Enum> pname =
         by_pname ? std::optional(command.enumerant(command.arguments.size() - 1)) : std::nullopt;
-    const std::optional<int> by_table = by_pname ? array_length(command.id, pname) : std::nullopt;
-    const std::size_t length = by_table ? static_cast<std::size_t>(*by_table) : by_pname ? available : command.count(i);
+    const std::size_t length = length_of(command, i, pname).value_or(available);
     if (available < length) {
         fail(start.place, fmt::format("{} {} {} value{}, but {} has {}", with_pname(name, pname),
                                       is_written(parameter) ? "writes" : "reads", length, length == 1 ? "" : "s",
                                       object.shown, available));
     }
-    if (parameter.extent == Extent::kOutput) {
-        object.known = false;
-        object.unknown_because =
-            fmt::format("{} at {} writes to it, and a scene cannot use the answer", name, command.place.str());
-        return;
-    }
+    if (is_answer(parameter)) return forget_values(object, command);
     if (parameter.extent == Extent::kNames) return give_names(command, *named_objects(parameter), given, length);
     if (!object.known && length > 0) {
         fail(start.place, fmt::format("{} has no value here: {}", object.shown, object.unknown_because));

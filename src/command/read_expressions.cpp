@@ -451,7 +451,7 @@ Value Reader::named_value(const Token& name) {
     if (name.text == "INFINITY") return real(std::numeric_limits<double>::infinity(), true);
     if (name.text == "NAN") return real(std::numeric_limits<double>::quiet_NaN(), true);
     if (name.text == "NULL") return {.type = Value::Type::kPointer};
-    if (const std::optional<Enum> value = find_gl_name(name.text)) return integer(*value);
+    if (const std::optional<Enum> value = find_gl_name_or_extension(name.text)) return integer(*value);
     const std::optional<Lvalue> variable = lvalue(name);
     if (!variable) unknown_name(name);
     return value_of(*variable, name.place);

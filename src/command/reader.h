@@ -100,6 +100,7 @@ class Reader {
     void argument(Command& command, std::size_t parameter);
     double word_argument(const Parameter& parameter);
     void pointer_argument(Command& command, const Parameter& parameter);
+    void written_argument(Command& command, const Parameter& parameter);
     void array_argument(Command& command, std::size_t parameter);
     void rest_arguments(Command& command, const Parameter& parameter);
     void image_argument(Command& command);

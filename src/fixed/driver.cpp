@@ -1,15 +1,9 @@
-// Driver: the names of objects, and what a driver may read.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <stdexcept>
+// Driver: the names of objects. What it may read stands in driver_reads.cpp.
 #include <vector>
 
 #include "context/gl.h"
 #include "fixed/execute.h"
 #include "fixed/fixed.h"
-#include "state/lists.h"
-#include "state/pixels.h"
 
 namespace twinlight::fixed {
 
@@ -32,40 +26,16 @@ void delete_names(ObjectType type, const std::set<std::uint32_t>& names) {
     }
 }
 
-PixelStore unpacking() {
-    const auto get = [](GLenum name) {
-        GLint value = 0;
-        glGetIntegerv(name, &value);
-        return value;
-    };
-    PixelStore store;
-    store.unpack_row_length = get(GL_UNPACK_ROW_LENGTH);
-    store.unpack_skip_rows = get(GL_UNPACK_SKIP_ROWS);
-    store.unpack_skip_pixels = get(GL_UNPACK_SKIP_PIXELS);
-    store.unpack_alignment = std::max(1, get(GL_UNPACK_ALIGNMENT));
-    return store;
-}
-
-// The size, the format and the type of the pixels that a command reads.
-std::optional<PixelSource> pixels_of(const Command& c) {
-    PixelSource source;
-    const std::vector<Parameter>& parameters = c.sig().parameters;
-    bool has_format = false;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        if (parameters[i].name == "width") source.width = static_cast<int>(c.number(i));
-        if (parameters[i].name == "height") source.height = static_cast<int>(c.number(i));
-        if (parameters[i].name == "format") source.format = c.enumerant(i);
-        if (parameters[i].name == "type") source.type = c.enumerant(i);
-        has_format |= parameters[i].name == "format";
-    }
-    return has_format ? std::optional(source) : std::nullopt;
-}
-
 }  // namespace
 
 Driver::Driver(int width, int height) { initial_.emplace(width, height); }
 
 Driver::~Driver() {
+    if (selects_) {  // the buffers go with this
+        glRenderMode(GL_RENDER);
+        glSelectBuffer(0, nullptr);
+        glFeedbackBuffer(0, GL_2D, nullptr);
+    }
     initial_.reset();  // what is bound is not deleted at once
     for (const auto& [type, names] : names_) delete_names(type, names.all);
     for (std::uint32_t list : lists_) glDeleteLists(list, 1);
@@ -100,29 +70,86 @@ void Driver::generate(const Command& command) {
     }
 }
 
+namespace {
+
+// How many values of a hit's or a feedback's buffer there are: what comes after them is cut off, as GL does, and a
+// scene cannot use any.
+constexpr GLsizei kMostHitValues = 1 << 16;
+
+constexpr bool is_query(std::string_view effect) { return effect == "elsewhere_query"; }
+
+// Queries whose answers' lengths State does not know: they change nothing, and are not sent.
+constexpr bool kIsQuery[] = {
+#define GL_COMMAND(name, effect, ...) is_query(#effect),
+#define SHAPE_COMMAND(name, effect, ...) false,
+#define QUADRIC_COMMAND(name, effect, ...) false,
+#define PRAGMA_COMMAND(name, effect, ...) false,
+#include "command/commands.def"
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
+#undef PRAGMA_COMMAND
+};
+
+}  // namespace
+
+// The driver writes into buffers of our own: they stay while it may.
+void Driver::selection_buffer(GLsizei size) {
+    selects_ = true;
+    selection_.resize(kMostHitValues);
+    glSelectBuffer(std::min(size, kMostHitValues), selection_.data());
+}
+
+void Driver::feedback_buffer(GLsizei size, GLenum type) {
+    selects_ = true;
+    feedback_.resize(kMostHitValues);
+    glFeedbackBuffer(std::min(size, kMostHitValues), type, feedback_.data());
+}
+
 void Driver::execute(const Command& command) {
+    if (kIsQuery[static_cast<std::size_t>(command.id)]) return;
     if (command.id == CommandId::pragma_texture) return execute(texture_command(command));
     if (!may_see(command)) return;
-    if (command.memory) memories_.insert(command.memory);
     switch (command.id) {
         case CommandId::glGenTextures:
         case CommandId::glGenBuffers: return generate(command);
+        case CommandId::glSelectBuffer: return selection_buffer(static_cast<GLsizei>(command.number(0)));
+        case CommandId::glFeedbackBuffer:
+            return feedback_buffer(static_cast<GLsizei>(command.number(0)), command.enumerant(1));
+        case CommandId::glRenderMode: selects_ = true; break;
         case CommandId::glNewList: lists_.insert(command.enumerant(0)); break;
-        case CommandId::glGenLists: {
-            // 5.4: the scene's own names make lists as well. What the driver finds is not used.
-            const auto range = static_cast<GLsizei>(command.number(0));
-            if (const GLuint found = glGenLists(range)) glDeleteLists(found, range);
-            return;
-        }
+        case CommandId::glDeleteLists: return delete_lists(command);
+        case CommandId::glGenLists:
+            // 5.4: the scene's own names make lists as well. What the driver would find is not used.
+            if (command.number(0) > 0) return;
+            break;
         default: break;
     }
     executor_.execute(translated(command));
+    arrays_may_differ_ |= command.sig().family == Family::kShape;  // sent by arrays
+}
+
+// A driver may look for every name of the range, of which there may be 2^31: it is given those that are there.
+void Driver::delete_lists(const Command& command) {
+    const double range = command.number(1), first = command.number(0);
+    if (range < 0 || !answers()) return executor_.execute(command);  // the driver's error
+    auto list = lists_.lower_bound(command.enumerant(0));
+    while (list != lists_.end() && *list < first + range) {
+        glDeleteLists(*list, 1);
+        list = lists_.erase(list);
+    }
 }
 
 // The command with the driver's names.
 Command Driver::translated(const Command& command) {
     Command result = command;
     const std::vector<Parameter>& parameters = command.sig().parameters;
+    if (command.id == CommandId::glDrawRangeElements) {
+        // A driver may read all elements of the range, and an array may end before the range does.
+        const auto range = arrays_.index_range(command);
+        result.arguments[1] = range.first;
+        result.arguments[2] = range.second;
+    }
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const auto type = named_objects(parameters[i]);
         if (!type || *type == ObjectType::kList) continue;
@@ -138,46 +165,6 @@ Command Driver::translated(const Command& command) {
         }
     }
     return result;
-}
-
-namespace {
-
-// Arrays that no pointer command of the table leads anywhere, and what a driver may take for glEnableClientState.
-bool enables_unknown_array(const Command& c) {
-    const Enum array = c.sig().parameters.empty() ? 0 : c.enumerant(0);
-    if (c.id == CommandId::glEnableClientState) {
-        return array == GL_INDEX_ARRAY || array == GL_SECONDARY_COLOR_ARRAY || array == GL_FOG_COORD_ARRAY;
-    }
-    return c.id == CommandId::glEnable && ((array >= GL_VERTEX_ARRAY && array <= GL_EDGE_FLAG_ARRAY) ||
-                                           array == GL_SECONDARY_COLOR_ARRAY || array == GL_FOG_COORD_ARRAY);
-}
-
-}  // namespace
-
-// Whether the driver finds what the command reads. State refuses commands of which it does not, so that no scene gets
-// here with one.
-bool Driver::may_see(const Command& c) {
-    const auto error = draws_arrays(c.id) ? arrays_.check(c) : arrays_.apply(c);
-    if ((error && error->is_undefined) || enables_unknown_array(c)) return false;
-    const std::vector<Parameter>& parameters = c.sig().parameters;
-    const auto pointer = std::find_if(parameters.begin(), parameters.end(),
-                                      [](const Parameter& p) { return p.extent == Extent::kPointer; });
-    if (pointer == parameters.end() || pointer->name == "pointer" || pointer->name == "indices") return true;
-    if (c.sig().name.starts_with("glBuffer")) return true;
-
-    const double offset = c.number(c.first(static_cast<std::size_t>(pointer - parameters.begin())));
-    double needed = 0;
-    if (c.id == CommandId::glCallLists) {
-        needed = c.number(0) * list_name_bytes(c.enumerant(1));
-    } else if (const auto source = pixels_of(c)) {
-        if (arrays_.pixel_unpack_buffer()) return true;  // the driver knows its size itself
-        const bool is_legal = source->width >= 0 && source->height >= 0 && pixel_bytes(source->format, source->type);
-        needed = is_legal ? static_cast<double>(bytes_read(*source, unpacking())) : 0;
-    } else {
-        throw std::logic_error(fmt::format("no rule says how much {} reads", c.name()));
-    }
-    if (!c.memory) return offset == 0;
-    return offset + needed <= static_cast<double>(c.memory->bytes.size());
 }
 
 }  // namespace twinlight::fixed

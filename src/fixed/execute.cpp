@@ -122,14 +122,27 @@ struct Argument<const void*> {
     const void* value = nullptr;
 };
 
+// Memory that a command would write: no such command gets here, see Driver.
+template <>
+struct Argument<void*> {
+    Argument(const Command&, std::size_t) {}
+    static void* get() { return nullptr; }
+};
+
 // `Declared` are the parameters as the table declares them: a row that disagrees with the header does not compile.
 template <class... Declared>
 struct Call {
+    template <std::size_t i>
+    using At = std::tuple_element_t<i, std::tuple<Declared..., void>>;
+    // glBitmap's memory is one of GLubyte in the header.
+    template <class D, class Actual>
+    static constexpr bool kAgree = std::is_same_v<D, Actual> ||
+                                   (std::is_same_v<D, const void*> && std::is_same_v<Actual, const GLubyte*>);
+
     template <class Returned, class... Actual, std::size_t... I>
     static void make(Returned (*function)(Actual...), const Command& command, std::index_sequence<I...>) {
-        static_assert((std::is_same_v<std::tuple_element_t<I, std::tuple<Declared..., void>>, Actual> && ...),
-                      "commands.def disagrees with GL's header");
-        function(Argument<Actual>(command, I).get()...);
+        static_assert((kAgree<At<I>, Actual> && ...), "commands.def disagrees with GL's header");
+        function(static_cast<Actual>(Argument<At<I>>(command, I).get())...);
     }
     template <class Returned, class... Actual>
     static void make(Returned (*function)(Actual...), const Command& command) {
@@ -158,6 +171,7 @@ void Executor::pragma(const Command& command) {
 void Executor::execute(const Command& command) {
     // Offscreen there is one colour buffer, and it has another name than a window's.
     if (command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE) return glDrawBuffer(color_buffer_);
+    if (command.id == CommandId::glReadBuffer) return;  // the picture is read from there
     switch (command.id) {
 // clang-format off
 #define P(name, kind) Value<Kind::kind>
@@ -168,6 +182,10 @@ void Executor::execute(const Command& command) {
 #define B(name) const void*
 #define C(name, kind) Input<Kind::kind>
 #define N(name, kind) Output<Kind::kind>
+#define O(name, kind, n) Output<Kind::kind>
+#define W(name, kind) Output<Kind::kind>
+#define M(name) void*
+#define G(name, kind) Input<Kind::kind>
 #define I(name) const void*
 #define X(name, kind) Result<Value<Kind::kind>>
 #define GL_COMMAND(name, effect, ...) \
@@ -189,6 +207,10 @@ void Executor::execute(const Command& command) {
 #undef C
 #undef N
 #undef X
+#undef O
+#undef W
+#undef M
+#undef G
 #undef I
 #undef GL_COMMAND
 #undef SHAPE_COMMAND

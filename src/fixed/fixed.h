@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "command/command.h"
 #include "command/object_names.h"
@@ -35,7 +36,8 @@ class InitialState {
 //
 // The context holds objects of others too, so the scene's names of textures and buffers stand for names that the driver
 // gave; those of display lists, which nobody else has here, are the driver's own. The driver never reads beyond the
-// memory that a command is given: such a command is not sent. State refuses it, so a Frame has none.
+// memory that a command is given, whatever the command: one that might is not sent. State refuses such commands, or says
+// that they are unsupported.
 class Driver {
   public:
     Driver(int width, int height);
@@ -56,16 +58,34 @@ class Driver {
     };
 
     void generate(const Command& command);
+    void selection_buffer(int size);
+    void feedback_buffer(int size, Enum type);
     Command translated(const Command& command);
     std::uint32_t new_name(ObjectType type);
+    void delete_lists(const Command& command);
+
     bool may_see(const Command& command);
+    bool may_see_arrays(const Command& command);
+    bool may_see_lists(const Command& command);
+    bool may_see_pixels(const Command& command);
+    static bool may_see_stipple(const Command& command);
+    // Whether the driver answers queries: between glBegin and glEnd it does not, and carries out few commands.
+    static bool answers();
+    // Whether arrays_ is what the driver has, as far as it answers.
+    bool arrays_agree();
+    bool holds_arrays() const;
+    bool holds(const ArrayPointer& array, Enum name) const;
 
     std::optional<InitialState> initial_;
     Executor executor_;
     std::map<ObjectType, Names> names_;
-    std::set<std::uint32_t> lists_;                     // that the scene compiled
-    VertexArrays arrays_;                               // as the driver has them
-    std::set<std::shared_ptr<const Memory>> memories_;  // that arrays may still be read from
+    std::set<std::uint32_t> lists_;         // that the scene compiled
+    VertexArrays arrays_;                   // as the driver should have them
+    bool arrays_may_differ_ = false;        // since the driver was asked
+    bool arrays_agreed_ = true;             // when it was asked
+    std::vector<std::uint32_t> selection_;  // where the driver writes what glRenderMode asks for
+    std::vector<float> feedback_;
+    bool selects_ = false;  // the scene has set them, or the mode
 };
 
 // Clears to black and depth 1, executes the frame's commands, reads the picture. Throws std::invalid_argument for

@@ -75,6 +75,14 @@ void reset_raster(int width, int height) {
     glPolygonOffset(0, 0);
     glLineWidth(1);
     glPointSize(1);
+    const std::array<GLfloat, 3> constant{1, 0, 0};
+    std::array<GLfloat, 2> sizes{1, 1};
+    glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, sizes.data());
+    glPointParameterf(GL_POINT_SIZE_MIN, 0);
+    glPointParameterf(GL_POINT_SIZE_MAX, sizes[1]);
+    glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 1);
+    glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, constant.data());
+    glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, GL_UPPER_LEFT);
     glLineStipple(1, 0xFFFF);
     const std::array<GLubyte, 128> full = [] {
         std::array<GLubyte, 128> bits{};
@@ -176,6 +184,13 @@ void reset_pixel_store() {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glPixelZoom(1, 1);
+    for (GLenum name : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE, GL_DEPTH_SCALE})
+        glPixelTransferf(name, 1);
+    for (GLenum name : {GL_MAP_COLOR, GL_MAP_STENCIL, GL_INDEX_SHIFT, GL_INDEX_OFFSET, GL_RED_BIAS, GL_GREEN_BIAS,
+                        GL_BLUE_BIAS, GL_ALPHA_BIAS, GL_DEPTH_BIAS})
+        glPixelTransferi(name, 0);
+    const std::array<GLfloat, 1> zero{0};
+    for (GLenum map = GL_PIXEL_MAP_I_TO_I; map <= GL_PIXEL_MAP_A_TO_A; ++map) glPixelMapfv(map, 1, zero.data());
 }
 
 void reset_arrays() {
@@ -194,6 +209,22 @@ void reset_arrays() {
         glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         glDisableClientState(GL_TEXTURE_COORD_ARRAY);
         glTexCoordPointer(4, GL_FLOAT, 0, nullptr);
+    }
+}
+
+// 5.1, table 6.24: maps of order 1, with (0, 0, 0, 1), (1, 1, 1, 1) for colours, (0, 0, 1) for normals, 1 for indices.
+void reset_evaluators() {
+    glMapGrid1f(1, 0, 1);
+    glMapGrid2f(1, 0, 1, 1, 0, 1);
+    const std::array<GLfloat, 4> origin{0, 0, 0, 1}, white{1, 1, 1, 1}, forward{0, 0, 1, 0};
+    for (GLenum i = 0; i <= GL_MAP1_VERTEX_4 - GL_MAP1_COLOR_4; ++i) {
+        const GLenum one = GL_MAP1_COLOR_4 + i, two = GL_MAP2_COLOR_4 + i;
+        const bool is_white = one == GL_MAP1_COLOR_4 || one == GL_MAP1_INDEX;
+        const GLfloat* point = is_white ? white.data() : one == GL_MAP1_NORMAL ? forward.data() : origin.data();
+        glMap1f(one, 0, 1, 4, 1, point);
+        glMap2f(two, 0, 1, 4, 1, 0, 1, 4, 1, point);
+        glDisable(one);
+        glDisable(two);
     }
 }
 
@@ -231,10 +262,13 @@ void reset(int width, int height) {
     glNormal3f(0, 0, 1);
     glEdgeFlag(GL_TRUE);
     glListBase(0);
+    glSecondaryColor3f(0, 0, 0);
+    glFogCoordf(0);
     reset_lighting();
     reset_raster(width, height);
     reset_fragments(width, height);
     reset_texture_units();
+    reset_evaluators();  // where unit 0 is the active one
     reset_arrays();
     reset_stack(GL_PROJECTION, GL_PROJECTION_STACK_DEPTH);
     reset_stack(GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH);

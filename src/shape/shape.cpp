@@ -132,10 +132,12 @@ std::vector<ShapePart> freeglut_shape(const Command& command) {
 void limit_shape(std::string_view name, double slices, double stacks) {
     constexpr double kCapStacks = 3;  // both caps of a cylinder, and the closing of each turn
     if (2 * (slices + 1) * (stacks + kCapStacks) > static_cast<double>(kMaxShapeVertices)) {
-        refuse("{} would have more than {} vertices; give it fewer slices or stacks", name, kMaxShapeVertices);
+        throw ShapeTooLarge(fmt::format("{} would have more than {} vertices; give it fewer slices or stacks", name,
+                                        kMaxShapeVertices));
     }
     if (slices + stacks + kCapStacks > static_cast<double>(kMaxShapeParts)) {
-        refuse("{} would have more than {} strips and loops; give it fewer slices or stacks", name, kMaxShapeParts);
+        throw ShapeTooLarge(fmt::format("{} would have more than {} strips and loops; give it fewer slices or stacks",
+                                        name, kMaxShapeParts));
     }
 }
 

@@ -37,11 +37,15 @@ struct ShapePart {
 };
 
 // Limits on untrusted counts. A part becomes a Draw of its own, with a copy of the state.
-inline constexpr std::size_t kMaxShapeVertices = 50'000'000;
+inline constexpr std::size_t kMaxShapeVertices = 8'000'000;
 inline constexpr std::size_t kMaxShapeParts = 1 << 16;
 
-// Throws std::invalid_argument where a shape of so many slices and stacks (sides and rings, slices and loops) would go beyond
-// these limits.
+struct ShapeTooLarge : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
+};
+
+// Throws ShapeTooLarge where a shape of so many slices and stacks (sides and rings, slices and loops) would go beyond these
+// limits.
 void limit_shape(std::string_view name, double slices, double stacks);
 
 // The parts of a SHAPE_COMMAND or of the pragma `shape`. Object space, units of the arguments. Arguments that

@@ -103,18 +103,16 @@ std::optional<GlError> VertexArrays::check_memory(const Command& draw, std::uint
                                          array.buffer != 0 ? "an array while a buffer object is bound; give an offset"
                                                            : "NULL, or its buffer object was deleted"));
         }
-        // No overflow: strides are below 2^31, indices below 2^32, offsets below 2^53.
-        const auto start = static_cast<std::int64_t>(array.offset);
-        const std::uint64_t needed = largest * step(array) + element_bytes(array);
-        const std::int64_t first = start + static_cast<std::int64_t>(smallest * step(array));
-        if (first >= 0 && start + static_cast<std::int64_t>(needed) <= static_cast<std::int64_t>(available->size())) {
-            continue;
-        }
+        // In double, where nothing overflows (strides are below 2^31, indices below 2^32, offsets below 2^53) and what a
+        // memory may have is exact.
+        const auto stride = static_cast<double>(step(array)), size = static_cast<double>(available->size());
+        const double needed = static_cast<double>(largest) * stride + static_cast<double>(element_bytes(array));
+        if (array.offset + static_cast<double>(smallest) * stride >= 0 && array.offset + needed <= size) continue;
         return undefined(
             kGL_INVALID_OPERATION, draw,
             fmt::format("{} reads element {} of the array that {} was given, {} bytes from its start on, but "
                         "it has {} bytes from there; mind the count, the indices and the stride",
-                        draw.name(), largest, one.name, needed, static_cast<std::int64_t>(available->size()) - start));
+                        draw.name(), largest, one.name, needed, size - array.offset));
     }
     return std::nullopt;
 }
@@ -129,7 +127,7 @@ std::optional<GlError> VertexArrays::check_elements(const Command& draw) const {
     }
     const auto available = index_bytes(draw);
     const double needed = d.count * static_cast<double>(size_of(kind_of(d.type)));
-    if (d.count > 0 && (!available || d.offset + needed > static_cast<double>(available->size()))) {
+    if (d.count > 0 && (!available || d.offset < 0 || d.offset + needed > static_cast<double>(available->size()))) {
         return undefined(
             kGL_INVALID_OPERATION, draw,
             fmt::format("{} reads {} bytes of indices, but there are {}; mind the count and the type", draw.name(),
@@ -179,10 +177,16 @@ std::optional<GlError> VertexArrays::check(const Command& draw) const {
         return check_memory(draw, first, first + count - 1);
     }
     if (auto error = check_elements(draw)) return error;
+    if (d.count == 0) return std::nullopt;
+    const auto [smallest, largest] = index_range(draw);
+    return check_memory(draw, static_cast<std::uint64_t>(smallest), static_cast<std::uint64_t>(largest));
+}
+
+std::pair<double, double> VertexArrays::index_range(const Command& draw) const {
     const std::vector<std::uint32_t> indices = elements(draw);
-    if (indices.empty()) return std::nullopt;
+    if (indices.empty()) return {0, 0};
     const auto [smallest, largest] = std::minmax_element(indices.begin(), indices.end());
-    return check_memory(draw, *smallest, *largest);
+    return {*smallest, *largest};
 }
 
 std::vector<std::uint32_t> VertexArrays::elements(const Command& draw) const {
@@ -203,7 +207,8 @@ void VertexArrays::read_element(std::uint64_t index, SignedRule rule, Vertex& ve
     const auto values = [&](const ArrayPointer& array, auto& target, bool is_normalised) {
         if (!array.enabled) return;
         const Kind kind = kind_of(array.type);
-        const auto at = static_cast<std::size_t>(array.offset) + static_cast<std::size_t>(index * step(array));
+        const auto at = static_cast<std::size_t>(static_cast<std::int64_t>(array.offset) +
+                                                 static_cast<std::int64_t>(index * step(array)));
         const std::span<const std::byte> from = bytes(array)->subspan(at);
         for (int i = 0; i < array.size; ++i) {
             const double value = load(from.subspan(static_cast<std::size_t>(i) * size_of(kind)), kind);

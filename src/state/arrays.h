@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "state/attributes.h"
@@ -65,6 +66,9 @@ class VertexArrays {
     std::optional<GlError> check(const Command& draw) const;
     // What it reads; check() was passed. Elements of the same index are one vertex.
     ArrayVertices read(const Command& draw, SignedRule rule) const;
+
+    // The smallest and the largest index of glDrawElements or glDrawRangeElements; check() was passed.
+    std::pair<double, double> index_range(const Command& draw) const;
 
     // glGet* (tables 6.6 to 6.9); empty for other names.
     std::vector<double> get(Enum pname) const;

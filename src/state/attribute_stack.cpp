@@ -83,13 +83,20 @@ void restore_transform(Attributes& now, const Attributes& saved) {
 
 void restore(Attributes& now, const Attributes& saved, Enum mask) {
     const auto bit = [mask](Enum one) { return (mask & one) != 0; };
-    if (bit(kGL_CURRENT_BIT)) now.current = saved.current;
-    if (bit(kGL_POINT_BIT)) now.raster.point_size = saved.raster.point_size;
+    if (bit(kGL_CURRENT_BIT)) {
+        now.current = saved.current;
+        now.secondary_color = saved.secondary_color;
+    }
+    if (bit(kGL_POINT_BIT)) {
+        now.raster.point_size = saved.raster.point_size;
+        now.point_parameters = saved.point_parameters;
+    }
     if (bit(kGL_LINE_BIT)) now.raster.line_width = saved.raster.line_width;
     if (bit(kGL_POLYGON_BIT)) restore_polygon(now.raster, saved.raster);
     if (bit(kGL_LIGHTING_BIT)) restore_lighting(now.lighting, saved.lighting);
     if (bit(kGL_FOG_BIT)) {
         now.fog = saved.fog;
+        now.fog_coordinates = saved.fog_coordinates;
         now.fragment.color_sum = saved.fragment.color_sum;
     }
     if (bit(kGL_DEPTH_BUFFER_BIT)) restore_depth(now, saved);
@@ -118,6 +125,12 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
 }
 
 // The parameters of a texture (table 6.16 and 6.17), not its images.
+bool same_parameters(const Texture& a, const Texture& b) {
+    return a.min_filter == b.min_filter && a.mag_filter == b.mag_filter && a.wrap_s == b.wrap_s &&
+           a.wrap_t == b.wrap_t && a.border_color == b.border_color && a.priority == b.priority &&
+           a.generate_mipmap == b.generate_mipmap;
+}
+
 void restore_parameters(Texture& now, const Texture& saved) {
     now.min_filter = saved.min_filter;
     now.mag_filter = saved.mag_filter;
@@ -152,14 +165,21 @@ void State::pop_attrib(const Command& c) {
     attribute_stack_.pop_back();
     restore(a_, saved.attributes, saved.mask);
     if ((saved.mask & kGL_TEXTURE_BIT) == 0) return;
-    // What was deleted in between is bound no more (3.8.12).
+    // What was deleted in between is bound no more (3.8.12), though another may have its name now.
+    const auto keep = [this](std::uint32_t& bound, Enum target) {
+        const auto found = textures_.named.find(bound);
+        if (found == textures_.named.end() || !found->second || found->second->target != target) bound = 0;
+    };
     for (TextureBindings& one : a_.units) {
-        for (auto* bound : {&one.bound_1d, &one.bound_2d}) {
-            if (*bound != 0 && !textures_.named.contains(*bound)) *bound = 0;
-        }
+        keep(one.bound_1d, kGL_TEXTURE_1D);
+        keep(one.bound_2d, kGL_TEXTURE_2D);
     }
-    restore_parameters(*writable_texture(c, kGL_TEXTURE_1D), saved.texture_1d);
-    restore_parameters(*writable_texture(c, kGL_TEXTURE_2D), saved.texture_2d);
+    const auto put_back = [&](Enum target, const Texture& parameters) {
+        if (same_parameters(*bound_texture(target), parameters)) return;  // a copy would be for nothing
+        if (Texture* texture = writable_texture(c, target)) restore_parameters(*texture, parameters);
+    };
+    put_back(kGL_TEXTURE_1D, saved.texture_1d);
+    put_back(kGL_TEXTURE_2D, saved.texture_2d);
 }
 
 }  // namespace twinlight

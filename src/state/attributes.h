@@ -16,7 +16,10 @@ struct TextureObjects {
     // The textures of name 0 (3.8.12).
     std::shared_ptr<Texture> default_1d = std::make_shared<Texture>(Texture{.target = kGL_TEXTURE_1D});
     std::shared_ptr<Texture> default_2d = std::make_shared<Texture>();
+    std::size_t texels = 0;  // of all of them
 };
+
+std::size_t texels_of(const Texture& texture);  // of all its images
 
 inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: two at least (table 6.31), eight in Mesa
 
@@ -71,6 +74,10 @@ struct Attributes {
     Vertex current;           // colour, normal, texture coordinates, edge flag
     Clear clear;              // the clear colour and depth
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
+    // What a picture is partial by, where it is drawn with it: values of which Draws have none, and where they were set.
+    std::optional<Place> secondary_color;    // other than black
+    std::optional<Place> fog_coordinates;    // GL_FOG_COORD_SRC is GL_FOG_COORD
+    std::map<Enum, Place> point_parameters;  // that are not GL's initial ones
     Hints hints;
     Enum matrix_mode = kGL_MODELVIEW;
     std::uint32_t list_base = 0;

@@ -19,7 +19,7 @@ constexpr Enum kUsages[] = {kGL_STREAM_DRAW, kGL_STREAM_READ,  kGL_STREAM_COPY, 
 
 // The bytes that a command copies from its memory; nothing where the memory has not so many.
 std::optional<std::span<const std::byte>> source(const Command& c, double offset, double size) {
-    if (!c.memory || offset + size > static_cast<double>(c.memory->bytes.size())) return std::nullopt;
+    if (!c.memory || offset < 0 || offset + size > static_cast<double>(c.memory->bytes.size())) return std::nullopt;
     return std::span(c.memory->bytes).subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
@@ -65,14 +65,18 @@ std::optional<GlError> VertexArrays::remove(const Command& c) {
         if (name == 0 || found == buffers_.end()) continue;
         if (found->second) buffer_bytes_ -= found->second->bytes.size();
         buffers_.erase(found);
-        for (std::uint32_t* bound :
-             {&client_.array_buffer, &client_.element_buffer, &pixel_pack_, &pixel_unpack_, &client_.vertex.buffer,
-              &client_.normal.buffer, &client_.color.buffer, &client_.edge_flag.buffer}) {
+        for (std::uint32_t* bound : {&client_.array_buffer, &client_.element_buffer, &pixel_pack_, &pixel_unpack_}) {
             if (*bound == name) *bound = 0;
         }
-        for (ArrayPointer& unit : client_.tex_coord) {
-            if (unit.buffer == name) unit.buffer = 0;
-        }
+        // An array that lay in it leads nowhere.
+        const auto leave = [name](ArrayPointer& array) {
+            if (array.buffer != name) return;
+            array.buffer = 0;
+            array.memory.reset();
+        };
+        for (ArrayPointer* array : {&client_.vertex, &client_.normal, &client_.color, &client_.edge_flag})
+            leave(*array);
+        for (ArrayPointer& unit : client_.tex_coord) leave(unit);
     }
     return std::nullopt;
 }

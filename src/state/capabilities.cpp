@@ -33,6 +33,25 @@ std::span<const Elsewhere> capabilities_elsewhere() {
         {kGL_SAMPLE_ALPHA_TO_ONE, kGL_MULTISAMPLE_BIT, false},
         {kGL_SAMPLE_COVERAGE, kGL_MULTISAMPLE_BIT, false},
         {kGL_AUTO_NORMAL, kGL_EVAL_BIT, false},
+        // Evaluators draw only where a command says so, which is named.
+        {kGL_MAP1_COLOR_4, kGL_EVAL_BIT, false},
+        {kGL_MAP1_INDEX, kGL_EVAL_BIT, false},
+        {kGL_MAP1_NORMAL, kGL_EVAL_BIT, false},
+        {kGL_MAP1_TEXTURE_COORD_1, kGL_EVAL_BIT, false},
+        {kGL_MAP1_TEXTURE_COORD_2, kGL_EVAL_BIT, false},
+        {kGL_MAP1_TEXTURE_COORD_3, kGL_EVAL_BIT, false},
+        {kGL_MAP1_TEXTURE_COORD_4, kGL_EVAL_BIT, false},
+        {kGL_MAP1_VERTEX_3, kGL_EVAL_BIT, false},
+        {kGL_MAP1_VERTEX_4, kGL_EVAL_BIT, false},
+        {kGL_MAP2_COLOR_4, kGL_EVAL_BIT, false},
+        {kGL_MAP2_INDEX, kGL_EVAL_BIT, false},
+        {kGL_MAP2_NORMAL, kGL_EVAL_BIT, false},
+        {kGL_MAP2_TEXTURE_COORD_1, kGL_EVAL_BIT, false},
+        {kGL_MAP2_TEXTURE_COORD_2, kGL_EVAL_BIT, false},
+        {kGL_MAP2_TEXTURE_COORD_3, kGL_EVAL_BIT, false},
+        {kGL_MAP2_TEXTURE_COORD_4, kGL_EVAL_BIT, false},
+        {kGL_MAP2_VERTEX_3, kGL_EVAL_BIT, false},
+        {kGL_MAP2_VERTEX_4, kGL_EVAL_BIT, false},
         {kGL_VERTEX_PROGRAM_POINT_SIZE, 0, false},
         {kGL_POINT_SPRITE, kGL_POINT_BIT, true},
         {kGL_DEPTH_CLAMP, kGL_TRANSFORM_BIT, true},
@@ -79,20 +98,26 @@ void State::set_capability(const Command& c, bool enabled) {
         if (cap == kGL_COLOR_MATERIAL) track_color();
         return;
     }
-    const auto rows = capabilities_elsewhere();
-    const auto row = std::find_if(rows.begin(), rows.end(), [cap](const Elsewhere& r) { return r.cap == cap; });
-    if (row == rows.end()) {
-        return raise(kGL_INVALID_ENUM, c,
-                     fmt::format("{} is given {}, which is no capability; expected GL_LIGHTING, GL_LIGHT0, "
-                                 "GL_DEPTH_TEST, ...",
-                                 c.name(), enum_name(cap)));
-    }
-    const std::pair key(cap, row->of_unit() ? a_.active_unit : 0);
+    if (!known_capability(c)) return;
+    const Elsewhere& row = capability_elsewhere(cap);
+    const std::pair key(cap, row.of_unit() ? a_.active_unit : 0);
     if (enabled) {
         a_.elsewhere.emplace(key, c.place);
     } else {
         a_.elsewhere.erase(key);
     }
+}
+
+bool State::known_capability(const Command& c) {
+    const Enum cap = c.enumerant(0);
+    const auto rows = capabilities_elsewhere();
+    if (followed_capability(cap) ||
+        std::any_of(rows.begin(), rows.end(), [cap](const Elsewhere& r) { return r.cap == cap; }))
+        return true;
+    raise(kGL_INVALID_ENUM, c,
+          fmt::format("{} is given {}, which is no capability; expected GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, ...",
+                      c.name(), enum_name(cap)));
+    return false;
 }
 
 void State::enable(const Command& c) { set_capability(c, true); }

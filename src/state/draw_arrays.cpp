@@ -19,8 +19,7 @@ void State::client_arrays(const Command& c) {
     } else if (c.id == CommandId::glEnableClientState) {
         const Enum array = c.enumerant(0);
         if (array == kGL_SECONDARY_COLOR_ARRAY || array == kGL_FOG_COORD_ARRAY) {
-            note_unsupported(fmt::format("{}({})", c.name(), enum_name(array)), c.place,
-                             {"fixed", "programmable", "reference"});
+            outside(fmt::format("{}({})", c.name(), enum_name(array)), c.place);
         }
     }
 }
@@ -62,7 +61,7 @@ void State::draw(const Command& c, const ArrayVertices& read) {
     for (const Vertex& v : read.vertices) draw.vertices.push_back(complete(v, read, a_.current));
     for (Vertex& v : draw.vertices) v.material = 0;
     draw.indices = read.indices;
-    items_.emplace_back(std::move(draw));
+    show(std::move(draw));
 }
 
 // 2.8: as if glEdgeFlag, glTexCoord, glColor, glNormal and, last, glVertex were called, for the arrays that are enabled.

@@ -81,8 +81,8 @@ void State::fog(const Command& c) {
         case kGL_FOG_COLOR: a_.fog.color = clamped({(*values)[0], (*values)[1], (*values)[2], (*values)[3]}); break;
         case kGL_FOG_COORD_SRC:
             if (!known(c, name, {kGL_FRAGMENT_DEPTH, kGL_FOG_COORD})) break;
-            if (name == kGL_FOG_COORD)
-                note_unsupported("glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)", c.place, {"programmable", "reference"});
+            a_.fog_coordinates.reset();
+            if (name == kGL_FOG_COORD) a_.fog_coordinates = c.place;
             break;
         default: break;
     }
@@ -109,7 +109,7 @@ void State::clear(const Command& c) {
     clear.scissor = a_.fragment.scissor;
     clear.color_mask = a_.fragment.color_mask;
     clear.depth = (mask & kGL_DEPTH_BUFFER_BIT) != 0 && a_.raster.depth_mask;
-    if (clear.color || clear.depth) items_.emplace_back(clear);
+    if ((clear.color || clear.depth) && has_room(c, sizeof items_[0])) show(clear);
 }
 
 }  // namespace twinlight

@@ -19,7 +19,8 @@ namespace {
 constexpr bool never_compiled(std::string_view effect) {
     for (std::string_view effect_of_client :
          {"new_list", "end_list", "gen_lists", "delete_lists", "pixel_store", "flush", "gen_textures",
-          "delete_textures", "client_arrays", "get_light", "get_material"}) {
+          "delete_textures", "client_arrays", "get_light", "get_material", "render_mode", "hit_buffer", "is_enabled",
+          "query_clip_plane", "query_tex_env", "query_tex_parameter", "elsewhere_query"}) {
         if (effect == effect_of_client) return true;
     }
     return false;
@@ -36,6 +37,11 @@ constexpr bool kNeverCompiled[] = {
 #undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
 };
+
+bool reads_pixels(const Command& c) {
+    const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels"; };
+    return std::ranges::any_of(c.sig().parameters, names_pixels);
+}
 
 template <class T>
 T value_at(const std::byte* at) {
@@ -83,11 +89,23 @@ int list_name_bytes(Enum type) {
     }
 }
 
+std::size_t ListedCommand::bytes() const {
+    std::size_t bytes = sizeof *this + command.arguments.size() * sizeof(double);
+    if (arrays) {
+        bytes +=
+            sizeof *arrays + arrays->vertices.size() * sizeof(Vertex) + arrays->indices.size() * sizeof(std::uint32_t);
+    }
+    if (pixel_store) bytes += sizeof *pixel_store;
+    if (quadric) bytes += sizeof *quadric;
+    return bytes + (error ? sizeof *error + error->message.size() : 0);
+}
+
 // Whether a command goes into the list that is open and is done with that. GL_COMPILE_AND_EXECUTE does both.
 bool State::compile(const Command& c) {
     if (lists_.open_name == 0 || lists_.nesting > 0 || kNeverCompiled[static_cast<std::size_t>(c.id)]) return false;
     if (draws_quadric(c) && !can_send(c)) return true;  // GLU itself refuses it, and calls nothing
     ListedCommand listed{.command = c};
+    std::size_t bytes = 0;  // beside those that the listed command counts
     if (draws_arrays(c.id)) {
         // The arrays are read now (5.4). What is wrong with the arguments is told when the list is executed.
         auto error = arrays_.check(c);
@@ -98,36 +116,32 @@ bool State::compile(const Command& c) {
         if (error) {
             listed.error = std::make_shared<const GlError>(std::move(*error));
         } else {
-            listed.arrays = std::make_shared<const ArrayVertices>(arrays_.read(c, options_.signed_rule));
+            ArrayVertices read = arrays_.read(c, options_.signed_rule);
+            for (Vertex& v : read.vertices) represent(v);
+            listed.arrays = std::make_shared<const ArrayVertices>(std::move(read));
         }
-    } else if (c.memory) {
+    } else if (c.memory || c.id == CommandId::glPolygonStipple) {
         listed.pixel_store = std::make_shared<const PixelStore>(pixel_store_);
+    } else if (const BufferObject* buffer = arrays_.pixel_unpack_buffer(); buffer && reads_pixels(c)) {
+        listed.pixel_store = std::make_shared<const PixelStore>(pixel_store_);
+        listed.command.memory = std::make_shared<const Memory>(Memory{.bytes = buffer->bytes});
+        bytes += buffer->bytes.size();
     }
     if (draws_quadric(c)) listed.quadric = std::make_shared<const Quadric>(*quadric(c));
-    const std::size_t weight = listed.weight();
-    if (lists_.weight + lists_.open->weight + weight > kMaxListedCommands) {
+    bytes += listed.bytes();
+    if (bytes > kMaxListedBytes - lists_.bytes - lists_.open->bytes) {
         raise(kGL_OUT_OF_MEMORY, c,
-              fmt::format("display lists hold {} commands and vertices at most", kMaxListedCommands));
+              fmt::format("all display lists hold {} MiB at the most together", kMaxListedBytes >> 20));
         return true;
     }
-    lists_.open->weight += weight;
+    lists_.open->bytes += bytes;
     lists_.open->commands.push_back(std::move(listed));
     return lists_.open_mode == kGL_COMPILE;
 }
 
 void State::gen_lists(const Command& c) {
-    const double range = c.number(0);
-    if (range < 0) return raise(kGL_INVALID_VALUE, c, fmt::format("glGenLists is asked for {} lists", range));
-    if (range > static_cast<double>(kMaxLists - std::min(kMaxLists, lists_.named.size()))) {
-        return raise(kGL_OUT_OF_MEMORY, c,
-                     fmt::format("glGenLists is asked for {} lists; there are {} at the most", range, kMaxLists));
-    }
-    // The names are there, as empty lists, from now on.
-    const auto first = c.enumerant(1);
-    const auto empty = std::make_shared<const DisplayList>();
-    for (std::uint32_t i = 0; first != 0 && i < static_cast<std::uint32_t>(range); ++i) {
-        lists_.named.emplace(first + i, empty);
-    }
+    // The names are those of empty lists from now on. No command can tell such a list from none, so none is kept.
+    if (c.number(0) < 0) raise(kGL_INVALID_VALUE, c, fmt::format("glGenLists is asked for {} lists", c.number(0)));
 }
 
 void State::new_list(const Command& c) {
@@ -151,7 +165,7 @@ void State::new_list(const Command& c) {
 void State::end_list(const Command& c) {
     if (lists_.open_name == 0) return raise(kGL_INVALID_OPERATION, c, "glEndList without a glNewList");
     std::shared_ptr<const DisplayList>& list = lists_.named[lists_.open_name];
-    lists_.weight += lists_.open->weight - (list ? list->weight : 0);
+    lists_.bytes += lists_.open->bytes - (list ? list->bytes : 0);
     list = std::move(lists_.open);
     lists_.open_name = 0;
 }
@@ -163,7 +177,7 @@ void State::delete_lists(const Command& c) {
     const double first = c.number(0), end = first + c.number(1);
     auto it = lists_.named.lower_bound(c.enumerant(0));
     while (it != lists_.named.end() && it->first < end) {
-        lists_.weight -= it->second->weight;
+        lists_.bytes -= it->second->bytes;
         it = lists_.named.erase(it);
     }
 }
@@ -191,7 +205,7 @@ void State::call_lists(const Command& c) {
     }
     const std::byte* names = c.memory->bytes.data() + static_cast<std::size_t>(offset);
     const std::uint32_t base = a_.list_base;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count) && !exhausted_; ++i) {
         execute_list(c, base + name_at(names + i * static_cast<std::size_t>(size), type));
     }
 }
@@ -199,21 +213,12 @@ void State::call_lists(const Command& c) {
 // A name without a list does nothing (5.4); nor does what is nested too deep, such as a list that calls itself.
 void State::execute_list(const Command& c, std::uint32_t name) {
     const auto found = lists_.named.find(name);
-    if (found == lists_.named.end() || lists_.nesting >= kMaxListNesting) return;
+    if (!has_time(c, 1) || found == lists_.named.end() || lists_.nesting >= kMaxListNesting) return;
     const std::shared_ptr<const DisplayList> list = found->second;  // held: it may be replaced while it runs
     if (lists_.nesting == 0) lists_.called = c.place;
     ++lists_.nesting;
     for (const ListedCommand& listed : list->commands) {
-        const bool was_within = lists_.executed <= kMaxListedCommandsAFrame;
-        lists_.executed += listed.weight();
-        if (lists_.executed > kMaxListedCommandsAFrame) {
-            if (was_within) {
-                raise(
-                    kGL_OUT_OF_MEMORY, c,
-                    fmt::format("the calls of display lists come to more than {} commands", kMaxListedCommandsAFrame));
-            }
-            break;
-        }
+        if (exhausted_ || !has_time(c, 1 + static_cast<double>(listed.elements()))) break;
         lists_.quadric = listed.quadric.get();
         execute_listed(listed);
     }

@@ -12,12 +12,10 @@
 
 namespace twinlight {
 
-// Limits on what a scene may ask for, so that a hostile one ends with an error and not with the machine's memory or a
-// day's work: how many lists there are, what all of them hold together, and what the calls of one frame may come to (64
-// lists that call the next one twice would be 2^64). A command counts as one, and as its vertices where it draws arrays.
+// Limits on what a scene may ask for: how many lists there are, and what all of them hold together, but for the memory
+// that their commands name.
 inline constexpr std::size_t kMaxLists = 1 << 20;
-inline constexpr std::size_t kMaxListedCommands = 20'000'000;
-inline constexpr std::size_t kMaxListedCommandsAFrame = 50'000'000;
+inline constexpr std::size_t kMaxListedBytes = std::size_t{1} << 30;
 // GL_MAX_LIST_NESTING (table 6.29): 64 at least; Mesa's. What is nested deeper is not executed (5.4).
 inline constexpr int kMaxListNesting = 64;
 
@@ -34,17 +32,18 @@ struct ListedCommand {
     // How the quadric was sent that it named then: GLU's own objects are not in the list.
     std::shared_ptr<const Quadric> quadric = nullptr;
 
-    std::size_t weight() const { return arrays ? 1 + arrays->vertices.size() + arrays->indices.size() : 1; }
+    std::size_t elements() const { return arrays ? arrays->vertices.size() + arrays->indices.size() : 0; }
+    std::size_t bytes() const;  // about
 };
 
 struct DisplayList {
     std::vector<ListedCommand> commands;
-    std::size_t weight = 0;
+    std::size_t bytes = 0;
 };
 
 struct Lists {
     std::map<std::uint32_t, std::shared_ptr<const DisplayList>> named;
-    std::size_t weight = 0;  // of all of them
+    std::size_t bytes = 0;  // of all of them
 
     // The list that is being compiled: between glNewList and glEndList.
     std::uint32_t open_name = 0;  // 0: none
@@ -54,7 +53,6 @@ struct Lists {
 
     int nesting = 0;                   // of the lists that are being executed
     Place called;                      // where the outermost of them was called
-    std::size_t executed = 0;          // in this frame
     const Quadric* quadric = nullptr;  // of the command of a list that is being executed
 };
 

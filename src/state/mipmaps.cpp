@@ -1,5 +1,7 @@
 // gluBuild1DMipmaps and gluBuild2DMipmaps: GLU's own arithmetic (libglu 9.0.2, libutil/mipmap.c), which works in the
 // type of the pixels.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,6 +75,18 @@ Pixels halved(const Pixels& image) {
     return result;
 }
 
+// The image and its halves, down to 1 x 1.
+void fill_levels(std::vector<TextureImage>& levels, Pixels image, const InternalFormat& format, Enum internal_format) {
+    for (std::size_t level = 0;; ++level) {
+        if (levels.size() <= level) levels.resize(level + 1);
+        levels[level] = {image.width, image.height, format.base_format, internal_format, {}};
+        levels[level].texels.reserve(image.rgba.size());
+        for (const glm::dvec4& rgba : image.rgba) levels[level].texels.push_back(stored(rgba, format));
+        if (image.width == 1 && image.height == 1) return;
+        image = halved(image);
+    }
+}
+
 double largest_of(Enum type) {
     switch (type) {
         case kGL_UNSIGNED_BYTE: return 255;
@@ -97,19 +111,27 @@ void State::build_mipmaps(const Command& c) {
     const bool fits =
         source.width >= 1 && source.height >= 1 && source.width <= kMaxTextureSize && source.height <= kMaxTextureSize;
     if (c.enumerant(0) != target || !format || !fits || !pixel_bytes(source.format, source.type)) return;
-    auto texels = pixels(c, source);
-    if (!texels) return;
-    Pixels image{source.width, source.height, std::move(*texels), largest_of(source.type)};
+    if (!c.memory) return raise(kGL_INVALID_OPERATION, c, fmt::format("{} is given no pixels", c.name()));
     const int width = nearest_power(source.width), height = nearest_power(source.height);
-    if (width != source.width || height != source.height) image = scaled(image, width, height);
-    std::vector<TextureImage>& levels = writable_texture(c, target)->levels;
-    for (std::size_t level = 0;; ++level) {
-        if (levels.size() <= level) levels.resize(level + 1);
-        levels[level] = {image.width, image.height, format->base_format, static_cast<Enum>(c.number(1)), {}};
-        for (const glm::dvec4& rgba : image.rgba) levels[level].texels.push_back(stored(rgba, *format));
-        if (image.width == 1 && image.height == 1) return;
-        image = halved(image);
+    // The arithmetic holds its images in four times the memory.
+    const double largest =
+        std::max(static_cast<double>(width) * height, static_cast<double>(source.width) * source.height);
+    if (!has_texels(c, 4 * largest)) return;
+    const auto rows = pixels(c, source);
+    if (!rows) return;
+    Pixels image{source.width, source.height, {}, largest_of(source.type)};
+    image.rgba.reserve(static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height));
+    std::vector<glm::dvec4> row;
+    for (int y = 0; y < source.height; ++y) {
+        rows->unpack(y, row);
+        image.rgba.insert(image.rgba.end(), row.begin(), row.end());
     }
+    if (width != source.width || height != source.height) image = scaled(image, width, height);
+    Texture* texture = writable_texture(c, target);
+    if (!texture) return;
+    textures_.texels -= texels_of(*texture);
+    fill_levels(texture->levels, std::move(image), *format, static_cast<Enum>(c.number(1)));
+    textures_.texels += texels_of(*texture);
 }
 
 void State::texture_file(const Command& c) { build_mipmaps(texture_command(c)); }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <glm/common.hpp>
+#include <limits>
 
 namespace twinlight {
 
@@ -205,31 +206,46 @@ std::optional<int> pixel_bytes(Enum format, Enum type) {
     return element ? std::optional(*element * *components) : std::nullopt;
 }
 
+std::size_t bitmap_bytes(int width, int height, const PixelStore& store) {
+    if (width <= 0 || height <= 0) return 0;
+    const auto at_least_0 = [](int value) { return static_cast<std::size_t>(std::max(0, value)); };
+    const auto alignment = at_least_0(store.unpack_alignment);
+    const std::size_t row_pixels = at_least_0(store.unpack_row_length > 0 ? store.unpack_row_length : width);
+    const std::size_t row = (row_pixels + 8 * alignment - 1) / (8 * alignment) * alignment;
+    const std::size_t rows = at_least_0(store.unpack_skip_rows) + at_least_0(height) - 1;
+    return rows * row + (at_least_0(store.unpack_skip_pixels) + at_least_0(width) + 7) / 8;
+}
+
+std::optional<int> pixel_bytes_elsewhere(Enum format, Enum type) {
+    if (format != kGL_COLOR_INDEX && format != kGL_DEPTH_COMPONENT && format != kGL_STENCIL_INDEX) return std::nullopt;
+    return element_bytes(type);
+}
+
 std::size_t bytes_read(const PixelSource& source, const PixelStore& store) {
     if (source.width <= 0 || source.height <= 0) return 0;
     const auto pixel = static_cast<std::size_t>(*pixel_bytes(source.format, source.type));
     const auto rows = static_cast<std::size_t>(store.unpack_skip_rows) + static_cast<std::size_t>(source.height) - 1;
     const auto pixels = static_cast<std::size_t>(store.unpack_skip_pixels) + static_cast<std::size_t>(source.width);
-    return rows * row_bytes(source, store) + pixels * pixel;
+    // Rows may be 2^31 of 2^35 bytes each. In double it is exact where it matters.
+    const double bytes = static_cast<double>(rows) * static_cast<double>(row_bytes(source, store)) +
+                         static_cast<double>(pixels) * static_cast<double>(pixel);
+    return bytes < 0x1p53 ? static_cast<std::size_t>(bytes) : std::numeric_limits<std::size_t>::max();
 }
 
-std::vector<glm::dvec4> unpack(const PixelSource& source, const PixelStore& store, std::span<const std::byte> bytes) {
+void PixelRows::unpack(int y, std::vector<glm::dvec4>& row) const {
+    row.assign(static_cast<std::size_t>(source.width), glm::dvec4(0));
+    if (!bytes.data()) return;
     const int components = *components_of(source.format);
     const auto pixel = static_cast<std::size_t>(*pixel_bytes(source.format, source.type));
-    std::vector<glm::dvec4> texels;
-    texels.reserve(static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height));
-    for (int y = 0; y < source.height; ++y) {
-        const std::byte* at = bytes.data() +
-                              (static_cast<std::size_t>(store.unpack_skip_rows) + static_cast<std::size_t>(y)) *
-                                  row_bytes(source, store) +
-                              static_cast<std::size_t>(store.unpack_skip_pixels) * pixel;
-        for (int x = 0; x < source.width; ++x, at += pixel) {
-            double values[4] = {};
-            read_pixel(at, source.type, components, store.unpack_swap_bytes, values);
-            texels.push_back(rgba(source.format, values));
-        }
+    const auto rows = static_cast<std::size_t>(store.unpack_skip_rows) + static_cast<std::size_t>(y);
+    const std::byte* at =
+        bytes.data() + rows * row_bytes(source, store) + static_cast<std::size_t>(store.unpack_skip_pixels) * pixel;
+    for (glm::dvec4& texel : row) {
+        double values[4] = {};
+        read_pixel(at, source.type, components, store.unpack_swap_bytes, values);
+        texel = rgba(source.format, values);
+        at += pixel;
     }
-    return texels;
 }
 
 glm::vec4 stored(const glm::dvec4& rgba, const InternalFormat& format) {

@@ -14,7 +14,7 @@ namespace twinlight {
 // A texture's largest side; more is GL_INVALID_VALUE. Mesa's llvmpipe has the same.
 inline constexpr int kMaxTextureSize = 16384;
 inline constexpr int kMaxTextureLevels = 15;
-// What all images of a scene may hold together; more is an error of Twinlight's own.
+// What all images of a scene may hold together; more is GL_OUT_OF_MEMORY.
 inline constexpr std::size_t kMaxTexels = std::size_t{1} << 26;
 
 struct InternalFormat {
@@ -40,12 +40,24 @@ struct PixelSource {
     Enum type = kGL_UNSIGNED_BYTE;
 };
 
-// How many bytes from the pointer on are read; 0 for an image without pixels.
+// 3.6.4: the bytes of a bitmap, whose pixels are bits; 0 for one without pixels.
+std::size_t bitmap_bytes(int width, int height, const PixelStore& store);
+// How many bytes a pixel has of those formats and types that State does not follow: indices, depths, stencil values.
+std::optional<int> pixel_bytes_elsewhere(Enum format, Enum type);
+
+// How many bytes from the pointer on are read; 0 for an image without pixels, the largest number for more than any memory
+// has.
 std::size_t bytes_read(const PixelSource& source, const PixelStore& store);
 
-// Row by row, as RGBA in [0,1] (missing components 0, alpha 1; table 3.15's luminance is R = G = B = L in red). `bytes`
-// holds at least bytes_read().
-std::vector<glm::dvec4> unpack(const PixelSource& source, const PixelStore& store, std::span<const std::byte> bytes);
+// An image in memory, whose rows become RGBA in [0,1] one at a time (missing components 0, alpha 1; table 3.15's luminance
+// is R = G = B = L in red).
+struct PixelRows {
+    PixelSource source;
+    PixelStore store;
+    std::span<const std::byte> bytes;  // bytes_read() of them at least; null: every value is 0
+
+    void unpack(int y, std::vector<glm::dvec4>& row) const;  // row: source.width of them
+};
 
 // The components that the format keeps, rounded to its bits.
 glm::vec4 stored(const glm::dvec4& rgba, const InternalFormat& format);

@@ -148,6 +148,7 @@ std::vector<double> State::get(Enum pname) const {
         case kGL_PROJECTION_STACK_DEPTH: return one(projection_.size());
         case kGL_TEXTURE_STACK_DEPTH: return one(texture_[a_.active_unit].size());
         case kGL_ATTRIB_STACK_DEPTH: return one(attribute_stack_.size());
+        case kGL_RENDER_MODE: return one(render_mode_);
         case kGL_ACTIVE_TEXTURE: return one(kGL_TEXTURE0 + a_.active_unit);
         case kGL_LIST_BASE: return one(a_.list_base);
         case kGL_TEXTURE_BINDING_1D: return one(unit().bound_1d);

@@ -139,6 +139,9 @@ bool Player::take_end() {
 void Player::command(const Command& command) {
     const std::size_t before = state_.items().size();
     state_.apply(command);
+    if (const auto& error = state_.exhausted()) {
+        throw SceneError(fmt::format("{}: {}; this recording cannot be drawn", error->place.str(), error->message));
+    }
     if (command.id == CommandId::glViewport) reach(state_.raster().viewport);
     if (state_.items().size() == before) return;
     changed_ = true;

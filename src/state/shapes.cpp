@@ -8,11 +8,20 @@
 
 namespace twinlight {
 
+namespace {
+
+// What is too large is beyond Twinlight's limits; the libraries would send it.
+Enum code_of(const std::invalid_argument& error, Enum otherwise) {
+    return dynamic_cast<const ShapeTooLarge*>(&error) != nullptr ? kGL_OUT_OF_MEMORY : otherwise;
+}
+
+}  // namespace
+
 void State::shape(const Command& c) {
     try {
         send_shape(c, shape_parts(c));
     } catch (const std::invalid_argument& error) {
-        raise(kGL_INVALID_VALUE, c, error.what());
+        raise(code_of(error, kGL_INVALID_VALUE), c, error.what());
     }
 }
 
@@ -20,6 +29,7 @@ void State::shape(const Command& c) {
 // RULING: sent by vertex arrays it does not, which 2.8 leaves open.
 void State::send_shape(const Command& c, std::vector<ShapePart> parts) {
     for (ShapePart& part : parts) {
+        if (!has_time(c, static_cast<double>(part.vertices.size()))) return;
         const std::size_t bytes =
             sizeof(Draw) + part.vertices.size() * sizeof(Vertex) + part.indices.size() * sizeof(std::uint32_t);
         if (!has_room(c, bytes)) return;
@@ -36,7 +46,7 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts) {
         }
         if (!part.immediate) a_.current = before;
         draw.indices = std::move(part.indices);
-        items_.emplace_back(std::move(draw));
+        show(std::move(draw));
     }
 }
 
@@ -65,7 +75,7 @@ void State::quadric_shape(const Command& c) {
     try {
         send_shape(c, quadric_parts(*q, c));
     } catch (const std::invalid_argument& error) {
-        raise(kGLU_INVALID_VALUE, c, error.what());
+        raise(code_of(error, kGLU_INVALID_VALUE), c, error.what());
     }
 }
 
@@ -76,7 +86,7 @@ bool State::can_send(const Command& c) {
         quadric_parts(*q, c);
         return true;
     } catch (const std::invalid_argument& error) {
-        raise(kGLU_INVALID_VALUE, c, error.what());
+        raise(code_of(error, kGLU_INVALID_VALUE), c, error.what());
         return false;
     }
 }

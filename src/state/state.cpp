@@ -21,7 +21,8 @@ namespace {
 // What may stand between Begin and End (2.6.3), by effect.
 constexpr bool legal_inside(std::string_view effect) {
     for (std::string_view legal : {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end",
-                                   "elsewhere_vertex", "call_list", "call_lists", "array_element"}) {
+                                   "multi_tex_coord", "elsewhere_vertex", "elsewhere_attribute",
+                                   "elsewhere_secondary_color", "call_list", "call_lists", "array_element"}) {
         if (effect == legal) return true;  // begin and end say themselves what is wrong
     }
     return false;
@@ -29,7 +30,8 @@ constexpr bool legal_inside(std::string_view effect) {
 
 // What a vertex is given may be any number, by effect.
 constexpr bool takes_any_number(std::string_view effect) {
-    return effect == "vertex" || effect == "normal" || effect == "color" || effect == "tex_coord";
+    return effect == "vertex" || effect == "normal" || effect == "color" || effect == "tex_coord" ||
+           effect == "multi_tex_coord" || effect == "elsewhere_secondary_color" || effect == "elsewhere_attribute";
 }
 
 // Counts one more of `name`.
@@ -95,6 +97,7 @@ void State::raise(Enum code, const Command& command, std::string message) {
 
 void State::raise(GlError error) {
     ++error_count_;
+    if (error.code == kGL_OUT_OF_MEMORY && !exhausted_) exhausted_ = error;
     if (errors_.size() >= kMaxErrorsKept) return;
     if (lists_.nesting > 0) {
         error.message += fmt::format("; this stands in the list that is called at {}", lists_.called.str());
@@ -115,6 +118,16 @@ bool State::has_room(const Command& command, std::size_t bytes) {
     }
     raise(kGL_OUT_OF_MEMORY, command,
           fmt::format("one picture's vertices and state fill {} MiB at the most", kMaxFrameBytes >> 20));
+    return false;
+}
+
+bool State::has_time(const Command& command, double work) {
+    work_ += work;
+    if (work_ <= static_cast<double>(kMaxFrameWork)) return true;
+    raise(kGL_OUT_OF_MEMORY, command,
+          fmt::format("one picture's display lists, images and shapes come to {} commands, texels and vertices at the "
+                      "most",
+                      kMaxFrameWork));
     return false;
 }
 
@@ -148,7 +161,7 @@ void State::end(const Command& c) {
     if (open_->vertices.empty()) {
         item_bytes_ -= std::min(item_bytes_, sizeof(Draw));
     } else {
-        items_.emplace_back(std::move(*open_));
+        show(std::move(*open_));
     }
     open_.reset();
     a_.current.material = 0;  // what is drawn next has materials of its own
@@ -199,6 +212,22 @@ void represent(Vertex& vertex) {
     }
 }
 
+// 2.7. RULING: coordinates of further units are dropped; where such a unit has a texture, that is named.
+void State::multi_tex_coord(const Command& c) {
+    const Enum target = c.enumerant(0);
+    if (target < kGL_TEXTURE0 || target >= kGL_TEXTURE0 + kMaxTextureUnits) {
+        return raise(kGL_INVALID_ENUM, c,
+                     fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(target),
+                                 kMaxTextureUnits - 1));
+    }
+    if (target != kGL_TEXTURE0) return;
+    a_.current.tex_coord = {0, 0, 0, 1};
+    for (std::size_t i = 1; i < c.arguments.size(); ++i) {
+        a_.current.tex_coord[static_cast<int>(i) - 1] = c.number(i);
+    }
+    represent(a_.current);
+}
+
 double State::to_real(double c, Kind kind) const { return real_from(c, kind, options_.signed_rule); }
 
 // ---- Draws ----
@@ -236,7 +265,13 @@ Draw State::new_draw(Enum mode, const Place& place) {
         if (!row.changes_pixels || is_idle) continue;
         note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where, {"programmable", "reference"});
     }
+    note_draws_elsewhere(draw);
     return draw;
+}
+
+// 5.2, 5.3: in the other modes no fragments are produced, and clearing changes nothing.
+void State::show(std::variant<Clear, Draw> item) {
+    if (render_mode_ == kGL_RENDER) items_.push_back(std::move(item));
 }
 
 // 2.10: as if GL_POLYGON stood between Begin and End.
@@ -248,11 +283,16 @@ void State::rect(const Command& c) {
         a_.current.position_object = {x, y, 0, 1};
         draw.vertices.push_back(a_.current);
     }
-    items_.emplace_back(std::move(draw));
+    show(std::move(draw));
 }
 
 void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {
+    if (render_mode_ != kGL_RENDER) return;
     count(unsupported_, name, place, std::move(renderers));
+}
+
+void State::note_lasting(std::string_view name, const Place& place) {
+    count(outside_, name, place, {"programmable", "reference"});
 }
 
 void State::outside(std::string_view function, const Place& place) {
@@ -285,7 +325,7 @@ Frame State::take_frame(std::shared_ptr<const Recording> commands) {
 void State::drop_picture() {
     items_.clear();
     item_bytes_ = 0;
-    lists_.executed = 0;
+    work_ = 0;
     unsupported_.clear();
 }
 

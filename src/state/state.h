@@ -22,8 +22,13 @@ struct StateOptions {
     SignedRule signed_rule = SignedRule::kGl21;
 };
 
-// What a picture's draws may hold together: a hostile scene ends with GL_OUT_OF_MEMORY.
-inline constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 31;
+// Limits of Twinlight's own, so that a hostile scene ends with an error (GL_OUT_OF_MEMORY) and not with the machine's memory
+// or a day's work: what a picture's clears and draws may hold together, with the textures that they were drawn with and
+// that have changed since; and what its display lists, images, shapes and evaluators may come to, counted in commands,
+// texels, vertices and points (64 lists that call the next one twice would be 2^64). A recording ends there: the driver
+// knows no such limit.
+inline constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 30;
+inline constexpr std::size_t kMaxFrameWork = 50'000'000;
 // How many errors are kept; GL itself keeps one.
 inline constexpr std::size_t kMaxErrorsKept = 100;
 inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; what is beyond counts under one of its own
@@ -42,6 +47,8 @@ class State {
     // The first errors, kMaxErrorsKept of them at most; and how many there were.
     const std::vector<GlError>& errors() const { return errors_; }
     std::size_t error_count() const { return error_count_; }
+    // The first GL_OUT_OF_MEMORY: the scene asks for more than Twinlight gives, and the driver must not be asked for it.
+    const std::optional<GlError>& exhausted() const { return exhausted_; }
 
     // A call of a function that Twinlight does not have. What it would have changed is not known, so it stands in all
     // pictures from here on.
@@ -101,6 +108,7 @@ class State {
     void color(const Command&);
     void vertex(const Command&);
     void tex_coord(const Command&);
+    void multi_tex_coord(const Command&);
     void matrix_mode(const Command&);
     void load_identity(const Command&);
     void push_matrix(const Command&);
@@ -169,8 +177,23 @@ class State {
     void elsewhere_state(const Command&);
     void elsewhere_drawing(const Command&);
     void elsewhere_vertex(const Command&);
+    void elsewhere_attribute(const Command&);
+    void elsewhere_query(const Command&);
+    void elsewhere_secondary_color(const Command&);
+    void elsewhere_point_parameter(const Command&);
+    void elsewhere_pixel_transfer(const Command&);
+    void elsewhere_bitmap(const Command&);
+    void elsewhere_stipple(const Command&);
+    void elsewhere_copy_image(const Command&);
+    void render_mode(const Command&);
+    void hit_buffer(const Command&);
+    void is_enabled(const Command&);
+    void query_clip_plane(const Command&);
+    void query_tex_env(const Command&);
+    void query_tex_parameter(const Command&);
     void gen_textures(const Command&);
     void delete_textures(const Command&);
+    void prioritize_textures(const Command&);
     void rect(const Command&);
     void client_arrays(const Command&);
     void array_element(const Command&);
@@ -185,8 +208,9 @@ class State {
     std::optional<ArrayVertices> array_vertices(const Command& draw);  // nothing, and the error, for a wrong one
     void draw(const Command& command, const ArrayVertices& read);
     void send_element(const Command& command, const ArrayVertices& element);  // of glArrayElement
-    // Whether the picture still has room for so many more bytes; GL_OUT_OF_MEMORY if not.
+    // Whether the picture still has room for so many more bytes, or so much more work; GL_OUT_OF_MEMORY if not.
     bool has_room(const Command& command, std::size_t bytes);
+    bool has_time(const Command& command, double work);
     void execute_list(const Command& command, std::uint32_t name);
     void execute_listed(const ListedCommand& listed);
     void raise_inside(const Command& command);  // of a command that stands between Begin and End
@@ -198,7 +222,8 @@ class State {
     // The values of glLight*, glMaterial*, glFog*, glTexEnv*, ... as real numbers; nothing, and the error, if they are refused.
     std::optional<std::vector<double>> parameter_values(const Command& command, Owner owner, Enum pname);
     void set_capability(const Command& command, bool enabled);
-    bool* followed_capability(Enum cap);  // null for those that State does not follow
+    bool known_capability(const Command& command);  // or GL_INVALID_ENUM
+    bool* followed_capability(Enum cap);            // null for those that State does not follow
     // The texture that a glTex* command changes: one that no Draw holds. Null, and the error, for a wrong target.
     Texture* writable_texture(const Command& command, Enum target);
     std::shared_ptr<Texture>& bound_texture(Enum target);
@@ -207,8 +232,10 @@ class State {
     TextureBindings& unit() { return a_.units[a_.active_unit]; }
     const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
     bool check_pixel_type(const Command& command, const PixelSource& source);
-    std::optional<std::vector<glm::dvec4>> pixels(const Command& command, const PixelSource& source);
+    std::optional<PixelRows> pixels(const Command& command, const PixelSource& source);
     void generate_mipmaps(Texture& texture) const;
+    // Whether there is room and time for so many texels more, some of which replace others; GL_OUT_OF_MEMORY if not.
+    bool has_texels(const Command& command, double count, std::size_t replaced = 0);
     bool counts(const Command& command, const char* what);  // n >= 0, or GL_INVALID_VALUE
     void track_color();                                     // 2.14.3: the material follows the current colour
     void multiply(const glm::dmat4& matrix);
@@ -216,8 +243,12 @@ class State {
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
     void send_shape(const Command& command, std::vector<ShapePart> parts);
-    Quadric* quadric(const Command& command);  // its first argument; null, and the error, where there is none
-    bool can_send(const Command& command);     // whether its quadric can be sent; false, and the error, if not
+    Quadric* quadric(const Command& command);   // its first argument; null, and the error, where there is none
+    bool can_send(const Command& command);      // whether its quadric can be sent; false, and the error, if not
+    void show(std::variant<Clear, Draw> item);  // adds it to the picture, in the mode that makes one
+    void note_draws_elsewhere(const Draw& draw);
+    // Of what is drawn now, and of what changes all pictures from here on.
+    void note_lasting(std::string_view name, const Place& place);
     void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
     double to_real(double c,
                    Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
@@ -239,15 +270,19 @@ class State {
     MatrixStack modelview_{{}}, projection_{{}};
     std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
     std::vector<SavedAttributes> attribute_stack_;
-    std::optional<Draw> open_;                  // between Begin and End
-    std::map<double, Quadric> quadrics_;        // by number
-    std::map<double, Place> deleted_quadrics_;  // where gluDeleteQuadric stood
+    Enum render_mode_ = kGL_RENDER;                      // 5.2
+    bool has_selection_ = false, has_feedback_ = false;  // a buffer of some size
+    std::optional<Draw> open_;                           // between Begin and End
+    std::map<double, Quadric> quadrics_;                 // by number
+    std::map<double, Place> deleted_quadrics_;           // where gluDeleteQuadric stood
     std::vector<std::variant<Clear, Draw>> items_;
     std::size_t item_bytes_ = 0;  // what items_ holds, about
+    double work_ = 0;             // for this picture, so far
     std::vector<Unsupported> unsupported_;
     std::vector<Unsupported> outside_;
     std::vector<GlError> errors_;
     std::size_t error_count_ = 0;
+    std::optional<GlError> exhausted_;
 };
 
 // Runs a whole scene. Throws SceneError at the first GL error, at what is left open at the end, and for a scene that

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "state/pixels.h"
 #include "state/state.h"
@@ -39,7 +40,7 @@ void State::pixel_store(const Command& c) {
     const Enum pname = c.enumerant(0);
     const auto values = parameter_values(c, Owner::kPixelStore, pname);
     if (!values) return;
-    const int value = static_cast<int>(values->front());
+    const int value = static_cast<int>(std::clamp(std::round(values->front()), -0x1p31, 0x1p31 - 1));
     PixelStore& store = pixel_store_;
     const auto align = [&](int& alignment) {
         if (value == 1 || value == 2 || value == 4 || value == 8) {
@@ -72,8 +73,8 @@ void State::pixel_store(const Command& c) {
 // 3.6.4: a format and a type that GL knows and that go together.
 bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX || source.format == kGL_DEPTH_COMPONENT) {
-        note_unsupported(fmt::format("{} of {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
-                         c.place, {"programmable", "reference"});
+        note_lasting(fmt::format("{} of {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
+                     c.place);
         return false;
     }
     if (!components_of(source.format)) {
@@ -92,22 +93,42 @@ bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     return false;
 }
 
-// The pixels that the command's pointer leads to. RULING: all 0 where it is null, which 3.8.1 leaves undefined. Nothing,
-// and the error, where the memory ends before the image does.
-std::optional<std::vector<glm::dvec4>> State::pixels(const Command& c, const PixelSource& source) {
-    if (!c.memory) {
-        const auto count = static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height);
-        return std::vector<glm::dvec4>(count, glm::dvec4(0));
+// The pixels that the command's pointer leads to, in memory or in the buffer that is bound for it (2.9). RULING: all 0
+// where it is null, which 3.8.1 leaves undefined. Nothing, and the error, where the memory ends before the image does.
+std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& source) {
+    const BufferObject* buffer = lists_.nesting > 0 ? nullptr : arrays_.pixel_unpack_buffer();
+    if (!c.memory && !buffer) return PixelRows{source, pixel_store_, {}};
+    if (buffer && (c.memory || buffer->mapped)) {
+        raise(kGL_INVALID_OPERATION, c,
+              fmt::format("{} reads the buffer that is bound to GL_PIXEL_UNPACK_BUFFER, {}", c.name(),
+                          c.memory ? "but is given an address" : "which is mapped; a glUnmapBuffer is missing"));
+        return std::nullopt;
     }
+    const std::vector<std::byte>& bytes = buffer ? buffer->bytes : c.memory->bytes;
     const double offset = c.arguments.back();
-    const std::size_t needed = bytes_read(source, pixel_store_), size = c.memory->bytes.size();
+    const std::size_t needed = bytes_read(source, pixel_store_), size = bytes.size();
     if (offset < 0 || offset > static_cast<double>(size) || needed > size - static_cast<std::size_t>(offset)) {
         raise(kGL_INVALID_OPERATION, c,
               fmt::format("{} reads {} bytes, but the memory it is given has {}; mind GL_UNPACK_ALIGNMENT, {} here",
                           c.name(), needed, static_cast<double>(size) - offset, pixel_store_.unpack_alignment));
         return std::nullopt;
     }
-    return unpack(source, pixel_store_, std::span(c.memory->bytes).subspan(static_cast<std::size_t>(offset)));
+    return PixelRows{source, pixel_store_, std::span(bytes).subspan(static_cast<std::size_t>(offset))};
+}
+
+std::size_t texels_of(const Texture& texture) {
+    std::size_t count = 0;
+    for (const TextureImage& image : texture.levels) count += image.texels.size();
+    return count;
+}
+
+bool State::has_texels(const Command& c, double count, std::size_t replaced) {
+    if (!has_time(c, count)) return false;
+    if (static_cast<double>(textures_.texels - replaced) + count <= static_cast<double>(kMaxTexels)) return true;
+    raise(kGL_OUT_OF_MEMORY, c,
+          fmt::format("{} is given {} texels more; all textures have {} at the most together", c.name(), count,
+                      kMaxTexels));
+    return false;
 }
 
 // Images of textures that State does not follow.
@@ -146,32 +167,34 @@ void State::tex_image(const Command& c) {
                                  enum_name(static_cast<Enum>(std::max(a.internal_format, 0.0)))));
     }
     if (!check_pixel_type(c, source) || a.target == proxy) return;
-    if (static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height) > kMaxTexels) {
-        return raise(kGL_OUT_OF_MEMORY, c,
-                     fmt::format("the image is {} x {}; an image has at most {} texels", source.width, source.height,
-                                 kMaxTexels));
-    }
-    const auto texels = pixels(c, source);
-    if (!texels) return;
+    const auto level = static_cast<std::size_t>(a.level);
+    const Texture& bound = *bound_texture(target);
+    const std::size_t replaced = level < bound.levels.size() ? bound.levels[level].texels.size() : 0;
+    if (!has_texels(c, static_cast<double>(source.width) * source.height, replaced)) return;
+    const auto rows = pixels(c, source);
+    if (!rows) return;
     // RULING: borders are cut off, as drivers do; what samples them is named.
     if (a.border == 1) {
-        note_unsupported(fmt::format("{} with a border", c.name()), c.place, {"programmable", "reference"});
+        note_lasting(fmt::format("{} with a border", c.name()), c.place);
     }
     const int dx = a.border, dy = two ? a.border : 0;
     TextureImage image{
         source.width - 2 * dx, source.height - 2 * dy, format->base_format, static_cast<Enum>(a.internal_format), {}};
+    image.texels.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    std::vector<glm::dvec4> row;
     for (int y = 0; y < image.height; ++y) {
+        rows->unpack(y + dy, row);
         for (int x = 0; x < image.width; ++x) {
-            const auto at = static_cast<std::size_t>(y + dy) * static_cast<std::size_t>(source.width) +
-                            static_cast<std::size_t>(x + dx);
-            image.texels.push_back(stored((*texels)[at], *format));
+            image.texels.push_back(stored(row[static_cast<std::size_t>(x + dx)], *format));
         }
     }
     Texture* texture = writable_texture(c, target);
-    const auto level = static_cast<std::size_t>(a.level);
+    if (!texture) return;
+    textures_.texels -= texels_of(*texture);
     if (texture->levels.size() <= level) texture->levels.resize(level + 1);
     texture->levels[level] = std::move(image);
     if (level == 0) generate_mipmaps(*texture);
+    textures_.texels += texels_of(*texture);
 }
 
 void State::tex_sub_image(const Command& c) {
@@ -204,21 +227,27 @@ void State::tex_sub_image(const Command& c) {
                      fmt::format("{} x {} texels at ({}, {}) lie outside the image of {} x {}", source.width,
                                  source.height, x0, y0, old.width, old.height));
     }
-    const auto texels = pixels(c, source);
-    if (!texels || texels->empty()) return;
+    const auto rows = pixels(c, source);
+    if (!rows || source.width == 0 || source.height == 0) return;
+    const bool mipmaps = level == 0 && bound.generate_mipmap;
+    if (!has_time(c, static_cast<double>(mipmaps ? texels_of(bound) : 0) +
+                         static_cast<double>(source.width) * source.height)) {
+        return;
+    }
     Texture* texture = writable_texture(c, target);
+    if (!texture) return;
+    textures_.texels -= texels_of(*texture);
     TextureImage& image = texture->levels[static_cast<std::size_t>(level)];
     const InternalFormat format = *internal_format(image.internal_format);
+    std::vector<glm::dvec4> row;
     for (int y = 0; y < source.height; ++y) {
-        for (int x = 0; x < source.width; ++x) {
-            const auto from =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(source.width) + static_cast<std::size_t>(x);
-            const auto to = static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(image.width) +
-                            static_cast<std::size_t>(x0 + x);
-            image.texels[to] = stored((*texels)[from], format);
-        }
+        rows->unpack(y, row);
+        const auto to =
+            static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x0);
+        for (std::size_t x = 0; x < row.size(); ++x) image.texels[to + x] = stored(row[x], format);
     }
     if (level == 0) generate_mipmaps(*texture);
+    textures_.texels += texels_of(*texture);
 }
 
 // 3.8.8, "Automatic mipmap generation".

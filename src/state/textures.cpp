@@ -21,7 +21,10 @@ std::shared_ptr<Texture>& State::texture_of(const TextureBindings& bindings, Enu
 Texture* State::writable_texture(const Command& c, Enum target) {
     if (!known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return nullptr;
     std::shared_ptr<Texture>& texture = bound_texture(target);
-    if (texture.use_count() > 1) texture = std::make_shared<Texture>(*texture);
+    if (texture.use_count() > 1) {
+        if (!has_room(c, texels_of(*texture) * sizeof(glm::vec4))) return nullptr;
+        texture = std::make_shared<Texture>(*texture);
+    }
     return texture.get();
 }
 
@@ -59,23 +62,70 @@ void State::active_texture(const Command& c) {
     a_.active_unit = texture - kGL_TEXTURE0;
 }
 
+namespace {
+
+// Parameters of later versions, and of textures that are not here.
+struct ParameterElsewhere {
+    Enum pname;
+    std::optional<double> initial;  // nothing: it says how another one acts, and alone changes no pixel
+};
+constexpr ParameterElsewhere kParametersElsewhere[] = {
+    {kGL_TEXTURE_BASE_LEVEL, 0},
+    {kGL_TEXTURE_MAX_LEVEL, 1000},
+    {kGL_TEXTURE_MIN_LOD, -1000},
+    {kGL_TEXTURE_MAX_LOD, 1000},
+    {kGL_TEXTURE_LOD_BIAS, 0},
+    {kGL_TEXTURE_MAX_ANISOTROPY_EXT, 1},
+    {kGL_TEXTURE_COMPARE_MODE, kGL_NONE},
+    {kGL_TEXTURE_COMPARE_FUNC, std::nullopt},
+    {kGL_DEPTH_TEXTURE_MODE, std::nullopt},
+};
+
+const ParameterElsewhere* parameter_elsewhere(Enum pname) {
+    const auto* row = std::find_if(std::begin(kParametersElsewhere), std::end(kParametersElsewhere),
+                                   [pname](const ParameterElsewhere& r) { return r.pname == pname; });
+    return row == std::end(kParametersElsewhere) ? nullptr : row;
+}
+
+}  // namespace
+
+void State::query_tex_parameter(const Command& c) {
+    const Enum target = c.enumerant(0), pname = c.enumerant(1);
+    if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (pname == kGL_TEXTURE_RESIDENT || parameter_elsewhere(pname) || find_parameter(Owner::kTexture, pname)) return;
+    raise(kGL_INVALID_ENUM, c,
+          fmt::format("{} is given {}; expected GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, ...", c.name(),
+                      enum_name(pname)));
+}
+
+void State::query_tex_env(const Command& c) {
+    const Enum target = c.enumerant(0), pname = c.enumerant(1);
+    if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
+    if (target == kGL_TEXTURE_ENV) {
+        known(c, pname, {kGL_TEXTURE_ENV_MODE, kGL_TEXTURE_ENV_COLOR});
+    } else {
+        known(c, pname, {kGL_TEXTURE_LOD_BIAS});
+    }
+}
+
 void State::tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
     if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
-    // Parameters of later versions, and of textures that are not here.
-    for (Enum later :
-         {kGL_TEXTURE_BASE_LEVEL, kGL_TEXTURE_MAX_LEVEL, kGL_TEXTURE_MIN_LOD, kGL_TEXTURE_MAX_LOD, kGL_TEXTURE_LOD_BIAS,
-          kGL_TEXTURE_MAX_ANISOTROPY_EXT, kGL_TEXTURE_COMPARE_MODE, kGL_TEXTURE_COMPARE_FUNC, kGL_DEPTH_TEXTURE_MODE}) {
-        if (pname == later) {
-            return note_unsupported(fmt::format("glTexParameter({})", enum_name(pname)), c.place,
-                                    {"programmable", "reference"});
-        }
+    if (const ParameterElsewhere* row = parameter_elsewhere(pname)) {
+        const bool changes = row->initial && c.arguments.size() > 2 && c.number(2) != *row->initial;
+        if (changes) note_lasting(fmt::format("glTexParameter({})", enum_name(pname)), c.place);
+        return;
     }
     const auto values = parameter_values(c, Owner::kTexture, pname);
     if (!values) return;
     const auto name = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
+    // A texture that keeps its value is not copied for it.
+    const auto assign = [&](auto Texture::*member, const auto& value) {
+        if ((*bound_texture(target)).*member == value) return;
+        if (Texture* texture = writable_texture(c, target)) texture->*member = value;
+    };
     const auto set = [&](Enum Texture::*member, std::initializer_list<Enum> allowed) {
-        if (known(c, name, allowed)) writable_texture(c, target)->*member = name;
+        if (known(c, name, allowed)) assign(member, name);
     };
     const auto wraps = {kGL_CLAMP, kGL_REPEAT, kGL_CLAMP_TO_EDGE, kGL_CLAMP_TO_BORDER, kGL_MIRRORED_REPEAT};
     switch (pname) {
@@ -88,13 +138,10 @@ void State::tex_parameter(const Command& c) {
         case kGL_TEXTURE_WRAP_T: return set(&Texture::wrap_t, wraps);
         case kGL_TEXTURE_WRAP_R: known(c, name, wraps); return;  // of no use to one and two dimensions
         case kGL_TEXTURE_BORDER_COLOR:
-            writable_texture(c, target)->border_color =
-                glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0);
-            return;
-        case kGL_TEXTURE_PRIORITY:
-            writable_texture(c, target)->priority = std::clamp(values->front(), 0.0, 1.0);
-            return;
-        case kGL_GENERATE_MIPMAP: writable_texture(c, target)->generate_mipmap = values->front() != 0; return;
+            return assign(&Texture::border_color,
+                          glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0));
+        case kGL_TEXTURE_PRIORITY: return assign(&Texture::priority, std::clamp(values->front(), 0.0, 1.0));
+        case kGL_GENERATE_MIPMAP: return assign(&Texture::generate_mipmap, values->front() != 0);
         default: return;
     }
 }

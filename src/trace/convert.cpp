@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "command/lexer.h"
+#include "command/object_names.h"
 #include "command/text.h"
 
 namespace twinlight::trace {
@@ -67,6 +68,7 @@ std::optional<std::size_t> length_of(const Command& command, const Parameter& pa
             return static_cast<std::size_t>(*length);
         }
         case Extent::kByCount:
+        case Extent::kControlPoints:
         case Extent::kNames: {
             const std::vector<Parameter>& parameters = command.sig().parameters;
             const auto index = static_cast<std::size_t>(&parameter - parameters.data());
@@ -76,6 +78,8 @@ std::optional<std::size_t> length_of(const Command& command, const Parameter& pa
         case Extent::kPointer:
         case Extent::kOutput:
         case Extent::kRest:
+        case Extent::kOutputByCount:
+        case Extent::kOutputMemory:
         case Extent::kImage:
         case Extent::kResult: break;
     }
@@ -141,15 +145,22 @@ void convert(const Arguments& arguments, const Arguments& result, const BlobFold
             case Extent::kArray:
             case Extent::kByPname:
             case Extent::kByCount:
+            case Extent::kControlPoints:
             case Extent::kNames: add_array(argument, arguments, parameter, command); break;
             case Extent::kOutput:
+            case Extent::kOutputMemory: command.arguments.push_back(0); break;
             case Extent::kRest:
+            case Extent::kOutputByCount:
             case Extent::kImage:
             case Extent::kResult: break;
         }
     }
     if (expected == sig.parameters.size()) return;
     const Parameter& returned = sig.parameters.back();
+    if (!named_objects(returned)) {  // what a program does with it, it has done already
+        command.arguments.push_back(0);
+        return;
+    }
     const bool is_number = !result.list.empty() && result.list[0].form == Form::kNumber;
     if (!is_number) refuse(command, returned, "is what the call returned, and is not in this dump");
     command.arguments.push_back(typed(command, returned, result.numbers[0]));

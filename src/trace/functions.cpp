@@ -9,20 +9,9 @@ namespace twinlight::trace {
 
 namespace {
 
-bool one_of(std::string_view name, std::initializer_list<std::string_view> names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 bool starts_with_one_of(std::string_view name, std::initializer_list<std::string_view> starts) {
     return std::any_of(starts.begin(), starts.end(),
                        [name](std::string_view start) { return name.starts_with(start); });
-}
-
-std::string_view without_suffix(std::string_view name, std::initializer_list<std::string_view> suffixes) {
-    for (std::string_view suffix : suffixes) {
-        if (name.ends_with(suffix)) return name.substr(0, name.size() - suffix.size());
-    }
-    return name;
 }
 
 // Queries change nothing; what a query answers, the program has taken into account already.
@@ -107,20 +96,9 @@ bool makes_objects(std::string_view name) {
            starts_with_one_of(name, {"glTexImage", "glTexSubImage", "glCopyTex", "glBufferData"});
 }
 
-// The command of this name; for a name with the suffix of an extension the core command of the same meaning, which has
-// the same parameters but for these few (EXT_vertex_array counts the elements).
-std::optional<CommandId> command_named(std::string_view name) {
-    if (const auto id = find_command(name)) return id;
-    if (one_of(name, {"glVertexPointerEXT", "glNormalPointerEXT", "glColorPointerEXT", "glTexCoordPointerEXT",
-                      "glEdgeFlagPointerEXT"})) {
-        return std::nullopt;
-    }
-    return find_command(without_suffix(name, {"ARB", "EXT"}));
-}
-
 Function what_is(std::string_view name) {
     Function function{.draws = draws_something(name), .makes_objects = makes_objects(name)};
-    const std::optional<CommandId> command = command_named(name);
+    const std::optional<CommandId> command = find_command_or_extension(name);
     if (ends_frame(name)) {
         function.role = Role::kFrameEnd;
     } else if (makes_current(name)) {
@@ -169,7 +147,7 @@ std::optional<Enum> find_dumped_name(std::string_view name) {
     const auto later =
         std::find_if(kLaterNames.begin(), kLaterNames.end(), [name](const LaterName& row) { return row.name == name; });
     if (later != kLaterNames.end()) return later->value;
-    return find_gl_name(without_suffix(name, {"_ARB", "_EXT", "_SGIS", "_NV"}));
+    return find_gl_name_or_extension(name);
 }
 
 }  // namespace twinlight::trace

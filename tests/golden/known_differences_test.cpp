@@ -81,6 +81,24 @@ void components_of_tex_coord() {
     expect_departure(coords[3] == 0.25F);
 }
 
+void unit_that_is_none() {
+    const Both both("glMultiTexCoord2f(GL_FOG, 0.5, 0.5);");
+    ASSERT_EQ(both.state.errors().size(), 1u);
+    EXPECT_EQ(both.state.errors()[0].code, kGL_INVALID_ENUM);
+    expect_departure(glGetError() == GL_NO_ERROR);
+}
+
+void mode_without_buffer() {
+    const Both both("glRenderMode(GL_SELECT);");
+    ASSERT_EQ(both.state.errors().size(), 1u);
+    EXPECT_EQ(both.state.errors()[0].code, kGL_INVALID_OPERATION);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+    EXPECT_EQ(both.state.get(kGL_RENDER_MODE)[0], kGL_RENDER);
+    GLint mode = 0;
+    glGetIntegerv(GL_RENDER_MODE, &mode);
+    expect_departure(mode == GL_SELECT);
+}
+
 void transposed_texture_matrix() {
     const Both both("glMatrixMode(GL_TEXTURE); glActiveTexture(GL_TEXTURE1); glTranslatef(0.5, 0, 0);");
     EXPECT_EQ(both.state.get(kGL_TRANSPOSE_TEXTURE_MATRIX)[3], 0.5);
@@ -109,6 +127,16 @@ void lights_after_pop() {
     const Both both("glPushAttrib(GL_ENABLE_BIT); glEnable(GL_LIGHT0); glPopAttrib();");
     EXPECT_EQ(both.state.get(kGL_LIGHT0)[0], 0);
     expect_departure(glIsEnabled(GL_LIGHT0) == GL_TRUE);
+}
+
+void change_within_inner_push() {
+    const Both both(
+        "glPushAttrib(GL_VIEWPORT_BIT); glPushAttrib(GL_FOG_BIT); glDepthRange(0.25, 0.5); glPopAttrib(); "
+        "glPopAttrib();");
+    EXPECT_EQ(both.state.get(kGL_DEPTH_RANGE), (std::vector<double>{0, 1}));
+    std::array<GLdouble, 2> range{};
+    glGetDoublev(GL_DEPTH_RANGE, range.data());
+    expect_departure(range[0] == 0.25);
 }
 
 void mipmap_hint_after_pop() {
@@ -146,6 +174,16 @@ void color_material_after_pop() {
     expect_departure(ambient[0] == 0.75F);
 }
 
+void texture_matrix_after_pop() {
+    const Both both(
+        "glActiveTexture(GL_TEXTURE7); glPushAttrib(GL_TEXTURE_BIT); glActiveTexture(GL_TEXTURE1);\n"
+        "glMatrixMode(GL_TEXTURE); glPopAttrib(); glTranslatef(0.5, 0, 0);");
+    EXPECT_EQ(both.state.get(kGL_TEXTURE_MATRIX)[12], 0.5);
+    std::array<GLfloat, 16> matrix{};
+    glGetFloatv(GL_TEXTURE_MATRIX, matrix.data());
+    expect_departure(matrix[12] == 0);
+}
+
 void color_lost_before_a_new_color_material() {
     const Both both(
         "glColor4f(0.1, 0.1, 0.1, 1);\n"
@@ -176,6 +214,9 @@ void fog_of_w() {
 constexpr Departure kDepartures[] = {
     {"fog of a vertex whose w is not 1", fog_of_w},
     {"a single value for a vector parameter", single_value_for_a_vector},
+    {"what an inner glPushAttrib does not save", change_within_inner_push},
+    {"glMultiTexCoord of a unit that is none", unit_that_is_none},
+    {"glRenderMode without a buffer", mode_without_buffer},
     {"glColor3 after glColor4", alpha_of_glcolor3},
     {"glTexCoord1 to 3 after glTexCoord4", components_of_tex_coord},
     {"the transposed texture matrix of another unit", transposed_texture_matrix},
@@ -186,6 +227,7 @@ constexpr Departure kDepartures[] = {
     {"glEnable of a vertex array", client_state_by_enable},
     {"GL_GENERATE_MIPMAP after glPopAttrib", generate_mipmap_after_pop},
     {"colour material after glPopAttrib", color_material_after_pop},
+    {"the texture matrix after glPopAttrib", texture_matrix_after_pop},
     {"glColor before a new glColorMaterial", color_lost_before_a_new_color_material},
 };
 

@@ -87,7 +87,7 @@ TEST(Fuzz, FindsEachDepartureThatIsLifted) {
         options.most_failures = 1;
         options.shrinks = false;
         Summary found;
-        for (; options.first < 512 && found.failures.empty(); options.first += options.count) found = run(options, {});
+        for (; options.first < 4096 && found.failures.empty(); options.first += options.count) found = run(options, {});
         ASSERT_EQ(found.failures.size(), 1u);
         EXPECT_LT(found.failures[0].pair, kPairs) << found.failures[0].what;
     }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "command/object_names.h"
 #include "command/text.h"
 #include "fuzz/random.h"
 
@@ -55,8 +56,22 @@ ImageFile image(const std::string& name) {
     return {4, 2, std::vector<std::byte>(4 * 2 * 4, static_cast<std::byte>(name.size()))};
 }
 
+// A target, strides, orders and the points; half of the time wrong, and then without points.
+void random_map(fuzz::Random& random, Command& command) {
+    const std::vector<Parameter>& parameters = command.sig().parameters;
+    if (random.chance(0.5))
+        command.arguments[0] = (parameters.size() == 6 ? kGL_MAP1_COLOR_4 : kGL_MAP2_COLOR_4) + random.below(9);
+    for (std::size_t i = 3; i + 1 < parameters.size(); i += 4) {
+        command.arguments[i] = random.below(9);
+        command.arguments[i + 1] = random.below(5);
+    }
+    const std::size_t count = command.count(parameters.size() - 1);
+    for (std::size_t i = 0; i < count; ++i) command.arguments.push_back(random_bits(random, parameters.back().kind));
+}
+
 Command random_command(fuzz::Random& random, CommandId id) {
     Command command{id, {}, {}};
+    bool is_counted = false;
     for (const Parameter& parameter : signature(id).parameters) {
         int count = 1;
         if (parameter.extent == Extent::kPointer) {
@@ -66,8 +81,29 @@ Command random_command(fuzz::Random& random, CommandId id) {
             continue;
         }
         if (parameter.extent == Extent::kByCount || parameter.extent == Extent::kNames) {
-            count = random.below(5) - 1;
-            command.arguments.back() = count;
+            // The first counted array decides how long the others are.
+            if (!is_counted) command.arguments.back() = random.below(5) - 1;
+            is_counted = true;
+            count =
+                static_cast<int>(command.count(static_cast<std::size_t>(&parameter - signature(id).parameters.data())));
+        }
+        // What a command returns is not known when it is read, but for names.
+        if (parameter.extent == Extent::kResult && parameter.kind != Kind::kQuadric && !named_objects(parameter)) {
+            command.arguments.push_back(0);
+            continue;
+        }
+        if (parameter.extent == Extent::kOutputByCount) {
+            if (id == CommandId::glSelectBuffer || id == CommandId::glFeedbackBuffer)
+                command.arguments[0] = random.below(5) - 1;
+            continue;
+        }
+        if (parameter.extent == Extent::kOutputMemory) {
+            command.arguments.push_back(random.below(50));
+            continue;
+        }
+        if (parameter.extent == Extent::kControlPoints) {
+            random_map(random, command);
+            continue;
         }
         const bool names = parameter.extent == Extent::kNames || parameter.extent == Extent::kResult;
         if (names && parameter.kind != Kind::kQuadric) {
@@ -80,7 +116,7 @@ Command random_command(fuzz::Random& random, CommandId id) {
                 std::make_shared<const Memory>(Memory{Kind::kUbyte, image("a picture.png").rgba, "a picture.png"});
             continue;
         }
-        if (parameter.extent == Extent::kOutput) break;
+        if (parameter.extent == Extent::kOutput) continue;
         if (parameter.extent == Extent::kRest) count = random.below(5);
         if (parameter.extent == Extent::kArray) count = parameter.count;
         if (parameter.extent == Extent::kByPname) {

@@ -49,13 +49,14 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
     if (random.chance(0.06)) {
         const auto& names = gl_names();
         const Enum any = names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
-        // Of GL 3.0, and the parameters of textures whose values State does not look at.
+        // Of GL 3.0 and 3.1, and the parameters of textures whose values State does not look at.
         const std::set<Enum> not_followed = {
-            kGL_TEXTURE_3D,         kGL_TEXTURE_CUBE_MAP,          kGL_TEXTURE_RECTANGLE,
-            kGL_FRAMEBUFFER_SRGB,   kGL_TEXTURE_CUBE_MAP_SEAMLESS, kGL_TEXTURE_MIN_LOD,
-            kGL_TEXTURE_MAX_LOD,    kGL_TEXTURE_BASE_LEVEL,        kGL_TEXTURE_MAX_LEVEL,
-            kGL_TEXTURE_LOD_BIAS,   kGL_TEXTURE_COMPARE_MODE,      kGL_TEXTURE_COMPARE_FUNC,
-            kGL_DEPTH_TEXTURE_MODE, kGL_TEXTURE_MAX_ANISOTROPY_EXT};
+            kGL_TEXTURE_3D,         kGL_TEXTURE_CUBE_MAP,           kGL_TEXTURE_RECTANGLE,
+            kGL_FRAMEBUFFER_SRGB,   kGL_TEXTURE_CUBE_MAP_SEAMLESS,  kGL_TEXTURE_MIN_LOD,
+            kGL_TEXTURE_MAX_LOD,    kGL_TEXTURE_BASE_LEVEL,         kGL_TEXTURE_MAX_LEVEL,
+            kGL_TEXTURE_LOD_BIAS,   kGL_TEXTURE_COMPARE_MODE,       kGL_TEXTURE_COMPARE_FUNC,
+            kGL_DEPTH_TEXTURE_MODE, kGL_TEXTURE_MAX_ANISOTROPY_EXT, kGL_PRIMITIVE_RESTART,
+            kGL_RASTERIZER_DISCARD};
         return not_followed.contains(any) ? kGL_NONE : any;
     }
     const std::vector<Enum> faces = {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK};
@@ -97,7 +98,10 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
     if (parameter == "target") {
         const std::string_view name = signature(id).name;
         if (name == "glHint") return one_of(random, {kGL_FOG_HINT, kGL_LINE_SMOOTH_HINT, kGL_GENERATE_MIPMAP_HINT});
-        if (name.starts_with("glTexEnv")) return random.chance(0.8) ? kGL_TEXTURE_ENV : kGL_TEXTURE_FILTER_CONTROL;
+        if (name.starts_with("glMultiTexCoord"))
+            return kGL_TEXTURE0 + static_cast<Enum>(random.below(kMaxTextureUnits));
+        if (name.starts_with("glTexEnv") || name.starts_with("glGetTexEnv"))
+            return random.chance(0.8) ? kGL_TEXTURE_ENV : kGL_TEXTURE_FILTER_CONTROL;
         return random.chance(0.5) ? kGL_TEXTURE_1D : kGL_TEXTURE_2D;
     }
     if (parameter == "texture" && id == CommandId::glActiveTexture) {
@@ -116,6 +120,7 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
         case CommandId::glFrontFace: return one_of(random, {kGL_CW, kGL_CCW});
         case CommandId::glCullFace: return one_of(random, faces);
         case CommandId::glPolygonMode: return one_of(random, {kGL_POINT, kGL_LINE, kGL_FILL});
+        case CommandId::glRenderMode: return one_of(random, {kGL_RENDER, kGL_SELECT, kGL_FEEDBACK});
         case CommandId::glHint: return one_of(random, {kGL_FASTEST, kGL_NICEST, kGL_DONT_CARE});
         case CommandId::glAlphaFunc:
         case CommandId::glDepthFunc: return kGL_NEVER + static_cast<Enum>(random.below(8));
@@ -176,8 +181,9 @@ bool uses_arrays_or_names(const Signature& sig) {
     const bool is_array = sig.name.ends_with("ClientState") || sig.name.ends_with("ClientAttrib") ||
                           sig.name.starts_with("glDrawArrays") || sig.name == "glArrayElement";
     return is_array || std::any_of(sig.parameters.begin(), sig.parameters.end(), [](const Parameter& p) {
-               return p.extent == Extent::kPointer || p.extent == Extent::kByCount || p.extent == Extent::kNames ||
-                      p.name == "buffer" || p.name == "list" || p.name == "base";
+               return p.extent == Extent::kPointer || p.extent == Extent::kOutputByCount ||
+                      p.extent == Extent::kByCount || p.extent == Extent::kNames || p.name == "buffer" ||
+                      p.name == "list" || p.name == "base";
            });
 }
 
@@ -193,12 +199,16 @@ Command random_command(fuzz::Random& random) {
         // What State does not follow, it does not check either.
         if (std::find(std::begin(kElsewhere), std::end(kElsewhere), id) != std::end(kElsewhere)) continue;
         // Half of the table are variants of glColor and glVertex.
-        const bool frequent =
-            sig.name.starts_with("glColor") || sig.name.starts_with("glVertex") || sig.name.starts_with("glTexCoord");
+        const bool frequent = sig.name.starts_with("glColor") || sig.name.starts_with("glVertex") ||
+                              sig.name.starts_with("glTexCoord") || sig.name.starts_with("glMultiTexCoord");
         if (frequent && random.chance(0.7)) continue;
         Command command{id, {}, {}};
         for (const Parameter& parameter : sig.parameters) {
             if (parameter.extent == Extent::kOutput) break;
+            if (parameter.extent == Extent::kResult) {
+                command.arguments.push_back(0);
+                break;
+            }
             if (parameter.kind == Kind::kEnum) {
                 command.arguments.push_back(random_enum(random, id, parameter.name));
                 continue;
@@ -221,6 +231,10 @@ Command random_command(fuzz::Random& random) {
                 }
                 if (named) {
                     command.arguments.push_back(random_name(random, info->pname));
+                    continue;
+                }
+                if (id == CommandId::gluLookAt) {  // GLU works in floats: far from the origin they cancel
+                    command.arguments.push_back(static_cast<double>(static_cast<float>(random.uniform(-2, 2))));
                     continue;
                 }
                 command.arguments.push_back(bits ? random_bits(random, id) : random_number(random, parameter.kind));
@@ -262,16 +276,29 @@ bool is_departure(const Command& command, const State& state) {
     const std::vector<double> coords = state.get(kGL_CURRENT_TEXTURE_COORDS);
     const bool plain = coords == std::vector<double>{coords.empty() ? 0 : coords[0], 0, 0, 1};
     if (name.starts_with("glTexCoord") && name[10] != '4' && !plain) return true;
+    // 2.5: GL_INVALID_ENUM; the driver takes the lowest three bits of whatever it is given for the unit.
+    const auto is_far_unit = [](Enum unit) { return unit < kGL_TEXTURE0 || unit >= kGL_TEXTURE0 + kMaxTextureUnits; };
+    const bool is_multi = name.starts_with("glMultiTexCoord");
+    if (is_multi && (is_far_unit(command.enumerant(0)) || (name[15] != '4' && !plain))) return true;
+    // 5.2: without a buffer the mode stays; the driver raises the error and changes it.
+    if (command.id == CommandId::glRenderMode && command.enumerant(0) != kGL_RENDER) return true;
     // 6.2: glPopAttrib restores them, but not in the driver.
     const bool switches = command.id == CommandId::glEnable || command.id == CommandId::glDisable;
-    const bool stays = (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
+    const bool stays = command.id == CommandId::glBlendEquationSeparate ||
+                       (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
                        (command.id == CommandId::glHint && command.enumerant(0) == kGL_GENERATE_MIPMAP_HINT) ||
                        (name.starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP);
+    // 6.1.14: what is changed within an inner glPushAttrib that does not save it, the outer one restores; the driver does not.
+    if (command.id == CommandId::glPushAttrib && command.enumerant(0) != kGL_ALL_ATTRIB_BITS &&
+        state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0)
+        return true;
     if (switches && enum_name(command.enumerant(0)).ends_with("_ARRAY")) return true;  // the driver takes them as well
     if (stays && state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0) return true;
     // Beyond the fixed function's units a driver has some for shaders; those are no part of State.
-    const auto is_far_unit = [](Enum unit) { return unit >= kGL_TEXTURE0 + kMaxTextureUnits && unit < 0x8600; };
-    if (command.id == CommandId::glActiveTexture && is_far_unit(command.enumerant(0))) return true;
+    const auto is_shaders_unit = [](Enum unit) { return unit >= kGL_TEXTURE0 + kMaxTextureUnits && unit < 0x8600; };
+    if (command.id == CommandId::glActiveTexture && is_shaders_unit(command.enumerant(0))) return true;
+    // The driver goes on with the texture matrix of the unit that was active before.
+    if (command.id == CommandId::glPopAttrib && state.get(kGL_MATRIX_MODE)[0] == kGL_TEXTURE) return true;
     // Of EXT_direct_state_access, which the driver has.
     const auto is_unit = [](Enum mode) { return mode >= kGL_TEXTURE0 && mode <= kGL_TEXTURE0 + 31; };
     if (command.id == CommandId::glMatrixMode && is_unit(command.enumerant(0))) return true;

@@ -29,7 +29,6 @@ constexpr const char* kFolder = "tests/traces";
 // What the programs use that not every renderer does.
 const std::map<std::string, std::set<std::string>>& expected_unsupported() {
     static const std::map<std::string, std::set<std::string>> table = {
-        {"geomview", {"glRenderMode"}},
         {"stonerview", {"glEnable(GL_LINE_SMOOTH)"}},
     };
     return table;

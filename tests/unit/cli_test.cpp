@@ -94,7 +94,7 @@ TEST_F(Cli, RefusesBadUse) {
                    "use --with programmable or --with reference");
     expect_refused(run({"render", file, "--with", "fixed", "--shading", "smooth", "-o", out_ / "p.png"}), "flat");
     expect_refused(run({"compare", file}), "-o is required");
-    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl");
+    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
     expect_refused(run({"scenes", "no-such-scene-at-all"}), "there is no built-in scene 'no-such-scene-at-all'");
 }
 
@@ -300,6 +300,20 @@ TEST_F(Cli, ExportsTheShapesOfPragmasAsPrimitives) {
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.out.find("twinlight shape"), std::string::npos);
     EXPECT_NE(result.out.find("glBegin(GL_TRIANGLE_FAN);"), std::string::npos);
+}
+
+// The frame of a recorded program as a scene draws the same picture.
+TEST_F(Cli, ExportsARecordedProgramAsAScene) {
+    const std::string program = "tests/traces/geomview/dump.txt";
+    const ProgramResult result = run({"export", program, "--as", "scene"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::string exported = scene(result.out, "exported.gl");
+    for (const std::string& input : {program, exported}) {
+        const std::string picture = out_ / (input == program ? "a.png" : "b.png");
+        const ProgramResult drawn = run({"render", input, "--with", "fixed", "--size", "300x300", "-o", picture});
+        ASSERT_EQ(drawn.status, 0) << drawn.err;
+    }
+    EXPECT_EQ(read_file(out_ / "a.png"), read_file(out_ / "b.png"));
 }
 
 TEST_F(Cli, ExportsTheShadersOfEachShading) {

@@ -362,7 +362,7 @@ TEST(ShapeArguments, ThatMakeNoSenseAreRefusedWithTheRemedy) {
     EXPECT_EQ(refusal(pragma(Word::reflection, {})),
               "reflection is no shape; a shape is cube, cylinder, cylinder_triangles, cone or sphere");
     EXPECT_EQ(refusal(shape(CommandId::glutSolidSphere, {1, 2e9, 2e9})),
-              "glutSolidSphere would have more than 50000000 vertices; give it fewer slices or stacks");
+              "glutSolidSphere would have more than 8000000 vertices; give it fewer slices or stacks");
     EXPECT_NE(refusal(pragma(Word::sphere, {1, 1e300, 4})), "accepted");
     EXPECT_NE(refusal(pragma(Word::sphere, {std::nan(""), 8, 4})), "accepted");
     EXPECT_NE(refusal(pragma(Word::sphere, {1, std::nan(""), 4})), "accepted");

@@ -135,6 +135,8 @@ TEST_F(TextureFiles, AreExportedAsArraysAndKeptByPrinting) {
     EXPECT_NE(result.out.find("0, 0, 255, 255, 0, 0, 255, 255, 255, 0, 0, 255, 255, 0, 0, 255};"), std::string::npos);
     EXPECT_NE(result.out.find("gluBuild2DMipmaps(GL_TEXTURE_2D, "), std::string::npos);
     const std::string pragma = "#pragma twinlight texture(\"picture.png\")\n";
+    const ProgramResult as_scene = run({"export", in_ / "scene.gl", "--as", "scene"});
+    EXPECT_NE(as_scene.out.find(pragma), std::string::npos) << as_scene.err;
     const CommandList scene = read_scene(pragma, "scene.gl", "scene", images_beside(in_ / "scene.gl"));
     EXPECT_EQ(print_scene(scene), pragma);
 }

@@ -23,27 +23,30 @@ struct Arguments {
 // What a C compiler still takes in one function.
 constexpr std::size_t kMostExported = 1'000'000;
 
-std::string c_program(const Frame& frame) {
+// The commands that lead to the picture.
+CommandList commands_of(const Frame& frame) {
     CommandList commands(frame.commands->name, {});
     frame.commands->for_each([&](const Step& step) {
         if (step.kind == Step::Kind::kCommand) commands.commands.push_back(step.command);
         if (commands.commands.size() <= kMostExported) return true;
         throw SceneError(
-            fmt::format("{}: more than {} commands lead to this picture, too many for a C program; choose an "
+            fmt::format("{}: more than {} commands lead to this picture, too many to be printed; choose an "
                         "earlier --frame",
                         frame.commands->name, kMostExported));
     });
-    return print_c_program(with_pragmas_written_out(commands));
+    return commands;
 }
 
 const std::map<std::string, std::function<std::string(const Frame&, const RenderOptions&)>> kForms = {
-    {"c", [](const Frame& frame, const RenderOptions&) { return c_program(frame); }},
+    {"c", [](const Frame& frame,
+             const RenderOptions&) { return print_c_program(with_pragmas_written_out(commands_of(frame))); }},
     {"glsl", programmable::shader_source},
+    {"scene", [](const Frame& frame, const RenderOptions&) { return print_scene(commands_of(frame)); }},
 };
 
 int run(const Arguments& arguments) {
-    if (arguments.form == "c" && arguments.shading) {
-        throw UsageError("--shading is for --as glsl; a C program shades as its glShadeModel says");
+    if (arguments.form != "glsl" && arguments.shading) {
+        throw UsageError("--shading is for --as glsl; a program shades as its glShadeModel says");
     }
     // The whole scene is run first: what has an error is not exported.
     const Frame frame = load_frame(arguments.scene, {}, arguments.frame);
@@ -55,10 +58,13 @@ int run(const Arguments& arguments) {
 
 Subcommand add_export(CLI::App& app) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* exporting =
-        app.add_subcommand("export", "Print a scene as a freeglut program in C, or the shaders that draw it");
+    CLI::App* exporting = app.add_subcommand(
+        "export", "Print a scene as a freeglut program in C, the shaders that draw it, or its commands as a scene");
     add_scene_argument(*exporting, arguments->scene);
-    exporting->add_option("--as", arguments->form, "the form")->required()->type_name("c|glsl")->check(one_of(kForms));
+    exporting->add_option("--as", arguments->form, "the form")
+        ->required()
+        ->type_name("c|glsl|scene")
+        ->check(one_of(kForms));
     add_shading_option(*exporting, arguments->shading);
     add_frame_option(*exporting, arguments->frame);
     return {exporting, [arguments] { return run(*arguments); }};
