@@ -8,6 +8,8 @@
 #include <glm/matrix.hpp>
 #include <set>
 
+#include "context/context.h"
+
 namespace twinlight::fuzz {
 
 namespace {
@@ -191,13 +193,15 @@ bool lists_edge_flags(const CommandList& scene) {
     return flags && borders;
 }
 
-bool draws_lit_rectangles(const CommandList& scene) {
-    bool lit = false, rectangle = false;
+// Where it can be seen: by colours that are no linear function, and where one is drawn again, by depths.
+bool shows_cut_of_rectangles(const CommandList& scene) {
+    bool lit = false;
+    int rectangles = 0;
     for (const Command& command : scene.commands) {
         lit = lit || (command.id == Id::glEnable && command.enumerant(0) == kGL_LIGHTING);
-        rectangle = rectangle || command.name().starts_with("glRect");
+        if (command.name().starts_with("glRect")) ++rectangles;
     }
-    return lit && rectangle;
+    return rectangles > 1 || (rectangles > 0 && lit);
 }
 
 // ---- Of the state of a Draw ----
@@ -216,6 +220,11 @@ bool is_clipped(const Draw& draw) {
 }
 
 bool draws_borders_of_clipped_polygons(const Draw& draw) { return draws_borders(draw) && is_clipped(draw); }
+
+bool has_faces_on_borders_in_softpipe(const Draw& draw) {
+    return draws_borders(draw) && draw.lighting.enabled && draw.lighting.light_model.two_side &&
+           driver_name().starts_with("softpipe");
+}
 
 bool has_edge_flags_in_strip(const Draw& draw) {
     const bool strip = draw.mode == kGL_TRIANGLE_STRIP || draw.mode == kGL_TRIANGLE_FAN || draw.mode == kGL_QUAD_STRIP;
@@ -431,6 +440,11 @@ const std::vector<Departure>& departures() {
          .section = "3.8.8",
          .leaves = Leaves::kDriver,
          .of_draw = biases_level_of_points},
+        {.name = "faces of borders in softpipe's shaders",
+         .section = "GLSL 1.20, 7.2: gl_FrontFacing is that of the primitive; docs/architecture.md",
+         .leaves = Leaves::kDriver,
+         .of_draw = has_faces_on_borders_in_softpipe,
+         .only_on = "softpipe"},
         {.name = "the colour sum in fog", .section = "3.9, 3.10", .of_draw = adds_secondary_color_in_fog},
         {.name = "GL_CLAMP between a nearest and a linear filter",
          .section = "3.8.7, 3.8.8",
@@ -465,9 +479,9 @@ const std::vector<Departure>& departures() {
         {.name = "edge flags in a display list",
          .section = "5.4, 2.6.2: a list draws what its commands draw",
          .of_commands = lists_edge_flags},
-        {.name = "glRect under lighting",
+        {.name = "glRect as a quadrilateral",
          .section = "2.10: glRect is a GL_POLYGON",
-         .of_commands = draws_lit_rectangles},
+         .of_commands = shows_cut_of_rectangles},
         {.name = "glShadeModel after glPopAttrib in a display list",
          .section = "5.4: a list holds every command that may be compiled",
          .of_commands = shades_after_pop_in_list},

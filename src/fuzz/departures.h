@@ -26,6 +26,7 @@ struct Departure {
     bool (*of_commands)(const CommandList& scene) = nullptr;
     bool (*of_draw)(const Draw& draw) = nullptr;
     bool (*of_vertex)(const Draw& draw, const Vertex& vertex) = nullptr;
+    std::string_view only_on{};  // a driver that is not the listed one's: golden/known_differences does not have it
 };
 const std::vector<Departure>& departures();
 

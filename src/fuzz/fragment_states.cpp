@@ -31,7 +31,7 @@ class Builder {
         if (shows("the colour sum in fog") || shows("fog of a vertex whose w is not 1") || structure_.chance(0.4))
             fog();
         raster();
-        lit_ = shows("the colour sum in fog") || shows("glRect under lighting") || structure_.chance(0.4);
+        lit_ = shows("the colour sum in fog") || shows("glRect as a quadrilateral") || structure_.chance(0.4);
         if (lit_) lighting();
         if (structure_.chance(0.6)) fragment_operations();
         std::string first = batch();
@@ -208,8 +208,8 @@ class Builder {
         const char* name = i == 0 ? "GL_LIGHT0" : "GL_LIGHT5";
         add("glEnable({});", name);
         add("glLightfv({}, GL_DIFFUSE, {}); glLightfv({}, GL_SPECULAR, {});", name, vector(), name, vector());
-        if (shows("glRect under lighting") || structure_.chance(0.6)) {
-            const bool positional = shows("glRect under lighting") || structure_.chance(0.5);
+        if (shows("glRect as a quadrilateral") || structure_.chance(0.6)) {
+            const bool positional = shows("glRect as a quadrilateral") || structure_.chance(0.5);
             add("glLightfv({}, GL_POSITION, (GLfloat[]){{{:.3f}, {:.3f}, {:.3f}, {}}});", name, random_.uniform(-3, 3),
                 random_.uniform(-3, 3), random_.uniform(0.5, 3), positional ? 1 : 0);
             if (positional) add("glLightf({}, GL_LINEAR_ATTENUATION, {:.3f});", name, random_.uniform(0, 0.3));
@@ -245,7 +245,7 @@ class Builder {
         materials_ = lit_ && structure_.chance(0.5);
         const bool of_triangles = shows("polygon offset of one of two polygon modes") ||
                                   shows("clipped polygons as lines and points") || shows("the colour sum in fog");
-        if (shows("glRect under lighting")) return flat("glRectf");
+        if (shows("glRect as a quadrilateral")) return flat("glRectf");
         if (shows("edge flags of strips and fans")) return anywhere("GL_TRIANGLE_STRIP");
         if (shows("edge flags in a display list"))
             return "glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLE_FAN);\n" + attributes(true, true) +

@@ -42,13 +42,13 @@ CommandList random_scene(const Options& options, std::uint64_t state) {
     return scene;
 }
 
-std::string failure_text(const Failure& failure, const Options& options, const std::string& driver) {
+std::string failure_text(const Failure& failure, const Options& options) {
     const std::string pair(failure.pair < kPairs ? kPairNames.at(failure.pair) : "the scene is refused");
     std::string text = fmt::format("// twinlight fuzz --seed {} --first {} --count 1{}\n", options.seed, failure.state,
                                    options.lifted.empty() ? "" : fmt::format(" --lift '{}'", options.lifted));
     text +=
         fmt::format("// {}, {}: {}\n", pair, failure.is_picture ? "as pictures" : "at float precision", failure.what);
-    text += fmt::format("// on {}\n", driver);
+    text += fmt::format("// on {}\n", failure.driver);
     return text + print_scene(failure.scene);
 }
 
@@ -110,6 +110,7 @@ class Run {
         pictures_.reset();
         if (options_.floats) floats_.emplace(lifted_);
         if (options_.pictures) pictures_.emplace(lifted_);
+        summary_.driver = driver_name();
     }
 
     bool stops() const { return progress_.stop() || summary_.failures.size() >= options_.most_failures; }
@@ -162,6 +163,7 @@ class Run {
     void fail(std::uint64_t state, const std::shared_ptr<const CommandList>& scene, const Found& found) {
         Failure failure;
         failure.state = state;
+        failure.driver = summary_.driver;
         failure.is_picture = is_picture(state);
         failure.commands_before = scene->commands.size();
         if (!found.error.empty()) {

@@ -37,10 +37,11 @@ struct Failure {
     std::size_t pair = 0;  // of kPairNames; kPairs where a scene is refused
     std::string what;      // of the smallest scene
     CommandList scene;     // the smallest
+    std::string driver;
     std::size_t commands_before = 0;
 };
 // The scene with a comment that says where it comes from and what differs.
-std::string failure_text(const Failure& failure, const Options& options, const std::string& driver);
+std::string failure_text(const Failure& failure, const Options& options);
 
 struct Worst {
     double value = 0;
@@ -50,6 +51,7 @@ struct Worst {
 struct Summary {
     std::uint64_t float_states = 0, picture_states = 0;
     bool broken_off = false;
+    std::string driver;
     std::array<long, kPairs> vertices{}, pixels{}, differing_pixels{};
     std::array<Worst, kPairs> worst_float, worst_picture;
     LeftOutCounts vertices_left_out, pictures_left_out;

@@ -59,19 +59,14 @@ Outcome depth_outcome(Enum depth_func, const Interval& difference) {
     return depth_passes(depth_func, nearer ? -1 : 1, 0) ? Outcome::kPasses : Outcome::kFails;
 }
 
+// A driver may cut one that it shades flat, or has in a display list, otherwise than the same one shaded smooth, or not.
+bool is_quadrilaterals(const Draw& draw) { return draw.mode == kGL_QUADS || draw.mode == kGL_QUAD_STRIP; }
+
 // The same triangle, clipped alike, but perhaps for its polygon offset.
 bool same_triangle(const Piece& a, const Piece& b) {
     return a.shape == Shape::kTriangle && b.shape == Shape::kTriangle && a.corners == b.corners &&
            a.weight_over_w_planes == b.weight_over_w_planes && a.depth_plane.x == b.depth_plane.x &&
            a.depth_plane.y == b.depth_plane.y;
-}
-
-// A driver may cut a quadrilateral that it shades flat otherwise than the same one that it shades smooth.
-bool are_cut_alike(const Draw& a, const Draw& b) {
-    const auto is_quadrilaterals = [](const Draw& draw) {
-        return draw.mode == kGL_QUADS || draw.mode == kGL_QUAD_STRIP;
-    };
-    return a.lighting.shade_model == b.lighting.shade_model || !is_quadrilaterals(a) || !is_quadrilaterals(b);
 }
 
 // What the alpha test makes of all alphas of the interval, compared as 8-bit numbers or finer ones: 4.1.4 takes as many
@@ -248,7 +243,7 @@ class Rows {
             const Piece& other = stages_.piece(other_id);
             const glm::dvec3 between = piece.depth_plane - other.depth_plane;
             // Appendix A: what is drawn again has the same depths; 3.5.5: r keeps offsets apart.
-            if (same_triangle(piece, other) && are_cut_alike(stages_.draw_of(piece), stages_.draw_of(other)))
+            if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
                 return depth_passes(raster.depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
             if (piece.shape == Shape::kTriangle && other.shape == Shape::kTriangle) {
                 const double change = kHalfSquare * (std::abs(between.x) + std::abs(between.y));

@@ -11,7 +11,6 @@
 #include "app/cli/command_line.h"
 #include "app/cli/progress.h"
 #include "command/names.h"
-#include "context/context.h"
 #include "image/file.h"
 #include "report/words.h"
 
@@ -63,11 +62,11 @@ std::string file_of(const Arguments& arguments, const fuzz::Failure& failure) {
 }
 
 // Written as soon as it is found: a long run may end in any way.
-void write_failure(const Arguments& arguments, const fuzz::Failure& failure, const std::string& driver) {
+void write_failure(const Arguments& arguments, const fuzz::Failure& failure) {
     std::error_code error;
     std::filesystem::create_directories(arguments.folder, error);
     if (error) throw FileError(arguments.folder + ": " + error.message());
-    write_file_atomically(file_of(arguments, failure), fuzz::failure_text(failure, arguments.options, driver));
+    write_file_atomically(file_of(arguments, failure), fuzz::failure_text(failure, arguments.options));
 }
 
 std::string grouped(long n) { return report::grouped(static_cast<std::size_t>(n)); }
@@ -81,11 +80,11 @@ void append_left_out(std::string& text, const char* what, const fuzz::LeftOutCou
 
 std::string summary_text(const Arguments& arguments, const Summary& summary, double seconds) {
     const std::uint64_t states = summary.float_states + summary.picture_states;
-    std::string text = fmt::format(
-        "{} states of seed {}{} in {}, {:.0f} a second: {} at float precision, {} as pictures\n",
-        report::grouped(states), arguments.options.seed, summary.broken_off ? " (broken off)" : "",
-        minutes(seconds), static_cast<double>(states) / std::max(seconds, 1e-9), report::grouped(summary.float_states),
-        report::grouped(summary.picture_states));
+    std::string text =
+        fmt::format("{} states of seed {}{} in {}, {:.0f} a second: {} at float precision, {} as pictures\n",
+                    report::grouped(states), arguments.options.seed, summary.broken_off ? " (broken off)" : "",
+                    minutes(seconds), static_cast<double>(states) / std::max(seconds, 1e-9),
+                    report::grouped(summary.float_states), report::grouped(summary.picture_states));
     text += fmt::format("\n{:<26}  {:>11}  {:>8}  {:>9}  {:>13}  {:>9}  {:>5}  {:>9}\n", "pair", "vertices", "worst",
                         "of state", "pixels", "differing", "worst", "of state");
     for (std::size_t pair = 0; pair < fuzz::kPairs; ++pair) {
@@ -121,9 +120,8 @@ nlohmann::ordered_json left_out_json(const fuzz::LeftOutCounts& counts) {
     return list;
 }
 
-std::string summary_json(const Arguments& arguments, const Summary& summary, double seconds,
-                         const std::string& driver) {
-    nlohmann::ordered_json json = {{"driver", driver},
+std::string summary_json(const Arguments& arguments, const Summary& summary, double seconds) {
+    nlohmann::ordered_json json = {{"driver", summary.driver},
                                    {"seed", arguments.options.seed},
                                    {"first", arguments.options.first},
                                    {"count", arguments.options.count},
@@ -154,16 +152,12 @@ std::string summary_json(const Arguments& arguments, const Summary& summary, dou
 int run(const Arguments& arguments) {
     const Interrupt interrupt;
     const auto start = std::chrono::steady_clock::now();
-    const std::string driver = [] {
-        const auto context = make_offscreen_context(1, 1);
-        return driver_name();
-    }();
     Summary summary;
     {
         ProgressBar bar;
         fuzz::Progress progress;
         progress.stop = [] { return interrupted != 0; };
-        progress.found = [&](const fuzz::Failure& failure) { write_failure(arguments, failure, driver); };
+        progress.found = [&](const fuzz::Failure& failure) { write_failure(arguments, failure); };
         progress.show = [&](std::uint64_t done, const Summary& so_far, const char* doing) {
             const double seconds = seconds_since(start), rate = static_cast<double>(done) / std::max(seconds, 1e-9);
             const double left = static_cast<double>(arguments.options.count - done) / std::max(rate, 1e-9);
@@ -174,8 +168,8 @@ int run(const Arguments& arguments) {
         summary = fuzz::run(arguments.options, progress);
     }
     const double seconds = seconds_since(start);
-    write_result(arguments.json ? summary_json(arguments, summary, seconds, driver)
-                                : driver + "\n" + summary_text(arguments, summary, seconds));
+    write_result(arguments.json ? summary_json(arguments, summary, seconds)
+                                : summary.driver + "\n" + summary_text(arguments, summary, seconds));
     return summary.fails() ? kDifferent : kFine;
 }
 
