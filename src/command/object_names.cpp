@@ -15,12 +15,16 @@ std::optional<ObjectType> named_objects(const Parameter& parameter) {
 std::uint32_t ObjectNames::next(ObjectType type, std::uint32_t count) const {
     constexpr std::uint64_t kNames = std::uint64_t{1} << 32;
     std::uint64_t candidate = 1;
-    const auto rows = taken_.find(type);
-    if (rows != taken_.end()) {
-        for (const auto& [first, end] : rows->second) {
-            if (candidate + count <= first) break;
-            candidate = std::max(candidate, end);
+    if (const auto rows = taken_.find(type); rows != taken_.end()) {
+        // Names are never given back, so the search goes on from where one for as many, or fewer, ended.
+        auto& ends = searched_[type];
+        if (const auto more = ends.upper_bound(count); more != ends.begin()) candidate = std::prev(more)->second;
+        auto row = rows->second.upper_bound(candidate);
+        if (row != rows->second.begin()) --row;
+        for (; row != rows->second.end() && candidate + count > row->first; ++row) {
+            candidate = std::max(candidate, row->second);
         }
+        ends[count] = candidate;
     }
     return candidate + count <= kNames ? static_cast<std::uint32_t>(candidate) : 0;
 }

@@ -27,6 +27,7 @@ class ObjectNames {
 
   private:
     std::map<ObjectType, std::map<std::uint64_t, std::uint64_t>> taken_;  // rows of names: first, one past the last
+    mutable std::map<ObjectType, std::map<std::uint32_t, std::uint64_t>> searched_;  // by count: where next() ended
 };
 
 }  // namespace twinlight

@@ -78,6 +78,8 @@ void Reader::statement() {
 // opens a window, and is not read.
 void Reader::program() {
     const Token first = token_;
+    if (in_program_) fail(first.place, "a function cannot stand inside another");
+    in_program_ = true;
     advance();
     advance();
     if (!token_.is("draw_scene")) {
@@ -318,12 +320,16 @@ void Reader::arrays_values(Kind kind, std::span<const std::size_t> dimensions, s
     expect("}", "after the array's values");
 }
 
-void Reader::allocate(Object& object, const Place& place) {
-    const std::size_t bytes = object.length() * size_of(object.kind);
+void Reader::hold(std::size_t bytes, const Place& place) {
     if (bytes > kMaxMemoryBytes - bytes_) {
         fail(place, fmt::format("all arrays of a scene hold {} MiB at the most together", kMaxMemoryBytes >> 20));
     }
     bytes_ += bytes;
+}
+
+void Reader::allocate(Object& object, const Place& place) {
+    const std::size_t bytes = object.length() * size_of(object.kind);
+    hold(bytes, place);
     object.memory = std::make_shared<Memory>(Memory{object.kind, std::vector<std::byte>(bytes)});
 }
 
@@ -336,7 +342,10 @@ void Reader::fill(Object& object, const std::vector<double>& values) {
 }
 
 Memory& Reader::writable(Object& object) {
-    if (object.memory.use_count() > 1) object.memory = std::make_shared<Memory>(*object.memory);
+    if (object.memory.use_count() > 1) {
+        hold(object.memory->bytes.size(), object.place);
+        object.memory = std::make_shared<Memory>(*object.memory);
+    }
     return *object.memory;
 }
 

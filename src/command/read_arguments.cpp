@@ -221,6 +221,8 @@ void Reader::array_argument(Command& command, std::size_t i) {
                                       object.shown, available));
     }
     if (is_answer(parameter)) return forget_values(object, command);
+    constexpr std::size_t kShort = 16;  // what the text itself has room for
+    if (length > kShort) hold(length * sizeof(double), start.place);
     if (parameter.extent == Extent::kNames) return give_names(command, *named_objects(parameter), given, length);
     if (!object.known && length > 0) {
         fail(start.place, fmt::format("{} has no value here: {}", object.shown, object.unknown_because));

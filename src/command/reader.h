@@ -90,6 +90,7 @@ class Reader {
     void arrays_values(Kind kind, std::span<const std::size_t> dimensions, std::vector<double>& values,
                        std::size_t start, bool is_open);
     Dimensions dimensions_in_brackets();
+    void hold(std::size_t bytes, const Place& place);
     void allocate(Object& object, const Place& place);
     void fill(Object& object, const std::vector<double>& values);
     Memory& writable(Object& object);
@@ -142,10 +143,12 @@ class Reader {
     Token token_, ahead_;
     bool primed_ = false;
     std::size_t nesting_ = 0;
+    bool in_program_ = false;
     bool program_read_ = false;
     std::map<std::string_view, Object> variables_;
     std::deque<Object> literals_;  // of the statement that is being read
-    std::size_t bytes_ = 0;        // that all objects and images hold
+    // That all objects and images hold, older contents of objects that commands point into, and long arguments.
+    std::size_t bytes_ = 0;
     const ImageLoader& load_image_;
     struct LoadedImage {
         int width = 0, height = 0;

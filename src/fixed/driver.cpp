@@ -1,4 +1,5 @@
 // Driver: the names of objects. What it may read stands in driver_reads.cpp.
+#include <utility>
 #include <vector>
 
 #include "context/gl.h"
@@ -117,7 +118,10 @@ void Driver::execute(const Command& command) {
         case CommandId::glFeedbackBuffer:
             return feedback_buffer(static_cast<GLsizei>(command.number(0)), command.enumerant(1));
         case CommandId::glRenderMode: selects_ = true; break;
-        case CommandId::glNewList: lists_.insert(command.enumerant(0)); break;
+        case CommandId::glNewList:
+            lists_.insert(command.enumerant(0));
+            emptied_lists_.erase(command.enumerant(0));
+            break;
         case CommandId::glDeleteLists: return delete_lists(command);
         case CommandId::glGenLists:
             // 5.4: the scene's own names make lists as well. What the driver would find is not used.
@@ -126,6 +130,7 @@ void Driver::execute(const Command& command) {
         default: break;
     }
     executor_.execute(translated(command));
+    if (command.id == CommandId::glEndList) empty_lists();
     arrays_may_differ_ |= command.sig().family == Family::kShape;  // sent by arrays
 }
 
@@ -135,8 +140,26 @@ void Driver::delete_lists(const Command& command) {
     if (range < 0 || !answers()) return executor_.execute(command);  // the driver's error
     auto list = lists_.lower_bound(command.enumerant(0));
     while (list != lists_.end() && *list < first + range) {
+        if (kept_lists_.contains(*list)) {
+            emptied_lists_.insert(*list++);
+            continue;
+        }
         glDeleteLists(*list, 1);
         list = lists_.erase(list);
+    }
+    empty_lists();
+}
+
+void Driver::make_empty_lists(const std::vector<std::uint32_t>& names) {
+    for (auto* lists : {&lists_, &kept_lists_, &emptied_lists_}) lists->insert(names.begin(), names.end());
+    empty_lists();
+}
+
+void Driver::empty_lists() {
+    if (emptied_lists_.empty() || is_compiling()) return;
+    for (std::uint32_t list : std::exchange(emptied_lists_, {})) {
+        glNewList(list, GL_COMPILE);
+        glEndList();
     }
 }
 

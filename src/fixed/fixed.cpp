@@ -45,6 +45,7 @@ void draw(const Frame& frame, const RenderOptions& options) {
         throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
     }
     Driver driver(frame.width, frame.height);
+    driver.make_empty_lists(frame.lists_called_before_made);
     clear_to_black();
     if (options.shading) glShadeModel(*options.shading == Shading::kFlat ? GL_FLAT : GL_SMOOTH);
     frame.commands->for_each([&](const Step& step) {

@@ -48,6 +48,10 @@ class Driver {
     // One command. Pragmas that GL has no command for do nothing, but shape(...) draws.
     void execute(const Command& command);
 
+    // Makes empty lists of these names, which do what no lists do; and so do those that are deleted. Mesa (22.3) crashes where
+    // a list calls another that is not there when it is compiled.
+    void make_empty_lists(const std::vector<std::uint32_t>& names);
+
     // The driver's name for an object of the scene; 0 for one that it does not have.
     std::uint32_t name_of(ObjectType type, std::uint32_t name) const;
 
@@ -63,14 +67,17 @@ class Driver {
     Command translated(const Command& command);
     std::uint32_t new_name(ObjectType type);
     void delete_lists(const Command& command);
+    void empty_lists();
 
     bool may_see(const Command& command);
     bool may_see_arrays(const Command& command);
     bool may_see_lists(const Command& command);
     bool may_see_pixels(const Command& command);
     static bool may_see_stipple(const Command& command);
+    static bool may_copy_pixels(const Command& command);
     // Whether the driver answers queries: between glBegin and glEnd it does not, and carries out few commands.
     static bool answers();
+    static bool is_compiling();  // a display list
     // Whether arrays_ is what the driver has, as far as it answers.
     bool arrays_agree();
     bool holds_arrays() const;
@@ -79,11 +86,12 @@ class Driver {
     std::optional<InitialState> initial_;
     Executor executor_;
     std::map<ObjectType, Names> names_;
-    std::set<std::uint32_t> lists_;         // that the scene compiled
-    VertexArrays arrays_;                   // as the driver should have them
-    bool arrays_may_differ_ = false;        // since the driver was asked
-    bool arrays_agreed_ = true;             // when it was asked
-    std::vector<std::uint32_t> selection_;  // where the driver writes what glRenderMode asks for
+    std::set<std::uint32_t> lists_;                       // that the scene compiled
+    std::set<std::uint32_t> kept_lists_, emptied_lists_;  // those that are there always; to be emptied after glEndList
+    VertexArrays arrays_;                                 // as the driver should have them
+    bool arrays_may_differ_ = false;                      // since the driver was asked
+    bool arrays_agreed_ = true;                           // when it was asked
+    std::vector<std::uint32_t> selection_;                // where the driver writes what glRenderMode asks for
     std::vector<float> feedback_;
     bool selects_ = false;  // the scene has set them, or the mode
 };

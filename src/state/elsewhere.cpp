@@ -151,15 +151,20 @@ void State::elsewhere_copy_image(const Command& c) {
     const bool fits = level >= 0 && level < kMaxTextureLevels && width >= 0 && height >= 0 &&
                       width <= kMaxTextureSize >> level && height <= kMaxTextureSize >> level;
     const auto count = static_cast<std::size_t>(std::max(0, width)) * static_cast<std::size_t>(std::max(0, height));
-    if (!fits || count > kMaxTexels) {
+    if (!fits) {
         return raise(kGL_INVALID_VALUE, c,
                      fmt::format("{} is given the level {} and the size {} x {}", c.name(), level, width, height));
     }
     if (!format) return;  // of depth, say
-    std::vector<TextureImage>& levels = writable_texture(c, c.enumerant(0))->levels;
+    if (!has_texels(c, static_cast<double>(count))) return;
+    Texture* texture = writable_texture(c, c.enumerant(0));
+    if (!texture) return;
+    textures_.texels -= texels_of(*texture);
+    std::vector<TextureImage>& levels = texture->levels;
     if (levels.size() <= static_cast<std::size_t>(level)) levels.resize(static_cast<std::size_t>(level) + 1);
     levels[static_cast<std::size_t>(level)] = {width, height, format->base_format, c.enumerant(2),
                                                std::vector<glm::vec4>(count, glm::vec4(0, 0, 0, 1))};
+    textures_.texels += texels_of(*texture);
 }
 
 // 4.2.1. A picture here has one colour buffer, whatever its name.

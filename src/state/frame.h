@@ -245,6 +245,8 @@ struct Frame {
     std::vector<std::variant<Clear, Draw>> items;  // in the order of the commands
     std::vector<Unsupported> unsupported;
     std::shared_ptr<const Recording> commands;  // what it was made from: the fixed renderer executes these
+    // The names of display lists that other lists call, but that were not there yet when these were compiled.
+    std::vector<std::uint32_t> lists_called_before_made{};
 };
 
 // ---- What a renderer is asked for ----

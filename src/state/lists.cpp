@@ -38,6 +38,28 @@ constexpr bool kNeverCompiled[] = {
 #undef PRAGMA_COMMAND
 };
 
+// Commands that send vertices or what belongs to them, by effect.
+constexpr bool sends_vertices(std::string_view effect) {
+    for (std::string_view sending :
+         {"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element",
+          "draw_arrays", "rect", "shape", "quadric_shape", "elsewhere_vertex"}) {
+        if (effect == sending) return true;
+    }
+    return false;
+}
+
+constexpr bool kSendsVertices[] = {
+#define GL_COMMAND(name, effect, ...) sends_vertices(#effect),
+#define SHAPE_COMMAND(name, effect, ...) sends_vertices(#effect),
+#define QUADRIC_COMMAND(name, effect, ...) false,
+#define PRAGMA_COMMAND(name, effect, ...) sends_vertices(#effect),
+#include "command/commands.def"
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
+#undef PRAGMA_COMMAND
+};
+
 bool reads_pixels(const Command& c) {
     const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels"; };
     return std::ranges::any_of(c.sig().parameters, names_pixels);
@@ -50,8 +72,10 @@ T value_at(const std::byte* at) {
     return value;
 }
 
-// The offset from the list base; wraps round as GLuint does.
-std::uint32_t name_at(const std::byte* at, Enum type) {
+}  // namespace
+
+std::uint32_t list_name(std::span<const std::byte> bytes, Enum type) {
+    const std::byte* at = bytes.data();
     const auto byte = [at](int i) { return std::to_integer<std::uint32_t>(at[i]); };
     switch (type) {
         case kGL_BYTE: return static_cast<std::uint32_t>(value_at<std::int8_t>(at));
@@ -70,8 +94,6 @@ std::uint32_t name_at(const std::byte* at, Enum type) {
         default: return value_at<std::uint32_t>(at);
     }
 }
-
-}  // namespace
 
 int list_name_bytes(Enum type) {
     switch (type) {
@@ -128,6 +150,8 @@ bool State::compile(const Command& c) {
         bytes += buffer->bytes.size();
     }
     if (draws_quadric(c)) listed.quadric = std::make_shared<const Quadric>(*quadric(c));
+    if (c.id == CommandId::glCallList || c.id == CommandId::glCallLists) bytes += compile_calls(c);
+    lists_.open->sends_vertices |= kSendsVertices[static_cast<std::size_t>(c.id)];
     bytes += listed.bytes();
     if (bytes > kMaxListedBytes - lists_.bytes - lists_.open->bytes) {
         raise(kGL_OUT_OF_MEMORY, c,
@@ -137,6 +161,62 @@ bool State::compile(const Command& c) {
     lists_.open->bytes += bytes;
     lists_.open->commands.push_back(std::move(listed));
     return lists_.open_mode == kGL_COMPILE;
+}
+
+// What the list that is being compiled calls; how many bytes are kept of it.
+std::size_t State::compile_calls(const Command& c) {
+    std::vector<std::uint32_t> names;
+    if (c.id == CommandId::glCallList) {
+        names.push_back(c.enumerant(0));
+    } else if (const int size = list_name_bytes(c.enumerant(1)); size > 0 && c.memory && has_time(c, c.number(0))) {
+        const double offset = c.number(2), count = c.number(0);
+        if (offset < 0 || offset + count * size > static_cast<double>(c.memory->bytes.size())) return 0;
+        const std::byte* at = c.memory->bytes.data() + static_cast<std::size_t>(offset);
+        for (double i = 0; i < count; ++i, at += size)
+            names.push_back(list_name({at, static_cast<std::size_t>(size)}, c.enumerant(1)));
+        if (std::ranges::find(names, 0U) != names.end()) {
+            note_unsupported("glCallLists with a name 0, in a list", c.place, {"fixed"});
+        }
+    }
+    std::vector<std::uint32_t>& calls = lists_.open->calls;
+    for (std::uint32_t name : names) {
+        if (name != 0 && !lists_.named.contains(name)) lists_.called_before_made.insert(name);
+        if (name != 0) calls.push_back(name);
+    }
+    constexpr std::size_t kBytesOfName = 64;  // in a set
+    return names.size() * kBytesOfName;
+}
+
+// Where a list sends vertices, Mesa (22.3) goes at its glEndList through all lists that it calls and that these call, by
+// their bare names, however deep and however often. So that it comes back, this goes the same way first.
+bool State::walk_calls(const Command& c, const DisplayList& list) {
+    struct Level {
+        std::shared_ptr<const DisplayList> held;
+        const DisplayList* list = nullptr;
+        std::size_t next = 0;
+    };
+    if (list.calls.empty() || !list.sends_vertices) return true;
+    std::vector<Level> levels{{nullptr, &list}};
+    while (!levels.empty()) {
+        Level& level = levels.back();
+        if (level.next == level.list->calls.size()) {
+            levels.pop_back();
+            continue;
+        }
+        const auto found = lists_.named.find(level.list->calls[level.next++]);
+        if (found == lists_.named.end()) continue;
+        if (!has_time(c, 1 + static_cast<double>(found->second->commands.size()))) return false;
+        if (levels.size() >= kMaxListDepth) {
+            raise(
+                kGL_OUT_OF_MEMORY, c,
+                fmt::format("this list sends vertices and calls lists that stand deeper than {} in each other, or in a "
+                            "circle",
+                            kMaxListDepth));
+            return false;
+        }
+        levels.push_back({found->second, found->second.get()});
+    }
+    return true;
 }
 
 void State::gen_lists(const Command& c) {
@@ -164,6 +244,7 @@ void State::new_list(const Command& c) {
 
 void State::end_list(const Command& c) {
     if (lists_.open_name == 0) return raise(kGL_INVALID_OPERATION, c, "glEndList without a glNewList");
+    if (!walk_calls(c, *lists_.open)) return;
     std::shared_ptr<const DisplayList>& list = lists_.named[lists_.open_name];
     lists_.bytes += lists_.open->bytes - (list ? list->bytes : 0);
     list = std::move(lists_.open);
@@ -206,7 +287,8 @@ void State::call_lists(const Command& c) {
     const std::byte* names = c.memory->bytes.data() + static_cast<std::size_t>(offset);
     const std::uint32_t base = a_.list_base;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count) && !exhausted_; ++i) {
-        execute_list(c, base + name_at(names + i * static_cast<std::size_t>(size), type));
+        execute_list(
+            c, base + list_name({names + i * static_cast<std::size_t>(size), static_cast<std::size_t>(size)}, type));
     }
 }
 

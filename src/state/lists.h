@@ -3,6 +3,8 @@
 
 #include <map>
 #include <memory>
+#include <set>
+#include <span>
 #include <vector>
 
 #include "command/command.h"
@@ -18,9 +20,13 @@ inline constexpr std::size_t kMaxLists = 1 << 20;
 inline constexpr std::size_t kMaxListedBytes = std::size_t{1} << 30;
 // GL_MAX_LIST_NESTING (table 6.29): 64 at least; Mesa's. What is nested deeper is not executed (5.4).
 inline constexpr int kMaxListNesting = 64;
+// How deep lists may stand in each other all the same, if they send vertices.
+inline constexpr std::size_t kMaxListDepth = 20'000;
 
 // How many bytes a name has in the memory of glCallLists (5.4); 0 for what is no type of a name.
 int list_name_bytes(Enum type);
+// The name at the start of `bytes`: an offset from the list base, that wraps round as GLuint does.
+std::uint32_t list_name(std::span<const std::byte> bytes, Enum type);
 
 struct ListedCommand {
     Command command;
@@ -39,11 +45,15 @@ struct ListedCommand {
 struct DisplayList {
     std::vector<ListedCommand> commands;
     std::size_t bytes = 0;
+    // The names of the lists that it calls, without the list base; and whether it sends vertices itself. See walk_calls().
+    std::vector<std::uint32_t> calls;
+    bool sends_vertices = false;
 };
 
 struct Lists {
     std::map<std::uint32_t, std::shared_ptr<const DisplayList>> named;
-    std::size_t bytes = 0;  // of all of them
+    std::size_t bytes = 0;                       // of all of them
+    std::set<std::uint32_t> called_before_made;  // names that lists called when there was no list of that name
 
     // The list that is being compiled: between glNewList and glEndList.
     std::uint32_t open_name = 0;  // 0: none

@@ -69,6 +69,8 @@ class Player {
 
     bool swaps() const { return swaps_; }
     int frames() const { return frame_; }  // that were whole before the one that was asked for
+    // What the recording says of itself, after a sentence: "; ...".
+    std::string also() const { return notes_.empty() ? "" : "; " + notes_.back(); }
     RecordedFrame result(const std::shared_ptr<const Recording>& recording);
 
     // The smallest picture that holds all viewports; nothing where they are empty.
@@ -206,7 +208,9 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
         }
         if (!found) {
             const int frames = player.frames();
-            if (!choice.number || frames == 0) throw SceneError(recording->name + ": this recording draws nothing");
+            if (!choice.number || frames == 0) {
+                throw SceneError(recording->name + ": this recording draws nothing" + player.also());
+            }
             throw SceneError(
                 fmt::format("{}: there is no frame {}; the recording has {}", recording->name, *choice.number,
                             frames == 1 ? "one, frame 0" : fmt::format("{}, 0 to {}", frames, frames - 1)));

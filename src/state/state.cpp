@@ -318,6 +318,7 @@ std::optional<GlError> State::unfinished() const {
 Frame State::take_frame(std::shared_ptr<const Recording> commands) {
     Frame frame{options_.width, options_.height, std::move(items_), outside_, std::move(commands)};
     std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
+    frame.lists_called_before_made.assign(lists_.called_before_made.begin(), lists_.called_before_made.end());
     drop_picture();
     return frame;
 }

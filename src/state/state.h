@@ -211,6 +211,8 @@ class State {
     // Whether the picture still has room for so many more bytes, or so much more work; GL_OUT_OF_MEMORY if not.
     bool has_room(const Command& command, std::size_t bytes);
     bool has_time(const Command& command, double work);
+    std::size_t compile_calls(const Command& command);
+    bool walk_calls(const Command& command, const DisplayList& list);
     void execute_list(const Command& command, std::uint32_t name);
     void execute_listed(const ListedCommand& listed);
     void raise_inside(const Command& command);  // of a command that stands between Begin and End

@@ -66,7 +66,8 @@ std::optional<ContextName> DumpReader::first_to_draw() {
 void DumpReader::fail_here(const std::string& message) const { fail({command_.place.file, lexer_.line(), 1}, message); }
 
 bool DumpReader::cut_off_or(const std::string& message) {
-    if (!lexer_.at_end()) fail_here(message);
+    const Place here{command_.place.file, lexer_.line(), 1};
+    if (lexer_.skip_line()) fail(here, message);
     const std::string text = fmt::format("the recording ends inside call {}", command_.place.line);
     step({Step::Kind::kCutOff, command_, text});
     return false;
@@ -177,6 +178,11 @@ void DumpReader::carry_out(const Function& function) {
 
 void DumpReader::carry_out_command(const Function& function) {
     if (!read_call()) return;
+    // The last thing that the program did, and nobody wrote down what it returned.
+    if (function.command == CommandId::glGenLists && result_.list.empty() && lexer_.at_end()) {
+        cut_off_or("");
+        return;
+    }
     if (!arguments_.unknown_name.empty()) {
         if (is_harmless_with_unknown_name(function_name_)) return;
         return outside(fmt::format("{}({})", function_name_, arguments_.unknown_name));

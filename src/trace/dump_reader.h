@@ -62,7 +62,8 @@ class DumpReader {
     void outside(std::string_view text) { step({Step::Kind::kOutside, command_, text}); }
     void step(const Step& step) { go_on_ = (*visit_)(step); }
     [[noreturn]] void fail_here(const std::string& message) const;  // with the line in the dump
-    // Where the dump ends inside a call this tells it, and that is all there is to read; otherwise it fails.
+    // Where the dump ends inside this line, whose end every whole one has, this tells it, and that is all there is to
+    // read; otherwise it fails.
     bool cut_off_or(const std::string& message);
 
     DumpLexer lexer_;
