@@ -46,6 +46,7 @@ void reset_lights() {
 void reset_lighting() {
     const std::array<GLfloat, 4> dim{0.2F, 0.2F, 0.2F, 1}, gray{0.8F, 0.8F, 0.8F, 1}, black{0, 0, 0, 1};
     const std::array<GLfloat, 3> indexes{0, 1, 1};
+    std::array<GLfloat, 4> answer{};
     glColor4f(1, 1, 1, 1);
     glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
     glDisable(GL_COLOR_MATERIAL);
@@ -56,6 +57,8 @@ void reset_lighting() {
     glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, black.data());
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 0);
     glMaterialfv(GL_FRONT_AND_BACK, GL_COLOR_INDEXES, indexes.data());
+    // Mesa carries glMaterial out late, over what the colour has given the material meanwhile; but before it answers.
+    glGetMaterialfv(GL_FRONT, GL_AMBIENT, answer.data());
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, dim.data());
     glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_FALSE);
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_FALSE);

@@ -117,14 +117,14 @@ bool lights_two_sides(const CommandList& scene) {
     });
 }
 
-// The back's material has parameters that vary from vertex to vertex, and the front's are not the same ones, set in the
-// same way: by glMaterial between glBegin and glEnd, or as what tracks the current colour (2.14.3).
+// The back's material has parameters that vary from vertex to vertex, and they are not the front's: set by glMaterial of one
+// side between glBegin and glEnd, or in another way, or the front's are others (2.14.3).
 bool sets_sides_apart(const CommandList& scene) {
     if (!lights_two_sides(scene)) return false;
     enum Way { kByMaterial, kByColor };
     std::set<std::pair<Enum, Way>> front, back;
     Enum tracking_face = kGL_FRONT_AND_BACK, tracked = kGL_AMBIENT_AND_DIFFUSE;
-    bool inside = false;
+    bool inside = false, has_values_of_one_side = false;
     const auto insert = [&](Enum face, Enum pname, Way way) {
         for (const Enum one :
              pname == kGL_AMBIENT_AND_DIFFUSE ? std::vector{kGL_AMBIENT, kGL_DIFFUSE} : std::vector{pname}) {
@@ -140,17 +140,19 @@ bool sets_sides_apart(const CommandList& scene) {
         }
         if (command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL)
             insert(tracking_face, tracked, kByColor);
-        if (inside && command.name().starts_with("glMaterial"))
-            insert(command.enumerant(0), command.enumerant(1), kByMaterial);
+        if (!inside || !command.name().starts_with("glMaterial")) continue;
+        insert(command.enumerant(0), command.enumerant(1), kByMaterial);
+        has_values_of_one_side |= command.enumerant(0) != kGL_FRONT_AND_BACK;
     }
     for (auto* side : {&front, &back}) {  // what tracks the colour is not changed by glMaterial
         for (const auto& [pname, way] : std::set(*side)) {
             if (way == kByColor) side->erase({pname, kByMaterial});
         }
     }
-    const bool any_material = std::ranges::any_of(back, [](const auto& one) { return one.second == kByMaterial; }) ||
-                              std::ranges::any_of(front, [](const auto& one) { return one.second == kByMaterial; });
-    return any_material && !back.empty() && front != back;
+    const auto is_by_material = [](const auto& one) { return one.second == kByMaterial; };
+    const bool back_has_any = std::ranges::any_of(back, is_by_material);
+    const bool any_material = back_has_any || std::ranges::any_of(front, is_by_material);
+    return any_material && !back.empty() && (front != back || (back_has_any && has_values_of_one_side));
 }
 
 // A parameter of both sides' material that the first vertex of a glBegin does not have, but a later one.
@@ -179,6 +181,18 @@ bool sets_color_before_new_mode(const CommandList& scene) {
         if (command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL) enabled = true;
         if (enabled && is_one_of(command, {"glColor3", "glColor4"})) color = true;
         if (color && command.id == Id::glColorMaterial) return true;
+    }
+    return false;
+}
+
+// A glMaterial, then a glColor that the material follows, then a glNewList before anything is drawn.
+bool tracks_color_before_list(const CommandList& scene) {
+    bool material = false, color = false;
+    for (const Command& command : scene.commands) {
+        if (command.name().starts_with("glMaterial")) material = true;
+        if (command.id == Id::glEnd) material = color = false;
+        color = color || (material && is_one_of(command, {"glColor3", "glColor4"}));
+        if (color && command.id == Id::glNewList) return enables_color_material(scene);
     }
     return false;
 }
@@ -459,6 +473,9 @@ const std::vector<Departure>& departures() {
         {.name = "colour material before the first glColor",
          .section = "2.14.3: the material follows the current colour from glEnable on",
          .of_vertex = has_color_material_of_no_color},
+        {.name = "glMaterial, a tracked glColor, glNewList",
+         .section = "2.14.3: the material follows the colour",
+         .of_commands = tracks_color_before_list},
         {.name = "colour material on the back alone of two sides",
          .section =
              "2.14.3: all channels of the back's material follow; the driver's program multiplies the red one only",

@@ -196,7 +196,8 @@ class LightingState : Writer {
         }
         static constexpr std::string_view kOfColorMaterial[] = {
             "colour material before the first glColor", "colour material on the back alone of two sides",
-            "glColor before a new glColorMaterial", "colour material after glPopAttrib", "glColor3 after glColor4"};
+            "glColor before a new glColorMaterial", "colour material after glPopAttrib", "glColor3 after glColor4",
+            "glMaterial, a tracked glColor, glNewList"};
         const bool about = std::ranges::find(kOfColorMaterial, departure_) != std::end(kOfColorMaterial);
         if (!about && !chance(0.4)) return;
         const auto mode = [&] {
@@ -219,6 +220,11 @@ class LightingState : Writer {
         }
         keep_color_ = shows("colour material before the first glColor");
         if (!keep_color_) vertex_color();
+        if (shows("glMaterial, a tracked glColor, glNewList")) {
+            add(Id::glNewList, {1, kGL_COMPILE});
+            add(Id::glEndList);
+            keep_color_ = true;
+        }
     }
 
     // A point out of sight, so that the driver has the state of now; before the last colour, where it has colours.
