@@ -109,8 +109,8 @@ std::string describe(const EffectSet& effects) {
         add(face.tracks(), fmt::format("{} material tracks: {}", name, tracked_names(face)));
         add(face.varies(), fmt::format("{} material varies: {}", name, varying_names(face)));
     }
-    for (int i = 0; i < effects.light_count; ++i)
-        add(true, fmt::format("light {}: {}", i, describe(effects.lights[static_cast<std::size_t>(i)])));
+    for (std::size_t i = 0; i < effects.lights.size(); ++i)
+        add(true, fmt::format("light {}: {}", i, describe(effects.lights[i])));
     add(effects.has_texture(), describe(effects.texture));
     add(effects.fog == FogEffect::kLinear, "linear fog");
     add(effects.fog == FogEffect::kExp, "exponential fog");

@@ -29,10 +29,11 @@
 // NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "state/frame.h"
 
@@ -115,8 +116,7 @@ struct EffectSet {
     Highlight highlight = Highlight::kHalfVector;
     Power shininess = Power::kOne;
     FaceEffects front, back;
-    int light_count = 0;
-    std::array<LightEffects, kMaxLights> lights;  // the first light_count, in GL's order
+    std::vector<LightEffects> lights;  // in GL's order
     TextureEffects texture;
     FogEffect fog = FogEffect::kNone;
     int clip_plane_count = 0;  // of the user (2.12)
@@ -125,14 +125,11 @@ struct EffectSet {
 
     // Whether any light is: needs_position(), say, for "a position in eye coordinates is called for".
     bool any_light(bool LightEffects::*fact) const {
-        for (int i = 0; i < light_count; ++i)
-            if (lights[static_cast<std::size_t>(i)].*fact) return true;
-        return false;
+        return std::any_of(lights.begin(), lights.end(), [fact](const LightEffects& light) { return light.*fact; });
     }
     bool needs_position_eye() const {
-        bool positional = false;
-        for (int i = 0; i < light_count; ++i) positional |= !lights[static_cast<std::size_t>(i)].directional;
-        return positional || local_viewer;
+        return local_viewer || std::any_of(lights.begin(), lights.end(),
+                                           [](const LightEffects& light) { return !light.directional; });
     }
     bool needs_normal() const { return any_light(&LightEffects::diffuse) || any_light(&LightEffects::specular); }
     // What the texture leaves of the primary colour.

@@ -100,7 +100,7 @@ class Planner {
         plan_color_material();
         plan_materials();
         plan_.constant_ambient = rgb(state().light_model.ambient);
-        for (int number = 0; number < kMaxLights; ++number) plan_light(number);
+        for (std::size_t i = 0; i < state().lights.size(); ++i) plan_light(static_cast<int>(i));
         plan_specular();
         drop_idle_colors();
         plan_geometry();
@@ -227,7 +227,7 @@ class Planner {
 
     void plan_light(int number) {
         const LightSource& light = state().lights[static_cast<std::size_t>(number)];
-        const std::string name = fmt::format("GL_LIGHT{}", number);
+        const std::string name = light_name(number);
         if (!light.enabled) return leave_out(name, "it is not enabled");
 
         LightEffects effects;
@@ -286,7 +286,7 @@ class Planner {
         if (!effects.specular) note("specular term", "the product of its and the material's specular colours is 0");
         plan_.left_out.insert(plan_.left_out.end(), notes.begin(), notes.end());
         plan_.lights.push_back(planned);
-        facts().lights[static_cast<std::size_t>(facts().light_count++)] = effects;
+        facts().lights.push_back(effects);
     }
 
     bool is_specular_separate() const {

@@ -246,12 +246,35 @@ bool has_edge_flags_in_strip(const Draw& draw) {
            std::ranges::any_of(draw.vertices, [](const Vertex& vertex) { return !vertex.edge_flag; });
 }
 
+bool is_offset(const PolygonOffset& offset, Enum polygon_mode) {
+    return polygon_mode == kGL_FILL ? offset.fill : polygon_mode == kGL_LINE ? offset.line : offset.point;
+}
+
 bool offsets_one_of_two_modes(const Draw& draw) {
     const PolygonOffset& offset = draw.raster.polygon_offset;
-    const auto is_offset = [&](Enum mode) {
-        return mode == kGL_FILL ? offset.fill : mode == kGL_LINE ? offset.line : offset.point;
+    return is_offset(offset, draw.raster.polygon_mode_front) != is_offset(offset, draw.raster.polygon_mode_back);
+}
+
+// A polygon that is seen from its edge has no slope m, but lines and points.
+bool offsets_borders_without_area(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const auto draws_offset_borders = [&](Enum mode) {
+        return mode != kGL_FILL && is_offset(raster.polygon_offset, mode);
     };
-    return is_offset(draw.raster.polygon_mode_front) != is_offset(draw.raster.polygon_mode_back);
+    const bool has_any =
+        draws_offset_borders(raster.polygon_mode_front) || draws_offset_borders(raster.polygon_mode_back);
+    if (!has_any || draw.count() < 3) return false;
+    const auto at = [&](std::size_t i) {  // x, y, w: three of them are on one line through the eye where they depend
+        const glm::dvec4 clip =
+            draw.clip_from_eye * draw.eye_from_object * draw.vertices[draw.index(i)].position_object;
+        const glm::dvec3 xyw(clip.x, clip.y, clip.w);
+        return glm::length(xyw) > 0 ? glm::normalize(xyw) : xyw;
+    };
+    constexpr double kNoArea = 1e-7;
+    for (std::size_t i = 2; i < draw.count(); ++i)
+        for (const std::size_t first : {std::size_t{0}, i - 2})
+            if (std::abs(glm::determinant(glm::dmat3(at(first), at(i - 1), at(i)))) < kNoArea) return true;
+    return false;
 }
 
 bool has_no_q(const Draw& draw, const Vertex& vertex) {
@@ -446,6 +469,10 @@ const std::vector<Departure>& departures() {
          .section = "2.6.2",
          .leaves = Leaves::kDriver,
          .of_draw = has_edge_flags_in_strip},
+        {.name = "polygon offset of borders without area",
+         .section = "3.5.5: m is a slope, which these polygons do not have",
+         .leaves = Leaves::kOpen,
+         .of_draw = offsets_borders_without_area},
         {.name = "polygon offset of one of two polygon modes",
          .section = "3.5.5",
          .leaves = Leaves::kDriver,

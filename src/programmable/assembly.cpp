@@ -85,8 +85,7 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
     const bool specular = effects.any_light(&LightEffects::specular);
 
     bool positional = false, whole_power = shininess, real_power = effects.shininess == Power::kReal;
-    for (int i = 0; i < effects.light_count; ++i) {
-        const LightEffects& light = effects.lights[static_cast<std::size_t>(i)];
+    for (const LightEffects& light : effects.lights) {
         positional |= !light.directional;
         whole_power |= light.spot_exponent != Power::kOne;
         real_power |= light.spot_exponent == Power::kReal;
@@ -151,8 +150,8 @@ Scope scope_of_face(Scope scope, const FaceEffects& face, const char* name) {
     return scope;
 }
 
-Scope scope_of_light(Scope scope, const EffectSet& effects, int number) {
-    const LightEffects& light = effects.lights[static_cast<std::size_t>(number)];
+Scope scope_of_light(Scope scope, const EffectSet& effects, std::size_t number) {
+    const LightEffects& light = effects.lights[number];
     const bool shininess = effects.shininess != Power::kOne;
     const bool reflection = effects.highlight == Highlight::kReflection;
     const bool cone = light.spot || light.smooth_cone;
@@ -274,7 +273,7 @@ class Assembler {
         if (line.starts_with("#include ")) {
             add(name, scope);
         } else if (line.starts_with("#for_each_light ")) {
-            for (int i = 0; i < effects_.light_count; ++i) add(name, scope_of_light(scope, effects_, i));
+            for (std::size_t i = 0; i < effects_.lights.size(); ++i) add(name, scope_of_light(scope, effects_, i));
         } else if (line.starts_with("#for_each_property ")) {
             for (const VertexProperty& property : vertex_properties(effects_))
                 add_text(repeated,

@@ -168,7 +168,7 @@ std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
 std::string program_text(const Draw& draw, const Plan& plan) {
     std::string text = "// What lights this Draw:\n" + commented(describe(plan.effects));
     for (std::size_t i = 0; i < plan.lights.size(); ++i)
-        text += fmt::format("// light{} is GL_LIGHT{}.\n", i, plan.lights[i].number);
+        text += fmt::format("// light{} is {}.\n", i, light_name(plan.lights[i].number));
     text += "// What is left out:\n";
     for (const LeftOut& left_out : plan.left_out) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
 

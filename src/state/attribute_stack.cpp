@@ -16,7 +16,7 @@ constexpr std::size_t kAttributeStackDepth = 16;  // table 6.33, at least; Mesa'
 // Every capability, for GL_ENABLE_BIT; `pick` takes the state of one from the saved attributes.
 void restore_enables(Attributes& now, const Attributes& saved) {
     now.lighting.enabled = saved.lighting.enabled;
-    for (std::size_t i = 0; i < saved.lighting.lights.size(); ++i) {
+    for (std::size_t i = 0; i < kMaxLights; ++i) {
         now.lighting.lights[i].enabled = saved.lighting.lights[i].enabled;
     }
     for (std::size_t i = 0; i < saved.clip_planes.size(); ++i) {

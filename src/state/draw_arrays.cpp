@@ -54,7 +54,7 @@ void State::draw_arrays(const Command& c) {
 
 void State::draw(const Command& c, const ArrayVertices& read) {
     if (!read.has_position || read.vertices.empty()) return;  // 2.8: no primitives are constructed
-    const std::size_t bytes = sizeof(Draw) + read.vertices.size() * sizeof(Vertex) + read.indices.size() * sizeof(int);
+    const std::size_t bytes = bytes_of_draw() + read.vertices.size() * sizeof(Vertex) + read.indices.size() * sizeof(int);
     if (!has_room(c, bytes)) return;
     Draw draw = new_draw(read.mode, c.place);
     draw.vertices.reserve(read.vertices.size());

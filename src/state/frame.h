@@ -19,7 +19,9 @@
 
 namespace twinlight {
 
-inline constexpr int kMaxLights = 8;
+inline constexpr int kMaxLights = 8;  // GL_MAX_LIGHTS (table 6.29: 8 at least)
+// The numbers of lights that GL does not have, `#pragma twinlight light(i, ...)`, end before this.
+inline constexpr int kMaxExtraLights = 1 << 16;
 
 // ---- What lights a Draw ----
 
@@ -53,6 +55,11 @@ struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and spe
     std::optional<SmoothCone> smooth_cone;
 };
 
+// "GL_LIGHT3"; "light(8)" for one that GL does not have.
+inline std::string light_name(int number) {
+    return number < kMaxLights ? "GL_LIGHT" + std::to_string(number) : "light(" + std::to_string(number) + ")";
+}
+
 struct LightModel {  // 2.14.2, table 2.10
     glm::dvec4 ambient{0.2, 0.2, 0.2, 1};
     bool local_viewer = false;
@@ -71,10 +78,11 @@ struct ColorMaterial {  // 2.14.3
 };
 
 struct LightingState {
-    LightingState() { lights[0].diffuse = lights[0].specular = glm::dvec4(1); }
+    LightingState() : lights(kMaxLights) { lights[0].diffuse = lights[0].specular = glm::dvec4(1); }
 
     bool enabled = false;  // GL_LIGHTING
-    std::array<LightSource, kMaxLights> lights;
+    // GL_LIGHT0 to GL_LIGHT7, and behind them those that a scene defines by pragmas: kMaxLights or more.
+    std::vector<LightSource> lights;
     LightModel light_model;
     // The materials at the start of the Draw; where color_material is enabled, each vertex's colour replaces the
     // property that it tracks (2.14.3).
@@ -268,6 +276,9 @@ struct RenderOptions {
     std::optional<Shading> shading;  // nothing: flat or gouraud, as each Draw's glShadeModel says
     QuadCut quad_cut = QuadCut::kFirstToThird;
     bool lecture_variants = true;  // false: GL's own model, the pragmas' variants off
+    // How far a colour's channel may be off, before rounding to codes, by what the planner leaves out because it is small;
+    // 0: only what is exactly nothing. The default is half of what rounding to 8 bits hides. Who draws from a Plan asks.
+    double budget = 0.5 / 255;
 };
 
 }  // namespace twinlight

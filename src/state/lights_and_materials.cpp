@@ -94,22 +94,24 @@ void State::light(const Command& c) {
     LightSource* source = light_source(c, c.enumerant(0));
     if (!source) return;
     const Enum pname = c.enumerant(1);
-    const auto values = parameter_values(c, Owner::kLight, pname);
-    if (!values) return;
+    if (const auto values = parameter_values(c, Owner::kLight, pname)) set_light(*source, pname, *values);
+}
+
+void State::set_light(LightSource& source, Enum pname, const std::vector<double>& values) const {
     switch (pname) {
-        case kGL_AMBIENT: source->ambient = vec4(*values); break;
-        case kGL_DIFFUSE: source->diffuse = vec4(*values); break;
-        case kGL_SPECULAR: source->specular = vec4(*values); break;
+        case kGL_AMBIENT: source.ambient = vec4(values); break;
+        case kGL_DIFFUSE: source.diffuse = vec4(values); break;
+        case kGL_SPECULAR: source.specular = vec4(values); break;
         // 2.14.1: transformed by the modelview matrix in force at the call; a direction by its upper left 3x3.
-        case kGL_POSITION: source->position_eye = modelview() * vec4(*values); break;
+        case kGL_POSITION: source.position_eye = modelview() * vec4(values); break;
         case kGL_SPOT_DIRECTION:
-            source->spot_direction_eye = glm::dmat3(modelview()) * glm::dvec3((*values)[0], (*values)[1], (*values)[2]);
+            source.spot_direction_eye = glm::dmat3(modelview()) * glm::dvec3(values[0], values[1], values[2]);
             break;
-        case kGL_SPOT_EXPONENT: source->spot_exponent = values->front(); break;
-        case kGL_SPOT_CUTOFF: source->spot_cutoff_deg = values->front(); break;
-        case kGL_CONSTANT_ATTENUATION: source->constant_attenuation = values->front(); break;
-        case kGL_LINEAR_ATTENUATION: source->linear_attenuation = values->front(); break;
-        case kGL_QUADRATIC_ATTENUATION: source->quadratic_attenuation = values->front(); break;
+        case kGL_SPOT_EXPONENT: source.spot_exponent = values.front(); break;
+        case kGL_SPOT_CUTOFF: source.spot_cutoff_deg = values.front(); break;
+        case kGL_CONSTANT_ATTENUATION: source.constant_attenuation = values.front(); break;
+        case kGL_LINEAR_ATTENUATION: source.linear_attenuation = values.front(); break;
+        case kGL_QUADRATIC_ATTENUATION: source.quadratic_attenuation = values.front(); break;
         default: break;
     }
 }
@@ -272,6 +274,30 @@ void State::spot_cone(const Command& c) {
         }
     }
     source->smooth_cone = LightSource::SmoothCone{c.number(1), c.number(2)};
+}
+
+// A light that GL does not have: it is there, and on, from the first time that it is named.
+void State::extra_light(const Command& c) {
+    const double number = c.number(0);
+    if (!(number >= kMaxLights && number < kMaxExtraLights)) {
+        return raise(kGL_INVALID_ENUM, c,
+                     fmt::format("light({}); expected a number from {} to {}: GL_LIGHT0 to GL_LIGHT7 are glLight's",
+                                 number, kMaxLights, kMaxExtraLights - 1));
+    }
+    const Enum pname = c.enumerant(1);
+    const ParameterInfo* info = find_parameter(Owner::kLight, pname);
+    if (info && c.arguments.size() != 2 + static_cast<std::size_t>(info->count)) {
+        return raise(kGL_INVALID_VALUE, c,
+                     fmt::format("{} has {} value{}, here {}", enum_name(pname), info->count,
+                                 info->count == 1 ? "" : "s", c.arguments.size() - 2));
+    }
+    const auto values = parameter_values(c, Owner::kLight, pname);
+    if (!values) return;
+    std::vector<LightSource>& lights = a_.lighting.lights;
+    const auto i = static_cast<std::size_t>(number);
+    if (i >= lights.size()) lights.resize(i + 1);
+    lights[i].enabled = true;
+    set_light(lights[i], pname, *values);
 }
 
 }  // namespace twinlight

@@ -146,7 +146,8 @@ void State::ortho_2d(const Command& c) {
 // GLU does nothing for a view without extent; no error.
 void State::perspective(const Command& c) {
     const double half_angle = radians(c.number(0) / 2), aspect = c.number(1), n = c.number(2), f = c.number(3);
-    if (n == f || aspect == 0 || std::sin(half_angle) == 0) return;
+    if (n == f || aspect == 0 || std::sin(half_angle) == 0) return;  // GLU calls nothing of GL then
+    if (open_) return raise_inside(c);
     const double cotangent = std::cos(half_angle) / std::sin(half_angle);
     glm::dmat4 m(0);
     m[0][0] = cotangent / aspect;

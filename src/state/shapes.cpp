@@ -31,7 +31,7 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts) {
     for (ShapePart& part : parts) {
         if (!has_time(c, static_cast<double>(part.vertices.size()))) return;
         const std::size_t bytes =
-            sizeof(Draw) + part.vertices.size() * sizeof(Vertex) + part.indices.size() * sizeof(std::uint32_t);
+            bytes_of_draw() + part.vertices.size() * sizeof(Vertex) + part.indices.size() * sizeof(std::uint32_t);
         if (!has_room(c, bytes)) return;
         Draw draw = new_draw(part.mode, c.place);
         draw.vertices.reserve(part.vertices.size());

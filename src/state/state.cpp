@@ -20,10 +20,11 @@ namespace {
 
 // What may stand between Begin and End (2.6.3), by effect.
 constexpr bool legal_inside(std::string_view effect) {
-    for (std::string_view legal : {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end",
-                                   "multi_tex_coord", "elsewhere_vertex", "elsewhere_attribute",
-                                   "elsewhere_secondary_color", "call_list", "call_lists", "array_element"}) {
-        if (effect == legal) return true;  // begin and end say themselves what is wrong
+    for (std::string_view legal :
+         {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
+          "elsewhere_vertex", "elsewhere_attribute", "elsewhere_secondary_color", "call_list", "call_lists",
+          "array_element", "perspective"}) {
+        if (effect == legal) return true;  // begin, end and perspective say themselves what is wrong
     }
     return false;
 }
@@ -152,14 +153,14 @@ void State::begin(const Command& c) {
                      fmt::format("glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
                                  enum_name(c.enumerant(0))));
     }
-    if (!has_room(c, sizeof(Draw))) return;
+    if (!has_room(c, bytes_of_draw())) return;
     open_ = new_draw(c.enumerant(0), c.place);
 }
 
 void State::end(const Command& c) {
     if (!open_) return raise(kGL_INVALID_OPERATION, c, "glEnd without a glBegin");
     if (open_->vertices.empty()) {
-        item_bytes_ -= std::min(item_bytes_, sizeof(Draw));
+        item_bytes_ -= std::min(item_bytes_, bytes_of_draw());
     } else {
         show(std::move(*open_));
     }
@@ -236,6 +237,8 @@ Draw State::new_draw(Enum mode, const Place& place) {
     Draw draw;
     draw.mode = mode;
     draw.lighting = a_.lighting;
+    if (a_.lighting.enabled && a_.lighting.lights.size() > kMaxLights)
+        note_unsupported("more than eight lights", place, {"fixed"});
     draw.raster = a_.raster;
     draw.eye_from_object = modelview();
     draw.clip_from_eye = projection();
@@ -276,7 +279,7 @@ void State::show(std::variant<Clear, Draw> item) {
 
 // 2.10: as if GL_POLYGON stood between Begin and End.
 void State::rect(const Command& c) {
-    if (!has_room(c, sizeof(Draw) + 4 * sizeof(Vertex))) return;
+    if (!has_room(c, bytes_of_draw() + 4 * sizeof(Vertex))) return;
     const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
     Draw draw = new_draw(kGL_POLYGON, c.place);
     for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {

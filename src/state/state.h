@@ -202,6 +202,8 @@ class State {
     void specular_model(const Command&);
     void ambient_model(const Command&);
     void spot_cone(const Command&);
+    void extra_light(const Command&);
+    void set_light(LightSource& source, Enum pname, const std::vector<double>& values) const;
 
     void carry_out(const Command& command);
     bool compile(const Command& command);
@@ -210,6 +212,7 @@ class State {
     void send_element(const Command& command, const ArrayVertices& element);  // of glArrayElement
     // Whether the picture still has room for so many more bytes, or so much more work; GL_OUT_OF_MEMORY if not.
     bool has_room(const Command& command, std::size_t bytes);
+    std::size_t bytes_of_draw() const { return sizeof(Draw) + a_.lighting.lights.size() * sizeof(LightSource); }
     bool has_time(const Command& command, double work);
     std::size_t compile_calls(const Command& command);
     bool walk_calls(const Command& command, const DisplayList& list);

@@ -51,7 +51,7 @@ std::string reason(const Draw& draw, const std::string& what, const RenderOption
 TEST(Plan, CallsForTheDiffuseTermAloneInTheInitialState) {
     EffectSet expected;
     expected.lighting = expected.clamp = true;
-    expected.light_count = 1;
+    expected.lights.resize(1);
     expected.lights[0] = {.directional = true, .diffuse = true};
     EXPECT_EQ(facts(lit_triangle()), expected) << describe(facts(lit_triangle()));
 }
@@ -92,7 +92,7 @@ TEST(Plan, LeavesOutALightWhoseProductsWithTheMaterialAreZero) {
     Draw draw = lit_triangle();
     draw.lighting.front.diffuse = {0, 0, 1, 1};
     draw.lighting.lights[0].diffuse = {1, 1, 0, 1};
-    EXPECT_EQ(facts(draw).light_count, 0);
+    EXPECT_TRUE(facts(draw).lights.empty());
     EXPECT_EQ(reason(draw, "GL_LIGHT0"), "the products of its colours and the material's are 0");
 }
 
@@ -317,7 +317,7 @@ TEST(Plan, LightsNothingThatTheTextureReplaces) {
     EXPECT_FALSE(facts(textured(kGL_REPLACE, kGL_RGBA)).lighting);
     const EffectSet alpha_left = facts(textured(kGL_REPLACE, kGL_RGB));
     EXPECT_TRUE(alpha_left.lighting);
-    EXPECT_EQ(alpha_left.light_count, 0);
+    EXPECT_TRUE(alpha_left.lights.empty());
     Draw draw = textured(kGL_REPLACE, kGL_RGBA, with_specular_material());
     EXPECT_FALSE(facts(draw).lighting);
     draw.lighting.light_model.color_control = kGL_SEPARATE_SPECULAR_COLOR;

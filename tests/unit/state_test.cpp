@@ -148,6 +148,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"glScaled(INFINITY, 1, 1);", kGL_INVALID_VALUE, "not finite"},
         Refused{"glMaterialf(GL_FRONT, GL_SHININESS, NAN);", kGL_INVALID_VALUE, "not finite"},
         Refused{"#pragma twinlight specular(cube)", kGL_INVALID_ENUM, "half_vector or reflection"},
+        Refused{"#pragma twinlight light(3, GL_DIFFUSE, 1, 1, 1, 1)", kGL_INVALID_ENUM, "a number from 8 to 65535"},
+        Refused{"#pragma twinlight light(8, GL_DIFFUSE, 1)", kGL_INVALID_VALUE, "GL_DIFFUSE has 4 values, here 1"},
+        Refused{"#pragma twinlight light(8, GL_SPOT_CUTOFF, 100)", kGL_INVALID_VALUE, "[0, 90] or 180"},
         Refused{"#pragma twinlight spot_cone(GL_LIGHT0, -5, 10)", kGL_INVALID_VALUE, "[0, 180]"}));
 
 TEST(StateErrors, ChangeNothing) {
@@ -357,6 +360,21 @@ TEST(Frames, AreRefusedAtTheFirstError) {
 }
 
 // A program that normalises the normals of degenerate triangles sends NaN, freeglut's teapot among them.
+TEST(State, HasLightsThatGlDoesNotHave) {
+    const Frame frame = frame_of(
+        "glPushAttrib(GL_LIGHTING_BIT);\n#pragma twinlight light(9, GL_DIFFUSE, 1, 0.5, 0, 1)\nglPopAttrib();\n"
+        "glTranslatef(1, 2, 3); glEnable(GL_LIGHTING);\n#pragma twinlight light(10, GL_POSITION, 4, 4, 4, 1)\n"
+        "glutSolidCube(1);");
+    const LightingState& lighting = first_draw(frame).lighting;
+    ASSERT_EQ(lighting.lights.size(), 11u);
+    EXPECT_FALSE(lighting.lights[9].enabled);  // popped, as GL's lights are
+    EXPECT_EQ(lighting.lights[9].diffuse, LightSource{}.diffuse);
+    EXPECT_TRUE(lighting.lights[10].enabled);
+    EXPECT_EQ(lighting.lights[10].position_eye, glm::dvec4(5, 6, 7, 1));
+    ASSERT_FALSE(frame.unsupported.empty());
+    EXPECT_EQ(frame.unsupported.front().name, "more than eight lights");
+}
+
 TEST(State, TakesVerticesThatAreNotNumbers) {
     const Frame frame = frame_of(
         "glBegin(GL_POINTS); glNormal3f(NAN, 1, 0); glColor4f(1, NAN, INFINITY, 0.5); glTexCoord2f(NAN, 0.5);\n"
