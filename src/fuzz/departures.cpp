@@ -573,16 +573,40 @@ const Departure* LeftOut::at(const Draw& draw, const Vertex& vertex) const {
     });
 }
 
-const Departure* LeftOut::in(const Frame& frame) const {
-    return find([&](const Departure& departure) {
-        return std::ranges::any_of(frame.items, [&](const auto& item) {
-            const Draw* draw = std::get_if<Draw>(&item);
-            if (!draw) return false;
-            if (departure.of_draw) return departure.of_draw(*draw);
-            return std::ranges::any_of(draw->vertices,
-                                       [&](const Vertex& vertex) { return departure.of_vertex(*draw, vertex); });
-        });
+namespace {
+
+bool applies_in(const Departure& departure, const Frame& frame) {
+    return std::ranges::any_of(frame.items, [&](const auto& item) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        if (!draw) return false;
+        if (departure.of_draw) return departure.of_draw(*draw);
+        return std::ranges::any_of(draw->vertices,
+                                   [&](const Vertex& vertex) { return departure.of_vertex(*draw, vertex); });
     });
+}
+
+}  // namespace
+
+const Departure* LeftOut::in(const Frame& frame) const {
+    return find([&](const Departure& departure) { return applies_in(departure, frame); });
+}
+
+std::vector<const Departure*> departures_in(const Frame& frame) {
+    constexpr std::size_t kMostCommands = 1'000'000;
+    CommandList scene;
+    if (frame.commands) {
+        frame.commands->for_each([&](const Step& step) {
+            if (step.kind == Step::Kind::kCommand) scene.commands.push_back(step.command);
+            return scene.commands.size() < kMostCommands;
+        });
+    }
+    std::vector<const Departure*> found;
+    for (const Departure& departure : departures()) {
+        if (departure.leaves == Leaves::kOpen) continue;
+        if (departure.of_commands ? departure.of_commands(scene) : applies_in(departure, frame))
+            found.push_back(&departure);
+    }
+    return found;
 }
 
 }  // namespace twinlight::fuzz
