@@ -235,9 +235,23 @@ bool is_clipped(const Draw& draw) {
 
 bool draws_borders_of_clipped_polygons(const Draw& draw) { return draws_borders(draw) && is_clipped(draw); }
 
+bool is_softpipe() { return driver_name().starts_with("softpipe"); }
+
 bool has_faces_on_borders_in_softpipe(const Draw& draw) {
-    return draws_borders(draw) && draw.lighting.enabled && draw.lighting.light_model.two_side &&
-           driver_name().starts_with("softpipe");
+    return draws_borders(draw) && draw.lighting.enabled && draw.lighting.light_model.two_side && is_softpipe();
+}
+
+bool has_wide_lines_in_softpipe(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const bool lines = draw.mode == kGL_LINES || draw.mode == kGL_LINE_STRIP || draw.mode == kGL_LINE_LOOP ||
+                       raster.polygon_mode_front == kGL_LINE || raster.polygon_mode_back == kGL_LINE;
+    return lines && raster.line_width > 1 && is_softpipe();
+}
+
+// Whatever chooses by the level of detail: a mipmap, or one of two filters.
+bool has_level_of_detail_in_softpipe(const Draw& draw) {
+    const Texture* texture = draw.texture.texture.get();
+    return texture && texture->min_filter != texture->mag_filter && is_softpipe();
 }
 
 bool has_edge_flags_in_strip(const Draw& draw) {
@@ -281,10 +295,17 @@ bool has_no_q(const Draw& draw, const Vertex& vertex) {
     return draw.texture.texture && (draw.texture.texture_matrix * vertex.tex_coord).w <= 1e-6;
 }
 
+bool draws_points(const Draw& draw) {
+    return draw.mode == kGL_POINTS || draw.raster.polygon_mode_front == kGL_POINT ||
+           draw.raster.polygon_mode_back == kGL_POINT;
+}
+
+bool has_wide_points_in_softpipe(const Draw& draw) {
+    return draws_points(draw) && draw.raster.point_size > 1 && is_softpipe();
+}
+
 bool biases_level_of_points(const Draw& draw) {
-    const bool points = draw.mode == kGL_POINTS || draw.raster.polygon_mode_front == kGL_POINT ||
-                        draw.raster.polygon_mode_back == kGL_POINT;
-    return points && draw.texture.texture && draw.texture.lod_bias > 0;
+    return draws_points(draw) && draw.texture.texture && draw.texture.lod_bias > 0;
 }
 
 bool adds_secondary_color_in_fog(const Draw& draw) {
@@ -485,6 +506,21 @@ const std::vector<Departure>& departures() {
          .section = "GLSL 1.20, 7.2: gl_FrontFacing is that of the primitive; docs/architecture.md",
          .leaves = Leaves::kDriver,
          .of_draw = has_faces_on_borders_in_softpipe,
+         .only_on = "softpipe"},
+        {.name = "wide lines in softpipe",
+         .section = "3.4.2: a wide line ends where the thin one does; softpipe's is half a pixel further along",
+         .leaves = Leaves::kDriver,
+         .of_draw = has_wide_lines_in_softpipe,
+         .only_on = "softpipe"},
+        {.name = "wide points in softpipe",
+         .section = "3.3: a square of a whole number of pixels about a corner or a centre; softpipe's is as it falls",
+         .leaves = Leaves::kDriver,
+         .of_draw = has_wide_points_in_softpipe,
+         .only_on = "softpipe"},
+        {.name = "level of detail in softpipe",
+         .section = "3.8.8: rho may be as small as the larger of m_u and m_v; the reference's freedom is not as wide",
+         .leaves = Leaves::kOpen,
+         .of_draw = has_level_of_detail_in_softpipe,
          .only_on = "softpipe"},
         {.name = "the colour sum in fog", .section = "3.9, 3.10", .of_draw = adds_secondary_color_in_fog},
         {.name = "GL_CLAMP between a nearest and a linear filter",
