@@ -2,7 +2,9 @@
 #include "fuzz/departures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -269,26 +271,68 @@ bool offsets_one_of_two_modes(const Draw& draw) {
     return is_offset(offset, draw.raster.polygon_mode_front) != is_offset(offset, draw.raster.polygon_mode_back);
 }
 
+bool offsets_borders(const Draw& draw) {
+    if (!draw.raster.depth_test) return false;  // which alone shows it
+    const auto draws_offset_borders = [&](Enum mode) {
+        return mode != kGL_FILL && is_offset(draw.raster.polygon_offset, mode);
+    };
+    return draws_offset_borders(draw.raster.polygon_mode_front) || draws_offset_borders(draw.raster.polygon_mode_back);
+}
+
+struct Corners {
+    std::array<glm::dvec3, 3> window;
+    double determinant;  // of their unit x, y, w in clip coordinates: 0 where they are on one line through the eye
+    double slope;        // m of 3.5.5; infinite where that is
+};
+
+// Whether any three corners that a polygon of the Draw may be cut to.
+bool any_corners(const Draw& draw, const std::function<bool(const Corners&)>& are) {
+    const auto window = [&](const glm::dvec4& clip) {
+        const RasterState& raster = draw.raster;
+        const glm::dvec2 half_size = 0.5 * glm::dvec2(raster.viewport.width, raster.viewport.height);
+        const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+        const double z = glm::mix(raster.depth_near, raster.depth_far, ndc.z * 0.5 + 0.5);
+        return glm::dvec3(half_size * glm::dvec2(ndc), z);
+    };
+    for (std::size_t i = 2; i < draw.count(); ++i) {
+        for (const std::size_t first : {std::size_t{0}, i - 2}) {
+            Corners corners{};
+            glm::dmat3 xyw(0);
+            for (int k = 0; const std::size_t corner : {first, i - 1, i}) {
+                const glm::dvec4 clip =
+                    draw.clip_from_eye * draw.eye_from_object * draw.vertices[draw.index(corner)].position_object;
+                const glm::dvec3 direction(clip.x, clip.y, clip.w);
+                xyw[k] = glm::length(direction) > 0 ? glm::normalize(direction) : direction;
+                corners.window.at(static_cast<std::size_t>(k++)) = window(clip);
+            }
+            corners.determinant = glm::determinant(xyw);
+            const glm::dvec3 normal =
+                glm::cross(corners.window[1] - corners.window[0], corners.window[2] - corners.window[0]);
+            const double rise = std::max(std::abs(normal.x), std::abs(normal.y)), area = std::abs(normal.z);
+            corners.slope = rise == 0 ? 0 : area == 0 ? HUGE_VAL : rise / area;
+            if (are(corners)) return true;
+        }
+    }
+    return false;
+}
+
 // A polygon that is seen from its edge has no slope m, but lines and points.
 bool offsets_borders_without_area(const Draw& draw) {
-    const RasterState& raster = draw.raster;
-    const auto draws_offset_borders = [&](Enum mode) {
-        return mode != kGL_FILL && is_offset(raster.polygon_offset, mode);
-    };
-    const bool has_any =
-        draws_offset_borders(raster.polygon_mode_front) || draws_offset_borders(raster.polygon_mode_back);
-    if (!has_any || draw.count() < 3) return false;
-    const auto at = [&](std::size_t i) {  // x, y, w: three of them are on one line through the eye where they depend
-        const glm::dvec4 clip =
-            draw.clip_from_eye * draw.eye_from_object * draw.vertices[draw.index(i)].position_object;
-        const glm::dvec3 xyw(clip.x, clip.y, clip.w);
-        return glm::length(xyw) > 0 ? glm::normalize(xyw) : xyw;
-    };
     constexpr double kNoArea = 1e-7;
-    for (std::size_t i = 2; i < draw.count(); ++i)
-        for (const std::size_t first : {std::size_t{0}, i - 2})
-            if (std::abs(glm::determinant(glm::dmat3(at(first), at(i - 1), at(i)))) < kNoArea) return true;
-    return false;
+    return offsets_borders(draw) &&
+           any_corners(draw, [](const Corners& corners) { return std::abs(corners.determinant) < kNoArea; });
+}
+
+bool offsets_borders_out_of_range(const Draw& draw) {
+    const PolygonOffset& offset = draw.raster.polygon_offset;
+    constexpr double kStep = 0x1p-24, kRounding = 1e-5;  // of the slope
+    return offsets_borders(draw) && any_corners(draw, [&](const Corners& corners) {
+               const double by = offset.factor * corners.slope + offset.units * kStep;
+               const double margin = kRounding * std::abs(by) + 2 * kStep;
+               return std::ranges::any_of(corners.window, [&](const glm::dvec3& corner) {
+                   return !(corner.z + by > margin && corner.z + by < 1 - margin);
+               });
+           });
 }
 
 bool has_no_q(const Draw& draw, const Vertex& vertex) {
@@ -494,6 +538,10 @@ const std::vector<Departure>& departures() {
          .section = "3.5.5: m is a slope, which these polygons do not have",
          .leaves = Leaves::kOpen,
          .of_draw = offsets_borders_without_area},
+        {.name = "polygon offset of borders that leaves the depth range",
+         .section = "3.5.5: fragments' depths are offset and clamped; the driver clamps those of corners",
+         .leaves = Leaves::kDriver,
+         .of_draw = offsets_borders_out_of_range},
         {.name = "polygon offset of one of two polygon modes",
          .section = "3.5.5",
          .leaves = Leaves::kDriver,
