@@ -28,6 +28,33 @@ bool stands_before(const CommandList& scene, std::string_view first, std::string
     return false;
 }
 
+// Between a glPushAttrib whose mask has one of `bits`, and none of `without`, and its glPopAttrib.
+bool has_inside_push(const CommandList& scene, Enum bits, Enum without,
+                     const std::function<bool(const Command&)>& is_it) {
+    std::vector<Enum> masks;
+    for (const Command& command : scene.commands) {
+        if (command.id == Id::glPushAttrib) masks.push_back(command.enumerant(0));
+        if (command.id == Id::glPopAttrib && !masks.empty()) masks.pop_back();
+        const bool saved =
+            std::ranges::any_of(masks, [&](Enum mask) { return (mask & bits) != 0 && (mask & without) == 0; });
+        if (saved && is_it(command)) return true;
+    }
+    return false;
+}
+
+bool enables_color_material(const CommandList& scene) {
+    return std::ranges::any_of(scene.commands, [](const Command& command) {
+        return command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL;
+    });
+}
+
+bool lights_two_sides(const CommandList& scene) {
+    return std::ranges::any_of(scene.commands, [](const Command& command) {
+        return command.name().starts_with("glLightModel") && command.enumerant(0) == kGL_LIGHT_MODEL_TWO_SIDE &&
+               command.number(1) != 0;
+    });
+}
+
 }  // namespace
 
 bool mixes_glcolor3_and_4(const CommandList& scene) { return stands_before(scene, "glColor4", "glColor3"); }
@@ -43,24 +70,6 @@ bool mixes_tex_coords(const CommandList& scene) {
     }
     return false;
 }
-
-namespace {
-
-// Between a glPushAttrib whose mask has one of `bits`, and none of `without`, and its glPopAttrib.
-bool has_inside_push(const CommandList& scene, Enum bits, Enum without,
-                     const std::function<bool(const Command&)>& is_it) {
-    std::vector<Enum> masks;
-    for (const Command& command : scene.commands) {
-        if (command.id == Id::glPushAttrib) masks.push_back(command.enumerant(0));
-        if (command.id == Id::glPopAttrib && !masks.empty()) masks.pop_back();
-        const bool saved =
-            std::ranges::any_of(masks, [&](Enum mask) { return (mask & bits) != 0 && (mask & without) == 0; });
-        if (saved && is_it(command)) return true;
-    }
-    return false;
-}
-
-}  // namespace
 
 bool sets_material_before_pop(const CommandList& scene) {
     return has_inside_push(scene, kGL_LIGHTING_BIT, 0,
@@ -100,32 +109,11 @@ bool generates_mipmaps_after_pop(const CommandList& scene) {
     });
 }
 
-namespace {
-
-bool enables_color_material(const CommandList& scene) {
-    return std::ranges::any_of(scene.commands, [](const Command& command) {
-        return command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL;
-    });
-}
-
-}  // namespace
-
 bool restores_tracked_color(const CommandList& scene) {
     return enables_color_material(scene) && has_inside_push(scene, kGL_CURRENT_BIT, 0, [](const Command& command) {
                return command.name().starts_with("glColor");
            });
 }
-
-namespace {
-
-bool lights_two_sides(const CommandList& scene) {
-    return std::ranges::any_of(scene.commands, [](const Command& command) {
-        return command.name().starts_with("glLightModel") && command.enumerant(0) == kGL_LIGHT_MODEL_TWO_SIDE &&
-               command.number(1) != 0;
-    });
-}
-
-}  // namespace
 
 // The back's material has parameters that vary from vertex to vertex, and they are not the front's: set by glMaterial of one
 // side between glBegin and glEnd, or in another way, or the front's are others (2.14.3).

@@ -28,53 +28,11 @@ bool is_clipped(const Draw& draw) {
     });
 }
 
-}  // namespace
-
-bool draws_borders_of_clipped_polygons(const Draw& draw) { return draws_borders(draw) && is_clipped(draw); }
-
-namespace {
-
 bool is_softpipe() { return driver_name().starts_with("softpipe"); }
-
-}  // namespace
-
-bool has_faces_on_borders_in_softpipe(const Draw& draw) {
-    return draws_borders(draw) && draw.lighting.enabled && draw.lighting.light_model.two_side && is_softpipe();
-}
-
-bool has_wide_lines_in_softpipe(const Draw& draw) {
-    const RasterState& raster = draw.raster;
-    const bool lines = draw.mode == kGL_LINES || draw.mode == kGL_LINE_STRIP || draw.mode == kGL_LINE_LOOP ||
-                       raster.polygon_mode_front == kGL_LINE || raster.polygon_mode_back == kGL_LINE;
-    return lines && raster.line_width > 1 && is_softpipe();
-}
-
-// Whatever chooses by the level of detail: a mipmap, or one of two filters.
-bool has_level_of_detail_in_softpipe(const Draw& draw) {
-    const Texture* texture = draw.texture.texture.get();
-    return texture && texture->min_filter != texture->mag_filter && is_softpipe();
-}
-
-bool has_edge_flags_in_strip(const Draw& draw) {
-    const bool strip = draw.mode == kGL_TRIANGLE_STRIP || draw.mode == kGL_TRIANGLE_FAN || draw.mode == kGL_QUAD_STRIP;
-    return strip && draws_borders(draw) &&
-           std::ranges::any_of(draw.vertices, [](const Vertex& vertex) { return !vertex.edge_flag; });
-}
-
-namespace {
 
 bool is_offset(const PolygonOffset& offset, Enum polygon_mode) {
     return polygon_mode == kGL_FILL ? offset.fill : polygon_mode == kGL_LINE ? offset.line : offset.point;
 }
-
-}  // namespace
-
-bool offsets_one_of_two_modes(const Draw& draw) {
-    const PolygonOffset& offset = draw.raster.polygon_offset;
-    return is_offset(offset, draw.raster.polygon_mode_front) != is_offset(offset, draw.raster.polygon_mode_back);
-}
-
-namespace {
 
 bool offsets_borders(const Draw& draw) {
     if (!draw.raster.depth_test) return false;  // which alone shows it
@@ -121,7 +79,42 @@ bool any_corners(const Draw& draw, const std::function<bool(const Corners&)>& ar
     return false;
 }
 
+bool draws_points(const Draw& draw) {
+    return draw.mode == kGL_POINTS || draw.raster.polygon_mode_front == kGL_POINT ||
+           draw.raster.polygon_mode_back == kGL_POINT;
+}
+
 }  // namespace
+
+bool draws_borders_of_clipped_polygons(const Draw& draw) { return draws_borders(draw) && is_clipped(draw); }
+
+bool has_faces_on_borders_in_softpipe(const Draw& draw) {
+    return draws_borders(draw) && draw.lighting.enabled && draw.lighting.light_model.two_side && is_softpipe();
+}
+
+bool has_wide_lines_in_softpipe(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const bool lines = draw.mode == kGL_LINES || draw.mode == kGL_LINE_STRIP || draw.mode == kGL_LINE_LOOP ||
+                       raster.polygon_mode_front == kGL_LINE || raster.polygon_mode_back == kGL_LINE;
+    return lines && raster.line_width > 1 && is_softpipe();
+}
+
+// Whatever chooses by the level of detail: a mipmap, or one of two filters.
+bool has_level_of_detail_in_softpipe(const Draw& draw) {
+    const Texture* texture = draw.texture.texture.get();
+    return texture && texture->min_filter != texture->mag_filter && is_softpipe();
+}
+
+bool has_edge_flags_in_strip(const Draw& draw) {
+    const bool strip = draw.mode == kGL_TRIANGLE_STRIP || draw.mode == kGL_TRIANGLE_FAN || draw.mode == kGL_QUAD_STRIP;
+    return strip && draws_borders(draw) &&
+           std::ranges::any_of(draw.vertices, [](const Vertex& vertex) { return !vertex.edge_flag; });
+}
+
+bool offsets_one_of_two_modes(const Draw& draw) {
+    const PolygonOffset& offset = draw.raster.polygon_offset;
+    return is_offset(offset, draw.raster.polygon_mode_front) != is_offset(offset, draw.raster.polygon_mode_back);
+}
 
 // A polygon that is seen from its edge has no slope m, but lines and points.
 bool offsets_borders_without_area(const Draw& draw) {
@@ -145,15 +138,6 @@ bool offsets_borders_out_of_range(const Draw& draw) {
 bool has_no_q(const Draw& draw, const Vertex& vertex) {
     return draw.texture.texture && (draw.texture.texture_matrix * vertex.tex_coord).w <= 1e-6;
 }
-
-namespace {
-
-bool draws_points(const Draw& draw) {
-    return draw.mode == kGL_POINTS || draw.raster.polygon_mode_front == kGL_POINT ||
-           draw.raster.polygon_mode_back == kGL_POINT;
-}
-
-}  // namespace
 
 bool has_wide_points_in_softpipe(const Draw& draw) {
     return draws_points(draw) && draw.raster.point_size > 1 && is_softpipe();

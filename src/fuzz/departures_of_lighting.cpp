@@ -40,6 +40,24 @@ bool any_material(const Draw& draw, const std::function<bool(const Material&, co
     return std::ranges::any_of(draw.materials, [&](const Materials& m) { return predicate(m.front, m.back); });
 }
 
+// The squares of such lengths are 0, subnormal or infinite in floats.
+bool leaves_floats(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length < 1e-18 || length > 1e18;
+}
+
+// Float rounding moves a cosine of unit vectors by some 1e-6: nearer than this to a jump, it decides.
+constexpr double kJump = 1e-5;
+
+bool is_at_edge_of_cone(const Draw& draw, const Vertex& vertex) {
+    return any_light(draw, [&](const LightSource& light) {
+        const double cos_angle =
+            glm::dot(-toward(light, eye_position(draw, vertex)), glm::normalize(light.spot_direction_eye));
+        return light.spot_cutoff_deg != 180 &&
+               std::abs(cos_angle - std::cos(light.spot_cutoff_deg * M_PI / 180)) < kJump;
+    });
+}
+
 }  // namespace
 
 bool has_shininess_0_with_factors(const Draw& draw) {
@@ -85,16 +103,6 @@ bool has_w_in_fog(const Draw& draw) {
            });
 }
 
-namespace {
-
-// The squares of such lengths are 0, subnormal or infinite in floats.
-bool leaves_floats(const glm::dvec3& v) {
-    const double length = glm::length(v);
-    return length < 1e-18 || length > 1e18;
-}
-
-}  // namespace
-
 bool has_extreme_direction(const Draw& draw, const Vertex& vertex) {
     return draw.lighting.enabled &&
            (leaves_floats(vertex.normal_object) || any_light(draw, [](const LightSource& light) {
@@ -123,22 +131,6 @@ bool has_no_answer(const Draw& draw, const Vertex& vertex) {
         return is_here || !has_axis || (light.position_eye.w != 0 && attenuation == 0);
     });
 }
-
-namespace {
-
-// Float rounding moves a cosine of unit vectors by some 1e-6: nearer than this to a jump, it decides.
-constexpr double kJump = 1e-5;
-
-bool is_at_edge_of_cone(const Draw& draw, const Vertex& vertex) {
-    return any_light(draw, [&](const LightSource& light) {
-        const double cos_angle =
-            glm::dot(-toward(light, eye_position(draw, vertex)), glm::normalize(light.spot_direction_eye));
-        return light.spot_cutoff_deg != 180 &&
-               std::abs(cos_angle - std::cos(light.spot_cutoff_deg * M_PI / 180)) < kJump;
-    });
-}
-
-}  // namespace
 
 // On the axis of a cone of 0 degrees, or at 90 degrees in one of 90: floats have no other answer than the text's.
 bool is_at_exact_edge_of_cone(const Draw& draw, const Vertex& vertex) {
