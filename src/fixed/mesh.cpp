@@ -38,8 +38,8 @@ bool is_order_free(const Draw& draw) {
     return draw.mode == kGL_TRIANGLES && nearest && filled && !draw.fragment.blend;
 }
 
-// Smaller ones fit into a few runs of the driver's in any order.
-constexpr std::size_t kFewIndices = 8 * kVertexRunIndices;
+// Smaller ones are hardly worth it.
+constexpr std::size_t kFewIndices = 2 * kPatchIndices;
 
 // 2.6.2: edge flags count where polygons are drawn as their edges or corners, and only of these.
 bool needs_edge_flags(const Draw& draw) {
@@ -65,18 +65,17 @@ Mesh::Mesh(const Draw& draw, const MeshContents& contents) : mode_(draw.mode) {
     if (contents.color && !all_share(draw, &Vertex::color)) add(color_, 4);
     if (contents.tex_coord && !all_share(draw, &Vertex::tex_coord)) add(tex_coord_, 4);
 
-    VertexOrder order{.indices = draw.indices, .old_from_new = {}};
-    // What names no triangle is not drawn (2.6.1).
+    PatchedTriangles triangles;
+    // What is no whole triangle is not drawn (2.6.1).
     const std::size_t whole = draw.indices.size() / 3 * 3;
-    if (contents.reordered && whole >= kFewIndices && is_order_free(draw))
-        order = ordered_for_vertex_cache(std::span(draw.indices).first(whole), draw.vertices.size());
-
-    const bool reordered = !order.old_from_new.empty();
-    const std::size_t vertex_count = reordered ? order.old_from_new.size() : draw.vertices.size();
+    if (contents.patched && whole >= kFewIndices && is_order_free(draw))
+        triangles = patched(std::span(draw.indices).first(whole), draw.vertices.size());
+    patches_ = std::move(triangles.patches);
+    const std::size_t vertex_count = patches_.empty() ? draw.vertices.size() : triangles.old_from_new.size();
     std::vector<float> values;
     values.reserve(vertex_count * stride_ / sizeof(float));
     for (std::size_t i = 0; i < vertex_count; ++i) {
-        const Vertex& vertex = draw.vertices[reordered ? order.old_from_new[i] : i];
+        const Vertex& vertex = draw.vertices[patches_.empty() ? i : triangles.old_from_new[i]];
         const auto put = [&](const auto& v, const Attribute& attribute) {
             for (int n = 0; n < attribute.size; ++n) values.push_back(static_cast<float>(v[n]));
         };
@@ -92,8 +91,11 @@ Mesh::Mesh(const Draw& draw, const MeshContents& contents) : mode_(draw.mode) {
         edge_flags_ = new_buffer(GL_ARRAY_BUFFER, flags);
     }
     has_indices_ = !draw.indices.empty();
-    count_ = static_cast<int>(has_indices_ ? order.indices.size() : vertex_count);
-    if (has_indices_) indices_ = new_buffer(GL_ELEMENT_ARRAY_BUFFER, order.indices);
+    count_ = static_cast<int>(has_indices_ ? draw.indices.size() : vertex_count);
+    if (!patches_.empty())
+        indices_ = new_buffer(GL_ELEMENT_ARRAY_BUFFER, triangles.indices);
+    else if (has_indices_)
+        indices_ = new_buffer(GL_ELEMENT_ARRAY_BUFFER, draw.indices);
 }
 
 Mesh::~Mesh() {
@@ -129,17 +131,22 @@ void Mesh::draw() const {
         glEnableClientState(GL_EDGE_FLAG_ARRAY);
         glEdgeFlagPointer(0, nullptr);
     }
-    if (has_indices_) {
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
-        glDrawElements(mode_, count_, GL_UNSIGNED_INT, nullptr);
-    } else {
-        glDrawArrays(mode_, 0, count_);
-    }
+    draw_elements();
     for (const GLenum array :
          {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_EDGE_FLAG_ARRAY})
         glDisableClientState(array);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+}
+
+void Mesh::draw_elements() const {
+    if (!has_indices_) return glDrawArrays(mode_, 0, count_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    if (patches_.empty()) return glDrawElements(mode_, count_, GL_UNSIGNED_INT, nullptr);
+    for (const PatchedTriangles::Patch& patch : patches_)
+        glDrawRangeElementsBaseVertex(mode_, 0, patch.vertex_count - 1, static_cast<GLsizei>(patch.index_count),
+                                      GL_UNSIGNED_SHORT, buffer_offset(patch.first_index * sizeof(std::uint16_t)),
+                                      static_cast<GLint>(patch.first_vertex));
 }
 
 // ---- With materials ----

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "effect/effect_set.h"
+#include "shape/vertex_order.h"
 #include "state/frame.h"
 
 namespace twinlight::fixed {
@@ -12,8 +13,8 @@ namespace twinlight::fixed {
 // Which of a vertex's properties are sent; the others nothing reads.
 struct MeshContents {
     bool normal = false, color = false, tex_coord = false;
-    bool reordered =
-        false;  // triangles in the order that suits the driver's vertex cache, where that is the same picture
+    // Triangles in patches that suit the driver's vertex cache, where that is the same picture.
+    bool patched = false;
 };
 
 class Mesh {
@@ -32,9 +33,12 @@ class Mesh {
         std::size_t offset = 0;
     };
 
+    void draw_elements() const;
+
     Enum mode_;
     int count_ = 0;
     bool has_indices_ = false;
+    std::vector<PatchedTriangles::Patch> patches_;  // empty: all in one
     Attribute position_, normal_, color_, tex_coord_;
     std::size_t stride_ = 0;
     Vertex shared_;  // its properties are those that all share

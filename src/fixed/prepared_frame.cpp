@@ -52,8 +52,7 @@ void set_lighting(const LightingState& lighting) {
     glDisable(GL_COLOR_MATERIAL);
     if (!lighting.enabled) return;
     for (std::size_t i = 0; i < kMaxLights; ++i)
-        set_light(GL_LIGHT0 + static_cast<GLenum>(i),
-                  i < lighting.lights.size() ? lighting.lights[i] : LightSource{});
+        set_light(GL_LIGHT0 + static_cast<GLenum>(i), i < lighting.lights.size() ? lighting.lights[i] : LightSource{});
     const LightModel& model = lighting.light_model;
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, &glm::vec4(model.ambient)[0]);
     glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, model.local_viewer);
@@ -126,7 +125,7 @@ struct PreparedDraw {
             contents = {.normal = effects.needs_normal(),
                         .color = effects.needs_color(),
                         .tex_coord = textured,
-                        .reordered = scrub == Scrub::kAll};
+                        .patched = scrub == Scrub::kAll};
             front = effects.front;
             back = effects.back;
         }

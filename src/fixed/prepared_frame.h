@@ -12,7 +12,7 @@ namespace twinlight::fixed {
 enum class Scrub : std::uint8_t {
     kNothing,  // all that the Draw has, called for or not: what a program does that sets what it was told
     kState,    // what its plan calls for (scrubbed_state.h)
-    kAll,      // and large meshes in the order that suits the driver's vertex cache (shape/vertex_order.h)
+    kAll,      // and large meshes in patches that suit the driver's vertex cache (shape/vertex_order.h)
 };
 
 // Owns buffers and textures of the context that is current; dies before that does. What the Frame lacks (Frame::unsupported)

@@ -40,7 +40,7 @@ class Grower {
         std::vector<std::uint32_t> order;
         order.reserve(placed_.size());
         while (order.size() < placed_.size()) {
-            if (order.size() % (kVertexRunIndices / 3) == 0) begin_patch(order);
+            if (order.size() % (kPatchIndices / 3) == 0) begin_patch(order);
             const std::uint32_t triangle = next();
             placed_[triangle] = true;
             order.push_back(triangle);
@@ -106,28 +106,40 @@ class Grower {
 
 }  // namespace
 
-VertexOrder ordered_for_vertex_cache(std::span<const std::uint32_t> indices, std::size_t vertex_count) {
-    VertexOrder order;
-    order.indices.reserve(indices.size());
-    std::vector<std::uint32_t> new_from_old(vertex_count, kNone);
+PatchedTriangles patched(std::span<const std::uint32_t> indices, std::size_t vertex_count) {
+    PatchedTriangles result;
+    result.indices.reserve(indices.size());
+    struct InPatch {
+        std::size_t patch = 0;  // the number of patches then
+        std::uint32_t index = 0;
+    };
+    std::vector<InPatch> in_patch(vertex_count);
     for (const std::uint32_t triangle : Grower(indices, vertex_count).triangles()) {
+        if (result.indices.size() % kPatchIndices == 0) {
+            result.patches.push_back({.first_vertex = static_cast<std::uint32_t>(result.old_from_new.size()),
+                                      .first_index = static_cast<std::uint32_t>(result.indices.size())});
+        }
+        PatchedTriangles::Patch& patch = result.patches.back();
         for (const std::uint32_t old : indices.subspan(3 * std::size_t{triangle}, 3)) {
-            if (new_from_old[old] == kNone) {
-                new_from_old[old] = static_cast<std::uint32_t>(order.old_from_new.size());
-                order.old_from_new.push_back(old);
+            InPatch& there = in_patch[old];
+            if (there.patch != result.patches.size()) {
+                there = {result.patches.size(), patch.vertex_count++};
+                result.old_from_new.push_back(old);
             }
-            order.indices.push_back(new_from_old[old]);
+            result.indices.push_back(static_cast<std::uint16_t>(there.index));
+            ++patch.index_count;
         }
     }
-    return order;
+    return result;
 }
 
-std::size_t vertices_shaded(std::span<const std::uint32_t> indices) {
+std::size_t vertices_shaded_in_runs(std::span<const std::uint32_t> indices) {
+    constexpr std::size_t kRun = 1024 / 3 * 3, kCache = 256;
     std::size_t shaded = 0;
-    std::array<std::uint32_t, kVertexCacheSize> cache{};
+    std::array<std::uint32_t, kCache> cache{};
     for (std::size_t i = 0; i < indices.size(); ++i) {
-        if (i % kVertexRunIndices == 0) cache.fill(kNone);
-        std::uint32_t& kept = cache[indices[i] % kVertexCacheSize];
+        if (i % kRun == 0) cache.fill(kNone);
+        std::uint32_t& kept = cache[indices[i] % kCache];
         if (kept != indices[i]) ++shaded;
         kept = indices[i];
     }

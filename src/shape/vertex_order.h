@@ -8,23 +8,28 @@
 
 namespace twinlight {
 
-struct VertexOrder {
-    // Three a triangle, each triangle's in their own order (its provoking vertex stays), into the new vertices.
-    std::vector<std::uint32_t> indices;
-    // The old number of each new vertex: those that a triangle uses, in the order of their first use.
-    std::vector<std::uint32_t> old_from_new;
+// A list of triangles in patches that a driver may draw on their own. A vertex on the border of two patches is there twice.
+struct PatchedTriangles {
+    struct Patch {
+        std::uint32_t first_vertex = 0, vertex_count = 0;  // into old_from_new
+        std::uint32_t first_index = 0, index_count = 0;    // into indices
+    };
+    std::vector<Patch> patches;
+    // Three a triangle, each triangle's in their own order (its provoking vertex stays), counted from its patch's first vertex.
+    std::vector<std::uint16_t> indices;
+    std::vector<std::uint32_t> old_from_new;  // the number of each vertex in what was given
 };
 
-// How Mesa's draw module sees indices (22.3, draw_pt_vsplit.c): runs of this many at most, and within a run a vertex is
-// found again as long as no other one with the same number modulo kVertexCacheSize has come.
-inline constexpr std::size_t kVertexRunIndices = 1024 / 3 * 3;
-inline constexpr std::size_t kVertexCacheSize = 256;
+// What Mesa's draw module (22.3, draw_pt_vsplit.c) shades in one go: a draw of 16-bit indices, of this many at most, whose range
+// the program gives (glDrawRangeElementsBaseVertex) and which has more indices than vertices. Others it cuts into runs of 1,023
+// indices, and within a run finds a vertex again as long as no other with the same number modulo 256 has come.
+inline constexpr std::size_t kPatchIndices = 4096 / 3 * 3;
 
-// Patches that grow from triangle to neighbour, each as large as a run: of a grid some 13 by 13 squares, for whose 341
-// triangles 200 vertices are enough. `indices` has three for each triangle, all below vertex_count. Linear time.
-VertexOrder ordered_for_vertex_cache(std::span<const std::uint32_t> indices, std::size_t vertex_count);
+// Patches that grow from triangle to neighbour: of a grid some 26 by 26 squares, with 1.07 vertices for each of the grid's.
+// `indices` has three for each triangle, all below vertex_count. Linear time.
+PatchedTriangles patched(std::span<const std::uint32_t> indices, std::size_t vertex_count);
 
-// How many vertices that module shades for a list of triangles.
-std::size_t vertices_shaded(std::span<const std::uint32_t> indices);
+// How many vertices that module shades for a list of triangles in one draw.
+std::size_t vertices_shaded_in_runs(std::span<const std::uint32_t> indices);
 
 }  // namespace twinlight

@@ -30,6 +30,7 @@ std::shared_ptr<fixed::PreparedFrame> prepared(const Frame& frame, fixed::Scrub 
 
 void compare_vertices(Results& results) {
     const auto context = make_offscreen_context(kSide, kSide);
+    if (getenv("RD")) glEnable(GL_RASTERIZER_DISCARD);
     std::vector<double> scrubbed_over_fixed;
     for (const LitScene& scene : idle_scenes()) {
         const Frame frame = frame_of(scene.draw);
