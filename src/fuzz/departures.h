@@ -46,4 +46,8 @@ class LeftOut {
     const Departure* of_all_ = nullptr;
 };
 
+// All that apply somewhere in a frame, but for those that rounding decides. Of a long recording the commands at its start alone
+// are looked through.
+std::vector<const Departure*> departures_in(const Frame& frame);
+
 }  // namespace twinlight::fuzz

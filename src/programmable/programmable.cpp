@@ -7,10 +7,10 @@
 #include "context/context.h"
 #include "context/gl.h"
 #include "programmable/draw_values.h"
-#include "programmable/fixed_stages.h"
 #include "programmable/mesh.h"
 #include "programmable/programs.h"
-#include "programmable/textures.h"
+#include "stages/fixed_stages.h"
+#include "stages/textures.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -68,7 +68,7 @@ struct Renderer::Impl {
     }
 
     Programs programs;
-    Textures textures;
+    Textures textures{Clamping::kShader};
 };
 
 Renderer::Renderer(std::size_t program_limit) : impl_(std::make_unique<Impl>(program_limit)) {}

@@ -198,6 +198,19 @@ TEST(Verdict, NamesThePairsThatDiffer) {
               "fixed ~ programmable: 1,170 of 1,170 interior pixels differ (100.00%), by up to 25/255 at (1, 0).");
 }
 
+TEST(Verdict, NamesKnownDeparturesWhereItIsBeyond) {
+    Stub stub;
+    Comparison comparison = stub.compare();
+    comparison.known_departures = {"fog (3.10)"};
+    EXPECT_EQ(verdict_sentences(comparison).size(), 1U);
+    stub.fixed = 0.6F;
+    comparison = stub.compare();
+    comparison.known_departures = {"fog (3.10)"};
+    EXPECT_NE(verdict_sentences(comparison).back().find(": fog (3.10); see golden/known_differences."),
+              std::string::npos);
+    EXPECT_EQ(json::parse(comparison_json(comparison))["known_departures"], json({"fog (3.10)"}));
+}
+
 TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
     Stub stub;
     stub.fixed = 0.6F;

@@ -6,6 +6,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/progress.h"
 #include "app/cli/renderers.h"
+#include "fuzz/departures.h"
 #include "report/comparison.h"
 #include "report/words.h"
 
@@ -78,6 +79,9 @@ int run(const Arguments& arguments) {
         comparison =
             report::compare_scene(frame, frame.commands->name, driver_name(), renderers.functions(),
                                   [&](int done, int total, std::string_view next) { bar.show(done, total, next); });
+    }
+    for (const fuzz::Departure* departure : fuzz::departures_in(frame)) {
+        comparison.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
     }
     report::write_report(comparison, arguments.folder);
     write_result(arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder));
