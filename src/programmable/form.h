@@ -33,7 +33,7 @@ Code code_for(const Draw& draw, const Plan& plan);
 
 // Of lights with equal facts more than these are gone through in a loop: its text does not grow with them. Uniforms and
 // their loop cost llvmpipe more than lights written out (docs/performance.md), so few are written out.
-inline constexpr std::size_t kMostWrittenOut = 16;
+inline constexpr std::size_t kMostWrittenOut = 32;
 
 // By what factor the modelview matrix scales lengths, if it turns, mirrors and scales the same in all directions (to
 // the precision of floats) and nothing else, or 0.
