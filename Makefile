@@ -38,10 +38,6 @@ apitrace            command -v apitrace
 mesa-utils          command -v glxgears
 endef
 export DEPENDENCIES
-define newline
-
-
-endef
 
 # ---- Flags ------------------------------------------------------------------------------------------------------
 
@@ -71,6 +67,7 @@ SOURCES_demo := $(SOURCES_app) $(wildcard src/app/demo/*.cpp)
 # What of the demo the tests link: all but GLUT.
 SOURCES_demo_library := $(filter-out src/app/demo/main.cpp src/app/demo/window.cpp,$(SOURCES_demo))
 SOURCES_bench := $(wildcard tests/bench/*.cpp)
+SOURCES_bench_library := src/app/cli/progress.cpp
 SOURCES_tests := $(filter-out $(SOURCES_bench),$(wildcard tests/*/*.cpp))
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) $(SOURCES_bench))
@@ -104,10 +101,9 @@ test: deps  ## build; run every test headless (TEST=Filter* runs some)
 	@LSAN_OPTIONS=suppressions=tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(BUILD) \
 	    $(BUILD)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
 
-bench: export DEPENDENCIES := $(DEPENDENCIES)$(newline)libbenchmark-dev pkg-config --exists benchmark
 bench: deps  ## measure: a table of medians, and ratios in build/bench.json (BENCH=Regex runs some)
 	@$(MAKE) $(BUILD)/twinlight-bench
-	@TWINLIGHT_BUILD=$(BUILD) $(BUILD)/twinlight-bench --benchmark_filter='$(or $(BENCH),.)'
+	@TWINLIGHT_BUILD=$(BUILD) $(BUILD)/twinlight-bench '$(or $(BENCH),.)'
 
 deps:  ## install what is missing (apt), and nothing else
 	@missing() { echo "$$DEPENDENCIES" | while read -r package ask; do \
@@ -187,8 +183,8 @@ $(BUILD)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
 $(BUILD)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_demo_library)) $(BUILD)/libtwinlight.a
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
-$(BUILD)/twinlight-bench: $(call object,$(SOURCES_bench)) $(BUILD)/libtwinlight.a
-	$(link) $(LIBS_offscreen) $(LIBS) $(shell pkg-config --libs benchmark 2>/dev/null)
+$(BUILD)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(BUILD)/libtwinlight.a
+	$(link) $(LIBS_offscreen) $(LIBS)
 
 # What the real freeglut and GLU send for their shapes: the tests hold src/shape against it.
 $(BUILD)/shape-recorder: $(call object,$(SOURCES_recorder))

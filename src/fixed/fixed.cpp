@@ -1,10 +1,12 @@
 #include "fixed/fixed.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
 #include "context/context.h"
 #include "context/gl.h"
+#include "fixed/prepared_frame.h"
 
 namespace twinlight::fixed {
 
@@ -64,6 +66,16 @@ void draw(const Frame& frame, const RenderOptions& options) {
 
 Image render(const Frame& frame, const RenderOptions& options) {
     draw(frame, options);
+    return read_pixels(frame.width, frame.height);
+}
+
+Image render_scrubbed(const Frame& frame, const RenderOptions& options) {
+    const bool is_whole = std::ranges::none_of(frame.unsupported, [](const Unsupported& what) {
+        return std::ranges::find(what.renderers, "programmable") != what.renderers.end();
+    });
+    if (!is_whole) return render(frame, options);
+    PreparedFrame(frame, options, Scrub::kAll).draw();
+    glFinish();
     return read_pixels(frame.width, frame.height);
 }
 

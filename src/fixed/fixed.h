@@ -102,4 +102,8 @@ Image render(const Frame& frame, const RenderOptions& options);
 // The same without reading back: leaves the picture in the current colour buffer.
 void draw(const Frame& frame, const RenderOptions& options);
 
+// The frame's Draws with no more state than their plans call for (prepared_frame.h), to within options.budget. A frame that
+// lacks some of what its commands say is drawn from the commands, as by render().
+Image render_scrubbed(const Frame& frame, const RenderOptions& options);
+
 }  // namespace twinlight::fixed

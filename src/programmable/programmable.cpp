@@ -11,9 +11,9 @@
 #include "context/context.h"
 #include "context/gl.h"
 #include "programmable/attributes.h"
-#include "programmable/fixed_stages.h"
+#include "stages/fixed_stages.h"
 #include "programmable/program.h"
-#include "programmable/textures.h"
+#include "stages/textures.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -94,7 +94,7 @@ struct Renderer::Impl {
     }
 
     std::map<EffectSet, Program> programs;
-    Textures textures;
+    Textures textures{Clamping::kShader};
     GLuint enabled_attributes = 0;
     GLuint vertex_array = 0;
     GLuint vertices = 0;

@@ -1,5 +1,4 @@
 // How fast recorded programs are read, in commands of GL a second.
-#include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -9,6 +8,7 @@
 
 #include "../unit/run_program.h"
 #include "image/file.h"
+#include "ratios.h"
 #include "scenes/load.h"
 #include "state/state.h"
 
@@ -61,32 +61,14 @@ std::int64_t commands_of(const Recording& recording) {
     return commands;
 }
 
-void read_dump(benchmark::State& state) {
-    const auto recording = load_recording(long_dump());
-    std::int64_t commands = 0;
-    for (auto _ : state) commands += commands_of(*recording);
-    state.SetItemsProcessed(commands);
+void into_state(const Recording& recording) {
+    State machine({.width = 300, .height = 300});
+    recording.for_each([&](const Step& step) {
+        if (step.kind == Step::Kind::kCommand) machine.apply(step.command);
+        if (step.kind == Step::Kind::kFrameEnd) machine.drop_picture();
+        return true;
+    });
 }
-BENCHMARK(read_dump)->Unit(benchmark::kMillisecond)->UseRealTime();
-
-void read_dump_into_state(benchmark::State& state) {
-    const auto recording = load_recording(long_dump());
-    std::int64_t commands = 0;
-    for (auto _ : state) {
-        State machine({.width = 300, .height = 300});
-        recording->for_each([&](const Step& step) {
-            if (step.kind == Step::Kind::kCommand) {
-                machine.apply(step.command);
-                ++commands;
-            }
-            if (step.kind == Step::Kind::kFrameEnd) machine.drop_picture();
-            return true;
-        });
-        benchmark::DoNotOptimize(machine.errors().size());
-    }
-    state.SetItemsProcessed(commands);
-}
-BENCHMARK(read_dump_into_state)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 // A trace of glxgears that is recorded first, and its dump.
 class Glxgears {
@@ -110,27 +92,34 @@ class Glxgears {
     TemporaryFolder folder_;
 };
 
-constexpr const char* kNeeds = "needs apitrace, Xvfb and glxgears (mesa-utils)";
+// For one command of GL each.
+void compare_readers(bench::Results& results) {
+    const bench::Rounds rounds{.clock = bench::Clock::kWall};  // apitrace is another process
+    const auto recording = load_recording(long_dump());
+    const auto commands = static_cast<double>(commands_of(*recording));
+    const auto long_ones =
+        results.compare("a long recording, a command",
+                        {{"carried out by the state machine", [&] { into_state(*recording); }, commands},
+                         {"read", [&] { commands_of(*recording); }, commands}},
+                        rounds);
+    results.ratio("read_dump_over_read_dump_into_state", bench::times_faster(long_ones[1], long_ones[0]));
 
-void read_glxgears(benchmark::State& state) {
-    if (!Glxgears::instance().is_there()) return state.SkipWithError(kNeeds);
-    const auto recording = Glxgears::instance().recording();
-    std::int64_t commands = 0;
-    for (auto _ : state) commands += commands_of(*recording);
-    state.SetItemsProcessed(commands);
+    const Glxgears& glxgears = Glxgears::instance();
+    if (!glxgears.is_there())
+        return results.remark("against apitrace: left out, needs apitrace, Xvfb and glxgears (mesa-utils)");
+    const auto gears = glxgears.recording();
+    const auto gears_commands = static_cast<double>(commands_of(*gears));
+    // apitrace's own program.
+    const std::string dump =
+        "cd " + quoted(glxgears.folder()) + " && apitrace dump --color=never --blobs gears.trace >/dev/null";
+    const auto two = results.compare("a recording of glxgears, a command",
+                                     {{"apitrace dump", [&] { run_shell("", dump); }, gears_commands},
+                                      {"read", [&] { commands_of(*gears); }, gears_commands}},
+                                     rounds);
+    results.ratio("read_glxgears_over_apitrace_dump_glxgears", bench::times_faster(two[1], two[0]));
 }
-BENCHMARK(read_glxgears)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-// apitrace's own program.
-void apitrace_dump_glxgears(benchmark::State& state) {
-    if (!Glxgears::instance().is_there()) return state.SkipWithError(kNeeds);
-    const std::int64_t commands = commands_of(*Glxgears::instance().recording());
-    const std::string dump = "cd " + quoted(Glxgears::instance().folder()) +
-                             " && apitrace dump --color=never --blobs gears.trace >/dev/null";
-    for (auto _ : state) run_shell("", dump);
-    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * commands);
-}
-BENCHMARK(apitrace_dump_glxgears)->Unit(benchmark::kMillisecond)->UseRealTime();
+const bool added = bench::add_part("traces", compare_readers);
 
 }  // namespace
 

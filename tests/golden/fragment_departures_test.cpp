@@ -83,6 +83,12 @@ const std::vector<FragmentCase>& fragment_cases() {
             glBegin(GL_TRIANGLES);
             glVertex3f(-0.9, -0.9, 0.5); glVertex3f(-0.5, -0.9, 0.5); glVertex3f(-0.9, -0.5, 0.5);
             glVertex3f(-0.6, 0.7, -0.01); glVertex3f(0.7, 0.7, -0.01); glVertex3f(0.7, -0.6, -0.01); glEnd();)"},
+        // Offset by half of the depth range the farther half of a line is behind it, and fails against the cleared buffer.
+        {"polygon offset of borders that leaves the depth range", R"(
+            glEnable(GL_DEPTH_TEST); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(8);
+            glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 8e6);
+            glBegin(GL_TRIANGLES);
+            glVertex3f(-0.8, -0.8, -0.9); glVertex3f(0.8, -0.8, 0.9); glVertex3f(-0.8, 0.8, 0.9); glEnd();)"},
         // rho is 1 and lambda the bias: the second level, which is green.
         {"level of detail of points", R"(
             glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, reds);

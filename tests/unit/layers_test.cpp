@@ -26,8 +26,9 @@ const std::map<std::string, Layers>& allowed() {
         {"trace", {"math", "command"}},
         {"scenes", {"math", "command", "image", "trace"}},  // reads scene files and recordings
         {"reference", {"math", "command", "state", "shape", "lighting", "image"}},
-        {"fixed", {"math", "command", "shape", "state", "effect", "context", "image"}},
-        {"programmable", {"math", "command", "state", "effect", "shape", "context", "image"}},
+        {"stages", {"math", "command", "state", "effect", "context"}},
+        {"fixed", {"math", "command", "shape", "state", "effect", "stages", "context", "image"}},
+        {"programmable", {"math", "command", "state", "effect", "stages", "shape", "context", "image"}},
         {"report", {"math", "command", "state", "image"}},  // the renderers come as functions
         {"fuzz",
          {"math", "command", "state", "shape", "lighting", "image", "context", "fixed", "programmable", "reference",

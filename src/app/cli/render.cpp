@@ -7,6 +7,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/renderers.h"
+#include "fixed/fixed.h"
 #include "image/file.h"
 #include "image/png.h"
 #include "report/words.h"
@@ -21,6 +22,7 @@ struct Arguments {
     std::optional<Shading> shading;
     std::optional<Size> size;
     std::optional<int> frame;
+    bool scrubbed = false;
     std::string output;
 };
 
@@ -43,13 +45,17 @@ int run(const Arguments& arguments) {
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kPhong) {
         throw UsageError("the fixed function cannot shade by phong; use --with programmable or --with reference");
     }
+    if (arguments.scrubbed && arguments.renderer != "fixed") {
+        throw UsageError("--scrubbed is of the fixed function's state; use it with --with fixed");
+    }
     const bool to_stdout = arguments.output == "-";
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
         throw UsageError("-o - would write a PNG's bytes to the terminal; redirect it or name a file");
     }
     const Frame frame = load_frame(arguments.scene, arguments.size, arguments.frame);
     const RendererSet renderers(frame.width, frame.height);
-    const report::RenderFunction& render = renderers.functions().*kRenderers.at(arguments.renderer);
+    const report::RenderFunction render =
+        arguments.scrubbed ? fixed::render_scrubbed : renderers.functions().*kRenderers.at(arguments.renderer);
     const std::string png = encode_png(render(frame, {.shading = arguments.shading, .lecture_variants = true}));
     if (to_stdout) {
         write_result(png);
@@ -73,6 +79,8 @@ Subcommand add_render(CLI::App& app) {
     add_shading_option(*render, arguments->shading);
     add_size_option(*render, arguments->size);
     add_frame_option(*render, arguments->frame);
+    render->add_flag("--scrubbed", arguments->scrubbed,
+                     "fixed: no more of the state than each draw calls for, instead of the commands as they are");
     render->add_option("-o", arguments->output, "the picture, or - for standard output")
         ->required()
         ->type_name("FILE")

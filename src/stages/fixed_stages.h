@@ -3,7 +3,7 @@
 
 #include "state/frame.h"
 
-namespace twinlight::programmable {
+namespace twinlight {
 
 // Keeps what it finds in the context, and sets what would change a picture and no Frame has: stipples, smoothing, the
 // stencil test, logical operations. At the end of the scope the context is as before; no program, no arrays, no buffers
@@ -19,4 +19,4 @@ class FixedStages {
     void clear(const Clear& what) const;
 };
 
-}  // namespace twinlight::programmable
+}  // namespace twinlight

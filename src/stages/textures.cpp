@@ -1,4 +1,4 @@
-#include "programmable/textures.h"
+#include "stages/textures.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "context/gl.h"
 #include "effect/fragment_effects.h"
 
-namespace twinlight::programmable {
+namespace twinlight {
 namespace {
 
 // The texels lie in order, as nothing else is said to glPixelStore and glPixelTransfer.
@@ -38,12 +38,13 @@ void upload(const Texture& texture) {
     }
 }
 
-void set_parameters(const Texture& texture) {
+void set_parameters(const Texture& texture, Clamping clamping) {
     const auto set = [&](GLenum name, Enum value) { glTexParameteri(texture.target, name, static_cast<GLint>(value)); };
     set(GL_TEXTURE_MIN_FILTER, texture.min_filter);
     set(GL_TEXTURE_MAG_FILTER, texture.mag_filter);
-    // GL_CLAMP: the shader clamps, to where the border begins; half of it is in a linear filter's sight.
-    const Enum clamped = filters_linearly(texture) ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
+    // Where the shader clamps, half of the border is in a linear filter's sight.
+    Enum clamped = filters_linearly(texture) ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
+    if (clamping == Clamping::kDriver) clamped = kGL_CLAMP;
     set(GL_TEXTURE_WRAP_S, texture.wrap_s == kGL_CLAMP ? clamped : texture.wrap_s);
     set(GL_TEXTURE_WRAP_T, texture.wrap_t == kGL_CLAMP ? clamped : texture.wrap_t);
     const glm::vec4 border(texture.border_color);
@@ -51,14 +52,14 @@ void set_parameters(const Texture& texture) {
 }
 
 // A texture object that has all of it.
-GLuint uploaded(const Texture& texture) {
+GLuint uploaded(const Texture& texture, Clamping clamping) {
     constexpr int kErrorsOfOthers = 16;
     for (int i = 0; i < kErrorsOfOthers && glGetError() != GL_NO_ERROR; ++i) {
     }
     GLuint name = 0;
     glGenTextures(1, &name);
     glBindTexture(texture.target, name);
-    set_parameters(texture);
+    set_parameters(texture, clamping);
     try {
         upload(texture);
     } catch (...) {
@@ -78,7 +79,8 @@ void Textures::bind(const TextureUnit& unit) {
     const Texture& texture = *unit.texture;
     auto found = uploaded_.find(&texture);
     if (found == uploaded_.end())
-        found = uploaded_.emplace(&texture, Uploaded{.texture = unit.texture, .name = uploaded(texture)}).first;
+        found =
+            uploaded_.emplace(&texture, Uploaded{.texture = unit.texture, .name = uploaded(texture, clamping_)}).first;
     found->second.used = true;
     glBindTexture(texture.target, found->second.name);
     // 3.8.8 adds the unit's bias to the texture's own, which a Texture does not have.
@@ -96,4 +98,4 @@ void Textures::drop_unused() {
     }
 }
 
-}  // namespace twinlight::programmable
+}  // namespace twinlight

@@ -1,10 +1,10 @@
-#include "programmable/fixed_stages.h"
+#include "stages/fixed_stages.h"
 
 #include <algorithm>
 
 #include "context/gl.h"
 
-namespace twinlight::programmable {
+namespace twinlight {
 namespace {
 
 void set_enabled(GLenum capability, bool enabled) { (enabled ? glEnable : glDisable)(capability); }
@@ -92,4 +92,4 @@ void FixedStages::clear(const Clear& what) const {
     glClear((what.color ? GL_COLOR_BUFFER_BIT : 0u) | (what.depth ? GL_DEPTH_BUFFER_BIT : 0u));
 }
 
-}  // namespace twinlight::programmable
+}  // namespace twinlight

@@ -1,17 +1,22 @@
 // Textures: the textures of a Frame, uploaded to texture objects of the current context.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 
 #include "state/frame.h"
 
-namespace twinlight::programmable {
+namespace twinlight {
+
+// GL_CLAMP, which core GL and shaders do not have: by the driver's own sampler, or left to a shader that clamps the
+// coordinates to where the border begins.
+enum class Clamping : std::uint8_t { kDriver, kShader };
 
 // Owns its texture objects: dies before the context does.
 class Textures {
   public:
-    Textures() = default;
+    explicit Textures(Clamping clamping) : clamping_(clamping) {}
     ~Textures();
     Textures(const Textures&) = delete;
     Textures& operator=(const Textures&) = delete;
@@ -29,7 +34,8 @@ class Textures {
         unsigned name = 0;
         bool used = true;
     };
+    Clamping clamping_;
     std::map<const Texture*, Uploaded> uploaded_;
 };
 
-}  // namespace twinlight::programmable
+}  // namespace twinlight

@@ -1,0 +1,189 @@
+#include "fixed/mesh.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "context/gl.h"
+#include "shape/vertex_order.h"
+
+namespace twinlight::fixed {
+namespace {
+
+const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }  // NOLINT: GL's offset
+
+template <class Value>
+GLuint new_buffer(GLenum target, const std::vector<Value>& values) {
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    glBindBuffer(target, name);
+    glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), GL_STATIC_DRAW);
+    glBindBuffer(target, 0);
+    return name;
+}
+
+template <class Property>
+bool all_share(const Draw& draw, Property Vertex::*property) {
+    return std::ranges::all_of(draw.vertices,
+                               [&](const Vertex& v) { return v.*property == draw.vertices.front().*property; });
+}
+
+// Whether the order of triangles is free: of those at a pixel the nearest shows, whichever comes first. (Where two have the
+// same depth there, to the last bit, it is not: the picture may show the other.)
+bool is_order_free(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const bool nearest = raster.depth_test && raster.depth_mask &&
+                         (raster.depth_func == kGL_LESS || raster.depth_func == kGL_LEQUAL ||
+                          raster.depth_func == kGL_GREATER || raster.depth_func == kGL_GEQUAL);
+    const bool filled = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
+    return draw.mode == kGL_TRIANGLES && nearest && filled && !draw.fragment.blend;
+}
+
+// Smaller ones are hardly worth it.
+constexpr std::size_t kFewIndices = 2 * kPatchIndices;
+
+// 2.6.2: edge flags count where polygons are drawn as their edges or corners, and only of these.
+bool needs_edge_flags(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const bool has_edges = draw.mode == kGL_TRIANGLES || draw.mode == kGL_QUADS || draw.mode == kGL_POLYGON;
+    const bool filled = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
+    return has_edges && !filled && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
+}
+
+}  // namespace
+
+Mesh::Mesh(const Draw& draw, const MeshContents& contents) : mode_(draw.mode) {
+    if (draw.vertices.empty()) return;
+    shared_ = draw.vertices.front();
+    const bool w_is_1 =
+        std::ranges::all_of(draw.vertices, [](const Vertex& vertex) { return vertex.position_object.w == 1; });
+    const auto add = [&](Attribute& attribute, int size) {
+        attribute = {size, stride_};
+        stride_ += static_cast<std::size_t>(size) * sizeof(float);
+    };
+    add(position_, w_is_1 ? 3 : 4);
+    if (contents.normal) add(normal_, 3);
+    if (contents.color && !all_share(draw, &Vertex::color)) add(color_, 4);
+    if (contents.tex_coord && !all_share(draw, &Vertex::tex_coord)) add(tex_coord_, 4);
+
+    PatchedTriangles triangles;
+    // What is no whole triangle is not drawn (2.6.1).
+    const std::size_t whole = draw.indices.size() / 3 * 3;
+    if (contents.patched && whole >= kFewIndices && is_order_free(draw))
+        triangles = patched(std::span(draw.indices).first(whole), draw.vertices.size());
+    patches_ = std::move(triangles.patches);
+    const std::size_t vertex_count = patches_.empty() ? draw.vertices.size() : triangles.old_from_new.size();
+    std::vector<float> values;
+    values.reserve(vertex_count * stride_ / sizeof(float));
+    for (std::size_t i = 0; i < vertex_count; ++i) {
+        const Vertex& vertex = draw.vertices[patches_.empty() ? i : triangles.old_from_new[i]];
+        const auto put = [&](const auto& v, const Attribute& attribute) {
+            for (int n = 0; n < attribute.size; ++n) values.push_back(static_cast<float>(v[n]));
+        };
+        put(vertex.position_object, position_);
+        put(vertex.normal_object, normal_);
+        put(vertex.color, color_);
+        put(vertex.tex_coord, tex_coord_);
+    }
+    vertices_ = new_buffer(GL_ARRAY_BUFFER, values);
+    if (needs_edge_flags(draw)) {
+        std::vector<GLboolean> flags;
+        for (const Vertex& vertex : draw.vertices) flags.push_back(vertex.edge_flag);
+        edge_flags_ = new_buffer(GL_ARRAY_BUFFER, flags);
+    }
+    has_indices_ = !draw.indices.empty();
+    count_ = static_cast<int>(has_indices_ ? draw.indices.size() : vertex_count);
+    if (!patches_.empty())
+        indices_ = new_buffer(GL_ELEMENT_ARRAY_BUFFER, triangles.indices);
+    else if (has_indices_)
+        indices_ = new_buffer(GL_ELEMENT_ARRAY_BUFFER, draw.indices);
+}
+
+Mesh::~Mesh() {
+    for (const GLuint name : {vertices_, edge_flags_, indices_})
+        if (name != 0) glDeleteBuffers(1, &name);
+}
+
+void Mesh::draw() const {
+    if (count_ == 0) return;
+    const auto stride = static_cast<GLsizei>(stride_);
+    const glm::vec4 color(shared_.color), tex_coord(shared_.tex_coord);
+    glColor4fv(&color[0]);
+    glTexCoord4fv(&tex_coord[0]);
+    glEdgeFlag(shared_.edge_flag);
+
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glVertexPointer(position_.size, GL_FLOAT, stride, buffer_offset(position_.offset));
+    if (normal_.size != 0) {
+        glEnableClientState(GL_NORMAL_ARRAY);
+        glNormalPointer(GL_FLOAT, stride, buffer_offset(normal_.offset));
+    }
+    if (color_.size != 0) {
+        glEnableClientState(GL_COLOR_ARRAY);
+        glColorPointer(color_.size, GL_FLOAT, stride, buffer_offset(color_.offset));
+    }
+    if (tex_coord_.size != 0) {
+        glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+        glTexCoordPointer(tex_coord_.size, GL_FLOAT, stride, buffer_offset(tex_coord_.offset));
+    }
+    if (edge_flags_ != 0) {
+        glBindBuffer(GL_ARRAY_BUFFER, edge_flags_);
+        glEnableClientState(GL_EDGE_FLAG_ARRAY);
+        glEdgeFlagPointer(0, nullptr);
+    }
+    draw_elements();
+    for (const GLenum array :
+         {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_EDGE_FLAG_ARRAY})
+        glDisableClientState(array);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+}
+
+void Mesh::draw_elements() const {
+    if (!has_indices_) return glDrawArrays(mode_, 0, count_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    if (patches_.empty()) return glDrawElements(mode_, count_, GL_UNSIGNED_INT, nullptr);
+    for (const PatchedTriangles::Patch& patch : patches_)
+        glDrawRangeElementsBaseVertex(mode_, 0, patch.vertex_count - 1, static_cast<GLsizei>(patch.index_count),
+                                      GL_UNSIGNED_SHORT, buffer_offset(patch.first_index * sizeof(std::uint16_t)),
+                                      static_cast<GLint>(patch.first_vertex));
+}
+
+// ---- With materials ----
+
+namespace {
+
+void send_material(GLenum face, const Material& material, const FaceEffects& varying) {
+    const auto send = [&](bool varies, GLenum name, const glm::dvec4& value) {
+        if (varies) glMaterialfv(face, name, &glm::vec4(value)[0]);
+    };
+    send(varying.varies_emission, GL_EMISSION, material.emission);
+    send(varying.varies_ambient, GL_AMBIENT, material.ambient);
+    send(varying.varies_diffuse, GL_DIFFUSE, material.diffuse);
+    send(varying.varies_specular, GL_SPECULAR, material.specular);
+    if (varying.varies_shininess) glMaterialf(face, GL_SHININESS, static_cast<float>(material.shininess));
+}
+
+}  // namespace
+
+void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceEffects& back) {
+    std::uint32_t current = std::numeric_limits<std::uint32_t>::max();
+    glBegin(draw.mode);
+    for (std::size_t i = 0; i < draw.count(); ++i) {
+        const Vertex& vertex = draw.vertices[draw.index(i)];
+        if (vertex.material != current) {
+            current = vertex.material;
+            const Materials& materials = draw.materials.at(current);
+            send_material(GL_FRONT, materials.front, front);
+            send_material(GL_BACK, materials.back, back);
+        }
+        glEdgeFlag(vertex.edge_flag);
+        glNormal3fv(&glm::vec3(vertex.normal_object)[0]);
+        glColor4fv(&glm::vec4(vertex.color)[0]);
+        glTexCoord4fv(&glm::vec4(vertex.tex_coord)[0]);
+        glVertex4fv(&glm::vec4(vertex.position_object)[0]);
+    }
+    glEnd();
+}
+
+}  // namespace twinlight::fixed

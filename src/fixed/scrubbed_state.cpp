@@ -1,0 +1,56 @@
+#include "fixed/scrubbed_state.h"
+
+#include <algorithm>
+
+namespace twinlight::fixed {
+namespace {
+
+glm::dvec4 with_rgb(const glm::dvec3& rgb, const glm::dvec4& color) { return {rgb, color.a}; }
+
+// The light without what is the same at every vertex: that goes into its colours.
+LightSource scrubbed_light(const Plan& plan, std::size_t i) {
+    LightSource light = plan.lighting.lights[static_cast<std::size_t>(plan.lights[i].number)];
+    const LightEffects& effects = plan.effects.lights[i];
+    light.ambient = with_rgb(effects.ambient ? glm::dvec3(light.ambient) : glm::dvec3(0), light.ambient);
+    if (!effects.attenuated) {
+        const double reach = plan.lights[i].constant_reach;
+        for (glm::dvec4* color : {&light.ambient, &light.diffuse, &light.specular})
+            *color = with_rgb(reach * glm::dvec3(*color), *color);
+        light.constant_attenuation = 1;
+        light.linear_attenuation = light.quadratic_attenuation = 0;
+    }
+    if (!effects.spot) light.spot_cutoff_deg = 180;
+    light.enabled = true;
+    return light;
+}
+
+}  // namespace
+
+ScrubbedState scrubbed_state(const Plan& plan) {
+    ScrubbedState state{.lighting = plan.lighting, .lights_beyond = {}};
+    LightingState& lighting = state.lighting;
+    const EffectSet& effects = plan.effects;
+    lighting.enabled = effects.lighting;
+    lighting.lights.clear();
+    if (!effects.lighting) return state;
+
+    for (std::size_t i = 0; i < plan.lights.size(); ++i) {
+        if (lighting.lights.size() < kMaxLights) {
+            lighting.lights.push_back(scrubbed_light(plan, i));
+        } else {
+            state.lights_beyond.push_back(plan.lights[i].number);
+        }
+    }
+    LightModel& model = lighting.light_model;
+    model.ambient = with_rgb(plan.constant_ambient, model.ambient);
+    model.two_side = effects.two_side;
+    model.local_viewer = effects.local_viewer;
+    if (!effects.separate_specular) model.color_control = kGL_SINGLE_COLOR;
+    if (!effects.any_light(&LightEffects::specular)) lighting.front.shininess = lighting.back.shininess = 0;
+    lighting.color_material.enabled = effects.front.tracks() || effects.back.tracks();
+    lighting.normalize = effects.normalize;
+    if (!effects.needs_normal()) lighting.rescale_normal = false;
+    return state;
+}
+
+}  // namespace twinlight::fixed

@@ -1,0 +1,79 @@
+// What is compared runs interleaved, in one process: A B C A B C ..., and a ratio is the median of the rounds' ratios, so
+// that a machine which slows down for a while slows all of them down.
+//
+// x_over_y says how many times faster x is than y: y's time divided by x's, for the same work.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twinlight::bench {
+
+// One of the ways of doing the work that is compared.
+struct Way {
+    std::string name;
+    std::function<void()> run;  // does it once, and returns when it is done (after glFinish, say)
+    double items = 1;           // of work in a run: times are for one
+};
+
+enum class Clock {
+    kProcess,  // this process's time on all processors: others who use the machine do not count
+    kWall,     // where the work is another process's
+};
+
+struct Rounds {
+    int count = 15;
+    double least_seconds = 0.005;  // of one measurement: a shorter run is repeated within it
+    Clock clock = Clock::kProcess;
+};
+
+struct Timed {
+    std::string name;
+    std::vector<double> seconds;  // an item, one for each round
+    double median() const;
+    double spread() const;  // half of what lies between the quartiles, of the median
+};
+
+// How many times faster `fast` is than `slow`: both of one compare().
+double times_faster(const Timed& fast, const Timed& slow);
+
+double median(std::vector<double> values);
+double geometric_mean(const std::vector<double>& values);
+
+// A ratio that must be reached: at least, or at most where less is better.
+struct Bar {
+    double value;
+    bool at_most = false;
+};
+
+// What a run of `make bench` finds: printed as it is found, and kept for build/bench.json.
+class Results {
+  public:
+    // Runs each way once unmeasured, then all of them in turn. Prints a table; the last column is against the first way.
+    std::vector<Timed> compare(std::string_view title, const std::vector<Way>& ways, const Rounds& rounds = {});
+    void ratio(const std::string& name, double value, std::optional<Bar> bar = {});
+    void remark(std::string_view text);  // a line, wrapped by nobody
+
+    void print_ratios() const;
+    std::string json() const;
+
+  private:
+    struct Ratio {
+        std::string name;
+        double value;
+        std::optional<Bar> bar;
+    };
+    std::vector<Ratio> ratios_;
+    std::map<std::string, double> seconds_;  // by "title: way"
+};
+
+// A part of the bench, chosen by BENCH=Regex. `const bool added = add_part("name", run);` at the scope of a file.
+using Part = void (*)(Results&);
+bool add_part(std::string name, Part run);
+const std::map<std::string, Part>& parts();
+
+}  // namespace twinlight::bench

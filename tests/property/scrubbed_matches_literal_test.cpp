@@ -1,0 +1,101 @@
+// What the fixed function draws with scrubbed state is what it draws when it is told everything: over the built-in scenes, and
+// over random states.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "command/text.h"
+#include "context/context.h"
+#include "fixed/fixed.h"
+#include "fixed/prepared_frame.h"
+#include "fuzz/departures.h"
+#include "fuzz/fuzz.h"
+#include "reference/reference.h"
+#include "report/comparison.h"
+#include "scenes/scenes.h"
+#include "state/state.h"
+
+namespace twinlight {
+namespace {
+
+// A comparison whose first pair is scrubbed ~ literal, and whose second is scrubbed ~ reference.
+report::Comparison compare_scrubbed(const Frame& frame, const std::string& name, double budget) {
+    const report::Renderers renderers = {
+        .fixed =
+            [budget](const Frame& f, RenderOptions options) {
+                options.budget = budget;
+                return fixed::render_scrubbed(f, options);
+            },
+        .programmable = fixed::render,
+        .reference = reference::render,
+        .freedom = reference::freedom,
+    };
+    return report::compare_scene(frame, name, {}, renderers, {}, report::Pictures::kPerVertex);
+}
+
+void expect_within(const report::Comparison& comparison, std::size_t pair_number, double budget) {
+    const report::Pair& pair = comparison.pairs.at(pair_number);
+    const RegionDifference& beyond = pair.difference.beyond_slack;
+    // The budget moves a channel before it is rounded, and rounding adds a code where it was another.
+    EXPECT_LE(beyond.max, comparison.tolerance.max + budget) << fmt::format(
+        "{}: {}, pair {}: {} of {} interior pixels differ, the worst at {},{}", comparison.scene,
+        comparison.pairs.size(), pair_number, beyond.differing, beyond.pixels, beyond.worst_x, beyond.worst_y);
+}
+
+constexpr std::size_t kLiteral = 0, kReference = 1;
+
+TEST(Scrubbed, DrawsTheBuiltInScenesAsLiterally) {
+    constexpr int kSide = 256;
+    for (const EmbeddedFile& file : kSceneFiles) {
+        const auto scene =
+            std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), std::string(file.name)));
+        const Frame frame = make_frame(scene, {.width = kSide, .height = kSide});
+        const auto context = make_offscreen_context(kSide, kSide);
+        for (const double budget : {0.0, RenderOptions{}.budget}) {
+            const report::Comparison comparison = compare_scrubbed(frame, std::string(file.name), budget);
+            expect_within(comparison, kLiteral, budget);
+            if (budget != 0) continue;
+            const ImageDifference& difference = comparison.pairs[kLiteral].difference;
+            fmt::print("{}: {} of {} interior pixels differ, {} beyond the slack; {} of {} at edges\n", file.name,
+                       difference.interior.differing, difference.interior.pixels, difference.beyond_slack.differing,
+                       difference.edge.differing, difference.edge.pixels);
+            EXPECT_LT(difference.beyond_slack.differing_share(), comparison.tolerance.differing_share);
+        }
+    }
+}
+
+TEST(Scrubbed, DrawsRandomStatesAsLiterally) {
+    constexpr int kSide = 64;
+    const fuzz::Options options{.seed = 7};
+    const auto context = make_offscreen_context(kSide, kSide);
+    std::size_t compared = 0, departures = 0, pixels = 0, differing = 0;
+    for (std::uint64_t i = 0; i < 96; ++i) {
+        // Every other one a picture of fragments' states, of structures that are far apart.
+        const std::uint64_t state = i * 97 * fuzz::kPictureEvery + (i % 2 == 0 ? fuzz::kPictureEvery - 1 : i % 31);
+        const auto scene = std::make_shared<const CommandList>(fuzz::random_scene(options, state));
+        const Frame frame = make_frame(scene, {.width = kSide, .height = kSide});
+        if (fuzz::LeftOut(*scene, {}).in(frame)) {
+            ++departures;
+            continue;
+        }
+        SCOPED_TRACE(fmt::format("twinlight fuzz --seed 7 --first {} --count 1\n{}", state, print_scene(*scene)));
+        const double budget = i % 4 < 2 ? 0 : RenderOptions{}.budget;
+        const report::Comparison comparison = compare_scrubbed(frame, scene->name, budget);
+        expect_within(comparison, kLiteral, budget);
+        expect_within(comparison, kReference, budget);
+        ++compared;
+        if (budget != 0) continue;
+        pixels += comparison.pairs[kLiteral].difference.beyond_slack.pixels;
+        differing += comparison.pairs[kLiteral].difference.beyond_slack.differing;
+    }
+    fmt::print(
+        "{} compared, {} left out for what the driver is known to do otherwise; {} of {} interior pixels differ\n",
+        compared, departures, differing, pixels);
+    EXPECT_GT(compared, departures);
+    EXPECT_LT(static_cast<double>(differing), report::Tolerance{}.differing_share * static_cast<double>(pixels));
+}
+
+}  // namespace
+}  // namespace twinlight
