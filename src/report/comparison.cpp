@@ -75,6 +75,15 @@ Freedom freedom_of_drivers(Freedom freedom, const Render& reference) {
     return freedom;
 }
 
+// What planning may leave out of either picture (RenderOptions::budget), as the plans bound it. Alpha is no light's.
+Freedom with_plans(Freedom freedom, const Render& a, const Render& b) {
+    const auto error = static_cast<float>(error_bound(a.plan) + error_bound(b.plan));
+    if (error > 0)
+        for (Rgba& slack : freedom.slack.pixels)
+            for (std::size_t c = 0; c < 3; ++c) slack[c] += error;
+    return freedom;
+}
+
 Render render(const PlannedRender& planned, const Frame& frame, const Renderers& renderers, Pictures pictures) {
     using Clock = std::chrono::steady_clock;
     const RenderFunction& draw = renderers.*planned.renderer;
@@ -83,6 +92,7 @@ Render render(const PlannedRender& planned, const Frame& frame, const Renderers&
     Image image = draw(frame, planned.options);
     const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
     Render result{.name = planned.name, .meaning = planned.meaning, .image = std::move(image), .ms = taken.count()};
+    if (planned.renderer == &Renderers::programmable) result.plan = explain(frame, planned.options);
     if (!planned.by_driver && has_quadrilaterals(frame)) {
         RenderOptions other = planned.options;
         other.quad_cut = QuadCut::kSecondToFourth;
@@ -94,7 +104,8 @@ Render render(const PlannedRender& planned, const Frame& frame, const Renderers&
 }  // namespace
 
 Image Comparison::counterpart(const Pair& pair) const {
-    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, freedom.slack) : b(pair).image;
+    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, freedom.slack)
+                             : b(pair).image;
 }
 
 Verdict Comparison::verdict() const {
@@ -135,7 +146,7 @@ Verdict verdict_of(const Comparison& comparison, const Pair& pair) {
 }  // namespace
 
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
-                         const Renderers& renderers, const Progress& progress, Pictures pictures) {
+                         const Renderers& renderers, const Progress& progress, Pictures pictures, double budget) {
     constexpr int kSteps = static_cast<int>(kRenders.size()) + 2;
     int done = 0;
     const auto begin_step = [&](std::string_view name) {
@@ -149,7 +160,8 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
     result.height = frame.height;
     result.unsupported = frame.unsupported;
     const auto is_left_out = [pictures](bool phong) { return phong && pictures == Pictures::kPerVertex; };
-    for (const PlannedRender& planned : kRenders) {
+    for (PlannedRender planned : kRenders) {
+        planned.options.budget = budget;
         if (is_left_out(planned.options.shading == Shading::kPhong)) continue;
         begin_step(planned.name);
         result.renders.push_back(render(planned, frame, renderers, pictures));
@@ -171,10 +183,9 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
         Pair pair;
         pair.a = planned.a;
         pair.b = planned.b;
+        const Freedom& freedom = is_of_drivers(planned) ? of_drivers : planned.phong ? of_phong : result.freedom;
         pair.difference = difference(result.a(pair).image, result.counterpart(pair),
-                                     is_of_drivers(planned) ? of_drivers
-                                     : planned.phong        ? of_phong
-                                                            : result.freedom);
+                                     with_plans(freedom, result.a(pair), result.b(pair)));
         if (planned.judged) pair.verdict = verdict_of(result, pair);
         // The interior is what is judged; an edge pixel that is wholly different must not darken it.
         pair.factor = amplification_for(pair.difference.interior.max);
