@@ -77,7 +77,7 @@ void add_fragment_effects(Scope& scope, const EffectSet& effects) {
 }
 
 // What holds for the whole program.
-Scope scope_of_stage(const EffectSet& effects, Stage stage) {
+Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
     const bool phong = effects.shading == Shading::kPhong;
     const bool lights_here = effects.lighting && phong == (stage == Stage::kFragment);
     const bool shininess = effects.shininess != Power::kOne;
@@ -90,6 +90,7 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
         whole_power |= light.spot_exponent != Power::kOne;
         real_power |= light.spot_exponent == Power::kReal;
     }
+    const bool half_sum = specular && shininess && !reflection && (positional || effects.local_viewer);
     const bool normalizes_here = stage == Stage::kVertex ? effects.normalize : phong && effects.needs_normal();
     const bool properties = effects.front.varies() || effects.back.varies();
     const bool surface = effects.needs_position_eye() || effects.needs_normal() || effects.needs_color() || properties;
@@ -116,14 +117,19 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
         {"EFFECT_UNIT", normalizes_here || (lights_here && (positional || effects.local_viewer))},
         {"EFFECT_VPE_DIR", specular && shininess && (reflection || positional)},
         {"EFFECT_HIGHLIGHT_BOUND", shininess && !effects.normalize && !phong},
+        {"EFFECT_OBJECT_SPACE", form.object_space},
+        {"EFFECT_HALF_SUM", half_sum},
         {"EFFECT_POWER_WHOLE", whole_power},
         {"EFFECT_POWER_REAL", real_power},
     };
     scope.words = {
         {"INTERPOLATION", effects.shading == Shading::kFlat ? "flat" : "smooth"},
+        {"SPACE", form.object_space ? "object" : "eye"},
+        {"POSITION", form.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
         {"SURFACE_PARAMETER", surface ? "Surface surface" : ""},
         {"SURFACE", surface ? "surface" : ""},
         {"SPECULAR_SUM", effects.separate_specular ? "lit.secondary" : "lit.primary.rgb"},
+        {"POWER_OF_ROOT", effects.shininess == Power::kReal ? "real_power_of_root" : "whole_power_of_root"},
         {"POWER", effects.shininess == Power::kReal ? "real_power" : "whole_power"},
     };
     add_fragment_effects(scope, effects);
@@ -226,10 +232,10 @@ std::string_view piece(std::string_view name) {
 
 class Assembler {
   public:
-    explicit Assembler(const EffectSet& effects) : effects_(effects) {}
+    Assembler(const EffectSet& effects, const Form& form) : effects_(effects), form_(form) {}
 
     std::string text(std::string_view name, Stage stage) {
-        add(name, scope_of_stage(effects_, stage));
+        add(name, scope_of_stage(effects_, form_, stage));
         return std::move(text_);
     }
 
@@ -281,7 +287,7 @@ class Assembler {
                           {"PROPERTY", property.name}});
         } else if (line.starts_with("#for_each_clip_plane ")) {
             for (int i = 0; i < effects_.clip_plane_count; ++i)
-                add_text(repeated, {{"CLIP_PLANE_NUMBER", std::to_string(i)}});
+                add_text(with_words(repeated, {{"CLIP_PLANE_NUMBER", std::to_string(i)}}), scope.words);
         } else if (line.starts_with("#for_each_face ")) {
             add(name, scope_of_face(scope, effects_.front, "front"));
             if (effects_.two_side) add(name, scope_of_face(scope, effects_.back, "back"));
@@ -293,14 +299,15 @@ class Assembler {
     void add_text(std::string_view line, const Words& words) { text_ += with_words(line, words) + "\n"; }
 
     const EffectSet& effects_;
+    const Form& form_;
     std::string text_;
 };
 
 }  // namespace
 
-ShaderSource assemble(const EffectSet& effects) {
-    return {Assembler(effects).text("vertex.glsl", Stage::kVertex),
-            Assembler(effects).text("fragment.glsl", Stage::kFragment)};
+ShaderSource assemble(const EffectSet& effects, const Form& form) {
+    return {Assembler(effects, form).text("vertex.glsl", Stage::kVertex),
+            Assembler(effects, form).text("fragment.glsl", Stage::kFragment)};
 }
 
 }  // namespace twinlight::programmable

@@ -1,9 +1,9 @@
     {
         // LIGHTi.
 #if EFFECT_LIGHT_DIRECTIONAL && EFFECT_LIGHT_VP_DIR
-        vec3 vp_dir = u_LIGHTi_direction_eye;
+        vec3 vp_dir = u_LIGHTi_direction_SPACE;
 #elif EFFECT_LIGHT_VP_DIR || EFFECT_LIGHT_ATTENUATED
-        vec3 vp = u_LIGHTi_position_eye - surface.position_eye;
+        vec3 vp = u_LIGHTi_position_SPACE - surface.position_SPACE;
 #endif
 #if !EFFECT_LIGHT_DIRECTIONAL && EFFECT_LIGHT_VP_DIR
         vec3 vp_dir = unit(vp);
@@ -17,7 +17,7 @@
 #endif
 #if EFFECT_LIGHT_SPOT || EFFECT_LIGHT_SMOOTH_CONE
         // spot_i: PV . s_dli is the cosine of the angle to the cone's axis.
-        float spot_cosine = dot(-vp_dir, u_LIGHTi_spot_direction_eye);
+        float spot_cosine = dot(-vp_dir, u_LIGHTi_spot_direction_SPACE);
 #endif
 #if EFFECT_LIGHT_SPOT && EFFECT_LIGHT_SPOT_EXPONENT
         float spot = spot_cosine >= u_LIGHTi_spot_cutoff_cosine
@@ -41,7 +41,8 @@
         lit.primary.rgb += REACH_TIMES u_LIGHTi_FACE_ambient;
 #endif
 #if EFFECT_LIGHT_N_DOT_VP
-        float n_dot_vp = max(dot(surface.normal_eye, vp_dir), 0.0);
+        float signed_n_dot_vp = dot(surface.normal_SPACE, vp_dir);
+        float n_dot_vp = max(signed_n_dot_vp, 0.0);
 #endif
 #if EFFECT_LIGHT_DIFFUSE && EFFECT_FACE_VARIES_DIFFUSE
         lit.primary.rgb += REACH_TIMES n_dot_vp * (VERTEX_DIFFUSE.rgb * u_LIGHTi_FACE_diffuse);
@@ -50,19 +51,24 @@
 #endif
 #if EFFECT_LIGHT_SPECULAR && EFFECT_REFLECTION && EFFECT_SHININESS
         // Not GL: the highlight by reflection, (r . v)^s_rm, without f_i.
-        vec3 reflected_dir = 2.0 * dot(surface.normal_eye, vp_dir) * surface.normal_eye - vp_dir;
+        vec3 reflected_dir = 2.0 * dot(surface.normal_SPACE, vp_dir) * surface.normal_SPACE - vp_dir;
         float highlight = POWER(max(dot(reflected_dir, vpe_dir), 0.0), SHININESS_OF_FACE);
 #elif EFFECT_LIGHT_SPECULAR && EFFECT_REFLECTION
         float highlight = 1.0;  // (r . v)^0
 #elif EFFECT_LIGHT_SPECULAR && EFFECT_LIGHT_HALF_DIR
         // f_i (n . h_i)^s_rm; f_i is 0 where the light is behind the surface.
-        float n_dot_h = max(dot(surface.normal_eye, u_LIGHTi_half_dir), 0.0);
+        float n_dot_h = max(dot(surface.normal_SPACE, u_LIGHTi_half_dir), 0.0);
         float highlight = n_dot_vp > 0.0 ? POWER(n_dot_h, SHININESS_OF_FACE) : 0.0;
 #elif EFFECT_LIGHT_SPECULAR && EFFECT_SHININESS
-        // f_i (n . h_i)^s_rm; f_i is 0 where the light is behind the surface.
-        vec3 half_dir = unit(vp_dir + vpe_dir);
-        float n_dot_h = max(dot(surface.normal_eye, half_dir), 0.0);
-        float highlight = n_dot_vp > 0.0 ? POWER(n_dot_h, SHININESS_OF_FACE) : 0.0;
+        // f_i (n . h_i)^s_rm; f_i is 0 where the light is behind the surface. h_i is the sum made unit: of (n . h_i)^2 an
+        // even power needs no root. Where the sum is 0, so is n . h_i.
+        vec3 half_sum = vp_dir + vpe_dir;
+        float n_dot_half_sum = max(signed_n_dot_vp + n_dot_vpe, 0.0);
+#if EFFECT_HIGHLIGHT_BOUND
+        n_dot_half_sum = min(n_dot_half_sum, 1e15);  // its square is a number
+#endif
+        float squared_n_dot_h = n_dot_half_sum * n_dot_half_sum / max(dot(half_sum, half_sum), 1e-36);
+        float highlight = n_dot_vp > 0.0 ? POWER_OF_ROOT(squared_n_dot_h, SHININESS_OF_FACE) : 0.0;
 #elif EFFECT_LIGHT_SPECULAR
         float highlight = n_dot_vp > 0.0 ? 1.0 : 0.0;  // f_i; (n . h_i)^0 is 1
 #endif
