@@ -114,7 +114,7 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
         {"EFFECT_SURFACE", surface},
         {"EFFECT_VARIES_AMBIENT", varies_ambient(effects.front) || varies_ambient(effects.back)},
         {"EFFECT_VERTEX_PROPERTIES", properties},
-        {"EFFECT_UNIT", normalizes_here || (lights_here && (positional || effects.local_viewer))},
+        {"EFFECT_UNIT", normalizes_here || (lights_here && (effects.vertex_w || effects.local_viewer))},
         {"EFFECT_VPE_DIR", specular && shininess && (reflection || positional)},
         {"EFFECT_HIGHLIGHT_BOUND", shininess && !effects.normalize && !phong},
         {"EFFECT_OBJECT_SPACE", form.object_space},
@@ -161,6 +161,8 @@ Scope scope_of_light(Scope scope, const EffectSet& effects, std::size_t number) 
     const bool shininess = effects.shininess != Power::kOne;
     const bool reflection = effects.highlight == Highlight::kReflection;
     const bool cone = light.spot || light.smooth_cone;
+    const bool highlight = light.specular && shininess && !reflection;
+    const bool half_sum = highlight && (!light.directional || effects.local_viewer);
     const bool n_dot_vp = light.diffuse || (light.specular && !reflection);
     scope.switches.insert({
         {"EFFECT_LIGHT_DIRECTIONAL", light.directional},
@@ -174,12 +176,15 @@ Scope scope_of_light(Scope scope, const EffectSet& effects, std::size_t number) 
         {"EFFECT_LIGHT_SPECULAR", light.specular},
         {"EFFECT_LIGHT_N_DOT_VP", n_dot_vp},
         {"EFFECT_LIGHT_VP_DIR", cone || n_dot_vp || (light.specular && shininess)},
-        {"EFFECT_LIGHT_HALF_DIR",
-         light.specular && shininess && !reflection && light.directional && !effects.local_viewer},
+        {"EFFECT_LIGHT_HALF_DIR", highlight && !half_sum},
+        {"EFFECT_LIGHT_HALF_SUM", half_sum},
     });
     const bool reach = light.attenuated || cone;
     scope.words.insert(scope.words.begin(),
                        {{"LIGHTi", fmt::format("light{}", number)},
+                        {"TIMES_ATTENUATION_DIVISOR", light.attenuated ? " * attenuation_divisor" : ""},
+                        {"TIMES_HALF_SUM_SQUARED", half_sum ? " * half_sum_squared" : ""},
+                        {"VP_DIR", light.directional ? "vp_dir" : "(vp * per_distance)"},
                         {"REACH_TIMES ", reach ? "reach * " : ""},
                         {"SPOT_POWER", light.spot_exponent == Power::kReal ? "real_power" : "whole_power"}});
     return scope;

@@ -42,7 +42,7 @@ double cos_deg(double deg) { return deg == 90 ? 0 : std::cos(deg * std::numbers:
 double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
 
 // ---- Ranges ----
-// The shader squares lengths, and a float's square ends at 1e38 and 1e-38. Lighting does not depend on the
+// The shader makes cubes of lengths, and a float's cube ends at 1e38 and 1e-38. Lighting does not depend on the
 // unit of length (but for attenuation, whose factors are converted), nor unit normals on theirs. So what is
 // far from 1 is measured in another unit: a power of two, so that nothing is rounded.
 
@@ -61,7 +61,7 @@ double eye_unit(const Draw& draw, const Plan& plan) {
         const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
         if (p.w != 0) size = std::max(size, largest_component(rgb(p) / p.w));
     }
-    return ordinary(size) ? 1 : power_of_two(size);
+    return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
 // The transposed inverse of the modelview matrix's upper 3x3 (2.11.3). RULING: a singular matrix takes every
