@@ -77,7 +77,7 @@ void add_fragment_effects(Scope& scope, const EffectSet& effects) {
 }
 
 // What holds for the whole program.
-Scope scope_of_stage(const EffectSet& effects, Stage stage) {
+Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
     const bool phong = effects.shading == Shading::kPhong;
     const bool lights_here = effects.lighting && phong == (stage == Stage::kFragment);
     const bool shininess = effects.shininess != Power::kOne;
@@ -90,6 +90,7 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
         whole_power |= light.spot_exponent != Power::kOne;
         real_power |= light.spot_exponent == Power::kReal;
     }
+    const bool half_sum = specular && shininess && !reflection && (positional || effects.local_viewer);
     const bool normalizes_here = stage == Stage::kVertex ? effects.normalize : phong && effects.needs_normal();
     const bool properties = effects.front.varies() || effects.back.varies();
     const bool surface = effects.needs_position_eye() || effects.needs_normal() || effects.needs_color() || properties;
@@ -113,17 +114,22 @@ Scope scope_of_stage(const EffectSet& effects, Stage stage) {
         {"EFFECT_SURFACE", surface},
         {"EFFECT_VARIES_AMBIENT", varies_ambient(effects.front) || varies_ambient(effects.back)},
         {"EFFECT_VERTEX_PROPERTIES", properties},
-        {"EFFECT_UNIT", normalizes_here || (lights_here && (positional || effects.local_viewer))},
+        {"EFFECT_UNIT", normalizes_here || (lights_here && (effects.vertex_w || effects.local_viewer))},
         {"EFFECT_VPE_DIR", specular && shininess && (reflection || positional)},
         {"EFFECT_HIGHLIGHT_BOUND", shininess && !effects.normalize && !phong},
+        {"EFFECT_OBJECT_SPACE", form.object_space},
+        {"EFFECT_HALF_SUM", half_sum},
         {"EFFECT_POWER_WHOLE", whole_power},
         {"EFFECT_POWER_REAL", real_power},
     };
     scope.words = {
         {"INTERPOLATION", effects.shading == Shading::kFlat ? "flat" : "smooth"},
+        {"SPACE", form.object_space ? "object" : "eye"},
+        {"POSITION", form.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
         {"SURFACE_PARAMETER", surface ? "Surface surface" : ""},
         {"SURFACE", surface ? "surface" : ""},
         {"SPECULAR_SUM", effects.separate_specular ? "lit.secondary" : "lit.primary.rgb"},
+        {"POWER_OF_ROOT", effects.shininess == Power::kReal ? "real_power_of_root" : "whole_power_of_root"},
         {"POWER", effects.shininess == Power::kReal ? "real_power" : "whole_power"},
     };
     add_fragment_effects(scope, effects);
@@ -155,6 +161,8 @@ Scope scope_of_light(Scope scope, const EffectSet& effects, std::size_t number) 
     const bool shininess = effects.shininess != Power::kOne;
     const bool reflection = effects.highlight == Highlight::kReflection;
     const bool cone = light.spot || light.smooth_cone;
+    const bool highlight = light.specular && shininess && !reflection;
+    const bool half_sum = highlight && (!light.directional || effects.local_viewer);
     const bool n_dot_vp = light.diffuse || (light.specular && !reflection);
     scope.switches.insert({
         {"EFFECT_LIGHT_DIRECTIONAL", light.directional},
@@ -168,12 +176,15 @@ Scope scope_of_light(Scope scope, const EffectSet& effects, std::size_t number) 
         {"EFFECT_LIGHT_SPECULAR", light.specular},
         {"EFFECT_LIGHT_N_DOT_VP", n_dot_vp},
         {"EFFECT_LIGHT_VP_DIR", cone || n_dot_vp || (light.specular && shininess)},
-        {"EFFECT_LIGHT_HALF_DIR",
-         light.specular && shininess && !reflection && light.directional && !effects.local_viewer},
+        {"EFFECT_LIGHT_HALF_DIR", highlight && !half_sum},
+        {"EFFECT_LIGHT_HALF_SUM", half_sum},
     });
     const bool reach = light.attenuated || cone;
     scope.words.insert(scope.words.begin(),
                        {{"LIGHTi", fmt::format("light{}", number)},
+                        {"TIMES_ATTENUATION_DIVISOR", light.attenuated ? " * attenuation_divisor" : ""},
+                        {"TIMES_HALF_SUM_SQUARED", half_sum ? " * half_sum_squared" : ""},
+                        {"VP_DIR", light.directional ? "vp_dir" : "(vp * per_distance)"},
                         {"REACH_TIMES ", reach ? "reach * " : ""},
                         {"SPOT_POWER", light.spot_exponent == Power::kReal ? "real_power" : "whole_power"}});
     return scope;
@@ -226,10 +237,10 @@ std::string_view piece(std::string_view name) {
 
 class Assembler {
   public:
-    explicit Assembler(const EffectSet& effects) : effects_(effects) {}
+    Assembler(const EffectSet& effects, const Form& form) : effects_(effects), form_(form) {}
 
     std::string text(std::string_view name, Stage stage) {
-        add(name, scope_of_stage(effects_, stage));
+        add(name, scope_of_stage(effects_, form_, stage));
         return std::move(text_);
     }
 
@@ -281,7 +292,7 @@ class Assembler {
                           {"PROPERTY", property.name}});
         } else if (line.starts_with("#for_each_clip_plane ")) {
             for (int i = 0; i < effects_.clip_plane_count; ++i)
-                add_text(repeated, {{"CLIP_PLANE_NUMBER", std::to_string(i)}});
+                add_text(with_words(repeated, {{"CLIP_PLANE_NUMBER", std::to_string(i)}}), scope.words);
         } else if (line.starts_with("#for_each_face ")) {
             add(name, scope_of_face(scope, effects_.front, "front"));
             if (effects_.two_side) add(name, scope_of_face(scope, effects_.back, "back"));
@@ -293,14 +304,15 @@ class Assembler {
     void add_text(std::string_view line, const Words& words) { text_ += with_words(line, words) + "\n"; }
 
     const EffectSet& effects_;
+    const Form& form_;
     std::string text_;
 };
 
 }  // namespace
 
-ShaderSource assemble(const EffectSet& effects) {
-    return {Assembler(effects).text("vertex.glsl", Stage::kVertex),
-            Assembler(effects).text("fragment.glsl", Stage::kFragment)};
+ShaderSource assemble(const EffectSet& effects, const Form& form) {
+    return {Assembler(effects, form).text("vertex.glsl", Stage::kVertex),
+            Assembler(effects, form).text("fragment.glsl", Stage::kFragment)};
 }
 
 }  // namespace twinlight::programmable

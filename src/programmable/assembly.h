@@ -16,6 +16,7 @@
 #include <string>
 
 #include "effect/effect_set.h"
+#include "programmable/form.h"
 
 namespace twinlight::programmable {
 
@@ -24,6 +25,6 @@ struct ShaderSource {
     std::string fragment;
 };
 
-ShaderSource assemble(const EffectSet& effects);
+ShaderSource assemble(const EffectSet& effects, const Form& form = {});
 
 }  // namespace twinlight::programmable

@@ -23,7 +23,7 @@ std::vector<VertexProperty> vertex_properties(const EffectSet& effects) {
 
 std::vector<Attribute> attributes(const EffectSet& effects) {
     std::vector<Attribute> list = {{"a_position", 4}};
-    if (effects.needs_normal()) list.push_back({"a_normal", 3});
+    if (effects.needs_normal()) list.push_back({"a_normal", 4});
     if (effects.needs_color()) list.push_back({"a_color", 4});
     if (effects.has_texture()) list.push_back({"a_tex_coord", 4});
     for (const VertexProperty& property : vertex_properties(effects))

@@ -42,7 +42,7 @@ double cos_deg(double deg) { return deg == 90 ? 0 : std::cos(deg * std::numbers:
 double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
 
 // ---- Ranges ----
-// The shader squares lengths, and a float's square ends at 1e38 and 1e-38. Lighting does not depend on the
+// The shader makes cubes of lengths, and a float's cube ends at 1e38 and 1e-38. Lighting does not depend on the
 // unit of length (but for attenuation, whose factors are converted), nor unit normals on theirs. So what is
 // far from 1 is measured in another unit: a power of two, so that nothing is rounded.
 
@@ -61,7 +61,7 @@ double eye_unit(const Draw& draw, const Plan& plan) {
         const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
         if (p.w != 0) size = std::max(size, largest_component(rgb(p) / p.w));
     }
-    return ordinary(size) ? 1 : power_of_two(size);
+    return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
 // The transposed inverse of the modelview matrix's upper 3x3 (2.11.3). RULING: a singular matrix takes every
@@ -85,19 +85,18 @@ glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
 
 class Builder {
   public:
-    Builder(const Draw& draw, const Plan& plan) : draw_(draw), plan_(plan), effects_(plan.effects) {}
+    Builder(const Draw& draw, const Plan& plan, const Form& form)
+        : draw_(draw), plan_(plan), effects_(plan.effects), form_(form) {}
 
     Uniforms build() {
         matrix("u_clip_from_object", draw_.clip_from_eye * draw_.eye_from_object);
         clip_planes();
         fragments();
         if (!effects_.lighting) return std::move(uniforms_);
-        unit_ = effects_.needs_position_eye() ? eye_unit(draw_, plan_) : 1;
-        glm::dmat4 eye_from_object = draw_.eye_from_object;
-        for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
-        matrix("u_eye_from_object", eye_from_object);
-        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix(draw_, plan_));
+        if (form_.object_space)
+            object_space();
+        else
+            eye_space();
 
         vector("u_constant_ambient", plan_.constant_ambient);
         face("front", plan_.lighting.front, effects_.front);
@@ -119,6 +118,31 @@ class Builder {
         std::vector<float>& values = uniforms_[std::move(name)];
         for (int column = 0; column < Matrix::length(); ++column)
             for (int row = 0; row < Matrix::length(); ++row) values.push_back(to_float(m[column][row]));
+    }
+
+    void eye_space() {
+        unit_ = effects_.needs_position_eye() ? eye_unit(draw_, plan_) : 1;
+        glm::dmat4 eye_from_object = draw_.eye_from_object;
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
+        matrix("u_eye_from_object", eye_from_object);
+        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix(draw_, plan_));
+    }
+
+    // The viewer and the lights come to the vertices.
+    void object_space() {
+        unit_ = similarity_scale(draw_.eye_from_object);
+        object_from_eye_ = glm::inverse(draw_.eye_from_object);
+        vector("u_viewer_object", point(glm::dvec3(0)));
+        vector("u_viewer_dir", direction(glm::dvec3(0, 0, 1)));
+    }
+
+    // From eye coordinates to those that the shader lights in.
+    glm::dvec3 point(const glm::dvec3& eye) const {
+        return form_.object_space ? glm::dvec3(object_from_eye_ * glm::dvec4(eye, 1)) : eye / unit_;
+    }
+    glm::dvec3 direction(const glm::dvec3& eye) const {
+        return form_.object_space ? unit(glm::dmat3(object_from_eye_) * eye) : eye;
     }
 
     // A plane's product with an eye position is that of the plane times the modelview matrix with the object position.
@@ -169,17 +193,18 @@ class Builder {
         const LightSource& light = source(i);
         const LightEffects& effects = effects_.lights[i];
         const auto name = [&](const char* what) { return fmt::format("u_light{}_{}", i, what); };
+        const auto in_space = [&](const char* what) { return name(what) + (form_.object_space ? "_object" : "_eye"); };
         if (effects.directional) {
             const glm::dvec3 vp_dir = unit(rgb(light.position_eye));
-            vector(name("direction_eye"), vp_dir);
-            vector(name("half_dir"), unit(vp_dir + glm::dvec3(0, 0, 1)));
+            vector(in_space("direction"), direction(vp_dir));
+            vector(name("half_dir"), direction(unit(vp_dir + glm::dvec3(0, 0, 1))));
             return;
         }
-        vector(name("position_eye"), rgb(light.position_eye) / light.position_eye.w / unit_);
+        vector(in_space("position"), point(rgb(light.position_eye) / light.position_eye.w));
         number(name("constant_attenuation"), light.constant_attenuation);
         number(name("linear_attenuation"), light.linear_attenuation * unit_);
         number(name("quadratic_attenuation"), light.quadratic_attenuation * unit_ * unit_);
-        vector(name("spot_direction_eye"), unit(light.spot_direction_eye));
+        vector(in_space("spot_direction"), direction(unit(light.spot_direction_eye)));
         number(name("spot_cutoff_cosine"), cos_deg(light.spot_cutoff_deg) - kCosineRounding);
         number(name("spot_exponent"), light.spot_exponent);
         if (!light.smooth_cone) return;
@@ -198,13 +223,15 @@ class Builder {
     const Draw& draw_;
     const Plan& plan_;
     const EffectSet& effects_;
-    double unit_ = 1;  // of length in the shader's eye coordinates
+    const Form& form_;
+    double unit_ = 1;                // of length where the shader lights, in eye coordinates
+    glm::dmat4 object_from_eye_{1};  // form_.object_space
     Uniforms uniforms_;
 };
 
 }  // namespace
 
-Uniforms uniforms(const Draw& draw, const Plan& plan) { return Builder(draw, plan).build(); }
+Uniforms uniforms(const Draw& draw, const Plan& plan, const Form& form) { return Builder(draw, plan, form).build(); }
 
 std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects) {
     const bool normals_made_unit = effects.normalize || effects.shading == Shading::kPhong;
@@ -223,6 +250,7 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects) {
             const double size = largest_component(vertex.normal_object);
             const bool rescaled = normals_made_unit && !ordinary(size);
             add(rescaled ? vertex.normal_object / power_of_two(size) : vertex.normal_object, 3);
+            values.push_back(0);
         }
         if (effects.needs_color()) add(vertex.color, 4);
         if (effects.has_texture()) add(vertex.tex_coord, 4);

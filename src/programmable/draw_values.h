@@ -9,14 +9,15 @@
 #include <vector>
 
 #include "effect/plan.h"
+#include "programmable/form.h"
 
 namespace twinlight::programmable {
 
 // By the uniform's name; 1, 3, 4, 9 or 16 floats, matrices by columns.
 using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
 
-// Every uniform that the program of plan.effects has, but for the texture's sampler.
-Uniforms uniforms(const Draw& draw, const Plan& plan);
+// Every uniform that the program of plan.effects in this form has, but for the texture's sampler.
+Uniforms uniforms(const Draw& draw, const Plan& plan, const Form& form);
 
 // The attributes of the vertices, one vertex after the other, as attributes(effects) lists them.
 std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects);

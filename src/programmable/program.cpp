@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "context/gl.h"
 #include "programmable/attributes.h"
@@ -37,49 +39,68 @@ std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetSha
         fmt::format("the driver refuses {}:\n{}\n{}\nfor these effects:\n{}", what, log, source, describe(effects)));
 }
 
-// A shader object that lives as long as its program is being linked.
-class Shader {
-  public:
-    Shader(GLenum type, const std::string& source, const EffectSet& effects) : shader_(glCreateShader(type)) {
-        const char* text = source.c_str();
-        glShaderSource(shader_, 1, &text, nullptr);
-        glCompileShader(shader_);
-        GLint compiled = GL_FALSE;
-        glGetShaderiv(shader_, GL_COMPILE_STATUS, &compiled);
-        if (compiled) return;
-        const std::string log = log_of(shader_, glGetShaderiv, glGetShaderInfoLog);
-        glDeleteShader(shader_);
-        refuse(type == GL_VERTEX_SHADER ? "a vertex shader" : "a fragment shader", log, numbered(source), effects);
-    }
-    ~Shader() { glDeleteShader(shader_); }
-    Shader(const Shader&) = delete;
-    Shader& operator=(const Shader&) = delete;
-    GLuint name() const { return shader_; }
+GLuint compiled_later(GLenum type, const std::string& source) {
+    const GLuint shader = glCreateShader(type);
+    const char* text = source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    return shader;
+}
 
-  private:
-    GLuint shader_;
-};
+void check_compiled(GLuint shader, const char* what, const std::string& source, const EffectSet& effects) {
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) refuse(what, log_of(shader, glGetShaderiv, glGetShaderInfoLog), numbered(source), effects);
+}
+
+bool compiles_in_parallel() {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const auto* name =
+            reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));  // NOLINT
+        if (name && std::string_view(name) == "GL_KHR_parallel_shader_compile") return true;
+    }
+    return false;
+}
 
 }  // namespace
 
-Program::Program(const EffectSet& effects) {
-    const ShaderSource source = assemble(effects);
-    const Shader vertex(GL_VERTEX_SHADER, source.vertex, effects);
-    const Shader fragment(GL_FRAGMENT_SHADER, source.fragment, effects);
+Program::Program(ShaderSource source, EffectSet effects) : source_(std::move(source)), effects_(std::move(effects)) {
+    vertex_ = compiled_later(GL_VERTEX_SHADER, source_.vertex);
+    fragment_ = compiled_later(GL_FRAGMENT_SHADER, source_.fragment);
     program_ = glCreateProgram();
-    glAttachShader(program_, vertex.name());
-    glAttachShader(program_, fragment.name());
+    glAttachShader(program_, vertex_);
+    glAttachShader(program_, fragment_);
     GLuint index = 0;
-    for (const Attribute& attribute : attributes(effects))
+    for (const Attribute& attribute : attributes(effects_))
         glBindAttribLocation(program_, index++, attribute.name.c_str());
     glLinkProgram(program_);
+}
+
+Program::~Program() {
+    for (const GLuint shader : {vertex_, fragment_}) glDeleteShader(shader);
+    glDeleteProgram(program_);
+}
+
+bool Program::is_ready() const {
+    if (vertex_ == 0 || !compiles_in_parallel()) return true;
+    GLint complete = GL_TRUE;
+    glGetProgramiv(program_, GL_COMPLETION_STATUS_KHR, &complete);
+    return complete == GL_TRUE;
+}
+
+void Program::link() {
+    check_compiled(vertex_, "a vertex shader", source_.vertex, effects_);
+    check_compiled(fragment_, "a fragment shader", source_.fragment, effects_);
     GLint linked = GL_FALSE;
     glGetProgramiv(program_, GL_LINK_STATUS, &linked);
-    if (!linked) {
-        const std::string log = log_of(program_, glGetProgramiv, glGetProgramInfoLog);
-        glDeleteProgram(program_);
-        refuse("a program", log, numbered(source.vertex) + "\n" + numbered(source.fragment), effects);
-    }
+    if (!linked)
+        refuse("a program", log_of(program_, glGetProgramiv, glGetProgramInfoLog),
+               numbered(source_.vertex) + "\n" + numbered(source_.fragment), effects_);
+    for (GLuint* shader : {&vertex_, &fragment_}) glDeleteShader(std::exchange(*shader, 0));
+    source_ = {};
+    effects_ = {};
 
     GLint count = 0;
     glGetProgramiv(program_, GL_ACTIVE_UNIFORMS, &count);
@@ -93,9 +114,8 @@ Program::Program(const EffectSet& effects) {
     }
 }
 
-Program::~Program() { glDeleteProgram(program_); }
-
-void Program::use(const Uniforms& uniforms) const {
+void Program::use(const Uniforms& uniforms) {
+    if (vertex_ != 0) link();
     glUseProgram(program_);
     for (const Slot& slot : slots_) {
         const auto found = uniforms.find(slot.name);

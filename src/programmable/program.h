@@ -1,4 +1,4 @@
-// Program: the compiled and linked GLSL of an EffectSet, in the current context.
+// Program: compiled and linked GLSL, in the current context.
 #pragma once
 
 #include <string>
@@ -11,22 +11,30 @@ namespace twinlight::programmable {
 
 class Program {
   public:
-    // Throws std::runtime_error with the driver's log, the numbered source and the EffectSet.
-    explicit Program(const EffectSet& effects);
+    // Starts to compile; a driver with GL_KHR_parallel_shader_compile goes on in threads of its own.
+    Program(ShaderSource source, EffectSet effects);
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
-    // Makes it current and gives it the values of the uniforms it has.
-    void use(const Uniforms& uniforms) const;
+    // Whether use() would not wait for the compiler. True where the driver does not say. (llvmpipe makes its machine code
+    // later, in the first drawing command with a program, whatever it says.)
+    bool is_ready() const;
+    // Makes it current and gives it the values of the uniforms it has. Throws std::runtime_error with the driver's log, the
+    // numbered source and the EffectSet when the driver refuses it.
+    void use(const Uniforms& uniforms);
 
   private:
+    void link();
     struct Slot {
         std::string name;
         int location = -1;
     };
+    ShaderSource source_;  // and the effects: to say what the driver refuses; until it is linked
+    EffectSet effects_;
     unsigned program_ = 0;
-    std::vector<Slot> slots_;  // the active uniforms
+    unsigned vertex_ = 0, fragment_ = 0;  // 0 once it is linked
+    std::vector<Slot> slots_;             // the active uniforms
 };
 
 }  // namespace twinlight::programmable

@@ -2,6 +2,7 @@
 // Buffers, attributes and uniforms only: no built-in GL lighting or matrix state.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -10,19 +11,47 @@
 
 namespace twinlight::programmable {
 
-// Owns the programs and buffers that it made in the context that is current; die before that context does.
+// A Frame made ready to be drawn again and again: planned, its vertices in the driver's buffers. Owns objects of the
+// context that is current; dies before that does.
+class PreparedFrame {
+  public:
+    PreparedFrame(const Frame& frame, const RenderOptions& options);
+    ~PreparedFrame();
+    PreparedFrame(const PreparedFrame&) = delete;
+    PreparedFrame& operator=(const PreparedFrame&) = delete;
+
+  private:
+    friend class Renderer;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// Since the Renderer was made.
+struct Counters {
+    std::uint64_t made = 0;     // programs with uniforms
+    std::uint64_t baked = 0;    // programs with constants
+    std::uint64_t hits = 0;     // Draws whose program was there
+    std::uint64_t evicted = 0;  // programs that gave way to others
+};
+
+// Owns the programs and textures that it made in the context that is current; dies before that context does.
 class Renderer {
   public:
-    Renderer();
+    // Keeps that many programs; of more, those go that were not used for the longest time.
+    explicit Renderer(std::size_t program_limit = 128);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Clears to black and depth 1 and draws the frame into the current colour buffer. Throws
-    // std::runtime_error with the log, the numbered source and the EffectSet when the driver refuses a shader.
+    // Clears to black and depth 1 and draws the frame into the current colour buffer, with the programs that its options'
+    // tier calls for. Throws std::runtime_error with the log, the numbered source and the EffectSet when the driver
+    // refuses a shader.
+    void draw(const PreparedFrame& frame);
     void draw(const Frame& frame, const RenderOptions& options);
     // The same, and reads the picture.
     Image render(const Frame& frame, const RenderOptions& options);
+
+    Counters counters() const;
 
   private:
     struct Impl;

@@ -272,6 +272,13 @@ inline bool has_quadrilaterals(const Frame& frame) {
     });
 }
 
+// Which programs the shaders draw with (programmable/programs.h).
+enum class Tier : std::uint8_t {
+    kUniform,  // a Draw's numbers are uniforms: the same program for all that differ in them alone
+    kBaked,    // they are constants of a program of its own
+    kAuto,     // of frame after frame: uniforms, and constants for what has stood still for a while
+};
+
 struct RenderOptions {
     std::optional<Shading> shading;  // nothing: flat or gouraud, as each Draw's glShadeModel says
     QuadCut quad_cut = QuadCut::kFirstToThird;
@@ -279,6 +286,7 @@ struct RenderOptions {
     // How far a colour's channel may be off, before rounding to codes, by what the planner leaves out because it is small;
     // 0: only what is exactly nothing. The default is half of what rounding to 8 bits hides. Who draws from a Plan asks.
     double budget = 0.5 / 255;
+    Tier tier = Tier::kUniform;  // of the programmable renderer
 };
 
 }  // namespace twinlight

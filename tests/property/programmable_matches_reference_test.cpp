@@ -142,6 +142,13 @@ TEST(ProgrammableMatchesReference, InFloatsAtTheVerticesOverRandomStates) { comp
 TEST(ProgrammableMatchesReference, InFloatsInPhongShadingOverRandomStates) {
     compare_states({.shading = Shading::kPhong, .budget = 0});
 }
+TEST(ProgrammableMatchesReference, WithNumbersAsConstants) {
+    RenderOptions options;
+    options.tier = Tier::kBaked;
+    compare_states(options);
+    options.shading = Shading::kPhong;
+    compare_states(options);
+}
 TEST(ProgrammableMatchesReference, WithoutTheLecturesVariants) {
     compare_states({.shading = {}, .lecture_variants = false, .budget = 0});
 }

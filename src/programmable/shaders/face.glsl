@@ -31,10 +31,17 @@ Lit light_FACE(SURFACE_PARAMETER) {
 #if EFFECT_SEPARATE_SPECULAR
     lit.secondary = vec3(0.0);
 #endif
-#if EFFECT_LOCAL_VIEWER
-    vec3 vpe_dir = unit(-surface.position_eye);  // VPe: GL_LIGHT_MODEL_LOCAL_VIEWER
+#if EFFECT_LOCAL_VIEWER && EFFECT_OBJECT_SPACE
+    vec3 vpe_dir = unit(u_viewer_object - surface.position_SPACE);  // VPe: GL_LIGHT_MODEL_LOCAL_VIEWER
+#elif EFFECT_LOCAL_VIEWER
+    vec3 vpe_dir = unit(-surface.position_SPACE);  // VPe: GL_LIGHT_MODEL_LOCAL_VIEWER
+#elif EFFECT_VPE_DIR && EFFECT_OBJECT_SPACE
+    vec3 vpe_dir = u_viewer_dir;  // the infinite viewer
 #elif EFFECT_VPE_DIR
     const vec3 vpe_dir = vec3(0.0, 0.0, 1.0);  // the infinite viewer
+#endif
+#if EFFECT_HALF_SUM
+    float n_dot_vpe = dot(surface.normal_SPACE, vpe_dir);
 #endif
 #for_each_light "light.glsl"
 #if EFFECT_CLAMP && EFFECT_PRIMARY

@@ -1,8 +1,8 @@
 // LIGHTi.
 #if EFFECT_LIGHT_DIRECTIONAL
-uniform vec3 u_LIGHTi_direction_eye;  // VP, of length 1
+uniform vec3 u_LIGHTi_direction_SPACE;  // VP, of length 1
 #else
-uniform vec3 u_LIGHTi_position_eye;  // P_pli
+uniform vec3 u_LIGHTi_position_SPACE;  // P_pli
 #endif
 #if EFFECT_LIGHT_ATTENUATED
 uniform float u_LIGHTi_constant_attenuation;
@@ -10,7 +10,7 @@ uniform float u_LIGHTi_linear_attenuation;
 uniform float u_LIGHTi_quadratic_attenuation;
 #endif
 #if EFFECT_LIGHT_SPOT || EFFECT_LIGHT_SMOOTH_CONE
-uniform vec3 u_LIGHTi_spot_direction_eye;  // s_dli, of length 1
+uniform vec3 u_LIGHTi_spot_direction_SPACE;  // s_dli, of length 1
 #endif
 #if EFFECT_LIGHT_SPOT
 uniform float u_LIGHTi_spot_cutoff_cosine;

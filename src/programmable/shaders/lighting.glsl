@@ -1,4 +1,4 @@
-// The lighting equation (GL 2.1, section 2.14.1), in eye coordinates:
+// The lighting equation (GL 2.1, section 2.14.1), in SPACE coordinates:
 //
 //   c_pri = e_cm + a_cm a_cs + sum_i att_i spot_i [ a_cm a_cli + (n . VP_i) d_cm d_cli
 //                                                   + f_i (n . h_i)^s_rm s_cm s_cli ]
@@ -8,10 +8,10 @@
 #if EFFECT_SURFACE
 struct Surface {
 #if EFFECT_POSITION_EYE
-    vec3 position_eye;  // V
+    vec3 position_SPACE;  // V
 #endif
 #if EFFECT_NORMAL
-    vec3 normal_eye;  // n
+    vec3 normal_SPACE;  // n
 #endif
 #if EFFECT_COLOR
     vec4 color;  // of the vertex: GL_COLOR_MATERIAL (section 2.14.3)
@@ -37,6 +37,11 @@ struct Lit {
 #endif
 #if EFFECT_VARIES_AMBIENT
 uniform vec3 u_constant_ambient;  // light from everywhere: a_cs, and a_cli that nothing weakens on its way
+#endif
+#if EFFECT_OBJECT_SPACE && EFFECT_LOCAL_VIEWER
+uniform vec3 u_viewer_object;  // where the eye is
+#elif EFFECT_OBJECT_SPACE && EFFECT_VPE_DIR
+uniform vec3 u_viewer_dir;  // the direction to it
 #endif
 #for_each_light "light_uniforms.glsl"
 #for_each_face "face.glsl"

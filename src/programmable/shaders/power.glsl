@@ -8,6 +8,18 @@ float whole_power(float x, float n) {
     return result;
 }
 
+#if EFFECT_HALF_SUM
+// sqrt(square)^n: an even power needs no root.
+float whole_power_of_root(float square, float n) {
+    float result = (int(n) & 1) != 0 ? sqrt(square) : 1.0;
+    for (int bit = 1; bit < 8; ++bit) {
+        result *= (int(n) >> bit & 1) != 0 ? square : 1.0;
+        square *= square;
+    }
+    return result;
+}
+
+#endif
 #if EFFECT_POWER_REAL
 // x^n for any n in [0, 128]: pow has only the fraction to do, where it is exact enough.
 float real_power(float x, float n) {
@@ -15,4 +27,10 @@ float real_power(float x, float n) {
     return whole_power(x, floor(n)) * (fraction > 0.0 ? pow(x, fraction) : 1.0);
 }
 
+#if EFFECT_HALF_SUM
+float real_power_of_root(float square, float n) {
+    return real_power(sqrt(square), n);
+}
+
+#endif
 #endif

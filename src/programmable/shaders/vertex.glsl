@@ -2,6 +2,8 @@
 // The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11)
 #if EFFECT_PHONG
 // and to eye coordinates, in which the fragment shader lights.
+#elif EFFECT_LIGHTING && EFFECT_OBJECT_SPACE
+// and the vertex's light (section 2.14): the modelview matrix keeps angles, so the lights are given in object coordinates.
 #elif EFFECT_LIGHTING
 // and to eye coordinates, in which the vertex is lit (section 2.14).
 #else
@@ -21,10 +23,10 @@ in vec4 a_tex_coord;
 #for_each_property in PROPERTY_TYPE a_PROPERTY;
 
 uniform mat4 u_clip_from_object;  // the product of the projection and the modelview matrix
-#if EFFECT_POSITION_EYE
+#if EFFECT_POSITION_EYE && !EFFECT_OBJECT_SPACE
 uniform mat4 u_eye_from_object;  // the modelview matrix
 #endif
-#if EFFECT_NORMAL
+#if EFFECT_NORMAL && !EFFECT_OBJECT_SPACE
 uniform mat3 u_eye_from_object_normal;  // the transposed inverse of its upper 3x3 (section 2.11.3)
 #endif
 #if EFFECT_TEXTURE_MATRIX
@@ -80,6 +82,8 @@ out float v_eye_z;
 out float gl_ClipDistance[CLIP_PLANE_COUNT];
 #endif
 
+invariant gl_Position;  // what is drawn again, by another program, lies at the same depth
+
 #if EFFECT_UNIT
 #include "unit.glsl"
 #endif
@@ -91,7 +95,7 @@ out float gl_ClipDistance[CLIP_PLANE_COUNT];
 #endif
 
 void main() {
-    gl_Position = u_clip_from_object * a_position;
+    gl_Position = u_clip_from_object * POSITION;
 #if EFFECT_PHONG
 #include "surface.glsl"
 #if EFFECT_VERTEX_W
@@ -114,10 +118,10 @@ void main() {
 #if EFFECT_VERTEX_W
     surface.position_eye = divided_by_w(position_eye);
 #elif EFFECT_POSITION_EYE
-    surface.position_eye = position_eye.xyz;
+    surface.position_SPACE = position_SPACE.xyz;
 #endif
 #if EFFECT_NORMAL
-    surface.normal_eye = normal_eye;
+    surface.normal_SPACE = normal_SPACE;
 #endif
 #if EFFECT_COLOR
     surface.color = a_color;
@@ -133,7 +137,7 @@ void main() {
 #if EFFECT_TWO_SIDE
     // The back face has its own material and the opposite normal; which one shows is known per fragment.
 #if EFFECT_NORMAL
-    surface.normal_eye = -normal_eye;
+    surface.normal_SPACE = -normal_SPACE;
 #endif
     Lit back = light_back(SURFACE);
 #endif
@@ -154,12 +158,12 @@ void main() {
     v_tex_coord = a_tex_coord.TEX_COORD_PARTS;
 #endif
 #if EFFECT_FOG_W
-    v_eye_z = vec2(dot(u_eye_z_from_object, a_position), dot(u_eye_w_from_object, a_position));
+    v_eye_z = vec2(dot(u_eye_z_from_object, POSITION), dot(u_eye_w_from_object, POSITION));
 #elif EFFECT_FOG
-    v_eye_z = dot(u_eye_z_from_object, a_position);
+    v_eye_z = dot(u_eye_z_from_object, POSITION);
 #endif
 #if EFFECT_CLIP_PLANES
     // What lies behind a plane is clipped (section 2.12).
 #endif
-#for_each_clip_plane     gl_ClipDistance[CLIP_PLANE_NUMBER] = dot(u_clip_planeCLIP_PLANE_NUMBER_object, a_position);
+#for_each_clip_plane     gl_ClipDistance[CLIP_PLANE_NUMBER] = dot(u_clip_planeCLIP_PLANE_NUMBER_object, POSITION);
 }

@@ -1,0 +1,28 @@
+// Mesh: a Draw's vertices and indices in buffers of the current context.
+#pragma once
+
+#include "effect/effect_set.h"
+#include "state/frame.h"
+
+namespace twinlight::programmable {
+
+// Dies before its context does.
+class Mesh {
+  public:
+    // The attributes that the program of these effects takes.
+    Mesh(const Draw& draw, const EffectSet& effects);
+    ~Mesh();
+    Mesh(const Mesh&) = delete;
+    Mesh& operator=(const Mesh&) = delete;
+
+    // With the program that is current.
+    void draw() const;
+
+  private:
+    Enum mode_;
+    int count_ = 0;
+    bool has_indices_ = false;
+    unsigned array_ = 0, vertices_ = 0, edge_flags_ = 0, indices_ = 0;
+};
+
+}  // namespace twinlight::programmable

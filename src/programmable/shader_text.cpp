@@ -1,0 +1,102 @@
+// The GLSL that draws a frame, for people to read.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "programmable/bake.h"
+#include "programmable/programmable.h"
+
+namespace twinlight::programmable {
+namespace {
+
+std::string commented(const std::string& text) {
+    std::string result;
+    for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
+        end = std::min(text.find('\n', at), text.size());
+        result += "//   " + text.substr(at, end - at) + "\n";
+    }
+    return result;
+}
+
+// What of the Draw no shader does, as far as it is not GL's initial state.
+std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
+    const RasterState& raster = draw.raster;
+    const FragmentState& fragment = draw.fragment;
+    const PolygonOffset& offset = raster.polygon_offset;
+    const std::pair<bool, const char*> rows[] = {
+        {raster.depth_near != 0 || raster.depth_far != 1, "the depth range (glDepthRange)"},
+        {raster.cull_enabled, "culling (glCullFace)"},
+        {raster.polygon_mode_front != kGL_FILL || raster.polygon_mode_back != kGL_FILL,
+         "the polygon mode (glPolygonMode)"},
+        {offset.fill || offset.line || offset.point, "the polygon offset (glPolygonOffset)"},
+        {raster.line_width != 1, "the line width (glLineWidth)"},
+        {raster.point_size != 1, "the point size (glPointSize)"},
+        {fragment.scissor.enabled, "the scissor (glScissor)"},
+        {fragment.alpha_test, "the alpha test (glAlphaFunc; core GL has `discard`)"},
+        {raster.depth_test, "the depth test (glDepthFunc)"},
+        {fragment.blend, "blending (glBlendFunc, glBlendEquation)"},
+        {fragment.color_mask != FragmentState{}.color_mask, "the colour mask (glColorMask)"},
+        {plan.effects.has_texture(), "the texture's images, filters and wrapping (glTexParameter)"},
+    };
+    std::string text;
+    for (const auto& [is_set, what] : rows)
+        if (is_set) text += fmt::format("//   {}\n", what);
+    return text.empty() ? "" : "// What stays GL's state:\n" + text;
+}
+
+std::string program_text(const Draw& draw, const Plan& plan) {
+    std::string text = "// What lights this Draw:\n" + commented(describe(plan.effects));
+    for (std::size_t i = 0; i < plan.lights.size(); ++i)
+        text += fmt::format("// light{} is {}.\n", i, light_name(plan.lights[i].number));
+    text += "// What is left out:\n";
+    for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
+        for (const LeftOut& left_out : list) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
+
+    text += fixed_stages_text(draw, plan);
+
+    const Form form = form_of(draw, plan);
+    const ShaderSource source = assemble(plan.effects, form);
+    const auto names = uniform_names(source);
+    text += "// The uniforms' values:\n";
+    for (const auto& [name, values] : uniforms(draw, plan, form))
+        if (names.contains(name)) text += fmt::format("//   {} = {}\n", name, fmt::join(values, " "));
+    text += fmt::format("\n// ---- Vertex shader ----\n\n{}\n// ---- Fragment shader ----\n\n{}", source.vertex,
+                        source.fragment);
+    return text;
+}
+
+}  // namespace
+
+std::string shader_source(const Frame& frame, const RenderOptions& options) {
+    // The Draws of each program; the first of them gives the values.
+    struct Use {
+        const Draw* first;
+        int number;
+        int others = 0;
+        Plan plan;
+    };
+    std::vector<Use> uses;
+    int number = 0;
+    for (const auto& item : frame.items) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        if (!draw) continue;
+        ++number;
+        Plan plan = plan_effects(*draw, options);
+        const auto same = std::ranges::find_if(uses, [&](const Use& use) { return use.plan.effects == plan.effects; });
+        if (same != uses.end())
+            ++same->others;
+        else
+            uses.push_back({.first = draw, .number = number, .plan = std::move(plan)});
+    }
+    std::string text;
+    for (const Use& use : uses) {
+        text += fmt::format("// ==== Draw {}, {}", use.number, use.first->place.str());
+        if (use.others > 0) text += fmt::format("; {} more with other values", use.others);
+        text += "\n" + program_text(*use.first, use.plan) + "\n";
+    }
+    return text;
+}
+
+}  // namespace twinlight::programmable
