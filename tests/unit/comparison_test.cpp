@@ -377,6 +377,7 @@ TEST(Comparison, TakesTheBoundOfThePlansForSlack) {
     Frame frame = empty_frame();
     frame.items.emplace_back(draw);
     Stub stub;
+    stub.fixed = stub.reference = 128.3F / 255;  // 0.2 below the border
     stub.programmable = 129.0F / 255;
     const auto compared = [&](double budget) {
         return compare_scene(frame, "stub", "", stub.renderers(), {}, Pictures::kPerVertex, budget);
@@ -387,7 +388,10 @@ TEST(Comparison, TakesTheBoundOfThePlansForSlack) {
     EXPECT_EQ(compared(0).verdict(), Verdict::kBeyond);
     stub.programmable = 131.0F / 255;  // 3 codes: one of rounding and 0.4 are the plan's
     EXPECT_EQ(compared(0.5 / 255).verdict(), Verdict::kBeyond);
-    stub.programmable = stub.reference;
+    stub.programmable = 129.0F / 255;
+    stub.fixed = stub.reference = 128.0F / 255;  // 0.5 below: out of the plan's reach
+    EXPECT_EQ(compared(0.5 / 255).verdict(), Verdict::kBeyond);
+    stub.programmable = stub.reference = 128.3F / 255;
     stub.fixed = 129.0F / 255;
     EXPECT_EQ(compared(0.5 / 255).verdict(), Verdict::kBeyond);
 }
