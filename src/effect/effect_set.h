@@ -8,15 +8,16 @@
 //   two_side to separate_specular, lights    lighting
 //   lighting                                 something of the lit colours is left after the texture
 //   shading kFlat                            the primitive has more than one vertex, and its colours are left
-//   clamp                                    the colours are left
+//   clamp                                    the colours are left and may leave [0,1]
 //   two_side, back                           a back face can show
 //   local_viewer                             a light's highlight depends on the viewer
 //   vertex_w                                 a light is positional, or local_viewer, or there is fog
-//   normalize                                a light is diffuse or specular
+//   normalize                                a light is diffuse or specular, and one factor does not make all normals unit
 //   separate_specular, specular_model        a light is specular
 //   shininess                                a light is specular
 //   tracks_*, varies_*                       that property of the material is called for; one of both at most
 //   lights[i].attenuated, .spot              the light is positional
+//   lights[i].spot without an exponent       its cone does not hold all of the Draw
 //   lights[i].ambient, .diffuse              the texture leaves something of the primary colour's red, green and blue
 //   texture.*                                texture.environment
 //   texture.texels kIntensity                the environment is kBlend or kAdd; in the others it is kColorAndAlpha
@@ -30,6 +31,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <string>
@@ -41,6 +43,10 @@ namespace twinlight {
 
 // x^n as code: 1 for n = 0, repeated squaring for a whole n, pow for the rest.
 enum class Power : std::uint8_t { kOne, kWhole, kReal };
+inline Power power_of(double exponent) {
+    if (exponent == 0) return Power::kOne;
+    return exponent == std::floor(exponent) ? Power::kWhole : Power::kReal;
+}
 
 // GL's (n.h)^s and the lecture's (r.v)^s.
 enum class Highlight : std::uint8_t { kHalfVector, kReflection };
@@ -128,8 +134,8 @@ struct EffectSet {
         return std::any_of(lights.begin(), lights.end(), [fact](const LightEffects& light) { return light.*fact; });
     }
     bool needs_position_eye() const {
-        return local_viewer || std::any_of(lights.begin(), lights.end(),
-                                           [](const LightEffects& light) { return !light.directional; });
+        return local_viewer ||
+               std::any_of(lights.begin(), lights.end(), [](const LightEffects& light) { return !light.directional; });
     }
     bool needs_normal() const { return any_light(&LightEffects::diffuse) || any_light(&LightEffects::specular); }
     // What the texture leaves of the primary colour.

@@ -43,13 +43,12 @@ TextureEffects environment_of(Enum mode, Enum base_format) {
     }
 }
 
-bool q_is_1(const Draw& draw) {
+bool q_is_1(const Draw& draw, const VertexFacts& vertices) {
     const glm::dmat4& m = draw.texture.texture_matrix;
-    return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1 &&
-           std::all_of(draw.vertices.begin(), draw.vertices.end(), [](const Vertex& v) { return v.tex_coord.q == 1; });
+    return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1 && vertices.q_is_1;
 }
 
-void plan_texture(const Draw& draw, Plan& plan) {
+void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     const Texture* texture = draw.texture.texture.get();
     if (!texture) return leave_out(plan, "the texture", "none is enabled, or it is not complete");
     TextureEffects& facts = plan.effects.texture;
@@ -59,7 +58,7 @@ void plan_texture(const Draw& draw, Plan& plan) {
 
     facts.one_dimensional = texture->target == kGL_TEXTURE_1D;
     facts.matrix = draw.texture.texture_matrix != glm::dmat4(1);
-    facts.q = !q_is_1(draw);
+    facts.q = !q_is_1(draw, vertices);
     if (!facts.matrix) leave_out(plan, "the texture matrix", "it is the identity");
     if (!facts.q) leave_out(plan, "the division by q", "q is 1 at every vertex");
 
@@ -92,8 +91,8 @@ bool filters_linearly(const Texture& texture) {
            texture.min_filter == kGL_LINEAR_MIPMAP_NEAREST || texture.min_filter == kGL_LINEAR_MIPMAP_LINEAR;
 }
 
-void plan_fragments(const Draw& draw, Plan& plan) {
-    plan_texture(draw, plan);
+void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
+    plan_texture(draw, vertices, plan);
     plan_fog(draw, plan);
     const auto& planes = draw.raster.clip_planes_eye;
     plan.effects.clip_plane_count = static_cast<int>(

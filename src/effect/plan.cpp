@@ -5,26 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <glm/common.hpp>
+#include <iterator>
 #include <utility>
 
-#include "effect/directional_spot.h"
 #include "effect/fragment_effects.h"
+#include "effect/plan_lights.h"
 
 namespace twinlight {
 namespace {
 
 bool is_zero(const glm::dvec3& c) { return c == glm::dvec3(0); }
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
-bool is_whole(double x) { return x == std::floor(x); }
 
 bool has_faces(Enum mode) {
     return mode != kGL_POINTS && mode != kGL_LINES && mode != kGL_LINE_LOOP && mode != kGL_LINE_STRIP;
-}
-
-Power power_of(double exponent) {
-    if (exponent == 0) return Power::kOne;
-    return is_whole(exponent) ? Power::kWhole : Power::kReal;
 }
 
 // ---- The state in force ----
@@ -48,20 +43,36 @@ void put_color(Material& material, const FaceEffects& tracked, const glm::dvec4&
 bool names_front(Enum face) { return face != kGL_BACK; }
 bool names_back(Enum face) { return face != kGL_FRONT; }
 
-bool all_colors_equal(const Draw& draw) {
-    return std::all_of(draw.vertices.begin(), draw.vertices.end(),
-                       [&](const Vertex& v) { return v.color == draw.vertices.front().color; });
+// Whether a picture is off by no more than its Draws are, however many lie above each other: what is there and what comes are
+// weighted by factors that no light changes, and that add up to 1 at most; or one of both is taken.
+bool keeps_errors_apart(const FragmentState& fragment) {
+    if (!fragment.blend) return true;
+    const auto is_mean = [](Enum equation, Enum src, Enum dst) {
+        if (equation == kGL_MIN || equation == kGL_MAX) return true;
+        constexpr std::pair<Enum, Enum> kMeans[] = {
+            {kGL_ONE, kGL_ZERO},
+            {kGL_ZERO, kGL_ONE},
+            {kGL_SRC_ALPHA, kGL_ONE_MINUS_SRC_ALPHA},
+            {kGL_ONE_MINUS_SRC_ALPHA, kGL_SRC_ALPHA},
+            {kGL_CONSTANT_ALPHA, kGL_ONE_MINUS_CONSTANT_ALPHA},
+            {kGL_CONSTANT_COLOR, kGL_ONE_MINUS_CONSTANT_COLOR},
+        };
+        return std::ranges::find(kMeans, std::pair(src, dst)) != std::end(kMeans);
+    };
+    return is_mean(fragment.blend_equation, fragment.blend_src, fragment.blend_dst);
 }
 
 // ---- The planner ----
 
 class Planner {
   public:
-    Planner(const Draw& draw, const RenderOptions& options) : draw_(draw), options_(options) {}
+    Planner(const Draw& draw, const RenderOptions& options, const VertexFacts& vertices)
+        : draw_(draw), options_(options), vertices_(vertices) {}
 
     Plan plan() {
         state().enabled = draw_.lighting.enabled;
-        plan_fragments(draw_, plan_);
+        plan_.budget = keeps_errors_apart(draw_.fragment) ? std::max(options_.budget, 0.0) : 0;
+        plan_fragments(draw_, vertices_, plan_);
         facts().shading =
             options_.shading.value_or(draw_.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud);
         if (facts().shading == Shading::kFlat && draw_.mode == kGL_POINTS) {
@@ -88,22 +99,26 @@ class Planner {
             facts().shading = Shading::kGouraud;
             leave_out("lighting per fragment", "GL_LIGHTING is disabled");
         }
-        facts().clamp = std::any_of(draw_.vertices.begin(), draw_.vertices.end(),
-                                    [](const Vertex& v) { return glm::clamp(v.color, 0.0, 1.0) != v.color; });
+        facts().clamp = glm::clamp(vertices_.color_low, 0.0, 1.0) != vertices_.color_low ||
+                        glm::clamp(vertices_.color_high, 0.0, 1.0) != vertices_.color_high;
         if (!facts().clamp) leave_out("the clamp", "no vertex's colour leaves [0,1]");
     }
 
     void plan_lit() {
-        facts().lighting = facts().clamp = true;
+        facts().lighting = true;
         put_state_in_force();
         plan_faces();
         plan_color_material();
         plan_materials();
         plan_.constant_ambient = rgb(state().light_model.ambient);
-        for (std::size_t i = 0; i < state().lights.size(); ++i) plan_light(static_cast<int>(i));
+        const LightsToPlan lights{
+            .bounds = draw_bounds(draw_, vertices_, state(), facts().shading == Shading::kPhong),
+            .faces = {face_range(&Materials::front, facts().front), face_range(&Materials::back, facts().back)},
+            .primary = facts().needs_primary_rgb()};
+        plan_clamp(lights, plan_lights(lights, plan_));
         plan_specular();
         drop_idle_colors();
-        plan_geometry();
+        plan_geometry(lights.bounds);
         if (facts().shading == Shading::kPhong && !facts().needs_normal() && !facts().needs_position_eye() &&
             !facts().needs_color() && !facts().front.varies() && !facts().back.varies()) {
             facts().shading = Shading::kGouraud;
@@ -122,13 +137,17 @@ class Planner {
         facts() = left;
         state().enabled = false;
         plan_.lights.clear();
+        plan_.error_bound = 0;
+        for (LightBound& light : plan_.light_bounds) {
+            if (light.fate != LightFate::kDisabled) light.fate = LightFate::kReplaced;
+            light.bound = glm::dvec3(0);
+        }
     }
 
     void plan_w() {
         const glm::dmat4& m = draw_.eye_from_object;
         const bool affine = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
-        const bool w_is_1 = affine && std::all_of(draw_.vertices.begin(), draw_.vertices.end(),
-                                                  [](const Vertex& v) { return v.position_object.w == 1; });
+        const bool w_is_1 = affine && vertices_.w_is_1;
         const bool w_matters = facts().needs_position_eye() || facts().has_fog();
         facts().vertex_w = w_matters && !w_is_1;
         if (w_matters && w_is_1) leave_out("the division by w", "w is 1 at every vertex");
@@ -157,11 +176,7 @@ class Planner {
             leave_out("two-sided lighting", why_one_sided);
             state().back = state().front;
         }
-        // Those that a vertex has.
-        std::set<std::uint32_t> used;
-        if (!draw_.materials.empty())
-            for (const Vertex& v : draw_.vertices) used.insert(v.material);
-        for (const std::uint32_t i : used) materials_.push_back(draw_.materials.at(i));
+        for (const std::uint32_t i : vertices_.materials) materials_.push_back(draw_.materials.at(i));
         if (materials_.empty()) materials_.push_back({state().front, state().back});
         if (!facts().two_side)
             for (Materials& m : materials_) m.back = m.front;
@@ -176,8 +191,8 @@ class Planner {
         const FaceEffects tracked = tracked_by(tracking.mode);
         const bool front = names_front(tracking.face);
         const bool back = facts().two_side && names_back(tracking.face);
-        if (draw_.vertices.empty() || all_colors_equal(draw_)) {
-            const glm::dvec4 color = draw_.vertices.empty() ? glm::dvec4(1) : draw_.vertices.front().color;
+        if (vertices_.colors_equal) {
+            const glm::dvec4& color = vertices_.color_low;
             for (Materials& m : materials_) {
                 if (front) put_color(m.front, tracked, color);
                 if (back) put_color(m.back, tracked, color);
@@ -215,92 +230,50 @@ class Planner {
             leave_out("materials of vertices", "every vertex has the same");
     }
 
-    // Whether a colour of the light meets a material that is not black there: on a face that shows, in some channel.
-    bool meets(const glm::dvec4& light_color, glm::dvec4 Material::*color, bool FaceEffects::*tracks) {
-        const auto on = [&](const Material& material, const FaceEffects& face) {
-            return !is_zero(face.*tracks ? rgb(light_color) : rgb(light_color) * rgb(material.*color));
+    // What the face's materials may be, at a vertex or between some.
+    FaceRange face_range(Material Materials::*of, const FaceEffects& face) const {
+        const auto range = [&](glm::dvec4 Material::*color, bool tracked) {
+            if (tracked) return std::pair(vertices_.color_low, vertices_.color_high);
+            std::pair all((materials_.front().*of).*color, (materials_.front().*of).*color);
+            for (const Materials& m : materials_)
+                all = {glm::min(all.first, (m.*of).*color), glm::max(all.second, (m.*of).*color)};
+            return all;
         };
-        return std::any_of(materials_.begin(), materials_.end(), [&](const Materials& m) {
-            return on(m.front, facts().front) || (facts().two_side && on(m.back, facts().back));
-        });
+        const auto colors = [&](glm::dvec4 Material::*color, bool tracked) {
+            const auto [low, high] = range(color, tracked);
+            return ColorRange{rgb(low), rgb(high)};
+        };
+        const auto [least_shiny, most_shiny] =
+            std::ranges::minmax(materials_, {}, [of](const Materials& m) { return (m.*of).shininess; });
+        const auto [low, high] = range(&Material::diffuse, face.tracks_diffuse);
+        return {.emission = colors(&Material::emission, face.tracks_emission),
+                .ambient = colors(&Material::ambient, face.tracks_ambient),
+                .diffuse = colors(&Material::diffuse, face.tracks_diffuse),
+                .specular = colors(&Material::specular, face.tracks_specular),
+                .shininess = {(least_shiny.*of).shininess, (most_shiny.*of).shininess},
+                .alpha = {low.a, high.a}};
     }
 
-    void plan_light(int number) {
-        const LightSource& light = state().lights[static_cast<std::size_t>(number)];
-        const std::string name = light_name(number);
-        if (!light.enabled) return leave_out(name, "it is not enabled");
-
-        LightEffects effects;
-        PlannedLight planned{.number = number};
-        std::vector<LeftOut> notes;
-        const auto note = [&](const char* what, std::string why) {
-            notes.push_back({fmt::format("{}'s {}", name, what), std::move(why)});
-        };
-        effects.directional = light.position_eye.w == 0;
-        const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
-        if (effects.directional) {
-            planned.constant_reach = directional_spot(light);
-            note("attenuation", "its position's w is 0: it is directional");
-            if (is_spot)
-                note("cone", fmt::format("it is directional: its spot factor is {:.6g} at every vertex",
-                                         planned.constant_reach));
-        } else {
-            const double k0 = light.constant_attenuation;
-            effects.attenuated = light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
-            if (!effects.attenuated) {
-                // RULING: 1/0 contributes nothing.
-                planned.constant_reach = k0 > 0 ? 1 / k0 : 0;
-                note("attenuation",
-                     fmt::format("its factors are {}, 0, 0: it is {:.6g} at every vertex", k0, planned.constant_reach));
+    // 2.14.6. What lies in [0,1] with all that its terms may come to, needs no clamp.
+    void plan_clamp(const LightsToPlan& lights, const ColorRange& of_lights) {
+        double low = 0, high = 0;
+        for (std::size_t i = 0; i < (facts().two_side ? 2 : 1); ++i) {
+            const FaceRange& face = lights.faces[i];
+            const ColorRange ambient = product_of(face.ambient, plan_.constant_ambient);
+            for (int c = 0; c < 3; ++c) {
+                low = std::min(low, face.emission.low[c] + ambient.low[c] + of_lights.low[c]);
+                high = std::max(high, face.emission.high[c] + ambient.high[c] + of_lights.high[c]);
             }
-            effects.spot = is_spot && !light.smooth_cone;
-            effects.smooth_cone = light.smooth_cone.has_value();
-            effects.spot_exponent = effects.spot ? power_of(light.spot_exponent) : Power::kOne;
-            if (effects.spot && effects.spot_exponent == Power::kOne)
-                note("fall-off inside the cone", "GL_SPOT_EXPONENT is 0");
+            low = std::min(low, face.alpha.low);
+            high = std::max(high, face.alpha.high);
         }
-        if (!is_spot) note("cone", "GL_SPOT_CUTOFF is 180");
-
-        const bool reaches = planned.constant_reach > 0;
-        const bool primary = facts().needs_primary_rgb();
-        const bool ambient = primary && meets(light.ambient, &Material::ambient, &FaceEffects::tracks_ambient);
-        effects.diffuse = primary && reaches && meets(light.diffuse, &Material::diffuse, &FaceEffects::tracks_diffuse);
-        effects.specular = (primary || is_specular_separate()) && reaches &&
-                           meets(light.specular, &Material::specular, &FaceEffects::tracks_specular);
-
-        // An ambient term that nothing weakens on its way belongs to the scene's.
-        const bool unattenuated = state().light_model.light_ambient == Word::unattenuated;
-        const bool varies = effects.attenuated || effects.spot || effects.smooth_cone;
-        if (ambient && (unattenuated || !varies)) {
-            plan_.constant_ambient += (unattenuated ? 1 : planned.constant_reach) * rgb(light.ambient);
-            note("ambient term", "it is the same at every vertex: it is added to the scene's ambient light");
-        } else {
-            effects.ambient = reaches && ambient;
-        }
-
-        if (!effects.ambient && !effects.diffuse && !effects.specular)
-            return leave_out(name, why_nothing(light, ambient, reaches));
-        if (!effects.ambient && !ambient)
-            note("ambient term", "the product of its and the material's ambient colours is 0");
-        if (!effects.diffuse) note("diffuse term", "the product of its and the material's diffuse colours is 0");
-        if (!effects.specular) note("specular term", "the product of its and the material's specular colours is 0");
-        plan_.left_out.insert(plan_.left_out.end(), notes.begin(), notes.end());
-        plan_.lights.push_back(planned);
-        facts().lights.push_back(effects);
-    }
-
-    bool is_specular_separate() const {
-        return plan_.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
-    }
-
-    std::string why_nothing(const LightSource& light, bool ambient, bool reaches) const {
-        if (ambient && (reaches || plan_.lighting.light_model.light_ambient == Word::unattenuated))
-            return "it has an ambient term alone, the same at every vertex: it is added to the scene's "
-                   "ambient light";
-        if (!plan_.effects.needs_primary_rgb()) return "the texture takes the place of the colours that it gives";
-        if (reaches) return "the products of its colours and the material's are 0";
-        return light.position_eye.w == 0 ? "it is directional, and its direction is outside its cone"
-                                         : "its attenuation factors are 0, 0, 0: it contributes nothing";
+        // Two colours are clamped each: a negative highlight is none then, whatever the primary colour is.
+        if (state().light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
+            for (int c = 0; c < 3; ++c) low = std::min(low, of_lights.low[c]);
+        facts().clamp = !(low >= 0 && high <= 1);
+        if (!facts().clamp)
+            leave_out("the clamp",
+                      fmt::format("all terms together come to {:.3g} at most, and none is negative", high));
     }
 
     void plan_specular() {
@@ -309,7 +282,7 @@ class Planner {
             leave_out("specular highlights", "no light has a specular term");
             return;
         }
-        facts().separate_specular = is_specular_separate();
+        facts().separate_specular = model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
         if (!facts().separate_specular)
             leave_out("a separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR");
         facts().highlight = model.specular == Word::reflection ? Highlight::kReflection : Highlight::kHalfVector;
@@ -358,7 +331,7 @@ class Planner {
         drop_of_face(facts().back, &Materials::back);
     }
 
-    void plan_geometry() {
+    void plan_geometry(const DrawBounds& bounds) {
         if (!facts().needs_position_eye())
             leave_out("positions in eye coordinates", "no light is positional and the viewer is infinite");
 
@@ -369,16 +342,58 @@ class Planner {
             leave_out("GL_NORMALIZE", state().rescale_normal
                                           ? "it is disabled; GL_RESCALE_NORMAL's factor is in the normals' matrix"
                                           : "it is disabled");
+        else
+            plan_normalize(bounds);
+    }
+
+    // 2.11.3: where the modelview matrix turns and scales alike in all directions, and all normals are unit vectors, they are
+    // unit in eye coordinates once they are multiplied by GL_RESCALE_NORMAL's factor, if that is not 1 anyway.
+    void plan_normalize(const DrawBounds& bounds) {
+        constexpr double kRounding = 1e-11;  // of double, and what the bounds add for it
+        const double shortest = vertices_.shortest_normal, longest = vertices_.longest_normal;
+        if (longest == 0) return;
+        const double off = bounds.unequal_normals + std::max(std::abs(shortest - 1), std::abs(longest - 1));
+        if (off > kRounding && !is_within_budget(off)) return;
+        facts().normalize = state().normalize = false;
+        state().rescale_normal = std::abs(bounds.normal_scale - 1) > kRounding;
+        leave_out("GL_NORMALIZE",
+                  state().rescale_normal
+                      ? "the normals are unit vectors and the scale is uniform: GL_RESCALE_NORMAL's factor "
+                        "in the normals' matrix is enough"
+                      : "the normals are unit vectors, and the modelview matrix only turns them");
+    }
+
+    // Normals whose lengths are off by that much: the diffuse terms are by as much, the highlights by their power. Adds it to
+    // what is left out if there is room. Fragments' normals are turned by it too, over the border of f_i.
+    bool is_within_budget(double off) {
+        if (facts().shading == Shading::kPhong || off > 1e-4) return false;
+        double exponent = 1;
+        for (const Materials& m : materials_) exponent = std::max({exponent, m.front.shininess, m.back.shininess});
+        if (facts().highlight == Highlight::kReflection) exponent *= 2;
+        double lights = 0;
+        for (const LightBound& light : plan_.light_bounds)
+            if (light.in()) lights += light.largest();
+        const double error = plan_.error_bound + lights * 1.01 * (std::exp(off * exponent) - 1);
+        if (!(error <= plan_.budget)) return false;
+        plan_.error_bound = error;
+        return true;
     }
 
     const Draw& draw_;
     const RenderOptions& options_;
+    const VertexFacts& vertices_;
     Plan plan_;
     std::vector<Materials> materials_;  // in force, of the vertices; one where they have all the same
 };
 
 }  // namespace
 
-Plan plan_effects(const Draw& draw, const RenderOptions& options) { return Planner(draw, options).plan(); }
+Plan plan_effects(const Draw& draw, const RenderOptions& options) {
+    return plan_effects(draw, options, vertex_facts(draw));
+}
+
+Plan plan_effects(const Draw& draw, const RenderOptions& options, const VertexFacts& vertices) {
+    return Planner(draw, options, vertices).plan();
+}
 
 }  // namespace twinlight

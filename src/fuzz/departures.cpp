@@ -184,7 +184,7 @@ std::vector<const Departure*> departures_in(const Frame& frame) {
     CommandList scene;
     if (frame.commands) {
         frame.commands->for_each([&](const Step& step) {
-            if (step.kind == Step::Kind::kCommand) scene.commands.push_back(step.command);
+            if (step.kind == Step::Kind::kCommand) scene.commands.emplace_back(step.command).memory = nullptr;
             return scene.commands.size() < kMostCommands;
         });
     }

@@ -18,7 +18,7 @@ namespace twinlight::fuzz {
 
 namespace {
 
-constexpr RenderOptions kGlsOwnModel = {.shading = std::nullopt, .lecture_variants = false};
+constexpr RenderOptions kGlsOwnModel = {.shading = {}, .lecture_variants = false, .budget = 0};
 constexpr int kWindow = 64;  // of the fixed function's feedback
 constexpr int kTile = 4;     // of a scene in the shaders' picture: a vertex stands in each corner
 constexpr int kTiles = 32;   // in a row

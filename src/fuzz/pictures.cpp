@@ -21,7 +21,8 @@ Pictures::Pictures(std::vector<std::string_view> lifted)
     : lifted_(std::move(lifted)), context_(make_offscreen_context(kSide, kSide)) {
     renderer_.emplace();
     renderers_.fixed = fixed::render;
-    renderers_.programmable = [this](const Frame& frame, const RenderOptions& options) {
+    renderers_.programmable = [this](const Frame& frame, RenderOptions options) {
+        options.budget = 0;
         return renderer_->render(frame, options);
     };
     renderers_.reference = reference::render;

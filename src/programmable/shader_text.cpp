@@ -55,7 +55,8 @@ std::string program_text(const Draw& draw, const Plan& plan) {
         text += fmt::format("// light{} is {}.\n", i, fmt::join(names, ", "));
     }
     text += "// What is left out:\n";
-    for (const LeftOut& left_out : plan.left_out) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
+    for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
+        for (const LeftOut& left_out : list) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
 
     text += fixed_stages_text(draw, plan);
 

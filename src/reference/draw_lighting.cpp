@@ -33,17 +33,6 @@ lighting::Light<double> light_of(const LightSource& source, bool lecture_variant
     return light;
 }
 
-// V: the eye position divided by its w. RULING: what lies at infinity (w = 0, or a quotient that double
-// cannot hold) is lit as if it were very far away in that direction, which is the equation's limit.
-Vec divided_by_w(const glm::dvec4& position_eye) {
-    constexpr double kFar = 1e100;
-    const glm::dvec3 quotient = glm::dvec3(position_eye) / position_eye.w;
-    const glm::dvec3 size = glm::abs(quotient);
-    if (size.x <= kFar && size.y <= kFar && size.z <= kFar) return vec3_cast<Vec>(quotient);
-    const double sign = position_eye.w < 0 ? -1 : 1;
-    return lighting::unit(vec3_cast<Vec>(position_eye)) * (sign * kFar);
-}
-
 // 2.14.3: which properties of `face` follow the current colour.
 bool tracks(const ColorMaterial& color_material, Face face, Enum property) {
     const Enum other_face = face == Face::kFront ? kGL_BACK : kGL_FRONT;
@@ -53,6 +42,17 @@ bool tracks(const ColorMaterial& color_material, Face face, Enum property) {
 }
 
 }  // namespace
+
+// V: the eye position divided by its w. RULING: what lies at infinity (w = 0, or a quotient that double
+// cannot hold) is lit as if it were very far away in that direction, which is the equation's limit.
+Vec lit_position(const glm::dvec4& position_eye) {
+    constexpr double kFar = 1e100;
+    const glm::dvec3 quotient = glm::dvec3(position_eye) / position_eye.w;
+    const glm::dvec3 size = glm::abs(quotient);
+    if (size.x <= kFar && size.y <= kFar && size.z <= kFar) return vec3_cast<Vec>(quotient);
+    const double sign = position_eye.w < 0 ? -1 : 1;
+    return lighting::unit(vec3_cast<Vec>(position_eye)) * (sign * kFar);
+}
 
 DrawLighting::DrawLighting(const Draw& draw, bool lecture_variants)
     : enabled_(draw.lighting.enabled),
@@ -89,7 +89,7 @@ LitMaterial DrawLighting::material(const StageVertex& v, Face face) const {
 Colors DrawLighting::lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
                          Face face) const {
     const Vec normal = vec3_cast<Vec>(normal_eye);
-    const lighting::Surface<double> surface{divided_by_w(position_eye), face == Face::kFront ? normal : -normal};
+    const lighting::Surface<double> surface{lit_position(position_eye), face == Face::kFront ? normal : -normal};
     const lighting::Lit<double> lit = lighting::light_surface<double>(model_, material, surface, lights_);
     return {.primary = glm::dvec4(vec3_cast<glm::dvec3>(lit.primary), lit.alpha),
             .secondary = glm::dvec4(vec3_cast<glm::dvec3>(lit.secondary), 1),

@@ -24,6 +24,8 @@ struct Colors {
 
 enum class Face : std::uint8_t { kFront, kBack };
 
+struct LitPoint;  // pixel.h
+
 class DrawLighting {
   public:
     // Without `lecture_variants` the lighting is GL's own.
@@ -35,6 +37,8 @@ class DrawLighting {
     // With lighting, and with a material that need not be a vertex's.
     Colors lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
                Face face) const;
+    // The same term by term (pixel.h).
+    LitPoint point(const StageVertex& v, const LitMaterial& material, Face face) const;
     // What the vertex is lit with: its own material, with its colour where the material follows it (2.14.3).
     LitMaterial material(const StageVertex& v, Face face) const;
 
@@ -52,6 +56,9 @@ class DrawLighting {
     std::vector<Materials> materials_;             // at least one
     ColorMaterial color_material_;
 };
+
+// V: the eye position divided by its w. RULING: what lies at infinity is lit as if it were very far away.
+Vec lit_position(const glm::dvec4& position_eye);
 
 // The material between three, as far as `weights` says.
 LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials);

@@ -50,13 +50,19 @@ bool is_of_drivers(const PlannedPair& pair) { return kRenders[pair.a].by_driver 
 
 // 2.1.1: a colour need not be computed to more than 1 part in 10^5. Where the right value lies that near to the border of
 // two codes, such as a background of 0.3 (76.5 codes), either code is right.
+constexpr double kArithmetic = 1e-5;
+
+// In codes, from a channel to where its code changes.
+double from_border(float channel) {
+    const double codes = 255 * std::clamp(static_cast<double>(channel), 0.0, 1.0);
+    return std::abs(codes - std::floor(codes) - 0.5);
+}
+
 void free_ties(Freedom& freedom, const Image& reference) {
-    constexpr double kArithmetic = 1e-5;
     for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
         for (std::size_t c = 0; c < reference.pixels[i].size(); ++c) {
-            const double codes = 255 * std::clamp(static_cast<double>(reference.pixels[i][c]), 0.0, 1.0);
-            const double from_border = std::abs(codes - std::floor(codes) - 0.5);
-            if (from_border <= 255 * kArithmetic) freedom.slack.pixels[i][c] += static_cast<float>(kArithmetic);
+            if (from_border(reference.pixels[i][c]) <= 255 * kArithmetic)
+                freedom.slack.pixels[i][c] += static_cast<float>(kArithmetic);
         }
     }
 }
@@ -75,6 +81,25 @@ Freedom freedom_of_drivers(Freedom freedom, const Render& reference) {
     return freedom;
 }
 
+// What planning may leave out of either picture (RenderOptions::budget), as the plans bound it: where the right value lies that
+// near to the border of two codes, it may cross it. Where there is slack already, it is more of it. Alpha is no light's.
+Freedom with_plans(Freedom freedom, const Render& a, const Render& b, const Render& reference) {
+    const double error = error_bound(a.plan) + error_bound(b.plan);
+    if (error == 0) return freedom;
+    const auto may_cross = [&](const Image& image, std::size_t i, std::size_t c) {
+        return from_border(image.pixels[i][c]) <= 255 * (error + kArithmetic);
+    };
+    for (std::size_t i = 0; i < freedom.slack.pixels.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            float& slack = freedom.slack.pixels[i][c];
+            const bool more = slack > 0 || may_cross(reference.image, i, c) ||
+                              (reference.other_cut && may_cross(*reference.other_cut, i, c));
+            if (more) slack += static_cast<float>(error);
+        }
+    }
+    return freedom;
+}
+
 Render render(const PlannedRender& planned, const Frame& frame, const Renderers& renderers, Pictures pictures) {
     using Clock = std::chrono::steady_clock;
     const RenderFunction& draw = renderers.*planned.renderer;
@@ -83,6 +108,7 @@ Render render(const PlannedRender& planned, const Frame& frame, const Renderers&
     Image image = draw(frame, planned.options);
     const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
     Render result{.name = planned.name, .meaning = planned.meaning, .image = std::move(image), .ms = taken.count()};
+    if (planned.renderer == &Renderers::programmable) result.plan = explain(frame, planned.options);
     if (!planned.by_driver && has_quadrilaterals(frame)) {
         RenderOptions other = planned.options;
         other.quad_cut = QuadCut::kSecondToFourth;
@@ -94,7 +120,8 @@ Render render(const PlannedRender& planned, const Frame& frame, const Renderers&
 }  // namespace
 
 Image Comparison::counterpart(const Pair& pair) const {
-    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, freedom.slack) : b(pair).image;
+    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, freedom.slack)
+                             : b(pair).image;
 }
 
 Verdict Comparison::verdict() const {
@@ -135,7 +162,7 @@ Verdict verdict_of(const Comparison& comparison, const Pair& pair) {
 }  // namespace
 
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
-                         const Renderers& renderers, const Progress& progress, Pictures pictures) {
+                         const Renderers& renderers, const Progress& progress, Pictures pictures, double budget) {
     constexpr int kSteps = static_cast<int>(kRenders.size()) + 2;
     int done = 0;
     const auto begin_step = [&](std::string_view name) {
@@ -149,7 +176,8 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
     result.height = frame.height;
     result.unsupported = frame.unsupported;
     const auto is_left_out = [pictures](bool phong) { return phong && pictures == Pictures::kPerVertex; };
-    for (const PlannedRender& planned : kRenders) {
+    for (PlannedRender planned : kRenders) {
+        planned.options.budget = budget;
         if (is_left_out(planned.options.shading == Shading::kPhong)) continue;
         begin_step(planned.name);
         result.renders.push_back(render(planned, frame, renderers, pictures));
@@ -171,10 +199,10 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
         Pair pair;
         pair.a = planned.a;
         pair.b = planned.b;
+        const Freedom& freedom = is_of_drivers(planned) ? of_drivers : planned.phong ? of_phong : result.freedom;
         pair.difference = difference(result.a(pair).image, result.counterpart(pair),
-                                     is_of_drivers(planned) ? of_drivers
-                                     : planned.phong        ? of_phong
-                                                            : result.freedom);
+                                     with_plans(freedom, result.a(pair), result.b(pair),
+                                                result.renders[planned.phong ? kReferencePhong : kReference]));
         if (planned.judged) pair.verdict = verdict_of(result, pair);
         // The interior is what is judged; an edge pixel that is wholly different must not darken it.
         pair.factor = amplification_for(pair.difference.interior.max);

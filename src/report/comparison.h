@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "effect/explanation.h"
 #include "image/difference.h"
 #include "image/image.h"
 #include "state/frame.h"
@@ -36,6 +37,8 @@ struct Render {
     // The reference's picture with quadrilaterals cut the other way, where the scene has any: the specification
     // allows both (QuadCut), so another picture is held against whichever is nearer, pixel by pixel.
     std::optional<Image> other_cut{};
+    // What it was drawn from, where that is plans: how far they leave it from the scene is slack.
+    std::vector<ExplainedDraw> plan{};
 };
 
 enum class Verdict : std::uint8_t {
@@ -88,7 +91,8 @@ enum class Pictures : std::uint8_t { kAll, kPerVertex };  // the second: each dr
 // says, so that the three can be held against each other; the phong pictures follow the scene's variants.
 // What the driver draws with is drawn twice and the second time is told, for in the first the driver compiles.
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
-                         const Renderers& renderers, const Progress& progress = {}, Pictures pictures = Pictures::kAll);
+                         const Renderers& renderers, const Progress& progress = {}, Pictures pictures = Pictures::kAll,
+                         double budget = RenderOptions{}.budget);
 
 // ---- What is written of it ----
 
@@ -99,7 +103,7 @@ std::string difference_file(const Comparison& comparison, const Pair& pair);
 
 // One JSON object, indented, with a newline at the end:
 //   {"scene", "driver", "size": [w, h], "verdict": "within" | "beyond" | "partial",
-//    "renders": [{"name", "file", "ms"}],
+//    "renders": [{"name", "file", "ms", "error_bound"}],   the last of what is drawn from plans
 //    "pairs": [{"a", "b",                        names of renders
 //               "interior": {"pixels", "differing", "max", "rms", "worst": [x, y]},
 //               "beyond_slack": {the same},     what is judged of the interior

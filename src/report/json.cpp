@@ -43,6 +43,7 @@ std::string comparison_json(const Comparison& comparison) {
     json["renders"] = Json::array();
     for (const Render& render : comparison.renders) {
         json["renders"].push_back({{"name", render.name}, {"file", picture_file(render)}, {"ms", render.ms}});
+        if (!render.plan.empty()) json["renders"].back()["error_bound"] = error_bound(render.plan);
     }
     json["pairs"] = Json::array();
     for (const Pair& pair : comparison.pairs) json["pairs"].push_back(json_of(comparison, pair));

@@ -107,6 +107,39 @@ std::string unsupported(const Comparison& comparison) {
     return html + "</ul>";
 }
 
+std::string plan_rows(const Plan& plan) {
+    std::string rows;
+    const auto add = [&](std::string_view state, std::string_view what, std::string_view why) {
+        rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"{}\">{}</td><td>{}</td></tr>\n", escaped(what),
+                            state == "in" ? "within" : "informative", state, escaped(why));
+    };
+    for (const ExplainedLights& lights : explain_lights(plan)) add(lights.in ? "in" : "out", lights.names, lights.why);
+    for (const LeftOut& left_out : plan.left_out) add("out", left_out.what, left_out.why);
+    return rows;
+}
+
+// A section that opens for each picture that is drawn from plans. Of very many different plans the first are shown.
+std::string plans(const Comparison& comparison) {
+    constexpr std::size_t kShown = 100;
+    std::string html;
+    for (const Render& render : comparison.renders) {
+        if (render.plan.empty()) continue;
+        html += fmt::format("<details>\n<summary>{}: {} left out at most</summary>\n", render.name,
+                            in_codes(error_bound(render.plan)));
+        for (std::size_t i = 0; i < std::min(render.plan.size(), kShown); ++i) {
+            const ExplainedDraw& draw = render.plan[i];
+            html += fmt::format(
+                "<h3>{}</h3>\n<pre>{}</pre>\n<div class=\"scroll\"><table class=\"plan\"><tbody>\n{}"
+                "</tbody></table></div>\n",
+                escaped(name_of(draw)), escaped(describe(draw.plan.effects)), plan_rows(draw.plan));
+        }
+        if (render.plan.size() > kShown)
+            html += fmt::format("<p>And {} plans more.</p>\n", render.plan.size() - kShown);
+        html += "</details>\n";
+    }
+    return html.empty() ? "<p>Nothing is drawn from a plan.</p>" : html;
+}
+
 // Replaces each {{name}}; what is put in is not looked at again.
 std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values) {
     std::string result;
@@ -150,6 +183,7 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
                    {"edge_pixels", grouped(comparison.pairs.front().difference.edge.pixels)},
                    {"tolerance", words_of(comparison.tolerance)},
                    {"unsupported", unsupported(comparison)},
+                   {"plans", plans(comparison)},
                    {"style", std::string(page_file("page.css"))},
                    {"script", std::string(page_file("page.js"))}});
 }

@@ -138,9 +138,9 @@ void compare_states(const RenderOptions& options) {
     fmt::print("{} vertices compared, the worst {:.2e} off\n", kStates * kVertices, worst);
 }
 
-TEST(ProgrammableMatchesReference, InFloatsAtTheVerticesOverRandomStates) { compare_states({}); }
+TEST(ProgrammableMatchesReference, InFloatsAtTheVerticesOverRandomStates) { compare_states({.shading = {}, .budget = 0}); }
 TEST(ProgrammableMatchesReference, InFloatsInPhongShadingOverRandomStates) {
-    compare_states({.shading = Shading::kPhong});
+    compare_states({.shading = Shading::kPhong, .budget = 0});
 }
 TEST(ProgrammableMatchesReference, WithNumbersAsConstants) {
     RenderOptions options;
@@ -150,7 +150,7 @@ TEST(ProgrammableMatchesReference, WithNumbersAsConstants) {
     compare_states(options);
 }
 TEST(ProgrammableMatchesReference, WithoutTheLecturesVariants) {
-    compare_states({.shading = std::nullopt, .lecture_variants = false});
+    compare_states({.shading = {}, .lecture_variants = false, .budget = 0});
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ class Cli : public testing::Test {
 // ---- Use ----
 
 TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
-    for (const std::vector<std::string>& command :
-         std::vector<std::vector<std::string>>{{}, {"render"}, {"compare"}, {"export"}, {"scenes"}, {"fuzz"}}) {
+    for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+             {}, {"render"}, {"compare"}, {"explain"}, {"export"}, {"scenes"}, {"fuzz"}}) {
         for (const char* flag : {"--help", "-h", "--version"}) {
             std::vector<std::string> arguments = command;
             arguments.emplace_back(flag);
@@ -69,7 +69,7 @@ TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
 
 TEST_F(Cli, RefusesBadUse) {
     const std::string file = scene(kScene);
-    expect_refused(run({}), "a command is missing: render, compare, export, scenes or fuzz");
+    expect_refused(run({}), "a command is missing: render, compare, explain, export, scenes or fuzz");
     expect_refused(run({"rendr"}), "there is no command 'rendr'; did you mean 'render'?");
     expect_refused(run({"--bogus"}), "'--bogus'");
     expect_refused(run({"render"}), "SCENE is required; see 'twinlight render --help'");
@@ -359,6 +359,75 @@ TEST_F(Cli, FuzzWritesWhatItFindsAsAScene) {
         EXPECT_NE(result.out.find(file.path().filename()), std::string::npos) << result.out;
         EXPECT_EQ(run({"render", file.path(), "--with", "reference", "--size", "8x8", "-o", out_ / "p.png"}).status, 0);
     }
+}
+
+// ---- explain ----
+
+// A square that a lamp above its middle lights; the spot looks away, GL_LIGHT2 is faint.
+constexpr const char* kLamps =
+    R"(glMatrixMode(GL_PROJECTION); glOrtho(-1, 1, -1, 1, -1, 1); glMatrixMode(GL_MODELVIEW);
+glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_LIGHT1); glEnable(GL_LIGHT2);
+glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (GLfloat[]){0, 0, 0, 1});
+glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, 1, 0});
+glLightfv(GL_LIGHT1, GL_POSITION, (GLfloat[]){0, 0, 5, 1});
+glLightfv(GL_LIGHT1, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});
+glLightfv(GL_LIGHT1, GL_SPOT_DIRECTION, (GLfloat[]){1, 0, 0});
+glLightf(GL_LIGHT1, GL_SPOT_CUTOFF, 20);
+glLightfv(GL_LIGHT2, GL_DIFFUSE, (GLfloat[]){0.001, 0.001, 0.001, 1});
+glBegin(GL_QUADS);
+glVertex2f(-1, -1); glVertex2f(1, -1); glVertex2f(1, 1); glVertex2f(-1, 1);
+glEnd();
+)";
+
+TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
+    const std::string file = scene(kLamps);
+    const ProgramResult text = run({"explain", file});
+    EXPECT_EQ(text.status, 0);
+    EXPECT_EQ(text.err, "");
+    // 90 degrees less the cone's 20 and asin(sqrt(2) / 5).
+    for (const char* expected :
+         {"1 draw, 1 different plan; budget: 0.5 of 255 codes", "in   directional, diffuse: at most 204 of 255 codes",
+          "its cone misses the sphere around the Draw by 53.6 degrees",
+          "at most 0.204 of 255 codes of it reach a channel", "GL_LIGHT3 to GL_LIGHT7",
+          "The picture is off by 0.204 of 255 codes at most."})
+        EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
+    EXPECT_EQ(text.out.find('\x1b'), std::string::npos);
+    EXPECT_NE(run({"explain", file, "--budget", "0"}).out.find("The picture is off by nothing."), std::string::npos);
+
+    const json explained = json::parse(run({"explain", file, "--json"}).out);
+    EXPECT_NEAR(explained["error_bound"].get<double>(), 0.0008, 1e-9);
+    const json& lights = explained["plans"][0]["lights"];
+    ASSERT_EQ(lights.size(), 8U);
+    EXPECT_EQ(lights[0]["effects"], "directional, diffuse");
+    EXPECT_EQ(lights[0]["in"], true);
+    EXPECT_EQ(lights[1]["in"], false);
+    EXPECT_EQ(lights[2]["in"], false);
+    EXPECT_NEAR(lights[2]["bound"][1].get<double>(), 0.0008, 1e-9);
+    expect_refused(run({"explain", file, "--budget", "2"}), "--budget");
+}
+
+TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
+    const std::string file = scene(kLamps);
+    const json pixel = json::parse(run({"explain", file, "--size", "20x20", "--pixel", "3,5", "--json"}).out);
+    ASSERT_EQ(pixel["fragments"].size(), 1U);
+    const json& fragment = pixel["fragments"][0];
+    EXPECT_EQ(fragment["draw"], 1);
+    EXPECT_EQ(fragment["passes"], true);
+    ASSERT_EQ(fragment["lights"].size(), 3U);
+    EXPECT_NEAR(fragment["lights"][0]["n_dot_vp"].get<double>(), 1, 1e-12);
+    EXPECT_NEAR(fragment["lights"][0]["diffuse"][0].get<double>(), 0.8, 1e-12);
+    EXPECT_NEAR(fragment["lights"][1]["spot"].get<double>(), 0, 0);
+    EXPECT_NEAR(fragment["primary_unclamped"][2].get<double>(), 0.8 + 0.8 * double{0.001F}, 1e-12);
+    for (const char* renderer : {"fixed", "programmable", "reference"})
+        EXPECT_NEAR(pixel["pictures"][renderer][0].get<double>(), 0.8008, 1.0 / 255) << renderer;
+
+    const ProgramResult text = run({"explain", file, "--size", "20x20", "--pixel", "3,5"});
+    for (const char* expected : {"1 fragment", "GL_LIGHT0 diffuse", "n.VP 1.00000", "before the clamp", "programmable"})
+        EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
+    EXPECT_NE(run({"explain", scene(kScene), "--size", "20x20", "--pixel", "0,0"}).out.find("no draw covers it"),
+              std::string::npos);
+    expect_refused(run({"explain", file, "--size", "20x20", "--pixel", "20,0"}), "the picture ends at 19,19");
+    expect_refused(run({"explain", file, "--pixel", "a"}), "--pixel is 'a'; it must be X,Y");
 }
 
 }  // namespace

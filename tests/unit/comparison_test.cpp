@@ -366,5 +366,35 @@ TEST(Words, GroupDigitsAndRoundShares) {
     EXPECT_EQ(codes_of(3 / 255.0), "3/255");
 }
 
+// What a plan leaves out is told, and not held against the shaders; it is held against pairs without them.
+TEST(Comparison, TakesTheBoundOfThePlansForSlack) {
+    Draw draw;  // a point that GL_LIGHT1 may light by 0.4 / 255
+    draw.mode = kGL_POINTS;
+    draw.vertices.resize(1);
+    draw.lighting.enabled = true;
+    draw.lighting.lights[1].enabled = true;
+    draw.lighting.lights[1].diffuse = glm::dvec4(0.5 / 255);
+    Frame frame = empty_frame();
+    frame.items.emplace_back(draw);
+    Stub stub;
+    stub.fixed = stub.reference = 128.3F / 255;  // 0.2 below the border
+    stub.programmable = 129.0F / 255;
+    const auto compared = [&](double budget) {
+        return compare_scene(frame, "stub", "", stub.renderers(), {}, Pictures::kPerVertex, budget);
+    };
+    const Comparison within = compared(0.5 / 255);
+    EXPECT_NEAR(error_bound(within.renders[1].plan), 0.4 / 255, 1e-9);
+    EXPECT_EQ(within.verdict(), Verdict::kWithin);
+    EXPECT_EQ(compared(0).verdict(), Verdict::kBeyond);
+    stub.programmable = 131.0F / 255;  // 3 codes: one of rounding and 0.4 are the plan's
+    EXPECT_EQ(compared(0.5 / 255).verdict(), Verdict::kBeyond);
+    stub.programmable = 129.0F / 255;
+    stub.fixed = stub.reference = 128.0F / 255;  // 0.5 below: out of the plan's reach
+    EXPECT_EQ(compared(0.5 / 255).verdict(), Verdict::kBeyond);
+    stub.programmable = stub.reference = 128.3F / 255;
+    stub.fixed = 129.0F / 255;
+    EXPECT_EQ(compared(0.5 / 255).verdict(), Verdict::kBeyond);
+}
+
 }  // namespace
 }  // namespace twinlight::report

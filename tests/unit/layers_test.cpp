@@ -29,7 +29,7 @@ const std::map<std::string, Layers>& allowed() {
         {"stages", {"math", "command", "state", "effect", "context"}},
         {"fixed", {"math", "command", "shape", "state", "effect", "stages", "context", "image"}},
         {"programmable", {"math", "command", "state", "effect", "stages", "shape", "context", "image"}},
-        {"report", {"math", "command", "state", "image"}},  // the renderers come as functions
+        {"report", {"math", "command", "state", "effect", "image"}},  // the renderers come as functions
         {"fuzz",
          {"math", "command", "state", "shape", "lighting", "image", "context", "fixed", "programmable", "reference",
           "report"}},

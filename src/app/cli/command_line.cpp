@@ -42,6 +42,15 @@ void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {
         ->check(one_of(kShadings));
 }
 
+void add_budget_option(CLI::App& app, double& budget) {
+    app.add_option(
+           "--budget", budget,
+           "how far a channel, from 0 to 1, may be off by the faint lights that shaders leave out; 0: not at all")
+        ->type_name("B")
+        ->check(CLI::Range(0.0, 1.0))
+        ->default_str("0.5/255");
+}
+
 void add_frame_option(CLI::App& app, std::optional<int>& frame) {
     app.add_option_function<int>(
            "--frame", [&frame](int number) { frame = number; }, "of a recorded program, which picture, from 0 on")

@@ -22,6 +22,7 @@ struct Subcommand {
 // One a file.
 Subcommand add_render(CLI::App& app);
 Subcommand add_compare(CLI::App& app);
+Subcommand add_explain(CLI::App& app);
 Subcommand add_export(CLI::App& app);
 Subcommand add_scenes(CLI::App& app);
 Subcommand add_fuzz(CLI::App& app);
@@ -39,6 +40,9 @@ CLI::Validator one_of(const Map& map) {
 
 void add_scene_argument(CLI::App& app, std::string& scene);
 void add_shading_option(CLI::App& app, std::optional<Shading>& shading);
+
+// RenderOptions::budget.
+void add_budget_option(CLI::App& app, double& budget);
 
 // Which picture of a recorded program.
 void add_frame_option(CLI::App& app, std::optional<int>& frame);

@@ -19,6 +19,7 @@ struct Arguments {
     std::optional<Size> size;
     std::optional<int> frame;
     std::string folder;
+    double budget = RenderOptions{}.budget;
     bool json = false;
 };
 
@@ -76,9 +77,10 @@ int run(const Arguments& arguments) {
     {
         ProgressBar bar;
         const RendererSet renderers(frame.width, frame.height);
-        comparison =
-            report::compare_scene(frame, frame.commands->name, driver_name(), renderers.functions(),
-                                  [&](int done, int total, std::string_view next) { bar.show(done, total, next); });
+        comparison = report::compare_scene(
+            frame, frame.commands->name, driver_name(), renderers.functions(),
+            [&](int done, int total, std::string_view next) { bar.show(done, total, next); }, report::Pictures::kAll,
+            arguments.budget);
     }
     for (const fuzz::Departure* departure : fuzz::departures_in(frame)) {
         comparison.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
@@ -100,6 +102,7 @@ Subcommand add_compare(CLI::App& app) {
         ->check(not_empty());
     add_size_option(*compare, arguments->size);
     add_frame_option(*compare, arguments->frame);
+    add_budget_option(*compare, arguments->budget);
     compare->add_flag("--json", arguments->json, "print comparison.json's object instead of the table");
     compare->footer("Exit status: 0 within the tolerance or partial, 1 beyond it, 2 bad input or use.");
     return {compare, [arguments] { return run(*arguments); }};

@@ -23,6 +23,7 @@ struct Arguments {
     std::optional<Size> size;
     std::optional<int> frame;
     bool scrubbed = false;
+    double budget = RenderOptions{}.budget;
     std::string output;
 };
 
@@ -56,7 +57,8 @@ int run(const Arguments& arguments) {
     const RendererSet renderers(frame.width, frame.height);
     const report::RenderFunction render =
         arguments.scrubbed ? fixed::render_scrubbed : renderers.functions().*kRenderers.at(arguments.renderer);
-    const std::string png = encode_png(render(frame, {.shading = arguments.shading, .lecture_variants = true}));
+    const RenderOptions options{.shading = arguments.shading, .lecture_variants = true, .budget = arguments.budget};
+    const std::string png = encode_png(render(frame, options));
     if (to_stdout) {
         write_result(png);
     } else {
@@ -79,6 +81,7 @@ Subcommand add_render(CLI::App& app) {
     add_shading_option(*render, arguments->shading);
     add_size_option(*render, arguments->size);
     add_frame_option(*render, arguments->frame);
+    add_budget_option(*render, arguments->budget);
     render->add_flag("--scrubbed", arguments->scrubbed,
                      "fixed: no more of the state than each draw calls for, instead of the commands as they are");
     render->add_option("-o", arguments->output, "the picture, or - for standard output")

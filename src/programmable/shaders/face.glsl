@@ -35,6 +35,10 @@ Lit light_FACE(SURFACE_PARAMETER) {
 #for_each_light "light.glsl"
 #if EFFECT_CLAMP && EFFECT_PRIMARY
     lit.primary = clamp(lit.primary, 0.0, 1.0);  // section 2.14.6
+#elif EFFECT_PRIMARY
+    // Never the uniform as it is: Mesa takes that out of what is interpolated, and surfaces that cross at a small angle then
+    // do so in other pixels than the fixed function's.
+    lit.primary.a = clamp(lit.primary.a, 0.0, 1.0);
 #endif
 #if EFFECT_CLAMP && EFFECT_SEPARATE_SPECULAR
     lit.secondary = clamp(lit.secondary, 0.0, 1.0);

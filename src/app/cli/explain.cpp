@@ -1,0 +1,161 @@
+// twinlight explain: what is simulated of a scene, draw by draw and light by light, and why not the rest.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/cli/command_line.h"
+#include "app/cli/explain_pixel.h"
+#include "effect/explanation.h"
+
+namespace twinlight::cli {
+
+namespace {
+
+struct Arguments {
+    std::string scene;
+    std::optional<Shading> shading;
+    std::optional<Size> size;
+    std::optional<int> frame;
+    std::string pixel;
+    double budget = RenderOptions{}.budget;
+    bool json = false;
+};
+
+// ---- In words ----
+
+std::string colored(const std::string& text, bool in) {
+    return result_in_color() ? (in ? "\x1b[32m" : "\x1b[2m") + text + "\x1b[0m" : text;
+}
+std::string heading(const std::string& text) { return result_in_color() ? "\x1b[1m" + text + "\x1b[0m" : text; }
+
+// describe()'s lines; those of the lights, "directional, diffuse", apart.
+struct Facts {
+    std::vector<std::string> of_draw, of_lights;
+};
+Facts facts_of(const Plan& plan) {
+    Facts facts;
+    std::istringstream lines(describe(plan.effects));
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("light ") && colon != line.npos)
+            facts.of_lights.push_back(line.substr(colon + 2));
+        else
+            facts.of_draw.push_back(line);
+    }
+    return facts;
+}
+
+std::string table(const Plan& plan) {
+    struct Row {
+        std::string what, why;
+        bool in;
+    };
+    std::vector<Row> rows;
+    const Facts facts = facts_of(plan);
+    std::size_t in = 0;
+    for (const ExplainedLights& lights : explain_lights(plan))
+        rows.push_back(
+            {lights.names, lights.in ? facts.of_lights.at(in++) + ": " + lights.why : lights.why, lights.in});
+    for (const LeftOut& left_out : plan.left_out) rows.push_back({left_out.what, left_out.why, false});
+    std::size_t width = 0;
+    for (const Row& row : rows) width = std::max(width, row.what.size());
+    std::string text;
+    for (const Row& row : rows)
+        text += "  " + colored(fmt::format("{:<{}}  {:<3}", row.what, width, row.in ? "in" : "out"), row.in) + "  " +
+                row.why + "\n";
+    return text;
+}
+
+std::string counted(std::size_t count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string summary(const Frame& frame, const std::vector<ExplainedDraw>& draws, double budget) {
+    std::size_t count = 0;
+    for (const ExplainedDraw& draw : draws) count += draw.numbers.size();
+    std::string text = fmt::format("{}, {} x {}: {}, {}; budget: {}\n", frame.commands->name, frame.width, frame.height,
+                                   counted(count, "draw"), counted(draws.size(), "different plan"), in_codes(budget));
+    for (const ExplainedDraw& draw : draws) {
+        text += "\n" + heading(name_of(draw)) +
+                "\n  simulated: " + fmt::format("{}", fmt::join(facts_of(draw.plan).of_draw, ", ")) + "\n" +
+                table(draw.plan);
+        if (draw.plan.error_bound > 0)
+            text += fmt::format("  left out of a channel altogether: at most {}\n", in_codes(draw.plan.error_bound));
+        if (draw.plan.budget < budget)
+            text += "  only what is nothing is left out: blending may add up what is missing\n";
+    }
+    const double error = error_bound(draws);
+    return text + (error == 0 ? "\nThe picture is off by nothing.\n"
+                              : fmt::format("\nThe picture is off by {} at most.\n", in_codes(error)));
+}
+
+// ---- As JSON ----
+
+using Json = nlohmann::ordered_json;
+
+// JSON has no infinity: null.
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json json_of(const ExplainedDraw& draw) {
+    const Facts facts = facts_of(draw.plan);
+    Json json = {{"draws", draw.numbers}, {"place", draw.place.str()}, {"effects", facts.of_draw}};
+    std::size_t in = 0;
+    json["lights"] = Json::array();
+    for (const LightBound& light : draw.plan.light_bounds)
+        json["lights"].push_back({{"name", light_name(light.number)},
+                                  {"in", light.in()},
+                                  {"effects", light.in() ? facts.of_lights.at(in++) : ""},
+                                  {"reason", reason(light)},
+                                  {"bound", {number(light.bound.r), number(light.bound.g), number(light.bound.b)}}});
+    json["left_out"] = Json::array();
+    for (const LeftOut& left_out : draw.plan.left_out)
+        json["left_out"].push_back({{"what", left_out.what}, {"why", left_out.why}});
+    json["budget"] = draw.plan.budget;
+    json["error_bound"] = draw.plan.error_bound;
+    return json;
+}
+
+std::string json_text(const Frame& frame, const std::vector<ExplainedDraw>& draws, double budget) {
+    Json json = {{"scene", frame.commands->name}, {"size", {frame.width, frame.height}}, {"budget", budget}};
+    json["error_bound"] = error_bound(draws);
+    json["plans"] = Json::array();
+    for (const ExplainedDraw& draw : draws) json["plans"].push_back(json_of(draw));
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+int run(const Arguments& arguments) {
+    const Frame frame = load_frame(arguments.scene, arguments.size, arguments.frame);
+    const RenderOptions options{.shading = arguments.shading, .lecture_variants = true, .budget = arguments.budget};
+    if (!arguments.pixel.empty()) {
+        const Pixel pixel = parse_pixel(arguments.pixel, frame);
+        write_result(explain_pixel(frame, options, pixel, arguments.json));
+        return kFine;
+    }
+    const std::vector<ExplainedDraw> draws = explain(frame, options);
+    write_result(arguments.json ? json_text(frame, draws, arguments.budget) : summary(frame, draws, arguments.budget));
+    return kFine;
+}
+
+}  // namespace
+
+Subcommand add_explain(CLI::App& app) {
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* explain = app.add_subcommand("explain", "Tell what is simulated of a scene, and why not the rest");
+    add_scene_argument(*explain, arguments->scene);
+    add_shading_option(*explain, arguments->shading);
+    add_size_option(*explain, arguments->size);
+    add_frame_option(*explain, arguments->frame);
+    add_budget_option(*explain, arguments->budget);
+    explain->add_option("--pixel", arguments->pixel, "every term of one pixel; from the top left corner, 0,0")
+        ->type_name("X,Y")
+        ->check(not_empty());
+    explain->add_flag("--json", arguments->json, "print one JSON object instead of the text");
+    return {explain, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace twinlight::cli

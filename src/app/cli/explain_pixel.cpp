@@ -1,0 +1,191 @@
+#include "app/cli/explain_pixel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "app/cli/command_line.h"
+#include "app/cli/renderers.h"
+#include "reference/pixel.h"
+
+namespace twinlight::cli {
+
+namespace {
+
+using reference::LitPoint;
+using reference::PixelFragment;
+using reference::Vec;
+
+const char* name_of(Shading shading) {
+    switch (shading) {
+        case Shading::kFlat: return "flat: of the provoking vertex";
+        case Shading::kGouraud: return "gouraud: between the vertices' terms, factors are means";
+        case Shading::kPhong: return "phong: of the pixel itself";
+    }
+    return "";
+}
+
+struct Rendered {
+    const char* renderer;
+    Rgba color;
+};
+
+// The fixed function has no phong shading.
+std::vector<Rendered> rendered(const Frame& frame, const RenderOptions& options, const Pixel& pixel) {
+    const RendererSet set(frame.width, frame.height);
+    const report::Renderers& functions = set.functions();
+    std::vector<Rendered> result;
+    if (options.shading != Shading::kPhong)
+        result.push_back({"fixed", functions.fixed(frame, options).at(pixel.x, pixel.y)});
+    result.push_back({"programmable", functions.programmable(frame, options).at(pixel.x, pixel.y)});
+    result.push_back({"reference", functions.reference(frame, options).at(pixel.x, pixel.y)});
+    return result;
+}
+
+std::vector<const Draw*> draws_of(const Frame& frame) {
+    std::vector<const Draw*> draws;
+    for (const auto& item : frame.items)
+        if (const Draw* draw = std::get_if<Draw>(&item)) draws.push_back(draw);
+    return draws;
+}
+
+bool has_variants(const Draw& draw) {
+    const LightingState& state = draw.lighting;
+    return state.light_model.specular != LightModel{}.specular ||
+           state.light_model.light_ambient != LightModel{}.light_ambient ||
+           std::ranges::any_of(state.lights, [](const LightSource& light) { return light.smooth_cone.has_value(); });
+}
+
+// ---- In words ----
+
+std::string color(const Vec& c) { return fmt::format("{:>9.5f} {:>9.5f} {:>9.5f}", c.x, c.y, c.z); }
+
+std::string row(const std::string& what, const std::string& factors, const Vec& c) {
+    return fmt::format("  {:<24} {:<44} {}\n", what, factors, color(c));
+}
+
+std::string bold(const std::string& text) { return result_in_color() ? "\x1b[1m" + text + "\x1b[0m" : text; }
+
+std::string text_of(const PixelFragment& fragment, const Draw& draw) {
+    std::string text =
+        bold(fmt::format("draw {}, {}", fragment.draw + 1, draw.place.str())) +
+        fmt::format(": {} face, depth {:.6f}{}\n", fragment.face == reference::Face::kFront ? "front" : "back",
+                    fragment.depth, fragment.passes ? "" : ", does not pass its tests");
+    if (fragment.is_lit) {
+        const LitPoint mean = mean_of(fragment);
+        text += fmt::format("  {}\n  {:<24} {:<44} {:>9} {:>9} {:>9}\n", name_of(fragment.shading), "", "", "red",
+                            "green", "blue");
+        text += row("emission", "e_cm", mean.material.emission);
+        text += row("scene ambient", "a_cm a_cs", mean.scene_ambient);
+        for (std::size_t i = 0; i < fragment.lights.size(); ++i) {
+            const lighting::LightTerms<double>& terms = mean.terms[i];
+            const std::string name = light_name(fragment.lights[i]);
+            const std::string reach = fmt::format("att {:.5f}  spot {:.5f}", terms.attenuation, terms.spot);
+            text += row(name + " ambient", reach, terms.ambient);
+            text += row(name + " diffuse", fmt::format("{}  n.VP {:.5f}", reach, terms.n_dot_vp), terms.diffuse);
+            text += row(name + " specular", fmt::format("{}  f(n.h)^s {:.5f}", reach, terms.highlight), terms.specular);
+        }
+        text += row("primary colour", "before the clamp", mean.primary);
+        if (draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
+            text += row("secondary colour", "before the clamp", mean.secondary);
+    } else {
+        text += "  GL_LIGHTING is disabled\n";
+    }
+    return text + row("fragment", "after clamp, texture, colour sum and fog", vec3_cast<Vec>(fragment.color));
+}
+
+// ---- As JSON ----
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Vec& c) { return {c.x, c.y, c.z}; }
+
+Json json_of(const PixelFragment& fragment, const Draw& draw) {
+    Json json = {{"draw", fragment.draw + 1},
+                 {"place", draw.place.str()},
+                 {"face", fragment.face == reference::Face::kFront ? "front" : "back"},
+                 {"depth", fragment.depth},
+                 {"passes", fragment.passes},
+                 {"lit", fragment.is_lit}};
+    if (fragment.is_lit) {
+        const LitPoint mean = mean_of(fragment);
+        json["emission"] = json_of(mean.material.emission);
+        json["scene_ambient"] = json_of(mean.scene_ambient);
+        json["lights"] = Json::array();
+        for (std::size_t i = 0; i < fragment.lights.size(); ++i) {
+            const lighting::LightTerms<double>& terms = mean.terms[i];
+            json["lights"].push_back({{"name", light_name(fragment.lights[i])},
+                                      {"attenuation", terms.attenuation},
+                                      {"spot", terms.spot},
+                                      {"n_dot_vp", terms.n_dot_vp},
+                                      {"highlight", terms.highlight},
+                                      {"ambient", json_of(terms.ambient)},
+                                      {"diffuse", json_of(terms.diffuse)},
+                                      {"specular", json_of(terms.specular)}});
+        }
+        json["primary_unclamped"] = json_of(mean.primary);
+        json["secondary_unclamped"] = json_of(mean.secondary);
+    }
+    json["color"] = json_of(vec3_cast<Vec>(fragment.color));
+    return json;
+}
+
+}  // namespace
+
+Pixel parse_pixel(const std::string& text, const Frame& frame) {
+    Pixel pixel;
+    const char* end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, pixel.x);
+    bool good = x.ec == std::errc() && x.ptr != end && *x.ptr == ',';
+    if (good) {
+        const auto y = std::from_chars(x.ptr + 1, end, pixel.y);
+        good = y.ec == std::errc() && y.ptr == end;
+    }
+    if (!good) throw UsageError(fmt::format("--pixel is '{}'; it must be X,Y, such as 320,240", one_line(text)));
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= frame.width || pixel.y >= frame.height) {
+        throw UsageError(
+            fmt::format("--pixel is {}; the picture ends at {},{}", text, frame.width - 1, frame.height - 1));
+    }
+    return pixel;
+}
+
+std::string explain_pixel(const Frame& frame, const RenderOptions& options, const Pixel& pixel, bool as_json) {
+    const std::vector<PixelFragment> fragments =
+        reference::pixel_fragments(frame, options, pixel.x, frame.height - 1 - pixel.y);
+    const std::vector<Rendered> pictures = rendered(frame, options, pixel);
+    const std::vector<const Draw*> draws = draws_of(frame);
+    if (as_json) {
+        Json json = {{"scene", frame.commands->name}, {"pixel", {pixel.x, pixel.y}}, {"fragments", Json::array()}};
+        for (const PixelFragment& fragment : fragments)
+            json["fragments"].push_back(json_of(fragment, *draws[fragment.draw]));
+        for (const Rendered& picture : pictures)
+            json["pictures"][picture.renderer] = {picture.color[0], picture.color[1], picture.color[2]};
+        return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    }
+    std::string text = fmt::format(
+        "{}, pixel {},{} of {} x {}: {}\n", frame.commands->name, pixel.x, pixel.y, frame.width, frame.height,
+        fragments.empty() ? "no draw covers it"
+                          : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
+    bool variants = false;
+    for (const PixelFragment& fragment : fragments) {
+        text += "\n" + text_of(fragment, *draws[fragment.draw]);
+        variants = variants || has_variants(*draws[fragment.draw]);
+    }
+    text += "\n";
+    for (const Rendered& picture : pictures) {
+        const Vec c{picture.color[0], picture.color[1], picture.color[2]};
+        text += row(picture.renderer,
+                    fmt::format("codes {} {} {}", channel_code(picture.color[0]), channel_code(picture.color[1]),
+                                channel_code(picture.color[2])),
+                    c);
+    }
+    if (variants && options.shading != Shading::kPhong)
+        text += "  (the scene's pragmas are followed by programmable and reference, and are not GL's)\n";
+    return text;
+}
+
+}  // namespace twinlight::cli

@@ -1,0 +1,64 @@
+#include "effect/explanation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace twinlight {
+namespace {
+
+// All that is said of a plan.
+std::string text_of(const Plan& plan) {
+    std::string text = describe(plan.effects) + fmt::format("{:g}\n", plan.error_bound);
+    for (const LightBound& light : plan.light_bounds) text += reason(light) + "\n";
+    for (const LeftOut& left_out : plan.left_out) text += left_out.what + "\n" + left_out.why + "\n";
+    return text;
+}
+
+}  // namespace
+
+std::vector<ExplainedDraw> explain(const Frame& frame, const RenderOptions& options) {
+    std::vector<ExplainedDraw> draws;
+    std::map<std::string, std::size_t> by_text;
+    int number = 0;
+    for (const auto& item : frame.items) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        if (!draw) continue;
+        Plan plan = plan_effects(*draw, options);
+        const auto [known, is_new] = by_text.try_emplace(text_of(plan), draws.size());
+        if (is_new) draws.push_back({.numbers = {}, .place = draw->place, .plan = std::move(plan)});
+        draws[known->second].numbers.push_back(++number);
+    }
+    return draws;
+}
+
+double error_bound(const std::vector<ExplainedDraw>& draws) {
+    double largest = 0;
+    for (const ExplainedDraw& draw : draws) largest = std::max(largest, draw.plan.error_bound);
+    return largest;
+}
+
+std::vector<ExplainedLights> explain_lights(const Plan& plan) {
+    std::vector<ExplainedLights> rows;
+    int first = 0;
+    for (const LightBound& light : plan.light_bounds) {
+        const std::string why = reason(light);
+        if (!light.in() && !rows.empty() && rows.back().why == why) {
+            rows.back().names = light_name(first) + " to " + light_name(light.number);
+            continue;
+        }
+        first = light.number;
+        rows.push_back({.names = light_name(first), .in = light.in(), .why = why, .largest = light.largest()});
+    }
+    return rows;
+}
+
+std::string name_of(const ExplainedDraw& draw) {
+    const std::string first = fmt::format("draw {}, {}", draw.numbers.front(), draw.place.str());
+    return draw.numbers.size() == 1 ? first : fmt::format("{} draws, the first {}", draw.numbers.size(), first);
+}
+
+std::string in_codes(double error) { return error == 0 ? "nothing" : fmt::format("{:.3g} of 255 codes", 255 * error); }
+
+}  // namespace twinlight

@@ -1,0 +1,130 @@
+#include "reference/pixel.h"
+
+#include "reference/coverage.h"
+#include "reference/fragment_operations.h"
+#include "reference/framebuffer.h"
+#include "reference/stages.h"
+
+namespace twinlight::reference {
+
+namespace {
+
+StageVertex between(const std::vector<StageVertex>& vertices, const Primitive& primitive, const glm::dvec3& weights) {
+    StageVertex pixel;
+    for (int i = 0; i < 3; ++i) {
+        const StageVertex& v = vertices[primitive.vertices[static_cast<std::size_t>(i)]];
+        pixel.position_eye += weights[i] * v.position_eye;
+        pixel.normal_eye += weights[i] * v.normal_eye;
+        pixel.color += weights[i] * v.color;
+    }
+    pixel.normal_eye = vec3_cast<glm::dvec3>(lighting::unit(vec3_cast<Vec>(pixel.normal_eye)));
+    return pixel;
+}
+
+LitMaterial material_between(const DrawLighting& lighting, const std::vector<StageVertex>& vertices,
+                             const Primitive& primitive, const glm::dvec3& weights, Face face) {
+    std::array<LitMaterial, 3> materials;
+    for (std::size_t i = 0; i < 3; ++i) materials[i] = lighting.material(vertices[primitive.vertices[i]], face);
+    return mixed(weights, materials);
+}
+
+void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec3& weights, const RenderOptions& options,
+                PixelFragment& fragment) {
+    const DrawLighting lighting(*staged.draw, options.lecture_variants);
+    fragment.is_lit = lighting.enabled();
+    if (!lighting.enabled()) return;
+    const auto& lights = staged.draw->lighting.lights;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (lights[i].enabled) fragment.lights.push_back(static_cast<int>(i));
+    const Face face = lighting.two_side() ? piece.face : Face::kFront;
+    if (fragment.shading == Shading::kPhong) {
+        const StageVertex pixel = between(staged.vertices, piece.primitive, weights);
+        const LitMaterial material = lighting.has_vertex_materials()
+                                         ? material_between(lighting, staged.vertices, piece.primitive, weights, face)
+                                         : lighting.material(pixel, face);
+        fragment.points.push_back(lighting.point(pixel, material, face));
+        return;
+    }
+    const auto add = [&](std::uint32_t vertex, double weight) {
+        const StageVertex& v = staged.vertices[vertex];
+        fragment.points.push_back(lighting.point(v, lighting.material(v, face), face));
+        fragment.points.back().weight = weight;
+    };
+    if (fragment.shading == Shading::kFlat) return add(piece.primitive.provoking, 1);
+    for (int i = 0; i < 3; ++i)
+        if (weights[i] != 0) add(piece.primitive.vertices[static_cast<std::size_t>(i)], weights[i]);
+}
+
+}  // namespace
+
+LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, Face face) const {
+    const Vec normal = vec3_cast<Vec>(v.normal_eye);
+    const lighting::Surface<double> surface{lit_position(v.position_eye), face == Face::kFront ? normal : -normal};
+    LitPoint point{.material = material};
+    point.terms.resize(lights_.size());
+    const lighting::Lit<double> lit =
+        lighting::light_surface<double>(model_, material, surface, lights_, point.terms.data());
+    point.scene_ambient = lighting::representable(material.ambient * model_.ambient);
+    point.primary = lit.primary;
+    point.secondary = lit.secondary;
+    return point;
+}
+
+std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptions& options, int x, int y) {
+    const Stages stages = run_stages(frame, options.quad_cut);
+    const std::vector<Shader> shaders = make_shaders(stages, options);
+    const PixelRect pixel{x, y, x + 1, y + 1};
+    std::vector<PixelFragment> fragments;
+    double stored = 1;
+    for (const Step& step : stages.steps) {
+        if (step.clear < 0) {
+            const Clear& clear = stages.clear(step.clear);
+            if (clear.depth && scissored(clear.scissor, pixel).contains(x, y)) stored = clear.clear_depth;
+        }
+        for (std::size_t i = step.first_piece; i < step.end_piece; ++i) {
+            const Piece& piece = stages.pieces[i];
+            const Draw& draw = stages.draw_of(piece);
+            for_each_pixel(piece, scissored(draw.fragment.scissor, pixel), [&](int, int) {
+                const glm::dvec2 centre = pixel_centre(x, y);
+                PixelFragment fragment{.draw = piece.draw, .face = piece.face, .depth = depth_at(piece, centre)};
+                fragment.shading = options.shading.value_or(draw.lighting.shade_model == kGL_FLAT ? Shading::kFlat
+                                                                                                  : Shading::kGouraud);
+                fragment.color = shaders[piece.draw].color(piece, centre);
+                const bool tested = draw.raster.depth_test;
+                fragment.passes = (!tested || depth_passes(draw.raster.depth_func, fragment.depth, stored)) &&
+                                  (!draw.fragment.alpha_test || alpha_passes(draw.fragment, fragment.color.a));
+                if (fragment.passes && tested && draw.raster.depth_mask) stored = fragment.depth;
+                add_points(stages.draws[piece.draw], piece, weights_at(piece, centre), options, fragment);
+                fragments.push_back(std::move(fragment));
+            });
+        }
+    }
+    return fragments;
+}
+
+LitPoint mean_of(const PixelFragment& fragment) {
+    LitPoint mean{.material = {.diffuse_alpha = 0}};
+    mean.terms.resize(fragment.lights.size());
+    for (lighting::LightTerms<double>& terms : mean.terms) terms.attenuation = terms.spot = 0;
+    for (const LitPoint& point : fragment.points) {
+        const double w = point.weight;
+        mean.material.emission += w * point.material.emission;
+        mean.scene_ambient += w * point.scene_ambient;
+        mean.primary += w * point.primary;
+        mean.secondary += w * point.secondary;
+        for (std::size_t i = 0; i < mean.terms.size(); ++i) {
+            const lighting::LightTerms<double>& of = point.terms[i];
+            lighting::LightTerms<double>& terms = mean.terms[i];
+            terms.attenuation += w * of.attenuation;
+            terms.spot += w * of.spot;
+            terms.n_dot_vp += w * of.n_dot_vp;
+            terms.highlight += w * of.highlight;
+            terms.ambient += w * of.ambient;
+            terms.diffuse += w * of.diffuse;
+            terms.specular += w * of.specular;
+        }
+    }
+    return mean;
+}
+
+}  // namespace twinlight::reference
