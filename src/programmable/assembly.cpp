@@ -23,6 +23,9 @@ using Words = std::vector<std::pair<std::string, std::string>>;
 struct Scope {
     std::map<std::string, bool, std::less<>> switches;
     Words words;
+    // Of a light that stands for many: what its uniforms begin with, and the length of their arrays.
+    std::string looped_prefix{};
+    int loop_length = 0;
 };
 
 // ---- From the effects to switches and words ----
@@ -76,6 +79,11 @@ void add_fragment_effects(Scope& scope, const EffectSet& effects) {
     scope.words.insert(scope.words.end(), words.begin(), words.end());
 }
 
+// One text for the face that shows: of a fragment that is known.
+bool shares_faces(const EffectSet& effects) {
+    return effects.two_side && effects.shading == Shading::kPhong && effects.front == effects.back;
+}
+
 // What holds for the whole program.
 Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
     const bool phong = effects.shading == Shading::kPhong;
@@ -117,6 +125,7 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
         {"EFFECT_UNIT", normalizes_here || (lights_here && (effects.vertex_w || effects.local_viewer))},
         {"EFFECT_VPE_DIR", specular && shininess && (reflection || positional)},
         {"EFFECT_HIGHLIGHT_BOUND", shininess && !effects.normalize && !phong},
+        {"EFFECT_SHOWN_FACE", shares_faces(effects)},
         {"EFFECT_OBJECT_SPACE", form.object_space},
         {"EFFECT_HALF_SUM", half_sum},
         {"EFFECT_POWER_WHOLE", whole_power},
@@ -136,27 +145,33 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
     return scope;
 }
 
-Scope scope_of_face(Scope scope, const FaceEffects& face, const char* name) {
+Scope scope_of_face(Scope scope, const FaceEffects& face, const std::string& name) {
+    const bool is_shown = name == "shown";
     scope.switches["EFFECT_FACE_VARIES_EMISSION"] = varies_emission(face);
     scope.switches["EFFECT_FACE_VARIES_AMBIENT"] = varies_ambient(face);
     scope.switches["EFFECT_FACE_VARIES_DIFFUSE"] = varies_diffuse(face);
     scope.switches["EFFECT_FACE_VARIES_SPECULAR"] = varies_specular(face);
     scope.switches["EFFECT_FACE_VARIES_SHININESS"] = face.varies_shininess;
+    const auto of_face = [&](const char* before, const char* property_name) {
+        return is_shown ? fmt::format("(gl_FrontFacing ? {0}front_{1} : {0}back_{1})", before, property_name)
+                        : fmt::format("{}{}_{}", before, name, property_name);
+    };
     const auto property = [&](bool tracks, const char* property_name) {
-        return tracks ? "surface.color" : fmt::format("surface.{}_{}", name, property_name);
+        return tracks ? "surface.color" : of_face("surface.", property_name);
     };
     scope.words.insert(scope.words.begin(),
                        {{"VERTEX_EMISSION", property(face.tracks_emission, "emission")},
                         {"VERTEX_AMBIENT", property(face.tracks_ambient, "ambient")},
                         {"VERTEX_DIFFUSE", property(face.tracks_diffuse, "diffuse")},
                         {"VERTEX_SPECULAR", property(face.tracks_specular, "specular")},
-                        {"SHININESS_OF_FACE", face.varies_shininess ? fmt::format("surface.{}_shininess", name)
-                                                                    : fmt::format("u_{}_shininess", name)}});
+                        {"SHININESS_OF_FACE", of_face(face.varies_shininess ? "surface." : "u_", "shininess")},
+                        {"BASE_OF_FACE", of_face("u_", "base")},
+                        {"ALPHA_OF_FACE", of_face("u_", "alpha")}});
     scope.words.emplace_back("FACE", name);  // after SURFACE
     return scope;
 }
 
-Scope scope_of_light(Scope scope, const EffectSet& effects, std::size_t number) {
+Scope scope_of_light(Scope scope, const EffectSet& effects, const Form& form, std::size_t number) {
     const LightEffects& light = effects.lights[number];
     const bool shininess = effects.shininess != Power::kOne;
     const bool reflection = effects.highlight == Highlight::kReflection;
@@ -178,15 +193,32 @@ Scope scope_of_light(Scope scope, const EffectSet& effects, std::size_t number) 
         {"EFFECT_LIGHT_VP_DIR", cone || n_dot_vp || (light.specular && shininess)},
         {"EFFECT_LIGHT_HALF_DIR", highlight && !half_sum},
         {"EFFECT_LIGHT_HALF_SUM", half_sum},
+        {"EFFECT_LIGHT_LOOP", number >= effects.lights.size() - form.loops.size()},
     });
+    const std::size_t written_out = effects.lights.size() - form.loops.size();
+    if (number >= written_out) {
+        scope.looped_prefix = fmt::format("u_light{}_", number);
+        scope.loop_length = form.loops[number - written_out];
+    }
+    const auto chosen = [&](const char* property) {
+        return fmt::format("(gl_FrontFacing ? u_light{0}_front_{1} : u_light{0}_back_{1})", number, property);
+    };
+    const bool is_shown = scope.words.back() == std::pair<std::string, std::string>("FACE", "shown");
     const bool reach = light.attenuated || cone;
-    scope.words.insert(scope.words.begin(),
-                       {{"LIGHTi", fmt::format("light{}", number)},
-                        {"TIMES_ATTENUATION_DIVISOR", light.attenuated ? " * attenuation_divisor" : ""},
-                        {"TIMES_HALF_SUM_SQUARED", half_sum ? " * half_sum_squared" : ""},
-                        {"VP_DIR", light.directional ? "vp_dir" : "(vp * per_distance)"},
-                        {"REACH_TIMES ", reach ? "reach * " : ""},
-                        {"SPOT_POWER", light.spot_exponent == Power::kReal ? "real_power" : "whole_power"}});
+    scope.words.insert(
+        scope.words.begin(),
+        {{"FOR_EACH_OF_LIGHTi",
+          scope.loop_length == 0 ? "" : fmt::format("for (int i = 0; i < int(u_count_of_light{}); ++i) ", number)},
+         {"LIGHTi", fmt::format("light{}", number)},
+         {"TIMES_ATTENUATION_DIVISOR", light.attenuated ? " * attenuation_divisor" : ""},
+         {"TIMES_HALF_SUM_SQUARED", half_sum ? " * half_sum_squared" : ""},
+         {"VP_DIR", light.directional ? "vp_dir" : "(vp * per_distance)"},
+         {"REACH_TIMES ", reach ? "reach * " : ""},
+         {"SPOT_POWER", light.spot_exponent == Power::kReal ? "real_power" : "whole_power"}});
+    if (is_shown)
+        scope.words.insert(scope.words.begin(), {{"u_LIGHTi_FACE_ambient", chosen("ambient")},
+                                                 {"u_LIGHTi_FACE_diffuse", chosen("diffuse")},
+                                                 {"u_LIGHTi_FACE_specular", chosen("specular")}});
     return scope;
 }
 
@@ -233,6 +265,16 @@ std::string_view piece(std::string_view name) {
     for (const EmbeddedFile& file : kShaderFiles)
         if (file.name == name) return file.text;
     throw std::logic_error(fmt::format("there is no shader piece {}", name));
+}
+
+// "u_light3_position" becomes u_light3_position[64] in its declaration, u_light3_position[i] elsewhere.
+std::string with_elements(std::string line, const std::string& prefix, int length) {
+    const std::string element = line.starts_with("uniform ") ? fmt::format("[{}]", length) : "[i]";
+    for (std::size_t at = 0; (at = line.find(prefix, at)) != line.npos; at += element.size()) {
+        at = line.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", at);
+        line.insert(std::min(at, line.size()), element);
+    }
+    return line;
 }
 
 class Assembler {
@@ -284,7 +326,8 @@ class Assembler {
         if (line.starts_with("#include ")) {
             add(name, scope);
         } else if (line.starts_with("#for_each_light ")) {
-            for (std::size_t i = 0; i < effects_.lights.size(); ++i) add(name, scope_of_light(scope, effects_, i));
+            for (std::size_t i = 0; i < effects_.lights.size(); ++i)
+                add(name, scope_of_light(scope, effects_, form_, i));
         } else if (line.starts_with("#for_each_property ")) {
             for (const VertexProperty& property : vertex_properties(effects_))
                 add_text(repeated,
@@ -296,8 +339,14 @@ class Assembler {
         } else if (line.starts_with("#for_each_face ")) {
             add(name, scope_of_face(scope, effects_.front, "front"));
             if (effects_.two_side) add(name, scope_of_face(scope, effects_.back, "back"));
+        } else if (line.starts_with("#for_each_lit_face ")) {
+            const bool shares = shares_faces(effects_);
+            add(name, scope_of_face(scope, effects_.front, shares ? "shown" : "front"));
+            if (effects_.two_side && !shares) add(name, scope_of_face(scope, effects_.back, "back"));
         } else if (!line.empty() || (!text_.ends_with("\n\n") && !text_.empty())) {  // no two empty lines
-            add_text(line, scope.words);
+            std::string text = with_words(line, scope.words);
+            if (scope.loop_length > 0) text = with_elements(std::move(text), scope.looped_prefix, scope.loop_length);
+            text_ += text + "\n";
         }
     }
 

@@ -85,8 +85,8 @@ glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
 
 class Builder {
   public:
-    Builder(const Draw& draw, const Plan& plan, const Form& form)
-        : draw_(draw), plan_(plan), effects_(plan.effects), form_(form) {}
+    Builder(const Draw& draw, const Plan& plan, const Code& code)
+        : draw_(draw), plan_(plan), effects_(code.effects), form_(code.form), lights_(code.lights) {}
 
     Uniforms build() {
         matrix("u_clip_from_object", draw_.clip_from_eye * draw_.eye_from_object);
@@ -101,17 +101,19 @@ class Builder {
         vector("u_constant_ambient", plan_.constant_ambient);
         face("front", plan_.lighting.front, effects_.front);
         if (effects_.two_side) face("back", plan_.lighting.back, effects_.back);
-        for (std::size_t i = 0; i < plan_.lights.size(); ++i) light(i);
+        for (std::size_t i = 0; i < lights_.size(); ++i) {
+            for (const std::size_t planned : lights_[i]) light(i, planned);
+            number(fmt::format("u_count_of_light{}", i), static_cast<double>(lights_[i].size()));
+        }
         return std::move(uniforms_);
     }
 
   private:
-    void number(std::string name, double value) { uniforms_[std::move(name)] = {to_float(value)}; }
-    void vector(std::string name, const glm::dvec3& v) {
-        uniforms_[std::move(name)] = {to_float(v.x), to_float(v.y), to_float(v.z)};
-    }
-    void vector(std::string name, const glm::dvec4& v) {
-        uniforms_[std::move(name)] = {to_float(v.x), to_float(v.y), to_float(v.z), to_float(v.w)};
+    // Given again, it is the next element of an array.
+    void number(const std::string& name, double value) { uniforms_[name].push_back(to_float(value)); }
+    template <class Vector>
+    void vector(const std::string& name, const Vector& v) {
+        for (int i = 0; i < Vector::length(); ++i) number(name, v[i]);
     }
     template <class Matrix>
     void matrix(std::string name, const Matrix& m) {
@@ -176,21 +178,23 @@ class Builder {
         vector(fmt::format("u_{}_base", name), base);
         number(fmt::format("u_{}_alpha", name), material.diffuse.a);
         number(fmt::format("u_{}_shininess", name), material.shininess);
-        for (std::size_t i = 0; i < plan_.lights.size(); ++i) {
-            const LightSource& light = source(i);
+        const auto light_products = [&](std::size_t i, std::size_t planned) {
+            const LightSource& light = source(planned);
             const auto product = [&](const char* term, const glm::dvec4& light_color, const glm::dvec4& color,
                                      bool varies) {
-                const glm::dvec3 reaching = plan_.lights[i].constant_reach * rgb(light_color);
+                const glm::dvec3 reaching = plan_.lights[planned].constant_reach * rgb(light_color);
                 vector(fmt::format("u_light{}_{}_{}", i, name, term), varies ? reaching : reaching * rgb(color));
             };
             product("ambient", light.ambient, material.ambient, varying.tracks_ambient || varying.varies_ambient);
             product("diffuse", light.diffuse, material.diffuse, varying.tracks_diffuse || varying.varies_diffuse);
             product("specular", light.specular, material.specular, varying.tracks_specular || varying.varies_specular);
-        }
+        };
+        for (std::size_t i = 0; i < lights_.size(); ++i)
+            for (const std::size_t planned : lights_[i]) light_products(i, planned);
     }
 
-    void light(std::size_t i) {
-        const LightSource& light = source(i);
+    void light(std::size_t i, std::size_t planned) {
+        const LightSource& light = source(planned);
         const LightEffects& effects = effects_.lights[i];
         const auto name = [&](const char* what) { return fmt::format("u_light{}_{}", i, what); };
         const auto in_space = [&](const char* what) { return name(what) + (form_.object_space ? "_object" : "_eye"); };
@@ -216,14 +220,15 @@ class Builder {
         number(name("cone_slope"), 1 / (span > 0 ? span : kCosineRounding));
     }
 
-    const LightSource& source(std::size_t i) const {
-        return plan_.lighting.lights[static_cast<std::size_t>(plan_.lights[i].number)];
+    const LightSource& source(std::size_t planned) const {
+        return plan_.lighting.lights[static_cast<std::size_t>(plan_.lights[planned].number)];
     }
 
     const Draw& draw_;
     const Plan& plan_;
     const EffectSet& effects_;
     const Form& form_;
+    const std::vector<std::vector<std::size_t>>& lights_;
     double unit_ = 1;                // of length where the shader lights, in eye coordinates
     glm::dmat4 object_from_eye_{1};  // form_.object_space
     Uniforms uniforms_;
@@ -231,7 +236,7 @@ class Builder {
 
 }  // namespace
 
-Uniforms uniforms(const Draw& draw, const Plan& plan, const Form& form) { return Builder(draw, plan, form).build(); }
+Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) { return Builder(draw, plan, code).build(); }
 
 std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects) {
     const bool normals_made_unit = effects.normalize || effects.shading == Shading::kPhong;

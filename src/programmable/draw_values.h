@@ -13,11 +13,11 @@
 
 namespace twinlight::programmable {
 
-// By the uniform's name; 1, 3, 4, 9 or 16 floats, matrices by columns.
+// By the uniform's name: its floats, matrices by columns, the elements of an array one after the other.
 using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
 
-// Every uniform that the program of plan.effects in this form has, but for the texture's sampler.
-Uniforms uniforms(const Draw& draw, const Plan& plan, const Form& form);
+// Every uniform that the program made from this code has, but for the texture's sampler.
+Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code);
 
 // The attributes of the vertices, one vertex after the other, as attributes(effects) lists them.
 std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects);

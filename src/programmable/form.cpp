@@ -1,10 +1,12 @@
 #include "programmable/form.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 
 namespace twinlight::programmable {
 namespace {
@@ -51,9 +53,28 @@ double similarity_scale(const glm::dmat4& eye_from_object) {
     return std::sqrt(square);
 }
 
-Form form_of(const Draw& draw, const Plan& plan) {
-    return {.object_space = lit_in_object_space(draw, plan),
-            .position_w = std::ranges::any_of(draw.vertices, [](const Vertex& v) { return v.position_object.w != 1; })};
+Code code_for(const Draw& draw, const Plan& plan) {
+    Code code{.effects = plan.effects,
+              .form = {.object_space = lit_in_object_space(draw, plan),
+                       .position_w =
+                           std::ranges::any_of(draw.vertices, [](const Vertex& v) { return v.position_object.w != 1; }),
+                       .loops = {}},
+              .lights = {}};
+    std::map<LightEffects, std::vector<std::size_t>> equal;
+    for (std::size_t i = 0; i < plan.effects.lights.size(); ++i) equal[plan.effects.lights[i]].push_back(i);
+    code.effects.lights.clear();
+    for (std::size_t i = 0; i < plan.effects.lights.size(); ++i) {
+        if (equal[plan.effects.lights[i]].size() > kMostWrittenOut) continue;
+        code.effects.lights.push_back(plan.effects.lights[i]);
+        code.lights.push_back({i});
+    }
+    for (const auto& [facts, lights] : equal) {
+        if (lights.size() <= kMostWrittenOut) continue;
+        code.effects.lights.push_back(facts);
+        code.form.loops.push_back(static_cast<int>(std::bit_ceil(lights.size())));  // the same text for some more
+        code.lights.push_back(lights);
+    }
+    return code;
 }
 
 }  // namespace twinlight::programmable

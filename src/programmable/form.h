@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <vector>
 
 #include "effect/plan.h"
 
@@ -14,11 +15,25 @@ struct Form {
     // angles, no vertex's position and normal need be brought to the lights.
     bool object_space = false;
     bool position_w = true;  // w of a vertex's position may be other than 1
+    // The last lights of the effects, as many as these, stand for many that differ in numbers alone: the text goes through
+    // them in a loop, over arrays of these lengths.
+    std::vector<int> loops;
 
     friend auto operator<=>(const Form&, const Form&) = default;  // NOLINT
 };
 
-Form form_of(const Draw& draw, const Plan& plan);
+// What a Draw's program is made from.
+struct Code {
+    EffectSet effects;  // the plan's, with one light for all that a loop goes through
+    Form form;
+    std::vector<std::vector<std::size_t>> lights;  // for each of the effects', which of plan.lights
+};
+
+Code code_for(const Draw& draw, const Plan& plan);
+
+// Of lights with equal facts more than these are gone through in a loop: its text does not grow with them. Uniforms and
+// their loop cost llvmpipe more than lights written out (docs/performance.md), so few are written out.
+inline constexpr std::size_t kMostWrittenOut = 32;
 
 // By what factor the modelview matrix scales lengths, if it turns, mirrors and scales the same in all directions (to
 // the precision of floats) and nothing else, or 0.

@@ -110,7 +110,9 @@ void Program::link() {
         GLenum type = 0;
         glGetActiveUniform(program_, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
         if (type == GL_SAMPLER_1D || type == GL_SAMPLER_2D) continue;  // it keeps its initial value, unit 0
-        slots_.push_back({name.data(), glGetUniformLocation(program_, name.data())});
+        std::string text = name.data();
+        text.resize(std::min(text.find('['), text.size()));  // "u_light3_position_eye[0]"
+        slots_.push_back({std::move(text), glGetUniformLocation(program_, name.data()), type, size});
     }
 }
 
@@ -121,13 +123,16 @@ void Program::use(const Uniforms& uniforms) {
         const auto found = uniforms.find(slot.name);
         if (found == uniforms.end()) throw std::logic_error(fmt::format("no value for the uniform {}", slot.name));
         const float* values = found->second.data();
-        switch (found->second.size()) {
-            case 1: glUniform1fv(slot.location, 1, values); break;
-            case 3: glUniform3fv(slot.location, 1, values); break;
-            case 4: glUniform4fv(slot.location, 1, values); break;
-            case 9: glUniformMatrix3fv(slot.location, 1, GL_FALSE, values); break;
-            case 16: glUniformMatrix4fv(slot.location, 1, GL_FALSE, values); break;
-            default: throw std::logic_error(fmt::format("the uniform {} has an odd size", slot.name));
+        const auto given = [&](int floats) {
+            return std::min(slot.length, static_cast<GLsizei>(found->second.size()) / floats);
+        };
+        switch (slot.type) {
+            case GL_FLOAT: glUniform1fv(slot.location, given(1), values); break;
+            case GL_FLOAT_VEC3: glUniform3fv(slot.location, given(3), values); break;
+            case GL_FLOAT_VEC4: glUniform4fv(slot.location, given(4), values); break;
+            case GL_FLOAT_MAT3: glUniformMatrix3fv(slot.location, 1, GL_FALSE, values); break;
+            case GL_FLOAT_MAT4: glUniformMatrix4fv(slot.location, 1, GL_FALSE, values); break;
+            default: throw std::logic_error(fmt::format("the uniform {} has an odd type", slot.name));
         }
     }
 }

@@ -29,6 +29,8 @@ class Program {
     struct Slot {
         std::string name;
         int location = -1;
+        unsigned type = 0;
+        int length = 1;  // of an array
     };
     ShaderSource source_;  // and the effects: to say what the driver refuses; until it is linked
     EffectSet effects_;

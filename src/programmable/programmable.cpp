@@ -18,17 +18,13 @@ namespace {
 // What is left of a Draw once it is planned and its vertices are the driver's.
 struct PreparedDraw {
     PreparedDraw(const Draw& draw, const Plan& plan)
-        : effects(plan.effects),
-          form(form_of(draw, plan)),
-          numbers(uniforms(draw, plan, form)),
-          mesh(draw, plan.effects) {
+        : code(code_for(draw, plan)), numbers(uniforms(draw, plan, code)), mesh(draw, plan.effects) {
         stages.raster = draw.raster;
         stages.fragment = draw.fragment;
         stages.texture = draw.texture;
     }
 
-    EffectSet effects;
-    Form form;
+    Code code;
     Uniforms numbers;
     Mesh mesh;
     Draw stages;  // without vertices: what is set as GL's state
@@ -62,8 +58,8 @@ struct Renderer::Impl {
 
     void draw(const PreparedDraw& what, const FixedStages& stages, Tier tier) {
         stages.set(what.stages);
-        if (what.effects.has_texture()) textures.bind(what.stages.texture);
-        programs.use(what.effects, what.form, what.numbers, tier);
+        if (what.code.effects.has_texture()) textures.bind(what.stages.texture);
+        programs.use(what.code.effects, what.code.form, what.numbers, tier);
         what.mesh.draw();
     }
 

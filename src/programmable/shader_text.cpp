@@ -48,19 +48,22 @@ std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
 
 std::string program_text(const Draw& draw, const Plan& plan) {
     std::string text = "// What lights this Draw:\n" + commented(describe(plan.effects));
-    for (std::size_t i = 0; i < plan.lights.size(); ++i)
-        text += fmt::format("// light{} is {}.\n", i, light_name(plan.lights[i].number));
+    const Code code = code_for(draw, plan);
+    for (std::size_t i = 0; i < code.lights.size(); ++i) {
+        std::vector<std::string> names;
+        for (const std::size_t planned : code.lights[i]) names.push_back(light_name(plan.lights[planned].number));
+        text += fmt::format("// light{} is {}.\n", i, fmt::join(names, ", "));
+    }
     text += "// What is left out:\n";
     for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
         for (const LeftOut& left_out : list) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
 
     text += fixed_stages_text(draw, plan);
 
-    const Form form = form_of(draw, plan);
-    const ShaderSource source = assemble(plan.effects, form);
+    const ShaderSource source = assemble(code.effects, code.form);
     const auto names = uniform_names(source);
     text += "// The uniforms' values:\n";
-    for (const auto& [name, values] : uniforms(draw, plan, form))
+    for (const auto& [name, values] : uniforms(draw, plan, code))
         if (names.contains(name)) text += fmt::format("//   {} = {}\n", name, fmt::join(values, " "));
     text += fmt::format("\n// ---- Vertex shader ----\n\n{}\n// ---- Fragment shader ----\n\n{}", source.vertex,
                         source.fragment);

@@ -1,7 +1,14 @@
 // Tiers: which programs are made, and that what they draw is the same.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "command/text.h"
 #include "effect/plan.h"
 #include "hand_built_draws.h"
 #include "programmable/bake.h"
+#include "scenes/scenes.h"
+#include "state/state.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -54,10 +61,10 @@ TEST(Bake, LeavesNoUniformOfAnyStageThatIsNotATextures) {
         draw.fog.enabled = true;
         draw.raster.clip_planes_eye[1] = glm::dvec4(0, 1, 0, 2);
         const Plan plan = plan_effects(draw, options);
-        const Form form = form_of(draw, plan);
-        const ShaderSource source = assemble(plan.effects, form);
+        const Code code = code_for(draw, plan);
+        const ShaderSource source = assemble(code.effects, code.form);
         EXPECT_FALSE(uniform_names(source).empty());
-        EXPECT_TRUE(uniform_names(with_constants(source, uniforms(draw, plan, form))).empty());
+        EXPECT_TRUE(uniform_names(with_constants(source, uniforms(draw, plan, code))).empty());
     }
 }
 
@@ -145,6 +152,85 @@ TEST_F(Tiers, APreparedFrameIsDrawnAgainAndAgain) {
     for (std::size_t i = 0; i < once.pixels.size(); ++i)
         for (std::size_t channel = 0; channel < 4; ++channel)
             EXPECT_NEAR(again.pixels[i][channel], once.pixels[i][channel], 1.001 / 255);
+}
+
+// ---- The same pictures ----
+
+// Pixels in which two pictures differ by more than a code, which is how far two roundings of one value may lie apart.
+int differing(const Image& a, const Image& b) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        count += !std::ranges::equal(a.pixels[i], b.pixels[i],
+                                     [](float x, float y) { return std::abs(x - y) < 1.5F / 255; });
+    return count;
+}
+
+TEST(TiersPictures, OfTheBuiltInScenesAreTheSameToACode) {
+    constexpr int kWidth = 320, kHeight = 240;
+    const auto context = make_offscreen_context(kWidth, kHeight);
+    Renderer renderer;
+    for (const EmbeddedFile& file : kSceneFiles) {
+        const auto scene = std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), "scene"));
+        const Frame frame = make_frame(scene, {.width = kWidth, .height = kHeight});
+        for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)}) {
+            RenderOptions options = with(Tier::kUniform);
+            options.shading = shading;
+            const Image uniform = renderer.render(frame, options);
+            options.tier = Tier::kBaked;
+            EXPECT_EQ(differing(renderer.render(frame, options), uniform), 0) << file.name;
+        }
+    }
+}
+
+// ---- Many lights ----
+
+// Each gives 1/1024, so that floats add up to what is expected exactly.
+LightingState many(std::size_t count) {
+    LightingState lighting = dark();
+    lighting.front.diffuse = {1, 0.5, 0.25, 1};
+    lighting.lights.resize(std::max<std::size_t>(count, kMaxLights));
+    for (std::size_t i = 0; i < count; ++i) {
+        LightSource& light = lighting.lights[i];
+        light.enabled = true;
+        light.diffuse = {1.0 / 1024, 1.0 / 1024, 1.0 / 1024, 1};
+        light.position_eye = {0, 0, 1.0 + static_cast<double>(i), i % 2 == 0 ? 0 : 1};
+    }
+    return lighting;
+}
+
+TEST(ManyLights, AllReachTheVertexInUniformsAndBaked) {
+    RenderOptions options;
+    for (const Tier tier : {Tier::kUniform, Tier::kBaked})
+        for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)})
+            for (const int count : {1, 8, 31, 32, 33, 34, 200, 512}) {
+                options.tier = tier;
+                options.shading = shading;
+                const double sum = count / 1024.0;
+                expect_color(color(point({0, 0, 0}, many(static_cast<std::size_t>(count))), options),
+                             {sum, sum / 2, sum / 4, 1});
+            }
+}
+
+TEST(ManyLights, OfEachKindShareOneTextWhoseLengthDoesNotGrow) {
+    const auto text = [](std::size_t count) {
+        const Draw draw = point({0, 0, 0}, many(count));
+        const Plan plan = plan_effects(draw, {});
+        const Code code = code_for(draw, plan);
+        return assemble(code.effects, code.form).vertex;
+    };
+    EXPECT_EQ(text(200), text(250));
+    EXPECT_LT(text(512).size(), text(16).size());
+}
+
+TEST(ManyLights, OfTwoSidesAreChosenByTheFaceThatShows) {
+    LightingState lighting = many(100);
+    lighting.light_model.two_side = true;
+    lighting.back.diffuse = {0, 0, 1, 1};
+    Draw draw = square(lighting);
+    expect_color(color(draw, kPhong), {100 / 1024.0, 50 / 1024.0, 25 / 1024.0, 1});
+    draw.raster.front_face = kGL_CW;
+    for (LightSource& light : draw.lighting.lights) light.position_eye.z = -light.position_eye.z;
+    expect_color(color(draw, kPhong), {0, 0, 100 / 1024.0, 1});
 }
 
 }  // namespace

@@ -1,32 +1,21 @@
 // The FACE face: its material, met with the lights.
-#if EFFECT_PRIMARY && !EFFECT_FACE_VARIES_EMISSION || EFFECT_PRIMARY && !EFFECT_FACE_VARIES_AMBIENT
-uniform vec3 u_FACE_base;  // what is the same at every vertex
-#endif
-#if EFFECT_PRIMARY && !EFFECT_FACE_VARIES_DIFFUSE
-uniform float u_FACE_alpha;  // d_cm's
-#endif
-#if EFFECT_SHININESS && !EFFECT_FACE_VARIES_SHININESS
-uniform float u_FACE_shininess;  // s_rm
-#endif
-#for_each_light "product_uniforms.glsl"
-
 Lit light_FACE(SURFACE_PARAMETER) {
     Lit lit;
 #if !EFFECT_PRIMARY
     // The texture leaves nothing of c_pri.
 #elif !EFFECT_FACE_VARIES_EMISSION && !EFFECT_FACE_VARIES_AMBIENT
-    lit.primary.rgb = u_FACE_base;  // e_cm + a_cm a_cs
+    lit.primary.rgb = BASE_OF_FACE;  // e_cm + a_cm a_cs
 #elif !EFFECT_FACE_VARIES_AMBIENT
-    lit.primary.rgb = VERTEX_EMISSION.rgb + u_FACE_base;  // e_cm is the vertex's
+    lit.primary.rgb = VERTEX_EMISSION.rgb + BASE_OF_FACE;  // e_cm is the vertex's
 #elif !EFFECT_FACE_VARIES_EMISSION
-    lit.primary.rgb = u_FACE_base + VERTEX_AMBIENT.rgb * u_constant_ambient;  // e_cm + a_cm a_cs
+    lit.primary.rgb = BASE_OF_FACE + VERTEX_AMBIENT.rgb * u_constant_ambient;  // e_cm + a_cm a_cs
 #else
     lit.primary.rgb = VERTEX_EMISSION.rgb + VERTEX_AMBIENT.rgb * u_constant_ambient;  // e_cm + a_cm a_cs
 #endif
 #if EFFECT_PRIMARY && EFFECT_FACE_VARIES_DIFFUSE
     lit.primary.a = VERTEX_DIFFUSE.a;  // of d_cm
 #elif EFFECT_PRIMARY
-    lit.primary.a = u_FACE_alpha;
+    lit.primary.a = ALPHA_OF_FACE;
 #endif
 #if EFFECT_SEPARATE_SPECULAR
     lit.secondary = vec3(0.0);

@@ -73,7 +73,12 @@ void main() {
     surface.color = v_color;
 #endif
 #for_each_property     surface.PROPERTY = v_PROPERTY;
-#if EFFECT_TWO_SIDE
+#if EFFECT_SHOWN_FACE && EFFECT_NORMAL
+    surface.normal_eye = gl_FrontFacing ? surface.normal_eye : -surface.normal_eye;
+#endif
+#if EFFECT_SHOWN_FACE
+    Lit lit = light_shown(SURFACE);
+#elif EFFECT_TWO_SIDE
     Lit lit;
     if (gl_FrontFacing) {
         lit = light_front(SURFACE);

@@ -1,4 +1,4 @@
-    {
+    FOR_EACH_OF_LIGHTi{
         // LIGHTi.
 #if EFFECT_LIGHT_DIRECTIONAL && EFFECT_LIGHT_VP_DIR
         vec3 vp_dir = u_LIGHTi_direction_SPACE;

@@ -1,4 +1,8 @@
 // LIGHTi.
+#if EFFECT_LIGHT_LOOP
+// It stands for as many as this.
+uniform float u_count_of_LIGHTi;
+#endif
 #if EFFECT_LIGHT_DIRECTIONAL
 uniform vec3 u_LIGHTi_direction_SPACE;  // VP, of length 1
 #else

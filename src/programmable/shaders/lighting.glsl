@@ -44,4 +44,6 @@ uniform vec3 u_viewer_object;  // where the eye is
 uniform vec3 u_viewer_dir;  // the direction to it
 #endif
 #for_each_light "light_uniforms.glsl"
-#for_each_face "face.glsl"
+#for_each_face "face_uniforms.glsl"
+
+#for_each_lit_face "face.glsl"

@@ -95,7 +95,9 @@ invariant gl_Position;  // what is drawn again, by another program, lies at the 
 #endif
 
 void main() {
-    gl_Position = u_clip_from_object * POSITION;
+    vec4 position = POSITION;
+    gl_Position = u_clip_from_object[0] * position.x + u_clip_from_object[1] * position.y +
+        u_clip_from_object[2] * position.z + u_clip_from_object[3] * position.w;
 #if EFFECT_PHONG
 #include "surface.glsl"
 #if EFFECT_VERTEX_W
