@@ -285,6 +285,7 @@ LightFactors light_factors(const DrawBounds& bounds, const LightSource& light, c
         if (place.known) to_light = directions_to(place.position_eye, bounds.center_eye, place.padded_radius);
         find_spot(light, to_light, factors);
     }
+    if (factors.reach == 0) return factors;
     find_angles(bounds, to_light, faces, face_count, factors);
     return factors;
 }

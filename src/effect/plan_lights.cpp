@@ -92,8 +92,9 @@ class LightsPlanner {
             (what_.primary || is_specular_separate()) && reaches && meets(light.specular, &FaceRange::specular);
 
         // The Draw's bounds, the cheap one first: what is fainter than its share is out whatever the angles are.
-        double share = plan_.budget / static_cast<double>(enabled_);
+        const double share = plan_.budget / static_cast<double>(enabled_) / kUp;
         LightFactors factors;
+        bool within_share = false;
         const auto find_range = [&] {
             effects.ambient = reaches && ambient && !is_constant(effects);
             candidate.range = range_of(light, effects, factors);
@@ -106,7 +107,8 @@ class LightsPlanner {
         const bool any = effects.diffuse || effects.specular || (ambient && reaches && !is_constant(effects));
         if (any) {
             factors = quick_factors(what_.bounds, light);
-            if (!(find_range() <= share)) {
+            within_share = find_range() <= share;
+            if (!within_share) {
                 factors = light_factors(what_.bounds, light, what_.faces, static_cast<int>(face_count_));
                 // A cone that holds all of the Draw, and does not fall off, is none.
                 if (effects.spot && effects.spot_exponent == Power::kOne && factors.cone_holds_all)
@@ -117,14 +119,14 @@ class LightsPlanner {
         // An ambient term that nothing weakens on its way belongs to the scene's.
         const bool folded = ambient && (is_unattenuated() || (reaches && is_constant(effects)));
         if (folded) plan_.constant_ambient += (is_unattenuated() ? 1 : constant_reach) * rgb(light.ambient);
-        decide(candidate, factors, folded);
+        decide(candidate, factors, folded, within_share);
     }
 
     bool is_constant(const LightEffects& effects) const {
         return is_unattenuated() || !(effects.attenuated || effects.spot || effects.smooth_cone);
     }
 
-    void decide(const Candidate& candidate, const LightFactors& factors, bool folded) {
+    void decide(const Candidate& candidate, const LightFactors& factors, bool folded, bool within_share) {
         LightBound& entry = plan_.light_bounds[candidate.entry];
         const LightEffects& effects = candidate.effects;
         const LightSource& light = source(candidate.entry);
@@ -142,6 +144,9 @@ class LightsPlanner {
         } else if (entry.largest() == 0 && factors.behind_by > 0) {
             entry.fate = LightFate::kBehind;
             entry.deg = factors.behind_by * kDegPerRad;
+        } else if (within_share) {
+            entry.fate = LightFate::kFaint;
+            faint_ += entry.bound;
         } else {
             entry.fate = LightFate::kIn;
             candidates_.push_back(candidate);
@@ -167,7 +172,7 @@ class LightsPlanner {
         return whole;
     }
 
-    // In the order of their bounds, while the sum of all stays within the budget.
+    // After those that are within their share, in the order of their bounds, while the sum of all stays within the budget.
     void leave_out_the_faint() {
         std::vector<std::pair<double, std::size_t>> order;
         for (const Candidate& candidate : candidates_) {
@@ -175,16 +180,14 @@ class LightsPlanner {
             if (largest <= plan_.budget) order.emplace_back(largest, candidate.entry);
         }
         std::sort(order.begin(), order.end());
-        glm::dvec3 sum(0);
+        const auto error = [](const glm::dvec3& sum) { return kUp * std::max({sum.r, sum.g, sum.b}); };
         for (const auto& [largest, number] : order) {
             LightBound& entry = plan_.light_bounds[number];
-            const glm::dvec3 with = sum + entry.bound;
-            const double error = kUp * std::max({with.r, with.g, with.b});
-            if (error > plan_.budget) break;
-            sum = with;
-            plan_.error_bound = error;
+            if (error(faint_ + entry.bound) > plan_.budget) break;
+            faint_ += entry.bound;
             entry.fate = LightFate::kFaint;
         }
+        plan_.error_bound = error(faint_);
     }
 
     void take(const Candidate& candidate) {
@@ -225,7 +228,8 @@ class LightsPlanner {
     const std::size_t face_count_;
     int enabled_ = 0;
     std::vector<Candidate> candidates_;
-    ColorRange sum_;  // of the lights that are in
+    glm::dvec3 faint_{0};  // the sum of the bounds of those that are left out
+    ColorRange sum_;       // of the lights that are in
 };
 
 }  // namespace

@@ -30,6 +30,7 @@ bool has_faces_on_borders_in_softpipe(const Draw& draw);
 bool has_wide_lines_in_softpipe(const Draw& draw);
 bool has_level_of_detail_in_softpipe(const Draw& draw);
 bool has_edge_flags_in_strip(const Draw& draw);
+bool offsets_other_modes_alone(const Draw& draw);
 bool offsets_one_of_two_modes(const Draw& draw);
 bool offsets_borders_without_area(const Draw& draw);
 bool offsets_borders_out_of_range(const Draw& draw);

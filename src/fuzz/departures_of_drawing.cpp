@@ -111,6 +111,13 @@ bool has_edge_flags_in_strip(const Draw& draw) {
            std::ranges::any_of(draw.vertices, [](const Vertex& vertex) { return !vertex.edge_flag; });
 }
 
+bool offsets_other_modes_alone(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const PolygonOffset& offset = raster.polygon_offset;
+    return raster.depth_test && raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL &&
+           !offset.fill && (offset.line || offset.point) && (offset.units != 0 || offset.factor != 0);
+}
+
 bool offsets_one_of_two_modes(const Draw& draw) {
     const PolygonOffset& offset = draw.raster.polygon_offset;
     return is_offset(offset, draw.raster.polygon_mode_front) != is_offset(offset, draw.raster.polygon_mode_back);

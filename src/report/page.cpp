@@ -124,8 +124,8 @@ std::string plans(const Comparison& comparison) {
     std::string html;
     for (const Render& render : comparison.renders) {
         if (render.plan.empty()) continue;
-        html += fmt::format("<details>\n<summary>{}: {} left out at most</summary>\n", render.name,
-                            in_codes(error_bound(render.plan)));
+        html += fmt::format("<details>\n<summary>{}: off by {}{}</summary>\n", render.name,
+                            error_bound(render.plan) > 0 ? "at most " : "", in_codes(error_bound(render.plan)));
         for (std::size_t i = 0; i < std::min(render.plan.size(), kShown); ++i) {
             const ExplainedDraw& draw = render.plan[i];
             html += fmt::format(

@@ -89,6 +89,11 @@ const std::vector<FragmentCase>& fragment_cases() {
             glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 8e6);
             glBegin(GL_TRIANGLES);
             glVertex3f(-0.8, -0.8, -0.9); glVertex3f(0.8, -0.8, 0.9); glVertex3f(-0.8, 0.8, 0.9); glEnd();)"},
+        // Filled, so not offset: nearer than the cleared buffer.
+        {"polygon offset of lines or points alone", R"(
+            glEnable(GL_DEPTH_TEST); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 16e6);
+            glBegin(GL_TRIANGLES); glVertex3f(-0.8, -0.8, 0.5); glVertex3f(0.8, -0.8, 0.5); glVertex3f(-0.8, 0.8, 0.5);
+            glEnd();)"},
         // rho is 1 and lambda the bias: the second level, which is green.
         {"level of detail of points", R"(
             glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, reds);
