@@ -138,13 +138,16 @@ void compare_states(const RenderOptions& options) {
     fmt::print("{} vertices compared, the worst {:.2e} off\n", kStates * kVertices, worst);
 }
 
-TEST(ProgrammableMatchesReference, InFloatsAtTheVerticesOverRandomStates) { compare_states({.shading = {}, .budget = 0}); }
+TEST(ProgrammableMatchesReference, InFloatsAtTheVerticesOverRandomStates) {
+    compare_states({.shading = {}, .budget = 0});
+}
 TEST(ProgrammableMatchesReference, InFloatsInPhongShadingOverRandomStates) {
     compare_states({.shading = Shading::kPhong, .budget = 0});
 }
 TEST(ProgrammableMatchesReference, WithNumbersAsConstants) {
     RenderOptions options;
     options.tier = Tier::kBaked;
+    options.budget = 0;
     compare_states(options);
     options.shading = Shading::kPhong;
     compare_states(options);
