@@ -200,6 +200,7 @@ LightingState many(std::size_t count) {
 
 TEST(ManyLights, AllReachTheVertexInUniformsAndBaked) {
     RenderOptions options;
+    options.budget = 0;  // each is weak
     for (const Tier tier : {Tier::kUniform, Tier::kBaked})
         for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)})
             for (const int count : {1, 8, 31, 32, 33, 34, 200, 512}) {
@@ -214,7 +215,9 @@ TEST(ManyLights, AllReachTheVertexInUniformsAndBaked) {
 TEST(ManyLights, OfEachKindShareOneTextWhoseLengthDoesNotGrow) {
     const auto text = [](std::size_t count) {
         const Draw draw = point({0, 0, 0}, many(count));
-        const Plan plan = plan_effects(draw, {});
+        RenderOptions options;
+        options.budget = 0;
+        const Plan plan = plan_effects(draw, options);
         const Code code = code_for(draw, plan);
         return assemble(code.effects, code.form).vertex;
     };
@@ -227,10 +230,12 @@ TEST(ManyLights, OfTwoSidesAreChosenByTheFaceThatShows) {
     lighting.light_model.two_side = true;
     lighting.back.diffuse = {0, 0, 1, 1};
     Draw draw = square(lighting);
-    expect_color(color(draw, kPhong), {100 / 1024.0, 50 / 1024.0, 25 / 1024.0, 1});
+    RenderOptions options = kPhong;
+    options.budget = 0;
+    expect_color(color(draw, options), {100 / 1024.0, 50 / 1024.0, 25 / 1024.0, 1});
     draw.raster.front_face = kGL_CW;
     for (LightSource& light : draw.lighting.lights) light.position_eye.z = -light.position_eye.z;
-    expect_color(color(draw, kPhong), {0, 0, 100 / 1024.0, 1});
+    expect_color(color(draw, options), {0, 0, 100 / 1024.0, 1});
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct Arguments {
     std::optional<Shading> shading;
     std::optional<Size> size;
     std::optional<int> frame;
-    bool scrubbed = false;
+    bool scrubbed = false, baked = false;
     double budget = RenderOptions{}.budget;
     std::string output;
 };
@@ -49,6 +49,9 @@ int run(const Arguments& arguments) {
     if (arguments.scrubbed && arguments.renderer != "fixed") {
         throw UsageError("--scrubbed is of the fixed function's state; use it with --with fixed");
     }
+    if (arguments.baked && arguments.renderer != "programmable") {
+        throw UsageError("--baked is of the shaders; use it with --with programmable");
+    }
     const bool to_stdout = arguments.output == "-";
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
         throw UsageError("-o - would write a PNG's bytes to the terminal; redirect it or name a file");
@@ -57,7 +60,10 @@ int run(const Arguments& arguments) {
     const RendererSet renderers(frame.width, frame.height);
     const report::RenderFunction render =
         arguments.scrubbed ? fixed::render_scrubbed : renderers.functions().*kRenderers.at(arguments.renderer);
-    const RenderOptions options{.shading = arguments.shading, .lecture_variants = true, .budget = arguments.budget};
+    const RenderOptions options{.shading = arguments.shading,
+                                .lecture_variants = true,
+                                .budget = arguments.budget,
+                                .tier = arguments.baked ? Tier::kBaked : Tier::kUniform};
     const std::string png = encode_png(render(frame, options));
     if (to_stdout) {
         write_result(png);
@@ -84,6 +90,8 @@ Subcommand add_render(CLI::App& app) {
     add_budget_option(*render, arguments->budget);
     render->add_flag("--scrubbed", arguments->scrubbed,
                      "fixed: no more of the state than each draw calls for, instead of the commands as they are");
+    render->add_flag("--baked", arguments->baked,
+                     "programmable: the scene's numbers as constants of the shaders, instead of uniforms");
     render->add_option("-o", arguments->output, "the picture, or - for standard output")
         ->required()
         ->type_name("FILE")

@@ -37,6 +37,8 @@ constexpr int kLineHeight = 15, kMargin = 6;  // of the overlays, in pixels; the
 
 // The two renderers are to be held against each other, so both follow GL's own model, without the lecture's variants.
 constexpr RenderOptions kOptions = {.shading = {}, .lecture_variants = false};
+// Of frame after frame: what stands still is baked into the shaders. Pictures that are compared have kOptions.
+constexpr RenderOptions kLiveOptions = {.shading = {}, .lecture_variants = false, .tier = Tier::kAuto};
 
 // The title says "(partial)" of a picture; which commands it lacks stands on the terminal.
 void tell_unsupported(const Frame& frame) {
@@ -243,7 +245,7 @@ void Window::draw_picture() {
         fixed::draw(frame_, kOptions);
     } else {
         if (!programmable_) programmable_ = std::make_unique<programmable::Renderer>();
-        programmable_->draw(frame_, kOptions);
+        programmable_->draw(frame_, kLiveOptions);
     }
 }
 

@@ -33,15 +33,15 @@
 #elif !EFFECT_LIGHT_DIRECTIONAL
         // One division does for all: 1 / a is b c / (a b c).
         float reciprocal = 1.0 / max(light_distanceTIMES_ATTENUATION_DIVISORTIMES_HALF_SUM_SQUARED, 1e-37);
-        float per_distance = reciprocalTIMES_ATTENUATION_DIVISORTIMES_HALF_SUM_SQUARED;
+        float per_distance = reciprocalTIMES_HALF_SUM_SQUAREDTIMES_ATTENUATION_DIVISOR;
 #endif
 #if EFFECT_LIGHT_HALF_SUM && !EFFECT_LIGHT_DIRECTIONAL
-        float per_half_sum_squared = reciprocal * light_distanceTIMES_ATTENUATION_DIVISOR;
+        float per_half_sum_squared = reciprocal * (light_distanceTIMES_ATTENUATION_DIVISOR);
 #endif
 #if EFFECT_LIGHT_ATTENUATED
         // Where it would be 1/0, the light contributes nothing.
         float attenuation = u_LIGHTi_constant_attenuation > 0.0 || dot(vp, vp) > 0.0
-            ? reciprocal * light_distanceTIMES_HALF_SUM_SQUARED : 0.0;
+            ? reciprocalTIMES_HALF_SUM_SQUARED * light_distance : 0.0;
 #endif
 #if EFFECT_LIGHT_N_DOT_VP && !EFFECT_LIGHT_DIRECTIONAL
         float signed_n_dot_vp = distance_times_n_dot_vp * per_distance;
