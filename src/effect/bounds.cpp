@@ -195,7 +195,9 @@ double largest_highlight_cosine(const DrawBounds& bounds, const Cone& normals, c
     const double spread = to_light.half_angle + to_viewer.half_angle;
     const double length = bounds.longest_normal_eye;
     if (bounds.reflection) {
-        if (!bounds.unit_normals) return 2 * length * length + 1;
+        // |2 (n . VP) n - VP|^2 = 1 + 4 (n . VP)^2 (|n|^2 - 1), of normals of any length.
+        const double square = length * length;
+        if (!bounds.unit_normals) return std::sqrt(1 + 4 * square * std::max(square - 1, 0.0)) * kUp;
         if (bounds.has_zero_normal) return 1;  // r is -VP there
         const glm::dvec3 n = normals.axis_dir, vp = to_light.axis_dir;
         const double angle = angle_between(2 * glm::dot(n, vp) * n - vp, to_viewer.axis_dir);

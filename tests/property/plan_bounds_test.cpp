@@ -238,7 +238,8 @@ class Check {
             ASSERT_LE(difference, plan_.error_bound + rounding)
                 << fmt::format("seed {} channel {}: {} is not {}\n{}", seed_, c, left.primary[c], whole.primary[c],
                                describe(plan_.effects));
-            if (rounding < 1e-3 * plan_.error_bound) tally_.tightest = std::max(tally_.tightest, difference / plan_.error_bound);
+            if (rounding < 1e-3 * plan_.error_bound)
+                tally_.tightest = std::max(tally_.tightest, difference / plan_.error_bound);
             if (plan_.effects.clamp) continue;
             for (const double channel : {left.primary[c], left.secondary[c]}) {
                 ASSERT_LE(channel, 1 + rounding) << "seed " << seed_ << " has no clamp";
