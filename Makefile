@@ -36,6 +36,7 @@ xvfb                command -v Xvfb
 xdotool             command -v xdotool
 apitrace            command -v apitrace
 mesa-utils          command -v glxgears
+$(if $(CI),valgrind            command -v valgrind)
 endef
 export DEPENDENCIES
 
@@ -68,6 +69,8 @@ SOURCES_demo := $(SOURCES_app) $(wildcard src/app/demo/*.cpp)
 SOURCES_demo_library := $(filter-out src/app/demo/main.cpp src/app/demo/window.cpp,$(SOURCES_demo))
 SOURCES_bench := $(wildcard tests/bench/*.cpp)
 SOURCES_bench_library := src/app/cli/progress.cpp
+# What of it the tests link, which count the instructions of the same meshes.
+SOURCES_bench_meshes := tests/bench/lit_spheres.cpp
 SOURCES_tests := $(filter-out $(SOURCES_bench),$(wildcard tests/*/*.cpp))
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) $(SOURCES_bench))
@@ -79,7 +82,7 @@ object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 
-.PHONY: all deps demo test test-binary bench programs golden format check tidy clean help force
+.PHONY: all deps demo test test-binary bench programs golden instructions format check tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -131,6 +134,10 @@ golden: deps  ## write golden pictures anew (CASE=scene for one): look at each b
 	@$(MAKE) test-binary
 	@TWINLIGHT_BUILD=$(BUILD) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(BUILD)/twinlight-tests --gtest_filter='*GoldenScenes*'
 
+instructions: deps  ## count the instructions of tests/instructions anew, where a change of them is meant
+	@$(MAKE) test-binary
+	@TWINLIGHT_BUILD=$(BUILD) TWINLIGHT_WRITE_INSTRUCTIONS=1 $(BUILD)/twinlight-tests --gtest_brief=1 --gtest_filter='Instructions*'
+
 format:  ## clang-format every source
 	clang-format -i $(SOURCES_all) $(wildcard src/*/*.h src/*/*/*.h tests/*/*.h)
 
@@ -180,7 +187,7 @@ $(BUILD)/twinlight: $(call object,$(SOURCES_cli)) $(BUILD)/libtwinlight.a
 $(BUILD)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
 	$(link) $(LIBS_window) $(LIBS)
 
-$(BUILD)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_demo_library)) $(BUILD)/libtwinlight.a
+$(BUILD)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_bench_meshes) $(SOURCES_demo_library)) $(BUILD)/libtwinlight.a
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
 $(BUILD)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(BUILD)/libtwinlight.a

@@ -286,6 +286,7 @@ LightFactors light_factors(const DrawBounds& bounds, const LightSource& light, c
         factors.reach = largest_attenuation(light, place.nearest, place.farthest) * kUp;
         if (place.known) to_light = directions_to(place.position_eye, bounds.center_eye, place.padded_radius);
         find_spot(light, to_light, factors);
+        if (factors.cone_misses_by > 0) return factors;  // and every term is 0
     }
     if (factors.reach == 0) return factors;
     find_angles(bounds, to_light, faces, face_count, factors);

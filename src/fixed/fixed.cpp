@@ -1,5 +1,7 @@
 #include "fixed/fixed.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -7,6 +9,7 @@
 #include "context/context.h"
 #include "context/gl.h"
 #include "fixed/prepared_frame.h"
+#include "fixed/scrubbed_state.h"
 
 namespace twinlight::fixed {
 
@@ -40,9 +43,21 @@ void clear_to_black() {
     glClearDepth(depth);
 }
 
-}  // namespace
+// Whether the Frame has all that its commands say: what is beyond the eight lights it has.
+bool is_whole(const Frame& frame) {
+    return std::ranges::none_of(frame.unsupported, [](const Unsupported& what) {
+        return std::ranges::find(what.renderers, "programmable") != what.renderers.end();
+    });
+}
 
-void draw(const Frame& frame, const RenderOptions& options) {
+bool has_lights_beyond(const Frame& frame) {
+    return is_whole(frame) && std::ranges::any_of(frame.items, [](const auto& item) {
+               const Draw* draw = std::get_if<Draw>(&item);
+               return draw && draw->lighting.enabled && draw->lighting.lights.size() > kMaxLights;
+           });
+}
+
+void draw_commands(const Frame& frame, const RenderOptions& options) {
     if (options.shading == Shading::kPhong) {
         throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
     }
@@ -64,19 +79,50 @@ void draw(const Frame& frame, const RenderOptions& options) {
     glFinish();
 }
 
+void draw_scrubbed(const Frame& frame, const RenderOptions& options) {
+    PreparedFrame(frame, options, Scrub::kState).draw();
+    glFinish();
+}
+
+}  // namespace
+
+void draw(const Frame& frame, const RenderOptions& options) {
+    if (has_lights_beyond(frame))
+        draw_scrubbed(frame, options);
+    else
+        draw_commands(frame, options);
+}
+
 Image render(const Frame& frame, const RenderOptions& options) {
     draw(frame, options);
     return read_pixels(frame.width, frame.height);
 }
 
 Image render_scrubbed(const Frame& frame, const RenderOptions& options) {
-    const bool is_whole = std::ranges::none_of(frame.unsupported, [](const Unsupported& what) {
-        return std::ranges::find(what.renderers, "programmable") != what.renderers.end();
-    });
-    if (!is_whole) return render(frame, options);
-    PreparedFrame(frame, options, Scrub::kAll).draw();
-    glFinish();
+    if (is_whole(frame))
+        draw_scrubbed(frame, options);
+    else
+        draw_commands(frame, options);
     return read_pixels(frame.width, frame.height);
+}
+
+void note_lights_beyond(Frame& frame, const RenderOptions& options) {
+    RenderOptions of_gl = options;
+    of_gl.lecture_variants = false;
+    Unsupported beyond{.name = "", .count = 0, .first = {}, .renderers = {"fixed"}};
+    double bound = 0;
+    for (const auto& item : frame.items) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        if (!draw || draw->lighting.lights.size() <= kMaxLights) continue;
+        const Plan plan = plan_effects(*draw, of_gl);
+        const ScrubbedState state = scrubbed_state(plan);
+        if (state.lights_beyond.empty() || plan.error_bound + state.bound_beyond <= plan.budget) continue;
+        if (beyond.count++ == 0) beyond.first = draw->place;
+        bound = std::max(bound, plan.error_bound + state.bound_beyond);
+    }
+    if (beyond.count == 0) return;
+    beyond.name = fmt::format("more than eight lights: those beyond, up to {:.3g} of a channel,", bound);
+    frame.unsupported.push_back(std::move(beyond));
 }
 
 }  // namespace twinlight::fixed

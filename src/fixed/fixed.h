@@ -102,6 +102,11 @@ Image render(const Frame& frame, const RenderOptions& options);
 // The same without reading back: leaves the picture in the current colour buffer.
 void draw(const Frame& frame, const RenderOptions& options);
 
+// GL has eight lights. Of a scene with more (`#pragma twinlight light(8, ...)`) each Draw is lit by the eight that the planner's
+// bounds say may add most to it, as by render_scrubbed(). Where the others may add up to more than the budget, they are named in
+// frame.unsupported, with how much.
+void note_lights_beyond(Frame& frame, const RenderOptions& options);
+
 // The frame's Draws with no more state than their plans call for (prepared_frame.h), to within options.budget. A frame that
 // lacks some of what its commands say is drawn from the commands, as by render().
 Image render_scrubbed(const Frame& frame, const RenderOptions& options);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "context/gl.h"
-#include "shape/vertex_order.h"
 
 namespace twinlight::fixed {
 namespace {
@@ -12,12 +12,12 @@ namespace {
 const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }  // NOLINT: GL's offset
 
 template <class Value>
-GLuint new_buffer(GLenum target, const std::vector<Value>& values) {
+GLuint filled_buffer(const std::vector<Value>& values) {
     GLuint name = 0;
     glGenBuffers(1, &name);
-    glBindBuffer(target, name);
-    glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), GL_STATIC_DRAW);
-    glBindBuffer(target, 0);
+    glBindBuffer(GL_ARRAY_BUFFER, name);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(),
+                 GL_STATIC_DRAW);
     return name;
 }
 
@@ -26,20 +26,6 @@ bool all_share(const Draw& draw, Property Vertex::*property) {
     return std::ranges::all_of(draw.vertices,
                                [&](const Vertex& v) { return v.*property == draw.vertices.front().*property; });
 }
-
-// Whether the order of triangles is free: of those at a pixel the nearest shows, whichever comes first. (Where two have the
-// same depth there, to the last bit, it is not: the picture may show the other.)
-bool is_order_free(const Draw& draw) {
-    const RasterState& raster = draw.raster;
-    const bool nearest = raster.depth_test && raster.depth_mask &&
-                         (raster.depth_func == kGL_LESS || raster.depth_func == kGL_LEQUAL ||
-                          raster.depth_func == kGL_GREATER || raster.depth_func == kGL_GEQUAL);
-    const bool filled = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    return draw.mode == kGL_TRIANGLES && nearest && filled && !draw.fragment.blend;
-}
-
-// Smaller ones are hardly worth it.
-constexpr std::size_t kFewIndices = 2 * kPatchIndices;
 
 // 2.6.2: edge flags count where polygons are drawn as their edges or corners, and only of these.
 bool needs_edge_flags(const Draw& draw) {
@@ -51,7 +37,7 @@ bool needs_edge_flags(const Draw& draw) {
 
 }  // namespace
 
-Mesh::Mesh(const Draw& draw, const MeshContents& contents) : mode_(draw.mode) {
+Mesh::Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& options) : elements_(draw, options) {
     if (draw.vertices.empty()) return;
     shared_ = draw.vertices.front();
     const bool w_is_1 =
@@ -65,17 +51,10 @@ Mesh::Mesh(const Draw& draw, const MeshContents& contents) : mode_(draw.mode) {
     if (contents.color && !all_share(draw, &Vertex::color)) add(color_, 4);
     if (contents.tex_coord && !all_share(draw, &Vertex::tex_coord)) add(tex_coord_, 4);
 
-    PatchedTriangles triangles;
-    // What is no whole triangle is not drawn (2.6.1).
-    const std::size_t whole = draw.indices.size() / 3 * 3;
-    if (contents.patched && whole >= kFewIndices && is_order_free(draw))
-        triangles = patched(std::span(draw.indices).first(whole), draw.vertices.size());
-    patches_ = std::move(triangles.patches);
-    const std::size_t vertex_count = patches_.empty() ? draw.vertices.size() : triangles.old_from_new.size();
     std::vector<float> values;
-    values.reserve(vertex_count * stride_ / sizeof(float));
-    for (std::size_t i = 0; i < vertex_count; ++i) {
-        const Vertex& vertex = draw.vertices[patches_.empty() ? i : triangles.old_from_new[i]];
+    std::vector<GLboolean> edge_flags;
+    values.reserve(draw.vertices.size() * stride_ / sizeof(float));
+    for_each_vertex(draw, elements_.vertices(), [&](const Vertex& vertex) {
         const auto put = [&](const auto& v, const Attribute& attribute) {
             for (int n = 0; n < attribute.size; ++n) values.push_back(static_cast<float>(v[n]));
         };
@@ -83,28 +62,21 @@ Mesh::Mesh(const Draw& draw, const MeshContents& contents) : mode_(draw.mode) {
         put(vertex.normal_object, normal_);
         put(vertex.color, color_);
         put(vertex.tex_coord, tex_coord_);
-    }
-    vertices_ = new_buffer(GL_ARRAY_BUFFER, values);
-    if (needs_edge_flags(draw)) {
-        std::vector<GLboolean> flags;
-        for (const Vertex& vertex : draw.vertices) flags.push_back(vertex.edge_flag);
-        edge_flags_ = new_buffer(GL_ARRAY_BUFFER, flags);
-    }
-    has_indices_ = !draw.indices.empty();
-    count_ = static_cast<int>(has_indices_ ? draw.indices.size() : vertex_count);
-    if (!patches_.empty())
-        indices_ = new_buffer(GL_ELEMENT_ARRAY_BUFFER, triangles.indices);
-    else if (has_indices_)
-        indices_ = new_buffer(GL_ELEMENT_ARRAY_BUFFER, draw.indices);
+        edge_flags.push_back(vertex.edge_flag);
+    });
+    vertices_ = filled_buffer(values);
+    if (needs_edge_flags(draw)) edge_flags_ = filled_buffer(edge_flags);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }
 
 Mesh::~Mesh() {
-    for (const GLuint name : {vertices_, edge_flags_, indices_})
+    for (const GLuint name : {vertices_, edge_flags_})
         if (name != 0) glDeleteBuffers(1, &name);
 }
 
 void Mesh::draw() const {
-    if (count_ == 0) return;
+    if (vertices_ == 0) return;
     const auto stride = static_cast<GLsizei>(stride_);
     const glm::vec4 color(shared_.color), tex_coord(shared_.tex_coord);
     glColor4fv(&color[0]);
@@ -131,22 +103,12 @@ void Mesh::draw() const {
         glEnableClientState(GL_EDGE_FLAG_ARRAY);
         glEdgeFlagPointer(0, nullptr);
     }
-    draw_elements();
+    elements_.draw();
     for (const GLenum array :
          {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_EDGE_FLAG_ARRAY})
         glDisableClientState(array);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-}
-
-void Mesh::draw_elements() const {
-    if (!has_indices_) return glDrawArrays(mode_, 0, count_);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
-    if (patches_.empty()) return glDrawElements(mode_, count_, GL_UNSIGNED_INT, nullptr);
-    for (const PatchedTriangles::Patch& patch : patches_)
-        glDrawRangeElementsBaseVertex(mode_, 0, patch.vertex_count - 1, static_cast<GLsizei>(patch.index_count),
-                                      GL_UNSIGNED_SHORT, buffer_offset(patch.first_index * sizeof(std::uint16_t)),
-                                      static_cast<GLint>(patch.first_vertex));
 }
 
 // ---- With materials ----

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "effect/effect_set.h"
-#include "shape/vertex_order.h"
+#include "stages/elements.h"
 #include "state/frame.h"
 
 namespace twinlight::fixed {
@@ -13,13 +12,11 @@ namespace twinlight::fixed {
 // Which of a vertex's properties are sent; the others nothing reads.
 struct MeshContents {
     bool normal = false, color = false, tex_coord = false;
-    // Triangles in patches that suit the driver's vertex cache, where that is the same picture.
-    bool patched = false;
 };
 
 class Mesh {
   public:
-    Mesh(const Draw& draw, const MeshContents& contents);
+    Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& options);
     ~Mesh();
     Mesh(const Mesh&) = delete;
     Mesh& operator=(const Mesh&) = delete;
@@ -33,16 +30,11 @@ class Mesh {
         std::size_t offset = 0;
     };
 
-    void draw_elements() const;
-
-    Enum mode_;
-    int count_ = 0;
-    bool has_indices_ = false;
-    std::vector<PatchedTriangles::Patch> patches_;  // empty: all in one
+    Elements elements_;
     Attribute position_, normal_, color_, tex_coord_;
     std::size_t stride_ = 0;
     Vertex shared_;  // its properties are those that all share
-    unsigned vertices_ = 0, edge_flags_ = 0, indices_ = 0;
+    unsigned vertices_ = 0, edge_flags_ = 0;
 };
 
 // Between glBegin and glEnd, where glMaterial may stand as well: those properties of a face that vary.

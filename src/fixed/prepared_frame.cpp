@@ -116,21 +116,15 @@ struct PreparedDraw {
             of_gl.lecture_variants = false;
             const Plan plan = plan_effects(from, of_gl);
             const EffectSet& effects = plan.effects;
-            ScrubbedState state = scrubbed_state(plan);
-            lighting = std::move(state.lighting);
-            lights_beyond = std::move(state.lights_beyond);
-            bound_beyond = state.bound_beyond;
+            lighting = scrubbed_state(plan).lighting;
             textured = effects.has_texture();
             fogged = effects.has_fog();
-            contents = {.normal = effects.needs_normal(),
-                        .color = effects.needs_color(),
-                        .tex_coord = textured,
-                        .patched = scrub == Scrub::kAll};
+            contents = {.normal = effects.needs_normal(), .color = effects.needs_color(), .tex_coord = textured};
             front = effects.front;
             back = effects.back;
         }
         by_vertex = !from.materials.empty() && (front.varies() || back.varies());
-        if (!by_vertex) mesh.emplace(from, contents);
+        if (!by_vertex) mesh.emplace(from, contents, options);
     }
 
     void draw_with(const FixedStages& stages, Textures& textures) const {
@@ -165,8 +159,6 @@ struct PreparedDraw {
     LightingState lighting;
     Enum shade_model;
     bool textured = false, fogged = false;
-    std::vector<int> lights_beyond;
-    double bound_beyond = 0;
     bool by_vertex = false;  // glMaterial between glBegin and glEnd
     FaceEffects front, back;
     std::optional<Mesh> mesh;
@@ -178,7 +170,6 @@ struct PreparedFrame::Impl {
     int width, height;
     std::deque<std::variant<Clear, PreparedDraw>> items;
     Textures textures{Clamping::kDriver};
-    std::vector<Unsupported> unsupported;
 };
 
 PreparedFrame::PreparedFrame(const Frame& frame, const RenderOptions& options, Scrub scrub)
@@ -210,7 +201,5 @@ void PreparedFrame::draw() {
             std::get<PreparedDraw>(item).draw_with(stages, impl_->textures);
     }
 }
-
-const std::vector<Unsupported>& PreparedFrame::unsupported() const { return impl_->unsupported; }
 
 }  // namespace twinlight::fixed

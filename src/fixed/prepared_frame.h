@@ -1,8 +1,8 @@
 // PreparedFrame: the fixed function draws a Frame Draw by Draw, from buffers that the driver has, and not command by command.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "state/frame.h"
 
@@ -12,11 +12,10 @@ namespace twinlight::fixed {
 enum class Scrub : std::uint8_t {
     kNothing,  // all that the Draw has, called for or not: what a program does that sets what it was told
     kState,    // what its plan calls for (scrubbed_state.h)
-    kAll,      // and large meshes in patches that suit the driver's vertex cache (shape/vertex_order.h)
 };
 
 // Owns buffers and textures of the context that is current; dies before that does. What the Frame lacks (Frame::unsupported)
-// it does not draw.
+// it does not draw. Of more than eight lights each Draw has those that may add most to it (note_lights_beyond()).
 class PreparedFrame {
   public:
     // Throws std::invalid_argument for Shading::kPhong, which the fixed function cannot do.
@@ -27,9 +26,6 @@ class PreparedFrame {
 
     // Clears to black and depth 1 and draws into the current colour buffer. GL has its initial state afterwards.
     void draw();
-
-    // "lights beyond eight", where what is left out may add up to more than the budget.
-    const std::vector<Unsupported>& unsupported() const;
 
   private:
     struct Impl;

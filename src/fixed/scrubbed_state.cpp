@@ -1,6 +1,9 @@
 #include "fixed/scrubbed_state.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
+#include <span>
 
 namespace twinlight::fixed {
 namespace {
@@ -34,13 +37,24 @@ ScrubbedState scrubbed_state(const Plan& plan) {
     lighting.lights.clear();
     if (!effects.lighting) return state;
 
-    for (std::size_t i = 0; i < plan.lights.size(); ++i) {
-        if (lighting.lights.size() < kMaxLights) {
-            lighting.lights.push_back(scrubbed_light(plan, i));
-        } else {
+    // Of more than eight those that may add most; in their own order, as all are summed.
+    const auto bound = [&](std::size_t i) {
+        return plan.light_bounds.at(static_cast<std::size_t>(plan.lights[i].number)).largest();
+    };
+    std::vector<std::size_t> order(plan.lights.size());
+    std::iota(order.begin(), order.end(), 0);
+    if (order.size() > kMaxLights) {
+        std::ranges::stable_sort(order, std::greater<>(), bound);
+        glm::dvec3 sum(0);
+        for (const std::size_t i : std::span(order).subspan(kMaxLights)) {
             state.lights_beyond.push_back(plan.lights[i].number);
+            sum += plan.light_bounds[static_cast<std::size_t>(plan.lights[i].number)].bound;
         }
+        state.bound_beyond = std::max({sum.r, sum.g, sum.b});
+        order.resize(kMaxLights);
+        std::ranges::sort(order);
     }
+    for (const std::size_t i : order) lighting.lights.push_back(scrubbed_light(plan, i));
     LightModel& model = lighting.light_model;
     model.ambient = with_rgb(plan.constant_ambient, model.ambient);
     model.two_side = effects.two_side;

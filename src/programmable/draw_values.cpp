@@ -238,7 +238,8 @@ class Builder {
 
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) { return Builder(draw, plan, code).build(); }
 
-std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects) {
+std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects,
+                                const std::vector<std::uint32_t>& vertices) {
     const bool normals_made_unit = effects.normalize || effects.shading == Shading::kPhong;
     const std::vector<VertexProperty> properties = vertex_properties(effects);
     std::size_t floats_per_vertex = 0;
@@ -249,7 +250,7 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects) {
     const auto add = [&](const auto& v, int size) {
         for (int i = 0; i < size; ++i) values.push_back(to_float(v[i]));
     };
-    for (const Vertex& vertex : draw.vertices) {
+    for_each_vertex(draw, vertices, [&](const Vertex& vertex) {
         add(vertex.position_object, 4);
         if (effects.needs_normal()) {
             const double size = largest_component(vertex.normal_object);
@@ -266,7 +267,7 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects) {
             else
                 values.push_back(to_float(material.shininess));
         }
-    }
+    });
     return values;
 }
 

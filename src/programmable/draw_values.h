@@ -20,6 +20,6 @@ using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code);
 
 // The attributes of the vertices, one vertex after the other, as attributes(effects) lists them.
-std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects);
+std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, const std::vector<std::uint32_t>& vertices);
 
 }  // namespace twinlight::programmable

@@ -21,21 +21,21 @@ bool needs_edge_flags(const Draw& draw) {
 const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }  // NOLINT: GL's offset
 
 template <class Value>
-GLuint filled_buffer(GLenum target, const std::vector<Value>& values) {
+GLuint filled_buffer(const std::vector<Value>& values) {
     GLuint buffer = 0;
     glGenBuffers(1, &buffer);
-    glBindBuffer(target, buffer);
-    glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(),
+                 GL_STATIC_DRAW);
     return buffer;
 }
 
 }  // namespace
 
-Mesh::Mesh(const Draw& draw, const EffectSet& effects)
-    : mode_(draw.mode), count_(static_cast<int>(draw.count())), has_indices_(!draw.indices.empty()) {
+Mesh::Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options) : elements_(draw, options) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
-    vertices_ = filled_buffer(GL_ARRAY_BUFFER, vertex_array(draw, effects));
+    vertices_ = filled_buffer(vertex_array(draw, effects, elements_.vertices()));
     const std::vector<Attribute> list = attributes(effects);
     std::size_t floats = 0;
     for (const Attribute& attribute : list) floats += static_cast<std::size_t>(attribute.size);
@@ -50,25 +50,21 @@ Mesh::Mesh(const Draw& draw, const EffectSet& effects)
     // They pass every program by: GL has no attribute of shaders for them.
     if (needs_edge_flags(draw)) {
         std::vector<GLboolean> flags;
-        for (const Vertex& vertex : draw.vertices) flags.push_back(vertex.edge_flag);
-        edge_flags_ = filled_buffer(GL_ARRAY_BUFFER, flags);
+        for_each_vertex(draw, elements_.vertices(), [&](const Vertex& vertex) { flags.push_back(vertex.edge_flag); });
+        edge_flags_ = filled_buffer(flags);
         glEnableClientState(GL_EDGE_FLAG_ARRAY);
         glEdgeFlagPointer(0, nullptr);
     }
-    if (has_indices_) indices_ = filled_buffer(GL_ELEMENT_ARRAY_BUFFER, draw.indices);
 }
 
 Mesh::~Mesh() {
-    for (const GLuint buffer : {vertices_, edge_flags_, indices_}) glDeleteBuffers(1, &buffer);
+    for (const GLuint buffer : {vertices_, edge_flags_}) glDeleteBuffers(1, &buffer);
     glDeleteVertexArrays(1, &array_);
 }
 
 void Mesh::draw() const {
     glBindVertexArray(array_);
-    if (has_indices_)
-        glDrawElements(mode_, count_, GL_UNSIGNED_INT, nullptr);
-    else
-        glDrawArrays(mode_, 0, count_);
+    elements_.draw();
 }
 
 }  // namespace twinlight::programmable

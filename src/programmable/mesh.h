@@ -2,6 +2,7 @@
 #pragma once
 
 #include "effect/effect_set.h"
+#include "stages/elements.h"
 #include "state/frame.h"
 
 namespace twinlight::programmable {
@@ -10,7 +11,7 @@ namespace twinlight::programmable {
 class Mesh {
   public:
     // The attributes that the program of these effects takes.
-    Mesh(const Draw& draw, const EffectSet& effects);
+    Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options = {});
     ~Mesh();
     Mesh(const Mesh&) = delete;
     Mesh& operator=(const Mesh&) = delete;
@@ -19,10 +20,8 @@ class Mesh {
     void draw() const;
 
   private:
-    Enum mode_;
-    int count_ = 0;
-    bool has_indices_ = false;
-    unsigned array_ = 0, vertices_ = 0, edge_flags_ = 0, indices_ = 0;
+    unsigned array_ = 0, vertices_ = 0, edge_flags_ = 0;
+    Elements elements_;
 };
 
 }  // namespace twinlight::programmable

@@ -17,8 +17,8 @@ namespace {
 
 // What is left of a Draw once it is planned and its vertices are the driver's.
 struct PreparedDraw {
-    PreparedDraw(const Draw& draw, const Plan& plan)
-        : code(code_for(draw, plan)), numbers(uniforms(draw, plan, code)), mesh(draw, plan.effects) {
+    PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options)
+        : code(code_for(draw, plan)), numbers(uniforms(draw, plan, code)), mesh(draw, plan.effects, options) {
         stages.raster = draw.raster;
         stages.fragment = draw.fragment;
         stages.texture = draw.texture;
@@ -38,7 +38,7 @@ struct PreparedFrame::Impl {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
                 items.emplace_back(*clear);
             } else if (const Draw& draw = std::get<Draw>(item); draw.count() > 0) {
-                items.emplace_back(std::in_place_type<PreparedDraw>, draw, plan_effects(draw, options));
+                items.emplace_back(std::in_place_type<PreparedDraw>, draw, plan_effects(draw, options), options);
             }
         }
         glBindVertexArray(0);

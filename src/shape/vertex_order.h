@@ -25,7 +25,7 @@ struct PatchedTriangles {
 // indices, and within a run finds a vertex again as long as no other with the same number modulo 256 has come.
 inline constexpr std::size_t kPatchIndices = 4096 / 3 * 3;
 
-// Patches that grow from triangle to neighbour: of a grid some 26 by 26 squares, with 1.07 vertices for each of the grid's.
+// Patches that grow from triangle to neighbour: of a grid some 26 by 26 squares, with 1.1 vertices for each of the grid's.
 // `indices` has three for each triangle, all below vertex_count. Linear time.
 PatchedTriangles patched(std::span<const std::uint32_t> indices, std::size_t vertex_count);
 

@@ -230,6 +230,16 @@ struct Draw {
     std::uint32_t index(std::size_t i) const { return indices.empty() ? static_cast<std::uint32_t>(i) : indices[i]; }
 };
 
+// The Draw's vertices of these numbers in this order; all of them where there is none.
+template <class Visit>
+void for_each_vertex(const Draw& draw, const std::vector<std::uint32_t>& numbers, const Visit& visit) {
+    if (numbers.empty()) {
+        for (const Vertex& vertex : draw.vertices) visit(vertex);
+    } else {
+        for (const std::uint32_t number : numbers) visit(draw.vertices.at(number));
+    }
+}
+
 struct Clear {
     bool color = false;
     bool depth = false;
@@ -286,6 +296,9 @@ struct RenderOptions {
     // How far a colour's channel may be off, before rounding to codes, by what the planner leaves out because it is small;
     // 0: only what is exactly nothing. The default is half of what rounding to 8 bits hides. Who draws from a Plan asks.
     double budget = 0.5 / 255;
+    // Large meshes in patches that suit the driver's vertex cache (stages/elements.h). Making them takes as long as some frames:
+    // for who draws the same vertices again and again.
+    bool patches = false;
     Tier tier = Tier::kUniform;  // of the programmable renderer
 };
 

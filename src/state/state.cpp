@@ -237,8 +237,6 @@ Draw State::new_draw(Enum mode, const Place& place) {
     Draw draw;
     draw.mode = mode;
     draw.lighting = a_.lighting;
-    if (a_.lighting.enabled && a_.lighting.lights.size() > kMaxLights)
-        note_unsupported("more than eight lights", place, {"fixed"});
     draw.raster = a_.raster;
     draw.eye_from_object = modelview();
     draw.clip_from_eye = projection();

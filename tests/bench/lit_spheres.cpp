@@ -7,8 +7,6 @@
 namespace twinlight::bench {
 namespace {
 
-constexpr int kSlices = 512, kStacks = 256;
-
 glm::dvec4 opaque(double r, double g, double b) { return {r, g, b, 1}; }
 
 LightSource directional(int i) {
@@ -95,12 +93,12 @@ Draw sphere(int slices, int stacks) {
     draw.eye_from_object = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -5));
     draw.clip_from_eye = glm::perspective(glm::radians(40.0), 1.0, 1.0, 10.0);
     draw.raster.depth_test = true;
-    draw.raster.viewport = {0, 0, 1, 1};
+    draw.raster.viewport = {0, 0, 64, 64};
     return draw;
 }
 
-std::vector<LitScene> seven_scenes() {
-    const Draw plain = lit(sphere(kSlices, kStacks));
+std::vector<LitScene> seven_scenes(const Draw& mesh) {
+    const Draw plain = lit(mesh);
     Draw shiny = plain;
     make_shiny(shiny);
     std::vector<LitScene> scenes;
@@ -130,14 +128,18 @@ std::vector<LitScene> seven_scenes() {
     return scenes;
 }
 
-std::vector<LitScene> idle_scenes() {
-    const Draw plain = lit(sphere(kSlices, kStacks));
+std::vector<LitScene> idle_scenes(const Draw& mesh) {
+    const Draw plain = lit(mesh);
     std::vector<LitScene> scenes;
     Draw black = plain;
     black.lighting.front.shininess = black.lighting.back.shininess = 32;
     black.lighting.light_model.local_viewer = true;
     put_lights(black, 4, [](int i) { return shining(positional(i)); });
     scenes.push_back({"black specular: 4 positional lights, shininess 32, local viewer", black});
+    Draw directionals = plain;
+    directionals.lighting.front.shininess = directionals.lighting.back.shininess = 32;
+    put_lights(directionals, 4, [](int i) { return shining(directional(i)); });
+    scenes.push_back({"black specular, directional: 4 lights, shininess 32", directionals});
     Draw idle = plain;
     make_shiny(idle);
     put_lights(idle, 8, [](int i) {
@@ -149,8 +151,8 @@ std::vector<LitScene> idle_scenes() {
     return scenes;
 }
 
-Frame frame_of(const Draw& draw) {
-    return {.width = 64, .height = 64, .items = {draw}, .unsupported = {}, .commands = nullptr};
+Frame frame_of(const Draw& draw, int side) {
+    return {.width = side, .height = side, .items = {draw}, .unsupported = {}, .commands = nullptr};
 }
 
 }  // namespace twinlight::bench

@@ -16,12 +16,11 @@ struct LitScene {
     Draw draw;
 };
 
-// The seven states of docs/performance.md, on the same sphere: 512 x 256.
-std::vector<LitScene> seven_scenes();
-// All highlights black but the shininess set; one light of eight that gives anything.
-std::vector<LitScene> idle_scenes();
+// The seven states of docs/performance.md, on one mesh.
+std::vector<LitScene> seven_scenes(const Draw& mesh = sphere(512, 256));
+// Highlights that are black, though the shininess is set; lights that are on, though they give nothing.
+std::vector<LitScene> idle_scenes(const Draw& mesh = sphere(512, 256));
 
-// A picture of that one Draw. A viewport of one pixel leaves hardly anything to rasterise: the vertex stage is measured.
-Frame frame_of(const Draw& draw);
+Frame frame_of(const Draw& draw, int side = 64);
 
 }  // namespace twinlight::bench

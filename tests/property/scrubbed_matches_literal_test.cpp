@@ -26,6 +26,7 @@ report::Comparison compare_scrubbed(const Frame& frame, const std::string& name,
         .fixed =
             [budget](const Frame& f, RenderOptions options) {
                 options.budget = budget;
+                options.patches = true;
                 return fixed::render_scrubbed(f, options);
             },
         .programmable = fixed::render,

@@ -26,7 +26,7 @@ const std::map<std::string, Layers>& allowed() {
         {"trace", {"math", "command"}},
         {"scenes", {"math", "command", "image", "trace"}},  // reads scene files and recordings
         {"reference", {"math", "command", "state", "shape", "lighting", "image"}},
-        {"stages", {"math", "command", "state", "effect", "context"}},
+        {"stages", {"math", "command", "shape", "state", "effect", "context"}},
         {"fixed", {"math", "command", "shape", "state", "effect", "stages", "context", "image"}},
         {"programmable", {"math", "command", "state", "effect", "stages", "shape", "context", "image"}},
         {"report", {"math", "command", "state", "effect", "image"}},  // the renderers come as functions

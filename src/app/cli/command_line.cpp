@@ -10,6 +10,7 @@
 #include <map>
 
 #include "app/cli/progress.h"
+#include "fixed/fixed.h"
 #include "image/file.h"
 #include "scenes/load.h"
 #include "state/recorded_frame.h"
@@ -101,7 +102,9 @@ Frame load_frame(const std::string& scene, std::optional<Size> size, std::option
     StateOptions options;
     options.width = size.value_or(Size{}).width;
     options.height = size.value_or(Size{}).height;
-    return make_frame(list, options);
+    Frame made = make_frame(list, options);
+    fixed::note_lights_beyond(made, {});
+    return made;
 }
 
 void write_result(std::string_view bytes) {

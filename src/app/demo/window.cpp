@@ -196,6 +196,7 @@ void Window::remake_frame() {
     options.width = picture_.width > 0 ? picture_.width : options_.width;
     options.height = picture_.height > 0 ? picture_.height : options_.height;
     frame_ = make_frame(seen, options);
+    fixed::note_lights_beyond(frame_, {});
     framed_view_ = controls_.view;
 }
 

@@ -1,0 +1,34 @@
+// Elements: what of a Draw's vertices is drawn in which order (2.8), in a buffer of the driver's.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shape/vertex_order.h"
+#include "state/frame.h"
+
+namespace twinlight {
+
+// Owns its buffer: dies before the context does.
+class Elements {
+  public:
+    // Patches (shape/vertex_order.h) where the options allow them, the mesh is large, and the order of its triangles is free.
+    Elements(const Draw& draw, const RenderOptions& options);
+    ~Elements();
+    Elements(const Elements&) = delete;
+    Elements& operator=(const Elements&) = delete;
+
+    // The numbers of the Draw's vertices as the arrays must have them; empty: as they are.
+    const std::vector<std::uint32_t>& vertices() const { return patched_.old_from_new; }
+
+    // From the arrays that are enabled. Binds the buffer of indices, where there is one.
+    void draw() const;
+
+  private:
+    Enum mode_;
+    int count_ = 0;
+    unsigned indices_ = 0;  // 0: 0, 1, 2, ...
+    PatchedTriangles patched_;
+};
+
+}  // namespace twinlight

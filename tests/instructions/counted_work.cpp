@@ -1,0 +1,89 @@
+#include "counted_work.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "../bench/lit_spheres.h"
+#include "command/text.h"
+#include "effect/plan.h"
+#include "reference/reference.h"
+#include "scenes/load.h"
+#include "scenes/scenes.h"
+#include "shape/vertex_order.h"
+#include "state/state.h"
+
+namespace twinlight::counted {
+namespace {
+
+struct Made {
+    std::vector<Frame> frames;
+    std::vector<std::vector<Command>> pictures;  // of the recording, each with the commands that make it
+    Draw sphere;
+};
+
+CommandList read(const EmbeddedFile& file) {
+    return read_scene(file.text, std::string(file.name), std::string(file.name));
+}
+
+const Made& made() {
+    static const Made all = [] {
+        Made m;
+        for (const EmbeddedFile& file : kSceneFiles)
+            m.frames.push_back(
+                make_frame(std::make_shared<const CommandList>(read(file)), {.width = 64, .height = 64}));
+        load_recording("tests/traces/glxgears/dump.txt")->for_each([&](const Step& step) {
+            if (m.pictures.empty() || step.kind == Step::Kind::kFrameEnd) m.pictures.emplace_back();
+            if (step.kind == Step::Kind::kCommand) m.pictures.back().push_back(step.command);
+            return true;
+        });
+        m.sphere = bench::sphere(64, 32);
+        m.sphere.lighting = bench::seven_scenes(m.sphere).at(1).draw.lighting;
+        return m;
+    }();
+    return all;
+}
+
+}  // namespace
+
+void prepare() { made(); }
+
+// Functions that the compiler must not take apart.
+extern "C" {
+
+__attribute__((noinline)) std::size_t counted_read() {
+    std::size_t commands = 0;
+    for (const EmbeddedFile& file : kSceneFiles) commands += read(file).commands.size();
+    return commands;
+}
+
+__attribute__((noinline)) std::size_t counted_state() {
+    State machine({.width = 300, .height = 300});
+    std::size_t applied = 0;
+    for (const std::vector<Command>& picture : made().pictures) {
+        for (const Command& command : picture) machine.apply(command);
+        machine.drop_picture();
+        applied += picture.size();
+    }
+    return applied;
+}
+
+__attribute__((noinline)) std::size_t counted_plan() {
+    std::size_t lights = 0;
+    for (const Frame& frame : made().frames)
+        for (const auto& item : frame.items)
+            if (const Draw* draw = std::get_if<Draw>(&item)) lights += plan_effects(*draw, {}).lights.size();
+    return lights;
+}
+
+__attribute__((noinline)) std::size_t counted_reference() {
+    return reference::light_vertices(made().sphere, {}, true).size();
+}
+
+__attribute__((noinline)) std::size_t counted_patches() {
+    return patched(made().sphere.indices, made().sphere.vertices.size()).patches.size();
+}
+}
+
+}  // namespace twinlight::counted
