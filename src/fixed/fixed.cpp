@@ -8,8 +8,8 @@
 
 #include "context/context.h"
 #include "context/gl.h"
+#include "effect/scrubbed_state.h"
 #include "fixed/prepared_frame.h"
-#include "fixed/scrubbed_state.h"
 
 namespace twinlight::fixed {
 
@@ -115,7 +115,7 @@ void note_lights_beyond(Frame& frame, const RenderOptions& options) {
         const Draw* draw = std::get_if<Draw>(&item);
         if (!draw || draw->lighting.lights.size() <= kMaxLights) continue;
         const Plan plan = plan_effects(*draw, of_gl);
-        const ScrubbedState state = scrubbed_state(plan);
+        const ScrubbedState state = scrubbed_state(plan, kMaxLights);
         if (state.lights_beyond.empty() || plan.error_bound + state.bound_beyond <= plan.budget) continue;
         if (beyond.count++ == 0) beyond.first = draw->place;
         bound = std::max(bound, plan.error_bound + state.bound_beyond);

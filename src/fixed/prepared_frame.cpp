@@ -9,9 +9,9 @@
 #include <variant>
 
 #include "context/gl.h"
+#include "effect/scrubbed_state.h"
 #include "fixed/fixed.h"
 #include "fixed/mesh.h"
-#include "fixed/scrubbed_state.h"
 #include "stages/fixed_stages.h"
 #include "stages/textures.h"
 
@@ -116,7 +116,7 @@ struct PreparedDraw {
             of_gl.lecture_variants = false;
             const Plan plan = plan_effects(from, of_gl);
             const EffectSet& effects = plan.effects;
-            lighting = scrubbed_state(plan).lighting;
+            lighting = scrubbed_state(plan, kMaxLights).lighting;
             textured = effects.has_texture();
             fogged = effects.has_fog();
             contents = {.normal = effects.needs_normal(), .color = effects.needs_color(), .tex_coord = textured};

@@ -11,7 +11,7 @@ namespace twinlight::fixed {
 // How much of a Draw's state is set.
 enum class Scrub : std::uint8_t {
     kNothing,  // all that the Draw has, called for or not: what a program does that sets what it was told
-    kState,    // what its plan calls for (scrubbed_state.h)
+    kState,    // what its plan calls for (effect/scrubbed_state.h)
 };
 
 // Owns buffers and textures of the context that is current; dies before that does. What the Frame lacks (Frame::unsupported)

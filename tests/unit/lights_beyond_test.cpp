@@ -8,8 +8,8 @@
 #include "command/text.h"
 #include "context/context.h"
 #include "effect/plan.h"
+#include "effect/scrubbed_state.h"
 #include "fixed/fixed.h"
-#include "fixed/scrubbed_state.h"
 #include "reference/reference.h"
 #include "state/state.h"
 
@@ -69,7 +69,7 @@ TEST(LightsBeyondEight, AreNamedWithTheirBoundWhereTheBudgetCannotBeKept) {
     EXPECT_LT(bound, 0.0801);
 
     const auto draw = std::ranges::find_if(frame.items, [](const auto& i) { return std::holds_alternative<Draw>(i); });
-    const fixed::ScrubbedState state = fixed::scrubbed_state(plan_effects(std::get<Draw>(*draw), {}));
+    const ScrubbedState state = scrubbed_state(plan_effects(std::get<Draw>(*draw), {}), kMaxLights);
     EXPECT_EQ(state.lighting.lights.size(), 8u);
     std::vector<int> beyond = state.lights_beyond;
     std::ranges::sort(beyond);

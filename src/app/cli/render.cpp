@@ -7,9 +7,11 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/renderers.h"
+#include "effect/scrubbed_state.h"
 #include "fixed/fixed.h"
 #include "image/file.h"
 #include "image/png.h"
+#include "reference/reference.h"
 #include "report/words.h"
 
 namespace twinlight::cli {
@@ -33,6 +35,14 @@ const std::map<std::string, report::RenderFunction report::Renderers::*> kRender
     {"reference", &report::Renderers::reference},
 };
 
+const std::map<std::string, report::RenderFunction> kScrubbed = {
+    {"fixed", fixed::render_scrubbed},
+    {"reference",
+     [](const Frame& frame, const RenderOptions& options) {
+         return reference::render(scrubbed_frame(frame, options), options);
+     }},
+};
+
 // A picture is never silently partial.
 void tell_unsupported(const Frame& frame, const std::string& renderer) {
     for (Unsupported item : frame.unsupported) {
@@ -46,8 +56,9 @@ int run(const Arguments& arguments) {
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kPhong) {
         throw UsageError("the fixed function cannot shade by phong; use --with programmable or --with reference");
     }
-    if (arguments.scrubbed && arguments.renderer != "fixed") {
-        throw UsageError("--scrubbed is of the fixed function's state; use it with --with fixed");
+    if (arguments.scrubbed && arguments.renderer == "programmable") {
+        throw UsageError(
+            "shaders are always made for what each draw calls for; use --scrubbed with fixed or reference");
     }
     if (arguments.baked && arguments.renderer != "programmable") {
         throw UsageError("--baked is of the shaders; use it with --with programmable");
@@ -58,8 +69,8 @@ int run(const Arguments& arguments) {
     }
     const Frame frame = load_frame(arguments.scene, arguments.size, arguments.frame);
     const RendererSet renderers(frame.width, frame.height);
-    const report::RenderFunction render =
-        arguments.scrubbed ? fixed::render_scrubbed : renderers.functions().*kRenderers.at(arguments.renderer);
+    const report::RenderFunction render = arguments.scrubbed ? kScrubbed.at(arguments.renderer)
+                                                             : renderers.functions().*kRenderers.at(arguments.renderer);
     const RenderOptions options{.shading = arguments.shading,
                                 .lecture_variants = true,
                                 .budget = arguments.budget,
@@ -89,7 +100,7 @@ Subcommand add_render(CLI::App& app) {
     add_frame_option(*render, arguments->frame);
     add_budget_option(*render, arguments->budget);
     render->add_flag("--scrubbed", arguments->scrubbed,
-                     "fixed: no more of the state than each draw calls for, instead of the commands as they are");
+                     "fixed, reference: no more of the state than each draw calls for, instead of all of it");
     render->add_flag("--baked", arguments->baked,
                      "programmable: the scene's numbers as constants of the shaders, instead of uniforms");
     render->add_option("-o", arguments->output, "the picture, or - for standard output")

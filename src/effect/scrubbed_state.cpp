@@ -1,11 +1,11 @@
-#include "fixed/scrubbed_state.h"
+#include "effect/scrubbed_state.h"
 
 #include <algorithm>
 #include <functional>
 #include <numeric>
 #include <span>
 
-namespace twinlight::fixed {
+namespace twinlight {
 namespace {
 
 glm::dvec4 with_rgb(const glm::dvec3& rgb, const glm::dvec4& color) { return {rgb, color.a}; }
@@ -29,7 +29,7 @@ LightSource scrubbed_light(const Plan& plan, std::size_t i) {
 
 }  // namespace
 
-ScrubbedState scrubbed_state(const Plan& plan) {
+ScrubbedState scrubbed_state(const Plan& plan, std::size_t most_lights) {
     ScrubbedState state{.lighting = plan.lighting, .lights_beyond = {}};
     LightingState& lighting = state.lighting;
     const EffectSet& effects = plan.effects;
@@ -37,21 +37,21 @@ ScrubbedState scrubbed_state(const Plan& plan) {
     lighting.lights.clear();
     if (!effects.lighting) return state;
 
-    // Of more than eight those that may add most; in their own order, as all are summed.
+    // Those that may add most; in their own order, as all are summed.
     const auto bound = [&](std::size_t i) {
         return plan.light_bounds.at(static_cast<std::size_t>(plan.lights[i].number)).largest();
     };
     std::vector<std::size_t> order(plan.lights.size());
     std::iota(order.begin(), order.end(), 0);
-    if (order.size() > kMaxLights) {
+    if (order.size() > most_lights) {
         std::ranges::stable_sort(order, std::greater<>(), bound);
         glm::dvec3 sum(0);
-        for (const std::size_t i : std::span(order).subspan(kMaxLights)) {
+        for (const std::size_t i : std::span(order).subspan(most_lights)) {
             state.lights_beyond.push_back(plan.lights[i].number);
             sum += plan.light_bounds[static_cast<std::size_t>(plan.lights[i].number)].bound;
         }
         state.bound_beyond = std::max({sum.r, sum.g, sum.b});
-        order.resize(kMaxLights);
+        order.resize(most_lights);
         std::ranges::sort(order);
     }
     for (const std::size_t i : order) lighting.lights.push_back(scrubbed_light(plan, i));
@@ -67,4 +67,21 @@ ScrubbedState scrubbed_state(const Plan& plan) {
     return state;
 }
 
-}  // namespace twinlight::fixed
+Frame scrubbed_frame(const Frame& frame, const RenderOptions& options) {
+    Frame result = frame;
+    for (auto& item : result.items) {
+        Draw* draw = std::get_if<Draw>(&item);
+        if (!draw || !draw->lighting.enabled) continue;
+        const Plan plan = plan_effects(*draw, options);
+        const ColorMaterial tracking = draw->lighting.color_material;
+        draw->lighting = scrubbed_state(plan, plan.lights.size()).lighting;
+        if (draw->materials.empty()) continue;
+        if (plan.effects.front.varies() || plan.effects.back.varies())
+            draw->lighting.color_material = tracking;  // a colour that all share is in the plan's material alone
+        else
+            draw->materials.clear();
+    }
+    return result;
+}
+
+}  // namespace twinlight

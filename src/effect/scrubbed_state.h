@@ -14,16 +14,20 @@
 #include "effect/plan.h"
 #include "state/frame.h"
 
-namespace twinlight::fixed {
+namespace twinlight {
 
 struct ScrubbedState {
-    LightingState lighting;  // its lights are those that are lit, in their order: eight at most
-    // The lights that were left for eight to remain, by number, and how much of a channel they may add to at most.
+    LightingState lighting;  // its lights are those that are lit, in their order: as many as were asked for at most
+    // The lights that were left for those to remain, by number, and how much of a channel they may add to at most.
     std::vector<int> lights_beyond;
     double bound_beyond = 0;
 };
 
-// The plan is one with the lecture's variants off, which the fixed function does not have.
-ScrubbedState scrubbed_state(const Plan& plan);
+// Of more than `most_lights` that are called for, those remain whose bounds are largest.
+ScrubbedState scrubbed_state(const Plan& plan, std::size_t most_lights);
 
-}  // namespace twinlight::fixed
+// Every Draw with the scrubbed state of its plan, and all lights that are called for. The reference draws it to show what a plan
+// saves whoever simulates; the reference that others are held against has no plan.
+Frame scrubbed_frame(const Frame& frame, const RenderOptions& options);
+
+}  // namespace twinlight
