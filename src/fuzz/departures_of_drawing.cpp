@@ -132,12 +132,16 @@ bool offsets_borders_without_area(const Draw& draw) {
 
 bool offsets_borders_out_of_range(const Draw& draw) {
     const PolygonOffset& offset = draw.raster.polygon_offset;
-    constexpr double kStep = 0x1p-24, kRounding = 1e-5;  // of the slope
+    constexpr double kRounding = 1e-5;  // of the slope
+    constexpr double kStep = 0x1p-24;   // 3.5.5 leaves r open: it is this to the reference, and twice as much to Mesa
     return offsets_borders(draw) && any_corners(draw, [&](const Corners& corners) {
-               const double by = offset.factor * corners.slope + offset.units * kStep;
-               const double margin = kRounding * std::abs(by) + 2 * kStep;
                return std::ranges::any_of(corners.window, [&](const glm::dvec3& corner) {
-                   return !(corner.z + by > margin && corner.z + by < 1 - margin);
+                   for (const double r : {kStep, 2 * kStep}) {
+                       const double by = offset.factor * corners.slope + offset.units * r;
+                       const double margin = kRounding * std::abs(by) + 2 * kStep;
+                       if (!(corner.z + by > margin && corner.z + by < 1 - margin)) return true;
+                   }
+                   return false;
                });
            });
 }
