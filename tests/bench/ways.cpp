@@ -1,0 +1,36 @@
+#include "ways.h"
+
+#include <memory>
+#include <utility>
+
+#include "context/gl.h"
+#include "programmable/programmable.h"
+
+namespace twinlight::bench {
+
+RenderOptions options_for(Tier tier, bool patches) {
+    RenderOptions options;
+    options.lecture_variants = false;
+    options.tier = tier;
+    options.patches = patches;
+    return options;
+}
+
+Way fixed_way(std::string name, const Frame& frame, fixed::Scrub scrub, bool patches) {
+    const auto prepared = std::make_shared<fixed::PreparedFrame>(frame, options_for(Tier::kUniform, patches), scrub);
+    return {std::move(name), [prepared] {
+                prepared->draw();
+                glFinish();
+            }};
+}
+
+Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches) {
+    const auto renderer = std::make_shared<programmable::Renderer>();
+    const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, options_for(tier, patches));
+    return {std::move(name), [renderer, prepared] {
+                renderer->draw(*prepared);
+                glFinish();
+            }};
+}
+
+}  // namespace twinlight::bench

@@ -1,0 +1,18 @@
+// A Frame drawn again and again by one of the two fast paths, from buffers that the driver has. For the context that is current.
+#pragma once
+
+#include <string>
+
+#include "fixed/prepared_frame.h"
+#include "ratios.h"
+#include "state/frame.h"
+
+namespace twinlight::bench {
+
+// GL's own model, so that all draw the same.
+RenderOptions options_for(Tier tier, bool patches);
+
+Way fixed_way(std::string name, const Frame& frame, fixed::Scrub scrub, bool patches);
+Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches);
+
+}  // namespace twinlight::bench
