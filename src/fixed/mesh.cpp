@@ -5,34 +5,15 @@
 #include <vector>
 
 #include "context/gl.h"
+#include "stages/buffers.h"
 
 namespace twinlight::fixed {
 namespace {
-
-const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }  // NOLINT: GL's offset
-
-template <class Value>
-GLuint filled_buffer(const std::vector<Value>& values) {
-    GLuint name = 0;
-    glGenBuffers(1, &name);
-    glBindBuffer(GL_ARRAY_BUFFER, name);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(),
-                 GL_STATIC_DRAW);
-    return name;
-}
 
 template <class Property>
 bool all_share(const Draw& draw, Property Vertex::*property) {
     return std::ranges::all_of(draw.vertices,
                                [&](const Vertex& v) { return v.*property == draw.vertices.front().*property; });
-}
-
-// 2.6.2: edge flags count where polygons are drawn as their edges or corners, and only of these.
-bool needs_edge_flags(const Draw& draw) {
-    const RasterState& raster = draw.raster;
-    const bool has_edges = draw.mode == kGL_TRIANGLES || draw.mode == kGL_QUADS || draw.mode == kGL_POLYGON;
-    const bool filled = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    return has_edges && !filled && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
 }
 
 }  // namespace
@@ -64,8 +45,8 @@ Mesh::Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& 
         put(vertex.tex_coord, tex_coord_);
         edge_flags.push_back(vertex.edge_flag);
     });
-    vertices_ = filled_buffer(values);
-    if (needs_edge_flags(draw)) edge_flags_ = filled_buffer(edge_flags);
+    vertices_ = filled_buffer(GL_ARRAY_BUFFER, values);
+    if (needs_edge_flags(draw)) edge_flags_ = filled_buffer(GL_ARRAY_BUFFER, edge_flags);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }

@@ -1,8 +1,10 @@
 #include "stages/elements.h"
 
+#include <algorithm>
 #include <span>
 
 #include "context/gl.h"
+#include "stages/buffers.h"
 
 namespace twinlight {
 namespace {
@@ -21,19 +23,14 @@ bool is_order_free(const Draw& draw) {
     return draw.mode == kGL_TRIANGLES && nearest && filled && !draw.fragment.blend;
 }
 
-const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }  // NOLINT: GL's offset
-
-template <class Index>
-GLuint filled_buffer(const std::vector<Index>& indices) {
-    GLuint name = 0;
-    glGenBuffers(1, &name);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, name);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(Index)), indices.data(),
-                 GL_STATIC_DRAW);
-    return name;
-}
-
 }  // namespace
+
+bool needs_edge_flags(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const bool has_edges = draw.mode == kGL_TRIANGLES || draw.mode == kGL_QUADS || draw.mode == kGL_POLYGON;
+    const bool filled = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
+    return has_edges && !filled && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
+}
 
 Elements::Elements(const Draw& draw, const RenderOptions& options)
     : mode_(draw.mode), count_(static_cast<int>(draw.count())) {
@@ -42,7 +39,8 @@ Elements::Elements(const Draw& draw, const RenderOptions& options)
     const std::size_t whole = draw.indices.size() / 3 * 3;
     if (options.patches && whole >= kFewIndices && is_order_free(draw))
         patched_ = patched(std::span(draw.indices).first(whole), draw.vertices.size());
-    indices_ = patched_.patches.empty() ? filled_buffer(draw.indices) : filled_buffer(patched_.indices);
+    indices_ = patched_.patches.empty() ? filled_buffer(GL_ELEMENT_ARRAY_BUFFER, draw.indices)
+                                        : filled_buffer(GL_ELEMENT_ARRAY_BUFFER, patched_.indices);
     patched_.indices = {};
 }
 

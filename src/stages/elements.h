@@ -31,4 +31,7 @@ class Elements {
     PatchedTriangles patched_;
 };
 
+// 2.6.2: edge flags count where polygons are drawn as their edges or corners, and only of these.
+bool needs_edge_flags(const Draw& draw);
+
 }  // namespace twinlight
