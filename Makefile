@@ -101,7 +101,7 @@ demo: deps  ## build; open the GLUT window, or write the comparison as a report 
 
 test: deps  ## build; run every test headless (TEST=Filter* runs some)
 	@$(MAKE) test-binary
-	@LSAN_OPTIONS=suppressions=tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(BUILD) \
+	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(BUILD) \
 	    $(BUILD)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
 
 bench: deps  ## measure: a table of medians, and ratios in build/bench.json (BENCH=Regex runs some)

@@ -1,27 +1,26 @@
-// What the table of departures asks (departures.cpp), one question each: does it apply to these commands, to this Draw, to this
-// vertex of it?
+// What the table of departures asks (departures.cpp), one question each: does it apply to the commands so far, to this Draw, to
+// this vertex of it?
 #pragma once
 
-#include "command/command.h"
-#include "state/frame.h"
+#include "fuzz/departures.h"
 
 namespace twinlight::fuzz {
 
 // ---- Of the order of commands ----
 
-bool mixes_glcolor3_and_4(const CommandList& scene);
-bool mixes_tex_coords(const CommandList& scene);
-bool sets_material_before_pop(const CommandList& scene);
-bool shades_after_pop_in_list(const CommandList& scene);
-bool switches_lights_before_pop(const CommandList& scene);
-bool generates_mipmaps_after_pop(const CommandList& scene);
-bool restores_tracked_color(const CommandList& scene);
-bool sets_sides_apart(const CommandList& scene);
-bool sets_both_sides_after_vertex(const CommandList& scene);
-bool sets_color_before_new_mode(const CommandList& scene);
-bool tracks_color_before_list(const CommandList& scene);
-bool lists_edge_flags(const CommandList& scene);
-bool shows_cut_of_rectangles(const CommandList& scene);
+CommandRule mixes_glcolor3_and_4();
+CommandRule mixes_tex_coords();
+CommandRule sets_material_before_pop();
+CommandRule shades_after_pop_in_list();
+CommandRule switches_lights_before_pop();
+CommandRule generates_mipmaps_after_pop();
+CommandRule restores_tracked_color();
+CommandRule sets_sides_apart();
+CommandRule sets_both_sides_after_vertex();
+CommandRule sets_color_before_new_mode();
+CommandRule tracks_color_before_list();
+CommandRule lists_edge_flags();
+CommandRule shows_cut_of_rectangles();
 
 // ---- Between vertices and pixels ----
 

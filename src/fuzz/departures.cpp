@@ -139,11 +139,42 @@ const std::vector<Departure>& departures() {
     return list;
 }
 
+namespace {
+
+// Of those that ask for commands, which apply: in the order of the list, a bool each.
+class OfCommands {
+  public:
+    OfCommands() {
+        for (const Departure& departure : departures())
+            if (departure.of_commands) rules_.push_back({&departure, departure.of_commands(), false});
+    }
+
+    void see(const Command& command) {
+        for (Rule& rule : rules_) rule.applies = rule.see(command);
+    }
+    bool apply(const Departure& departure) const {
+        return std::ranges::any_of(rules_,
+                                   [&](const Rule& rule) { return rule.departure == &departure && rule.applies; });
+    }
+
+  private:
+    struct Rule {
+        const Departure* departure;
+        CommandRule see;
+        bool applies;
+    };
+    std::vector<Rule> rules_;
+};
+
+}  // namespace
+
 LeftOut::LeftOut(const CommandList& scene, const std::vector<std::string_view>& lifted) {
+    OfCommands of_commands;
+    for (const Command& command : scene.commands) of_commands.see(command);
     for (const Departure& departure : departures()) {
         if (std::ranges::find(lifted, departure.name) != lifted.end()) continue;
         if (departure.of_draw || departure.of_vertex) asked_.push_back(&departure);
-        if (!of_all_ && departure.of_commands && departure.of_commands(scene)) of_all_ = &departure;
+        if (!of_all_ && of_commands.apply(departure)) of_all_ = &departure;
     }
 }
 
@@ -184,18 +215,17 @@ const Departure* LeftOut::in(const Frame& frame) const {
 }
 
 std::vector<const Departure*> departures_in(const Frame& frame) {
-    constexpr std::size_t kMostCommands = 1'000'000;
-    CommandList scene;
+    OfCommands of_commands;
     if (frame.commands) {
         frame.commands->for_each([&](const Step& step) {
-            if (step.kind == Step::Kind::kCommand) scene.commands.emplace_back(step.command).memory = nullptr;
-            return scene.commands.size() < kMostCommands;
+            if (step.kind == Step::Kind::kCommand) of_commands.see(step.command);
+            return true;
         });
     }
     std::vector<const Departure*> found;
     for (const Departure& departure : departures()) {
         if (departure.leaves == Leaves::kOpen) continue;
-        if (departure.of_commands ? departure.of_commands(scene) : applies_in(departure, frame))
+        if (departure.of_commands ? of_commands.apply(departure) : applies_in(departure, frame))
             found.push_back(&departure);
     }
     return found;

@@ -18,12 +18,15 @@ enum class Leaves : std::uint8_t {
     kOpen,           // nobody does: the equation jumps there, and rounding decides
 };
 
+// Is handed the commands of a scene, one after the other, and says each time whether the departure shows in those so far.
+using CommandRule = std::function<bool(const Command&)>;
+
 // The first that is there says where it applies: anywhere in a scene, to a Draw, or to a vertex.
 struct Departure {
     std::string_view name;
     std::string_view section;
     Leaves leaves = Leaves::kFixedFunction;
-    bool (*of_commands)(const CommandList& scene) = nullptr;
+    CommandRule (*of_commands)() = nullptr;
     bool (*of_draw)(const Draw& draw) = nullptr;
     bool (*of_vertex)(const Draw& draw, const Vertex& vertex) = nullptr;
     std::string_view only_on{};  // a driver that is not the listed one's: golden/known_differences does not have it
@@ -46,8 +49,7 @@ class LeftOut {
     const Departure* of_all_ = nullptr;
 };
 
-// All that apply somewhere in a frame, but for those that rounding decides. Of a long recording the commands at its start alone
-// are looked through.
+// All that apply somewhere in a frame, but for those that rounding decides. Goes through the frame's commands once.
 std::vector<const Departure*> departures_in(const Frame& frame);
 
 }  // namespace twinlight::fuzz

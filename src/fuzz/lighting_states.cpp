@@ -194,10 +194,12 @@ class LightingState : Writer {
             }
             add(Id::glMaterialf, {face, kGL_SHININESS, shininess(face == kGL_FRONT)});
         }
-        static constexpr std::string_view kOfColorMaterial[] = {
-            "colour material before the first glColor", "colour material on the back alone of two sides",
-            "glColor before a new glColorMaterial", "colour material after glPopAttrib", "glColor3 after glColor4",
-            "glMaterial, a tracked glColor, glNewList"};
+        static constexpr std::string_view kOfColorMaterial[] = {"colour material before the first glColor",
+                                                                "colour material on the back alone of two sides",
+                                                                "glColor before a new glColorMaterial",
+                                                                "colour material after glPopAttrib",
+                                                                "glColor3 after glColor4",
+                                                                "glMaterial, a tracked glColor, glNewList"};
         const bool about = std::ranges::find(kOfColorMaterial, departure_) != std::end(kOfColorMaterial);
         if (!about && !chance(0.4)) return;
         const auto mode = [&] {

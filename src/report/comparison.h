@@ -70,7 +70,8 @@ struct Comparison {
     std::vector<Pair> pairs;
     Freedom freedom;  // of the per-vertex pictures; its edges are of all
     std::vector<Unsupported> unsupported;
-    // Where the driver is known to leave the specification's text, of what the scene does: "name (section)". The caller's.
+    // Where pictures differ beyond the tolerance: what the scene does of which the driver is known to leave the
+    // specification's text, "name (section)". The caller's.
     std::vector<std::string> known_departures{};
     Tolerance tolerance;
 
@@ -111,7 +112,7 @@ std::string difference_file(const Comparison& comparison, const Pair& pair);
 //               "verdict": "within" | "beyond" | "partial" | "informative",
 //               "tolerance": {"max", "differing_share"},   of the interior; not where informative
 //               "file", "factor"}],             the difference picture and its amplification
-//    "known_departures": ["name (section)"],    of the driver, that the scene may show
+//    "known_departures": ["name (section)"],    where beyond: of the driver, that the scene may show
 //    "unsupported": [{"name", "count", "place", "renderers": [...]}]}
 // max and rms are of channels on [0,1]; x and y count from the top left.
 std::string comparison_json(const Comparison& comparison);

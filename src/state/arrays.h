@@ -19,7 +19,6 @@ namespace twinlight {
 inline constexpr std::size_t kMaxBufferBytes = std::size_t{1} << 28;
 // The vertices of one draw.
 inline constexpr double kMaxDrawVertices = 1 << 22;
-inline constexpr std::size_t kClientAttributeStackDepth = 16;  // table 6.33, at least; Mesa's
 
 struct BufferObject {
     std::vector<std::byte> bytes;

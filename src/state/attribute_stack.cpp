@@ -11,8 +11,6 @@ namespace twinlight {
 
 namespace {
 
-constexpr std::size_t kAttributeStackDepth = 16;  // table 6.33, at least; Mesa's
-
 // Every capability, for GL_ENABLE_BIT; `pick` takes the state of one from the saved attributes.
 void restore_enables(Attributes& now, const Attributes& saved) {
     now.lighting.enabled = saved.lighting.enabled;

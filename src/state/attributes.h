@@ -21,6 +21,10 @@ struct TextureObjects {
 
 std::size_t texels_of(const Texture& texture);  // of all its images
 
+// The stacks of glPushAttrib and glPushClientAttrib (table 6.33: at least this; Mesa's).
+inline constexpr std::size_t kAttributeStackDepth = 16;
+inline constexpr std::size_t kClientAttributeStackDepth = 16;
+
 inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: two at least (table 6.31), eight in Mesa
 
 // A texture unit: its bindings, capabilities and environment (3.8.13, 3.8.16). Draws are textured by unit 0; where

@@ -82,8 +82,9 @@ int run(const Arguments& arguments) {
             [&](int done, int total, std::string_view next) { bar.show(done, total, next); }, report::Pictures::kAll,
             arguments.budget);
     }
-    for (const fuzz::Departure* departure : fuzz::departures_in(frame)) {
-        comparison.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
+    if (!comparison.within_tolerance()) {
+        for (const fuzz::Departure* departure : fuzz::departures_in(frame))
+            comparison.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
     }
     report::write_report(comparison, arguments.folder);
     write_result(arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder));
