@@ -109,6 +109,8 @@ struct Place {
     int column = 0;
 
     std::string str() const;  // "scene.gl:14:22", "program.trace: call 1234"
+
+    friend bool operator==(const Place&, const Place&) = default;
 };
 
 // What a pointer argument points into: the bytes of an array, from its start. `kind` is the C type that they were declared

@@ -80,6 +80,11 @@ void Framebuffer::piece(StepId id) {
     });
 }
 
+std::optional<StepId> Framebuffer::step(int x, int y) const {
+    const StepId id = step_[index(x, y)];
+    return id == kColor ? std::nullopt : std::optional(id);
+}
+
 glm::dvec4 Framebuffer::color_at(int x, int y, std::size_t at) const {
     const StepId id = step_[at];
     if (id == kColor) return colors_[at];

@@ -5,6 +5,7 @@
 // there is a fragment at all (the alpha test) is lit at once.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "reference/coverage.h"
@@ -19,6 +20,9 @@ class Framebuffer {
 
     // The colour of a pixel, before it is rounded to the bits of the colour buffer for the last time.
     glm::dvec4 color(int x, int y) const { return color_at(x, y, index(x, y)); }
+
+    // The step whose colour it has; nothing where colours were blended.
+    std::optional<StepId> step(int x, int y) const;
 
   private:
     void clear(StepId id);

@@ -11,6 +11,10 @@ namespace twinlight::reference {
 // Starts from black and depth 1.
 Image render(const Frame& frame, const RenderOptions& options);
 
+// Which shape is seen at each pixel, row by row from the top: shapes are numbered from 0 in the order of the commands that send
+// them, whatever number of Draws each is; -1 where none is, or where colours were blended.
+std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options);
+
 // How far apart right pictures of the frame may be (docs/lighting.md, "Edges").
 // Of either cut of quadrilaterals. Of exact surfaces: that of their meshes, lit per pixel.
 Freedom freedom(const Frame& frame, RenderOptions options = {});

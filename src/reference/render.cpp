@@ -11,7 +11,39 @@ Rgba rgba(const glm::dvec4& color) {
             static_cast<float>(color.a)};
 }
 
+// By Draw.
+std::vector<int> shape_numbers(const Stages& stages) {
+    std::vector<int> numbers;
+    const Draw* last = nullptr;
+    for (const StagedDraw& staged : stages.draws) {
+        const Draw& draw = *staged.draw;
+        const bool is_same = last && last->place == draw.place && last->surfaces == draw.surfaces;
+        numbers.push_back(numbers.empty() ? 0 : numbers.back() + (is_same ? 0 : 1));
+        last = &draw;
+    }
+    return numbers;
+}
+
 }  // namespace
+
+std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options) {
+    const Stages stages = run_stages(frame, options);
+    const std::vector<Shader> shaders = make_shaders(stages, options);
+    const std::vector<int> numbers = shape_numbers(stages);
+    std::vector<int> seen(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height), -1);
+    for_each_band(frame.height, [&](int y0, int y1) {
+        const Framebuffer framebuffer(stages, shaders, frame.width, y0, y1);
+        for (int y = y0; y < y1; ++y)
+            for (int x = 0; x < frame.width; ++x) {
+                const std::optional<StepId> step = framebuffer.step(x, y);
+                if (!step || *step < 0) continue;
+                const auto row = static_cast<std::size_t>(frame.height - 1 - y);
+                seen[row * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)] =
+                    numbers[stages.piece(*step).draw];
+            }
+    });
+    return seen;
+}
 
 Image render(const Frame& frame, const RenderOptions& options) {
     const Stages stages = run_stages(frame, options);

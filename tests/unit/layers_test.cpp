@@ -30,6 +30,7 @@ const std::map<std::string, Layers>& allowed() {
         {"fixed", {"math", "command", "shape", "state", "effect", "stages", "context", "image"}},
         {"programmable", {"math", "command", "state", "effect", "stages", "shape", "context", "image"}},
         {"report", {"math", "command", "state", "effect", "image"}},  // the renderers come as functions
+        {"study", {"math", "command", "shape", "state", "image", "report"}},  // the renderers come as functions
         {"fuzz",
          {"math", "command", "state", "shape", "lighting", "image", "context", "fixed", "programmable", "reference",
           "report"}},

@@ -25,6 +25,7 @@ Subcommand add_compare(CLI::App& app);
 Subcommand add_explain(CLI::App& app);
 Subcommand add_export(CLI::App& app);
 Subcommand add_scenes(CLI::App& app);
+Subcommand add_study(CLI::App& app);
 Subcommand add_fuzz(CLI::App& app);
 
 // Accepts the keys of a map.

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command_line.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "command/names.h"
 #include "image/file.h"
@@ -25,26 +25,6 @@ struct Arguments {
     Options options;
     std::string folder = "fuzz-failures";
     bool json = false;
-};
-
-volatile std::sig_atomic_t interrupted = 0;  // the one thing that a handler may write to
-
-// Ctrl-C ends the run, once; a second one ends the program.
-class Interrupt {
-  public:
-    Interrupt() {
-        interrupted = 0;
-        struct sigaction action {};
-        action.sa_handler = [](int) { interrupted = 1; };
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        sigaction(SIGINT, &action, &before_);
-    }
-    ~Interrupt() { sigaction(SIGINT, &before_, nullptr); }
-    Interrupt(const Interrupt&) = delete;
-    Interrupt& operator=(const Interrupt&) = delete;
-
-  private:
-    struct sigaction before_ {};
 };
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -156,7 +136,7 @@ int run(const Arguments& arguments) {
     {
         ProgressBar bar;
         fuzz::Progress progress;
-        progress.stop = [] { return interrupted != 0; };
+        progress.stop = [] { return Interrupt::came(); };
         progress.found = [&](const fuzz::Failure& failure) { write_failure(arguments, failure); };
         progress.show = [&](std::uint64_t done, const Summary& so_far, const char* doing) {
             const double seconds = seconds_since(start), rate = static_cast<double>(done) / std::max(seconds, 1e-9);
