@@ -24,7 +24,7 @@ struct Arguments {
     std::optional<Shading> shading;
     std::optional<Size> size;
     std::optional<int> frame;
-    bool scrubbed = false, baked = false;
+    bool scrubbed = false, baked = false, precise = false;
     double budget = RenderOptions{}.budget;
     std::string output;
 };
@@ -63,6 +63,9 @@ int run(const Arguments& arguments) {
     if (arguments.baked && arguments.renderer != "programmable") {
         throw UsageError("--baked is of the shaders; use it with --with programmable");
     }
+    if (arguments.precise && arguments.renderer != "programmable") {
+        throw UsageError("--precise is of the shaders; use it with --with programmable");
+    }
     const bool to_stdout = arguments.output == "-";
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
         throw UsageError("-o - would write a PNG's bytes to the terminal; redirect it or name a file");
@@ -74,7 +77,8 @@ int run(const Arguments& arguments) {
     const RenderOptions options{.shading = arguments.shading,
                                 .lecture_variants = true,
                                 .budget = arguments.budget,
-                                .tier = arguments.baked ? Tier::kBaked : Tier::kUniform};
+                                .tier = arguments.baked ? Tier::kBaked : Tier::kUniform,
+                                .precise = arguments.precise};
     const std::string png = encode_png(render(frame, options));
     if (to_stdout) {
         write_result(png);
@@ -103,6 +107,9 @@ Subcommand add_render(CLI::App& app) {
                      "fixed, reference: no more of the state than each draw calls for, instead of all of it");
     render->add_flag("--baked", arguments->baked,
                      "programmable: the scene's numbers as constants of the shaders, instead of uniforms");
+    render->add_flag("--precise", arguments->precise,
+                     "programmable: in the order of operations of Mesa's fixed function, for the same floats of "
+                     "vertices; without the lecture's variants, phong shading and --budget");
     render->add_option("-o", arguments->output, "the picture, or - for standard output")
         ->required()
         ->type_name("FILE")
