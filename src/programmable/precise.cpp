@@ -40,6 +40,10 @@ bool may_have_w(const Draw& draw) {
            std::ranges::any_of(draw.vertices, [](const Vertex& v) { return v.position_object.w != 1; });
 }
 
+bool has_one_color(const Draw& draw) {
+    return std::ranges::all_of(draw.vertices, [&](const Vertex& v) { return v.color == draw.vertices.front().color; });
+}
+
 // What the driver's program does, of which a plan would leave out what changes no colour but some of its rounding.
 void put_all_in_force(EffectSet& effects, const Draw& draw, const LightingState& lighting) {
     const bool rgb = effects.needs_primary_rgb();
@@ -123,7 +127,11 @@ void check_precise(const RenderOptions& options) {
 Code precise_code(const Draw& draw, const Plan& plan) {
     Code code = code_for(draw, plan);
     code.form = {.precise = true, .position_w = code.form.position_w, .loops = {}};
-    if (!code.effects.lighting) return code;
+    if (!code.effects.lighting) {
+        // One colour, which no vertex brings, reaches the fixed function's fragments as it is.
+        if (has_one_color(draw)) code.effects.shading = Shading::kFlat;
+        return code;
+    }
     put_all_in_force(code.effects, draw, plan.lighting);
     code.lights.assign(code.effects.lights.size(), {});
     const MesaMatrix modelview = mesa_matrix(glm::mat4(draw.eye_from_object));
