@@ -110,18 +110,24 @@ double glsl_version() {
 
 }  // namespace
 
-void check_precise(const RenderOptions& options) {
+RenderOptions precise_options(RenderOptions options) {
     if (options.shading == Shading::kPhong)
-        throw std::runtime_error(
-            "--precise follows the fixed function, which lights vertices; it has no phong shading");
+        throw std::invalid_argument(
+            "--precise follows the fixed function, which lights vertices: it has no phong shading");
     if (options.tier != Tier::kUniform)
-        throw std::runtime_error(
-            "--precise takes a scene's numbers as uniforms: constants the compiler would fold, in an "
+        throw std::invalid_argument(
+            "--precise has a scene's numbers as uniforms: constants the compiler would fold, by an "
             "arithmetic of its own");
+    options.budget = 0;
+    options.lecture_variants = false;
+    return options;
+}
+
+void check_has_precise() {
     constexpr double kHasPrecise = 4.0;
-    if (glsl_version() < kHasPrecise)
+    if (const double version = glsl_version(); version < kHasPrecise)
         throw std::runtime_error(
-            fmt::format("--precise needs GLSL 4.00, which has `precise`; this driver has {:.2f}", glsl_version()));
+            fmt::format("--precise needs GLSL 4.00, which has `precise`; this driver has {:.2f}", version));
 }
 
 Code precise_code(const Draw& draw, const Plan& plan) {

@@ -38,9 +38,8 @@ struct PreparedDraw {
 struct PreparedFrame::Impl {
     Impl(const Frame& frame, RenderOptions options) : tier(options.tier) {
         if (options.precise) {
-            check_precise(options);
-            options.budget = 0;
-            options.lecture_variants = false;
+            options = precise_options(options);
+            check_has_precise();
         }
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {

@@ -369,8 +369,8 @@ TEST(Precise, IsOfVerticesAndOfUniforms) {
     RenderOptions phong = kPrecise, baked = kPrecise;
     phong.shading = Shading::kPhong;
     baked.tier = Tier::kBaked;
-    EXPECT_THROW(programmable::PreparedFrame(frame, phong), std::runtime_error);
-    EXPECT_THROW(programmable::PreparedFrame(frame, baked), std::runtime_error);
+    EXPECT_THROW(programmable::PreparedFrame(frame, phong), std::invalid_argument);
+    EXPECT_THROW(programmable::PreparedFrame(frame, baked), std::invalid_argument);
 }
 
 }  // namespace

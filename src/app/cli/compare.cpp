@@ -104,9 +104,7 @@ Subcommand add_compare(CLI::App& app) {
     add_size_option(*compare, arguments->size);
     add_frame_option(*compare, arguments->frame);
     add_budget_option(*compare, arguments->budget);
-    compare->add_flag(
-        "--precise", arguments->precise,
-        "the programmable picture in the order of operations of Mesa's fixed function, for the same floats");
+    add_precise_flag(*compare, arguments->precise);
     compare->add_flag("--json", arguments->json, "print comparison.json's object instead of the table");
     compare->footer("Exit status: 0 within the tolerance or partial, 1 beyond it, 2 bad input or use.");
     return {compare, [arguments] { return run(*arguments); }};

@@ -107,9 +107,7 @@ Subcommand add_render(CLI::App& app) {
                      "fixed, reference: no more of the state than each draw calls for, instead of all of it");
     render->add_flag("--baked", arguments->baked,
                      "programmable: the scene's numbers as constants of the shaders, instead of uniforms");
-    render->add_flag("--precise", arguments->precise,
-                     "programmable: in the order of operations of Mesa's fixed function, for the same floats of "
-                     "vertices; without the lecture's variants, phong shading and --budget");
+    add_precise_flag(*render, arguments->precise);
     render->add_option("-o", arguments->output, "the picture, or - for standard output")
         ->required()
         ->type_name("FILE")
