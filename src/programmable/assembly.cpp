@@ -100,6 +100,7 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
     }
     const bool half_sum = specular && shininess && !reflection && (positional || effects.local_viewer);
     const bool normalizes_here = stage == Stage::kVertex ? effects.normalize : phong && effects.needs_normal();
+    const bool makes_unit = !form.precise && (normalizes_here || (lights_here && effects.local_viewer));
     const bool properties = effects.front.varies() || effects.back.varies();
     const bool surface = effects.needs_position_eye() || effects.needs_normal() || effects.needs_color() || properties;
 
@@ -124,7 +125,7 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
         {"EFFECT_VERTEX_PROPERTIES", properties},
         {"EFFECT_PRECISE", form.precise},
         {"EFFECT_RESCALE", form.rescale},
-        {"EFFECT_UNIT", normalizes_here || (lights_here && (effects.vertex_w || effects.local_viewer))},
+        {"EFFECT_UNIT", makes_unit || (lights_here && effects.vertex_w)},
         {"EFFECT_VPE_DIR", specular && shininess && (reflection || positional)},
         {"EFFECT_HIGHLIGHT_BOUND", shininess && !effects.normalize && !phong},
         {"EFFECT_SHOWN_FACE", shares_faces(effects)},

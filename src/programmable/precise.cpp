@@ -44,15 +44,25 @@ bool has_one_color(const Draw& draw) {
     return std::ranges::all_of(draw.vertices, [&](const Vertex& v) { return v.color == draw.vertices.front().color; });
 }
 
+void check_lights(const Draw& draw) {
+    const auto& lights = draw.lighting.lights;
+    for (std::size_t i = kMaxLights; i < lights.size(); ++i)
+        if (lights[i].enabled)
+            throw std::runtime_error(fmt::format(
+                "{}: --precise follows the fixed function, which has {} lights, and not {}; leave --precise out",
+                draw.place.str(), kMaxLights, light_name(static_cast<int>(i))));
+}
+
 // What the driver's program does, of which a plan would leave out what changes no colour but some of its rounding.
 void put_all_in_force(EffectSet& effects, const Draw& draw, const LightingState& lighting) {
     const bool rgb = effects.needs_primary_rgb();
     effects.lights.clear();
     for_each_light(lighting, [&](std::size_t, const LightSource& light) {
+        const bool spot = light.spot_cutoff_deg != 180;
         effects.lights.push_back({.directional = light.position_eye.w == 0,
                                   .attenuated = is_attenuated(light),
-                                  .spot = light.spot_cutoff_deg != 180,
-                                  .spot_exponent = Power::kReal,
+                                  .spot = spot,
+                                  .spot_exponent = spot ? Power::kReal : Power::kOne,
                                   .smooth_cone = false,
                                   .ambient = rgb,
                                   .diffuse = rgb,
@@ -138,6 +148,7 @@ Code precise_code(const Draw& draw, const Plan& plan) {
         if (has_one_color(draw)) code.effects.shading = Shading::kFlat;
         return code;
     }
+    check_lights(draw);
     put_all_in_force(code.effects, draw, plan.lighting);
     code.lights.assign(code.effects.lights.size(), {});
     const MesaMatrix modelview = mesa_matrix(glm::mat4(draw.eye_from_object));

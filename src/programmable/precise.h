@@ -16,7 +16,7 @@ RenderOptions precise_options(RenderOptions options);
 // Throws std::runtime_error where the GLSL of the current context has no `precise`.
 void check_has_precise();
 
-// In the place of code_for() and uniforms().
+// In the place of code_for() and uniforms(). Throws std::runtime_error for a Draw with lights that GL does not have.
 Code precise_code(const Draw& draw, const Plan& plan);
 Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code);
 

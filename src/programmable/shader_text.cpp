@@ -47,14 +47,28 @@ std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
     return text.empty() ? "" : "// What stays GL's state:\n" + text;
 }
 
+// Which lights each of the text's is.
+std::vector<std::vector<std::string>> light_names(const Plan& plan, const Code& code) {
+    std::vector<std::vector<std::string>> names;
+    if (code.form.precise) {
+        for (std::size_t i = 0; i < plan.lighting.lights.size(); ++i)
+            if (plan.lighting.enabled && plan.lighting.lights[i].enabled)
+                names.push_back({light_name(static_cast<int>(i))});
+    } else {
+        for (const std::vector<std::size_t>& lights : code.lights) {
+            names.emplace_back();
+            for (const std::size_t planned : lights) names.back().push_back(light_name(plan.lights[planned].number));
+        }
+    }
+    return names;
+}
+
 std::string program_text(const Draw& draw, const Plan& plan, const Code& code) {
     const bool precise = code.form.precise;
     std::string text = "// What lights this Draw:\n" + commented(describe(precise ? code.effects : plan.effects));
-    for (std::size_t i = 0; i < code.lights.size(); ++i) {
-        std::vector<std::string> names;
-        for (const std::size_t planned : code.lights[i]) names.push_back(light_name(plan.lights[planned].number));
-        text += fmt::format("// light{} is {}.\n", i, fmt::join(names, ", "));
-    }
+    const std::vector<std::vector<std::string>> lights = light_names(plan, code);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        text += fmt::format("// light{} is {}.\n", i, fmt::join(lights[i], ", "));
     if (!precise) text += "// What is left out:\n";
     for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
         for (const LeftOut& left_out : list)

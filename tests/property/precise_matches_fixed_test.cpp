@@ -278,7 +278,9 @@ class Comparison {
         const bool is_control = found.states % kControlEvery == 1;
         const Triangle ordinary =
             is_control ? programs_.lit(draw, {.shading = {}, .lecture_variants = false, .budget = 0}) : Triangle{};
-        const fuzz::LeftOut left_out(*commands, {});
+        // What rounding decides is not left out: the same floats decide alike.
+        const fuzz::LeftOut left_out(*commands,
+                                     {"light at the horizon of a vertex", "vertex near the edge of a spot's cone"});
         for (std::size_t v = 0; v < 3; ++v) {
             const std::string where = fmt::format("state {} under {}, vertex {}", state, name_of(kind), v);
             compare(found.positions, fixed[v].position, window(precise[v].position), where + ", position");

@@ -290,6 +290,11 @@ TEST_F(Cli, ComparesInTheFixedFunctionsOrderOfOperations) {
     EXPECT_FALSE(object["renders"][1].contains("error_bound")) << "it is not drawn from plans";
     const ProgramResult shaders = run({"export", file, "--as", "glsl", "--precise"});
     EXPECT_NE(shaders.out.find("precise float n_dot_vp"), std::string::npos);
+    const std::string nine =
+        scene("#pragma twinlight light(8, GL_DIFFUSE, 1, 1, 1, 1)\n" + std::string(kScene), "nine.gl");
+    const ProgramResult refused = run({"render", nine, "--with", "programmable", "--precise", "-o", out_ / "p.png"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("has 8 lights, and not light(8)"), std::string::npos) << refused.err;
 }
 
 TEST_F(Cli, ListsScenes) {
