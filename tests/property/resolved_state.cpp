@@ -133,6 +133,7 @@ std::string_view name_of(ModelviewKind kind) {
         case ModelviewKind::kScale: return "a scale";
         case ModelviewKind::kSimilarity: return "a rotation and a uniform scale";
         case ModelviewKind::kShear: return "a shear";
+        case ModelviewKind::kProjective: return "a projection";
     }
     return "";
 }
@@ -157,6 +158,11 @@ glm::dmat4 modelview_of(ModelviewKind kind, const Draw& draw, fuzz::Random& rand
         case ModelviewKind::kShear: {
             glm::dmat4 m = rotated(moved);
             m[1][0] += 0.3 * some();
+            return m;
+        }
+        case ModelviewKind::kProjective: {  // w of the vertices in eye coordinates stays what it was
+            glm::dmat4 m = rotated(moved);
+            m[0][3] = 0.05 * some();
             return m;
         }
     }

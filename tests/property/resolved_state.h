@@ -28,9 +28,10 @@ enum class ModelviewKind {
     kUniformScale,
     kScale,
     kSimilarity,
-    kShear
+    kShear,
+    kProjective
 };
-inline constexpr int kModelviewKinds = 10;
+inline constexpr int kModelviewKinds = 11;
 std::string_view name_of(ModelviewKind kind);
 glm::dmat4 modelview_of(ModelviewKind kind, const Draw& draw, fuzz::Random& random);
 
