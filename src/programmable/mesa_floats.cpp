@@ -80,7 +80,7 @@ glm::mat3 general_inverse(const glm::mat4& m) {
     glm::mat3 inverse;
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
-            inverse[column][row] = rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(4 + column)];
+            inverse[column][row] = rows[static_cast<std::size_t>(row)][4 + static_cast<std::size_t>(column)];
     return inverse;
 }
 

@@ -375,5 +375,22 @@ TEST(Precise, IsOfVerticesAndOfUniforms) {
     EXPECT_THROW(programmable::PreparedFrame(frame, baked), std::invalid_argument);
 }
 
+// Where the fixed function's answer is no number (2.1.1: none is asked for), it has the ordinary program's.
+TEST(Precise, HasAnAnswerWhereALightIsAtTheVertex) {
+    const auto context = make_offscreen_context(1, 1, ColorBuffer::kFloat);
+    if (!is_listed_driver()) GTEST_SKIP() << "GLSL 4.00 is asked for: " << driver_name();
+    const auto scene = std::make_shared<const CommandList>(read_scene(R"(
+glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);
+glLightfv(GL_LIGHT0, GL_AMBIENT, (GLfloat[]){1, 1, 1, 1});
+glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, 0, 1});
+glLightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, 2);
+glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 1);
+glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();)",
+                                                                      "scene.gl", "scene"));
+    programmable::Renderer renderer;
+    const Image image = renderer.render(make_frame(scene, {.width = 1, .height = 1}), kPrecise);
+    EXPECT_FLOAT_EQ(image.at(0, 0)[0], 0.2F * 0.2F + 0.2F / 2);  // of the scene's ambient light, and of the light's
+}
+
 }  // namespace
 }  // namespace twinlight

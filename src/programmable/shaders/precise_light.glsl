@@ -15,14 +15,14 @@
         precise float reach = spot_cosine >= u_LIGHTi_spot_cutoff_cosine ? spot_power : 0.0;
 #endif
 #if EFFECT_LIGHT_ATTENUATED
-        // att_i = 1 / (k0 + k1 d + k2 d^2); k0 comes with the d / d that it has where d stands for (1, d, d^2).
+        // att_i = 1 / (k0 + k1 d + k2 d^2), where the driver has d / d for 1. Where it would be 1/0, the light contributes nothing.
         precise float distance_squared = dot3(vp, vp);
         precise float light_distance = sqrt(distance_squared);
-        precise vec3 powers_of_distance = vec3(per_distance * light_distance, light_distance, distance_squared);
+        precise vec3 powers_of_distance = vec3(light_distance > 0.0 ? per_distance * light_distance : 1.0, light_distance, distance_squared);
         precise float attenuation_divisor = dot3(
             vec3(u_LIGHTi_constant_attenuation, u_LIGHTi_linear_attenuation, u_LIGHTi_quadratic_attenuation),
             powers_of_distance);
-        precise float attenuation = 1.0 / attenuation_divisor;
+        precise float attenuation = attenuation_divisor > 0.0 ? 1.0 / attenuation_divisor : 0.0;
 #endif
 #if EFFECT_LIGHT_ATTENUATED && EFFECT_LIGHT_SPOT
         reach = attenuation * reach;
