@@ -100,6 +100,7 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
     }
     const bool half_sum = specular && shininess && !reflection && (positional || effects.local_viewer);
     const bool normalizes_here = stage == Stage::kVertex ? effects.normalize : phong && effects.needs_normal();
+    const bool makes_unit = !form.precise && (normalizes_here || (lights_here && effects.local_viewer));
     const bool properties = effects.front.varies() || effects.back.varies();
     const bool surface = effects.needs_position_eye() || effects.needs_normal() || effects.needs_color() || properties;
 
@@ -122,13 +123,15 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
         {"EFFECT_SURFACE", surface},
         {"EFFECT_VARIES_AMBIENT", varies_ambient(effects.front) || varies_ambient(effects.back)},
         {"EFFECT_VERTEX_PROPERTIES", properties},
-        {"EFFECT_UNIT", normalizes_here || (lights_here && (effects.vertex_w || effects.local_viewer))},
+        {"EFFECT_PRECISE", form.precise},
+        {"EFFECT_RESCALE", form.rescale},
+        {"EFFECT_UNIT", makes_unit || (lights_here && effects.vertex_w)},
         {"EFFECT_VPE_DIR", specular && shininess && (reflection || positional)},
         {"EFFECT_HIGHLIGHT_BOUND", shininess && !effects.normalize && !phong},
         {"EFFECT_SHOWN_FACE", shares_faces(effects)},
         {"EFFECT_OBJECT_SPACE", form.object_space},
         {"EFFECT_HALF_SUM", half_sum},
-        {"EFFECT_POWER_WHOLE", whole_power},
+        {"EFFECT_POWER_WHOLE", whole_power && !form.precise},
         {"EFFECT_POWER_REAL", real_power},
     };
     scope.words = {
@@ -137,7 +140,10 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
         {"POSITION", form.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
         {"SURFACE_PARAMETER", surface ? "Surface surface" : ""},
         {"SURFACE", surface ? "surface" : ""},
-        {"SPECULAR_SUM", effects.separate_specular ? "lit.secondary" : "lit.primary.rgb"},
+        {"VERSION", form.precise ? "400" : "130"},  // `precise` is of 4.00
+        {"SPECULAR_SUM", form.precise                ? (effects.separate_specular ? "secondary" : "primary")
+                         : effects.separate_specular ? "lit.secondary"
+                                                     : "lit.primary.rgb"},
         {"POWER_OF_ROOT", effects.shininess == Power::kReal ? "real_power_of_root" : "whole_power_of_root"},
         {"POWER", effects.shininess == Power::kReal ? "real_power" : "whole_power"},
     };
@@ -186,6 +192,7 @@ Scope scope_of_light(Scope scope, const EffectSet& effects, const Form& form, st
         {"EFFECT_LIGHT_SPOT_EXPONENT", light.spot_exponent != Power::kOne},
         {"EFFECT_LIGHT_SMOOTH_CONE", light.smooth_cone},
         {"EFFECT_LIGHT_CONE", cone},
+        {"EFFECT_LIGHT_REACH", light.attenuated || cone},
         {"EFFECT_LIGHT_AMBIENT", light.ambient},
         {"EFFECT_LIGHT_DIFFUSE", light.diffuse},
         {"EFFECT_LIGHT_SPECULAR", light.specular},

@@ -14,6 +14,9 @@ struct Form {
     // The vertices are lit in object coordinates, to which the lights are brought once: where the modelview matrix keeps
     // angles, no vertex's position and normal need be brought to the lights.
     bool object_space = false;
+    // Every sum in the one order of --precise (precise.h). Then object_space follows the driver.
+    bool precise = false;
+    bool rescale = false;    // precise: the normals are multiplied by GL_RESCALE_NORMAL's factor
     bool position_w = true;  // w of a vertex's position may be other than 1
     // The last lights of the effects, as many as these, stand for many that differ in numbers alone: the text goes through
     // them in a loop, over arrays of these lengths.

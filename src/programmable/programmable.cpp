@@ -8,6 +8,7 @@
 #include "context/gl.h"
 #include "programmable/draw_values.h"
 #include "programmable/mesh.h"
+#include "programmable/precise.h"
 #include "programmable/programs.h"
 #include "stages/fixed_stages.h"
 #include "stages/textures.h"
@@ -18,7 +19,9 @@ namespace {
 // What is left of a Draw once it is planned and its vertices are the driver's.
 struct PreparedDraw {
     PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options)
-        : code(code_for(draw, plan)), numbers(uniforms(draw, plan, code)), mesh(draw, plan.effects, options) {
+        : code(options.precise ? precise_code(draw, plan) : code_for(draw, plan)),
+          numbers(options.precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code)),
+          mesh(draw, code.effects, options) {
         stages.raster = draw.raster;
         stages.fragment = draw.fragment;
         stages.texture = draw.texture;
@@ -33,7 +36,11 @@ struct PreparedDraw {
 }  // namespace
 
 struct PreparedFrame::Impl {
-    Impl(const Frame& frame, const RenderOptions& options) : tier(options.tier) {
+    Impl(const Frame& frame, RenderOptions options) : tier(options.tier) {
+        if (options.precise) {
+            options = precise_options(options);
+            check_has_precise();
+        }
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
                 items.emplace_back(*clear);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "programmable/bake.h"
+#include "programmable/precise.h"
 #include "programmable/programmable.h"
 
 namespace twinlight::programmable {
@@ -46,24 +47,39 @@ std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
     return text.empty() ? "" : "// What stays GL's state:\n" + text;
 }
 
-std::string program_text(const Draw& draw, const Plan& plan) {
-    std::string text = "// What lights this Draw:\n" + commented(describe(plan.effects));
-    const Code code = code_for(draw, plan);
-    for (std::size_t i = 0; i < code.lights.size(); ++i) {
-        std::vector<std::string> names;
-        for (const std::size_t planned : code.lights[i]) names.push_back(light_name(plan.lights[planned].number));
-        text += fmt::format("// light{} is {}.\n", i, fmt::join(names, ", "));
+// Which lights each of the text's is.
+std::vector<std::vector<std::string>> light_names(const Plan& plan, const Code& code) {
+    std::vector<std::vector<std::string>> names;
+    if (code.form.precise) {
+        for (std::size_t i = 0; i < plan.lighting.lights.size(); ++i)
+            if (plan.lighting.enabled && plan.lighting.lights[i].enabled)
+                names.push_back({light_name(static_cast<int>(i))});
+    } else {
+        for (const std::vector<std::size_t>& lights : code.lights) {
+            names.emplace_back();
+            for (const std::size_t planned : lights) names.back().push_back(light_name(plan.lights[planned].number));
+        }
     }
-    text += "// What is left out:\n";
+    return names;
+}
+
+std::string program_text(const Draw& draw, const Plan& plan, const Code& code) {
+    const bool precise = code.form.precise;
+    std::string text = "// What lights this Draw:\n" + commented(describe(precise ? code.effects : plan.effects));
+    const std::vector<std::vector<std::string>> lights = light_names(plan, code);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        text += fmt::format("// light{} is {}.\n", i, fmt::join(lights[i], ", "));
+    if (!precise) text += "// What is left out:\n";
     for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
-        for (const LeftOut& left_out : list) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
+        for (const LeftOut& left_out : list)
+            if (!precise) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
 
     text += fixed_stages_text(draw, plan);
 
     const ShaderSource source = assemble(code.effects, code.form);
     const auto names = uniform_names(source);
     text += "// The uniforms' values:\n";
-    for (const auto& [name, values] : uniforms(draw, plan, code))
+    for (const auto& [name, values] : precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code))
         if (names.contains(name)) text += fmt::format("//   {} = {}\n", name, fmt::join(values, " "));
     text += fmt::format("\n// ---- Vertex shader ----\n\n{}\n// ---- Fragment shader ----\n\n{}", source.vertex,
                         source.fragment);
@@ -72,13 +88,15 @@ std::string program_text(const Draw& draw, const Plan& plan) {
 
 }  // namespace
 
-std::string shader_source(const Frame& frame, const RenderOptions& options) {
+std::string shader_source(const Frame& frame, const RenderOptions& asked) {
+    const RenderOptions options = asked.precise ? precise_options(asked) : asked;
     // The Draws of each program; the first of them gives the values.
     struct Use {
         const Draw* first;
         int number;
         int others = 0;
         Plan plan;
+        Code code;
     };
     std::vector<Use> uses;
     int number = 0;
@@ -87,17 +105,19 @@ std::string shader_source(const Frame& frame, const RenderOptions& options) {
         if (!draw) continue;
         ++number;
         Plan plan = plan_effects(*draw, options);
-        const auto same = std::ranges::find_if(uses, [&](const Use& use) { return use.plan.effects == plan.effects; });
+        Code code = options.precise ? precise_code(*draw, plan) : code_for(*draw, plan);
+        const auto same = std::ranges::find_if(
+            uses, [&](const Use& use) { return use.code.effects == code.effects && use.code.form == code.form; });
         if (same != uses.end())
             ++same->others;
         else
-            uses.push_back({.first = draw, .number = number, .plan = std::move(plan)});
+            uses.push_back({.first = draw, .number = number, .plan = std::move(plan), .code = std::move(code)});
     }
     std::string text;
     for (const Use& use : uses) {
         text += fmt::format("// ==== Draw {}, {}", use.number, use.first->place.str());
         if (use.others > 0) text += fmt::format("; {} more with other values", use.others);
-        text += "\n" + program_text(*use.first, use.plan) + "\n";
+        text += "\n" + program_text(*use.first, use.plan, use.code) + "\n";
     }
     return text;
 }

@@ -108,7 +108,8 @@ Render render(const PlannedRender& planned, const Frame& frame, const Renderers&
     Image image = draw(frame, planned.options);
     const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
     Render result{.name = planned.name, .meaning = planned.meaning, .image = std::move(image), .ms = taken.count()};
-    if (planned.renderer == &Renderers::programmable) result.plan = explain(frame, planned.options);
+    if (planned.renderer == &Renderers::programmable && !planned.options.precise)
+        result.plan = explain(frame, planned.options);
     if (!planned.by_driver && has_quadrilaterals(frame)) {
         RenderOptions other = planned.options;
         other.quad_cut = QuadCut::kSecondToFourth;
@@ -162,7 +163,8 @@ Verdict verdict_of(const Comparison& comparison, const Pair& pair) {
 }  // namespace
 
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
-                         const Renderers& renderers, const Progress& progress, Pictures pictures, double budget) {
+                         const Renderers& renderers, const Progress& progress, Pictures pictures, double budget,
+                         bool precise) {
     constexpr int kSteps = static_cast<int>(kRenders.size()) + 2;
     int done = 0;
     const auto begin_step = [&](std::string_view name) {
@@ -178,6 +180,11 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
     const auto is_left_out = [pictures](bool phong) { return phong && pictures == Pictures::kPerVertex; };
     for (PlannedRender planned : kRenders) {
         planned.options.budget = budget;
+        if (precise && planned.renderer == &Renderers::programmable && planned.options.shading != Shading::kPhong) {
+            planned.options.precise = true;
+            planned.meaning =
+                "Shaders light vertices by GL's model, in the order of operations of Mesa's fixed function.";
+        }
         if (is_left_out(planned.options.shading == Shading::kPhong)) continue;
         begin_step(planned.name);
         result.renders.push_back(render(planned, frame, renderers, pictures));

@@ -90,10 +90,11 @@ enum class Pictures : std::uint8_t { kAll, kPerVertex };  // the second: each dr
 
 // The per-vertex pictures follow GL's own model (the lecture's variants off), flat or gouraud as the scene
 // says, so that the three can be held against each other; the phong pictures follow the scene's variants.
+// `precise`: the programmable one of them is drawn with RenderOptions::precise.
 // What the driver draws with is drawn twice and the second time is told, for in the first the driver compiles.
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
                          const Renderers& renderers, const Progress& progress = {}, Pictures pictures = Pictures::kAll,
-                         double budget = RenderOptions{}.budget);
+                         double budget = RenderOptions{}.budget, bool precise = false);
 
 // ---- What is written of it ----
 

@@ -305,6 +305,9 @@ struct RenderOptions {
     // for who draws the same vertices again and again.
     bool patches = false;
     Tier tier = Tier::kUniform;  // of the programmable renderer
+    // Of the programmable renderer: lit per vertex in the order of operations of Mesa's fixed function, every sum in floats
+    // (programmable/precise.h). Nothing of the lighting is left out then, whatever the budget.
+    bool precise = false;
 };
 
 }  // namespace twinlight

@@ -48,6 +48,20 @@ void compare_seven_scenes(Results& results, const Draw& mesh) {
     results.ratio("vertex_uniform_row_major_over_fixed_row_major", geometric_mean(uniform_rows));
 }
 
+void compare_precise(Results& results, const Draw& mesh) {
+    RenderOptions precise = options_for(Tier::kUniform, true);
+    precise.precise = true;
+    std::vector<double> ratios;
+    for (const LitScene& scene : seven_scenes(mesh)) {
+        const Frame frame = frame_of(scene.draw);
+        const auto timed = results.compare(
+            scene.name + ", --precise",
+            {shader_way("uniforms", frame, Tier::kUniform, true), shader_way("precise", frame, precise)});
+        ratios.push_back(times_faster(timed[1], timed[0]));
+    }
+    results.ratio("vertex_precise_over_uniform", geometric_mean(ratios));
+}
+
 void compare_scrubbed(Results& results, const Draw& mesh) {
     std::vector<double> ratios;
     for (const LitScene& scene : idle_scenes(mesh)) {
@@ -67,6 +81,7 @@ void compare_vertices(Results& results) {
     const Draw mesh = sphere(512, 256);
     compare_scrubbed(results, mesh);
     compare_seven_scenes(results, mesh);
+    compare_precise(results, mesh);
 }
 
 // ---- The first frame, planning ----

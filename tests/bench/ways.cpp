@@ -24,15 +24,19 @@ Way fixed_way(std::string name, const Frame& frame, fixed::Scrub scrub, bool pat
             }};
 }
 
-Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches, const std::optional<Shading>& shading) {
-    RenderOptions options = options_for(tier, patches);
-    options.shading = shading;
+Way shader_way(std::string name, const Frame& frame, const RenderOptions& options) {
     const auto renderer = std::make_shared<programmable::Renderer>();
     const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, options);
     return {std::move(name), [renderer, prepared] {
                 renderer->draw(*prepared);
                 glFinish();
             }};
+}
+
+Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches, const std::optional<Shading>& shading) {
+    RenderOptions options = options_for(tier, patches);
+    options.shading = shading;
+    return shader_way(std::move(name), frame, options);
 }
 
 }  // namespace twinlight::bench

@@ -14,6 +14,7 @@ namespace twinlight::bench {
 RenderOptions options_for(Tier tier, bool patches);
 
 Way fixed_way(std::string name, const Frame& frame, fixed::Scrub scrub, bool patches);
+Way shader_way(std::string name, const Frame& frame, const RenderOptions& options);
 Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches,
                const std::optional<Shading>& shading = {});
 

@@ -93,6 +93,14 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"render", file, "--with", "fixed", "--shading", "phong", "-o", out_ / "p.png"}),
                    "use --with programmable or --with reference");
     expect_refused(run({"render", file, "--with", "fixed", "--shading", "smooth", "-o", out_ / "p.png"}), "flat");
+    expect_refused(run({"render", file, "--with", "fixed", "--precise", "-o", out_ / "p.png"}),
+                   "use it with --with programmable");
+    expect_refused(
+        run({"render", file, "--with", "programmable", "--precise", "--shading", "phong", "-o", out_ / "p.png"}),
+        "it has no phong shading");
+    expect_refused(run({"render", file, "--with", "programmable", "--precise", "--baked", "-o", out_ / "p.png"}),
+                   "as uniforms");
+    expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
     expect_refused(run({"compare", file}), "-o is required");
     expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
     expect_refused(run({"scenes", "no-such-scene-at-all"}), "there is no built-in scene 'no-such-scene-at-all'");
@@ -271,6 +279,23 @@ TEST_F(Cli, ComparesAndPrintsOneJsonObject) {
     for (const json& render : object["renders"]) {
         EXPECT_TRUE(fs::exists(out_ / render["file"].get<std::string>()));
     }
+}
+
+TEST_F(Cli, ComparesInTheFixedFunctionsOrderOfOperations) {
+    const std::string file = scene(kScene);
+    const ProgramResult result = run({"compare", file, "--size", "64x48", "--precise", "--json", "-o", out_.str()});
+    if (result.err.find("--precise needs GLSL 4.00") != std::string::npos) GTEST_SKIP() << result.err;
+    EXPECT_EQ(result.status, 0);
+    const json object = json::parse(result.out);
+    EXPECT_EQ(object["pairs"][0]["interior"]["differing"], 0);
+    EXPECT_FALSE(object["renders"][1].contains("error_bound")) << "it is not drawn from plans";
+    const ProgramResult shaders = run({"export", file, "--as", "glsl", "--precise"});
+    EXPECT_NE(shaders.out.find("precise float n_dot_vp"), std::string::npos);
+    const std::string nine =
+        scene("#pragma twinlight light(8, GL_DIFFUSE, 1, 1, 1, 1)\n" + std::string(kScene), "nine.gl");
+    const ProgramResult refused = run({"render", nine, "--with", "programmable", "--precise", "-o", out_ / "p.png"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("has 8 lights, and not light(8)"), std::string::npos) << refused.err;
 }
 
 TEST_F(Cli, ListsScenes) {

@@ -51,6 +51,13 @@ void add_shading_option(CLI::App& app, std::optional<Shading>& shading, Exact ex
         ->check(one_of(has_exact ? kAllShadings : kMeshShadings));
 }
 
+void add_precise_flag(CLI::App& app, bool& precise) {
+    app.add_flag(
+        "--precise", precise,
+        "shaders light vertices in the order of operations of Mesa's fixed function, by GL's own model with nothing "
+        "left out: on llvmpipe to the same floats, wherever that keeps to the text");
+}
+
 void add_budget_option(CLI::App& app, double& budget) {
     app.add_option(
            "--budget", budget,

@@ -47,6 +47,9 @@ void add_shading_option(CLI::App& app, std::optional<Shading>& shading, Exact ex
 // RenderOptions::budget.
 void add_budget_option(CLI::App& app, double& budget);
 
+// RenderOptions::precise.
+void add_precise_flag(CLI::App& app, bool& precise);
+
 // Which picture of a recorded program.
 void add_frame_option(CLI::App& app, std::optional<int>& frame);
 

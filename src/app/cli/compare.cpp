@@ -20,7 +20,7 @@ struct Arguments {
     std::optional<int> frame;
     std::string folder;
     double budget = RenderOptions{}.budget;
-    bool json = false;
+    bool precise = false, json = false;
 };
 
 std::string colored(const std::string& text, report::Verdict verdict) {
@@ -80,7 +80,7 @@ int run(const Arguments& arguments) {
         comparison = report::compare_scene(
             frame, frame.commands->name, driver_name(), renderers.functions(),
             [&](int done, int total, std::string_view next) { bar.show(done, total, next); }, report::Pictures::kAll,
-            arguments.budget);
+            arguments.budget, arguments.precise);
     }
     if (!comparison.within_tolerance()) {
         for (const fuzz::Departure* departure : fuzz::departures_in(frame))
@@ -104,6 +104,7 @@ Subcommand add_compare(CLI::App& app) {
     add_size_option(*compare, arguments->size);
     add_frame_option(*compare, arguments->frame);
     add_budget_option(*compare, arguments->budget);
+    add_precise_flag(*compare, arguments->precise);
     compare->add_flag("--json", arguments->json, "print comparison.json's object instead of the table");
     compare->footer("Exit status: 0 within the tolerance or partial, 1 beyond it, 2 bad input or use.");
     return {compare, [arguments] { return run(*arguments); }};

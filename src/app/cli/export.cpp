@@ -18,6 +18,7 @@ struct Arguments {
     std::string form;
     std::optional<Shading> shading;
     std::optional<int> frame;
+    bool precise = false;
 };
 
 // What a C compiler still takes in one function.
@@ -48,9 +49,13 @@ int run(const Arguments& arguments) {
     if (arguments.form != "glsl" && arguments.shading) {
         throw UsageError("--shading is for --as glsl; a program shades as its glShadeModel says");
     }
+    if (arguments.form != "glsl" && arguments.precise)
+        throw UsageError("--precise is of the shaders; use it with --as glsl");
     // The whole scene is run first: what has an error is not exported.
     const Frame frame = load_frame(arguments.scene, {}, arguments.frame);
-    write_result(kForms.at(arguments.form)(frame, {.shading = arguments.shading, .lecture_variants = true}));
+    RenderOptions options{.shading = arguments.shading, .lecture_variants = true};
+    options.precise = arguments.precise;
+    write_result(kForms.at(arguments.form)(frame, options));
     return kFine;
 }
 
@@ -67,6 +72,7 @@ Subcommand add_export(CLI::App& app) {
         ->check(one_of(kForms));
     add_shading_option(*exporting, arguments->shading, Exact::kNo);
     add_frame_option(*exporting, arguments->frame);
+    add_precise_flag(*exporting, arguments->precise);
     return {exporting, [arguments] { return run(*arguments); }};
 }
 

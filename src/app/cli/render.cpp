@@ -24,7 +24,7 @@ struct Arguments {
     std::optional<Shading> shading;
     std::optional<Size> size;
     std::optional<int> frame;
-    bool scrubbed = false, baked = false;
+    bool scrubbed = false, baked = false, precise = false;
     double budget = RenderOptions{}.budget;
     std::string output;
 };
@@ -66,6 +66,9 @@ int run(const Arguments& arguments) {
     if (arguments.baked && arguments.renderer != "programmable") {
         throw UsageError("--baked is of the shaders; use it with --with programmable");
     }
+    if (arguments.precise && arguments.renderer != "programmable") {
+        throw UsageError("--precise is of the shaders; use it with --with programmable");
+    }
     const bool to_stdout = arguments.output == "-";
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
         throw UsageError("-o - would write a PNG's bytes to the terminal; redirect it or name a file");
@@ -77,7 +80,8 @@ int run(const Arguments& arguments) {
     const RenderOptions options{.shading = arguments.shading,
                                 .lecture_variants = true,
                                 .budget = arguments.budget,
-                                .tier = arguments.baked ? Tier::kBaked : Tier::kUniform};
+                                .tier = arguments.baked ? Tier::kBaked : Tier::kUniform,
+                                .precise = arguments.precise};
     const std::string png = encode_png(render(frame, options));
     if (to_stdout) {
         write_result(png);
@@ -106,6 +110,7 @@ Subcommand add_render(CLI::App& app) {
                      "fixed, reference: no more of the state than each draw calls for, instead of all of it");
     render->add_flag("--baked", arguments->baked,
                      "programmable: the scene's numbers as constants of the shaders, instead of uniforms");
+    add_precise_flag(*render, arguments->precise);
     render->add_option("-o", arguments->output, "the picture, or - for standard output")
         ->required()
         ->type_name("FILE")

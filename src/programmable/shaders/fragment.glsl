@@ -1,4 +1,4 @@
-#version 130
+#version VERSION
 #if EFFECT_PHONG
 // The fragment shader: lights each fragment (GL 2.1, section 2.14, of a vertex there).
 #else

@@ -46,4 +46,8 @@ uniform vec3 u_viewer_dir;  // the direction to it
 #for_each_light "light_uniforms.glsl"
 #for_each_face "face_uniforms.glsl"
 
+#if EFFECT_PRECISE
+#for_each_lit_face "precise_face.glsl"
+#else
 #for_each_lit_face "face.glsl"
+#endif

@@ -1,4 +1,4 @@
-#version 130
+#version VERSION
 // The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11)
 #if EFFECT_PHONG
 // and to eye coordinates, in which the fragment shader lights.
@@ -28,6 +28,9 @@ uniform mat4 u_eye_from_object;  // the modelview matrix
 #endif
 #if EFFECT_NORMAL && !EFFECT_OBJECT_SPACE
 uniform mat3 u_eye_from_object_normal;  // the transposed inverse of its upper 3x3 (section 2.11.3)
+#endif
+#if EFFECT_RESCALE
+uniform float u_normal_scale;  // GL_RESCALE_NORMAL's factor (section 2.11.3)
 #endif
 #if EFFECT_TEXTURE_MATRIX
 uniform mat4 u_texture_matrix;
@@ -90,14 +93,21 @@ invariant gl_Position;  // what is drawn again, by another program, lies at the 
 #if EFFECT_VERTEX_W && !EFFECT_PHONG
 #include "divided_by_w.glsl"
 #endif
+#if EFFECT_PRECISE
+#include "precise.glsl"
+#endif
 #if EFFECT_LIGHTING && !EFFECT_PHONG
 #include "lighting.glsl"
 #endif
 
 void main() {
     vec4 position = POSITION;
+#if EFFECT_PRECISE
+    gl_Position = transformed(u_clip_from_object, position);
+#else
     gl_Position = u_clip_from_object[0] * position.x + u_clip_from_object[1] * position.y +
         u_clip_from_object[2] * position.z + u_clip_from_object[3] * position.w;
+#endif
 #if EFFECT_PHONG
 #include "surface.glsl"
 #if EFFECT_VERTEX_W
@@ -113,7 +123,11 @@ void main() {
 #endif
 #for_each_property     v_PROPERTY = a_PROPERTY;
 #elif EFFECT_LIGHTING
+#if EFFECT_PRECISE
+#include "precise_surface.glsl"
+#else
 #include "surface.glsl"
+#endif
 #if EFFECT_SURFACE
     Surface surface;
 #endif

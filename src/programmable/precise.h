@@ -1,0 +1,23 @@
+// Precise: what --precise draws with. A Draw's lighting is neither planned nor folded: every enabled light is there, with
+// the floats and in the order of operations of Mesa's fixed function (mesa_floats.h, shaders/precise*.glsl), so that on
+// llvmpipe the colours of vertices are the fixed function's to the last bit, wherever that keeps to the text. Where it does
+// not, the text is followed.
+#pragma once
+
+#include "programmable/draw_values.h"
+#include "programmable/form.h"
+
+namespace twinlight::programmable {
+
+// With nothing left out and GL's own model. Throws std::invalid_argument for phong shading and for constants, which
+// --precise does not go with.
+RenderOptions precise_options(RenderOptions options);
+
+// Throws std::runtime_error where the GLSL of the current context has no `precise`.
+void check_has_precise();
+
+// In the place of code_for() and uniforms(). Throws std::runtime_error for a Draw with lights that GL does not have.
+Code precise_code(const Draw& draw, const Plan& plan);
+Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code);
+
+}  // namespace twinlight::programmable
