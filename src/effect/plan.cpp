@@ -67,7 +67,9 @@ bool keeps_errors_apart(const FragmentState& fragment) {
 class Planner {
   public:
     Planner(const Draw& draw, const RenderOptions& options, const VertexFacts& vertices)
-        : draw_(draw), options_(options), vertices_(vertices) {}
+        : draw_(draw), options_(options), vertices_(vertices) {
+        plan_.vertices = vertices;
+    }
 
     Plan plan() {
         state().enabled = draw_.lighting.enabled;

@@ -101,6 +101,7 @@ VertexFacts vertex_facts(const Draw& draw) {
     for (const Vertex& v : draw.vertices) {
         facts.w_is_1 = facts.w_is_1 && v.position_object.w == 1;
         facts.q_is_1 = facts.q_is_1 && v.tex_coord.q == 1;
+        facts.position_reach = glm::max(facts.position_reach, glm::abs(v.position_object));
     }
     find_sphere(draw, facts);
     find_normal_cone(draw, facts);

@@ -7,6 +7,7 @@
 #include "context/context.h"
 #include "context/gl.h"
 #include "programmable/draw_values.h"
+#include "programmable/kept_meshes.h"
 #include "programmable/mesh.h"
 #include "programmable/programs.h"
 #include "stages/fixed_stages.h"
@@ -17,8 +18,8 @@ namespace {
 
 // What is left of a Draw once it is planned and its vertices are the driver's.
 struct PreparedDraw {
-    PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options)
-        : code(code_for(draw, plan)), numbers(uniforms(draw, plan, code)), mesh(draw, plan.effects, options) {
+    PreparedDraw(const Draw& draw, const Plan& plan, std::shared_ptr<const Mesh> its_mesh)
+        : code(code_for(draw, plan)), numbers(uniforms(draw, plan, code)), mesh(std::move(its_mesh)) {
         stages.raster = draw.raster;
         stages.fragment = draw.fragment;
         stages.texture = draw.texture;
@@ -26,19 +27,31 @@ struct PreparedDraw {
 
     Code code;
     Uniforms numbers;
-    Mesh mesh;
+    std::shared_ptr<const Mesh> mesh;
     Draw stages;  // without vertices: what is set as GL's state
 };
+
+PreparedDraw prepared(const Draw& draw, const RenderOptions& options) {
+    const Plan plan = plan_effects(draw, options);
+    return {draw, plan, std::make_shared<const Mesh>(draw, plan.effects, options)};
+}
+
+PreparedDraw prepared(const Draw& draw, const RenderOptions& options, KeptMeshes& kept) {
+    const auto known = kept.known(draw);
+    const Plan plan = plan_effects(draw, options, known->facts);
+    return {draw, plan, kept.mesh(*known, draw, plan.effects, options)};
+}
 
 }  // namespace
 
 struct PreparedFrame::Impl {
-    Impl(const Frame& frame, const RenderOptions& options) : tier(options.tier) {
+    // kept: null where the frame shares nothing with others.
+    Impl(const Frame& frame, const RenderOptions& options, KeptMeshes* kept) : tier(options.tier) {
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
                 items.emplace_back(*clear);
             } else if (const Draw& draw = std::get<Draw>(item); draw.count() > 0) {
-                items.emplace_back(std::in_place_type<PreparedDraw>, draw, plan_effects(draw, options), options);
+                items.emplace_back(kept ? prepared(draw, options, *kept) : prepared(draw, options));
             }
         }
         glBindVertexArray(0);
@@ -50,24 +63,26 @@ struct PreparedFrame::Impl {
 };
 
 PreparedFrame::PreparedFrame(const Frame& frame, const RenderOptions& options)
-    : impl_(std::make_unique<Impl>(frame, options)) {}
+    : impl_(std::make_unique<Impl>(frame, options, nullptr)) {}
+PreparedFrame::PreparedFrame(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 PreparedFrame::~PreparedFrame() = default;
 
 struct Renderer::Impl {
-    explicit Impl(std::size_t program_limit) : programs(program_limit) {}
+    explicit Impl(const Limits& limits) : programs(limits.programs), meshes(limits.mesh_bytes) {}
 
     void draw(const PreparedDraw& what, const FixedStages& stages, Tier tier) {
         stages.set(what.stages);
         if (what.code.effects.has_texture()) textures.bind(what.stages.texture);
         programs.use(what.code.effects, what.code.form, what.numbers, tier);
-        what.mesh.draw();
+        what.mesh->draw();
     }
 
     Programs programs;
+    KeptMeshes meshes;
     Textures textures{Clamping::kShader};
 };
 
-Renderer::Renderer(std::size_t program_limit) : impl_(std::make_unique<Impl>(program_limit)) {}
+Renderer::Renderer(const Limits& limits) : impl_(std::make_unique<Impl>(limits)) {}
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const PreparedFrame& frame) {
@@ -81,15 +96,23 @@ void Renderer::draw(const PreparedFrame& frame) {
     }
     impl_->textures.drop_unused();
     impl_->programs.end_frame();
+    impl_->meshes.end_frame();
 }
 
-void Renderer::draw(const Frame& frame, const RenderOptions& options) { draw(PreparedFrame(frame, options)); }
+void Renderer::draw(const Frame& frame, const RenderOptions& options) {
+    KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
+    draw(PreparedFrame(std::make_unique<PreparedFrame::Impl>(frame, options, kept)));
+}
 
 Image Renderer::render(const Frame& frame, const RenderOptions& options) {
     draw(frame, options);
     return read_pixels(frame.width, frame.height);
 }
 
-Counters Renderer::counters() const { return impl_->programs.counters(); }
+Counters Renderer::counters() const {
+    Counters counters = impl_->programs.counters();
+    counters.meshes = impl_->meshes.counters();
+    return counters;
+}
 
 }  // namespace twinlight::programmable
