@@ -121,11 +121,20 @@ class Planner {
         plan_specular();
         drop_idle_colors();
         plan_geometry(lights.bounds);
-        if (facts().shading == Shading::kPhong && !facts().needs_normal() && !facts().needs_position_eye() &&
-            !facts().needs_color() && !facts().front.varies() && !facts().back.varies()) {
-            facts().shading = Shading::kGouraud;
+        plan_shading_per_fragment();
+    }
+
+    void plan_shading_per_fragment() {
+        if (facts().shading != Shading::kPhong || facts().needs_position_eye() || facts().needs_color() ||
+            facts().front.varies() || facts().back.varies())
+            return;
+        if (!facts().needs_normal())
             leave_out("lighting per fragment", "nothing that it depends on varies over the primitive");
-        }
+        else if (vertices_.normals_equal)
+            leave_out("lighting per fragment", "all normals are equal, the lights directional, the viewer is distant");
+        else
+            return;
+        facts().shading = Shading::kGouraud;
     }
 
     // GL_REPLACE may leave nothing of the primary colour; then only a separate specular colour is worth lighting.

@@ -50,6 +50,7 @@ void find_normal_cone(const Draw& draw, VertexFacts& facts) {
     bool ordinary = true;
     for (const Vertex& v : draw.vertices) {
         const glm::dvec3& n = v.normal_object;
+        facts.normals_equal = facts.normals_equal && n == draw.vertices.front().normal_object;
         if (n == glm::dvec3(0)) {
             facts.has_zero_normal = true;
             continue;

@@ -22,6 +22,7 @@ struct VertexFacts {
     glm::dvec3 center_object{0};
     double radius_object = 0;
 
+    bool normals_equal = true;     // to the last bit
     bool has_zero_normal = false;  // such normals do not count in what follows
     double shortest_normal = 0, longest_normal = 0;
     // A cone around them; its half angle is pi where it is of no use.

@@ -1,7 +1,11 @@
-// What each effect costs where it is called for: the vertex stage with all of them, and with one that is not called for.
-// docs/effects.md has the table.
+// What each effect costs where it is called for: the vertex stage and a picture with all of them, and with one that is not
+// called for. docs/effects.md has the table.
+#include <fmt/format.h>
+
 #include <glm/common.hpp>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "context/context.h"
@@ -13,12 +17,12 @@
 namespace twinlight::bench {
 namespace {
 
-constexpr int kSide = 64;
 constexpr int kLights = 4;
+constexpr int kSide = 512;  // of the pictures
 
 glm::dvec4 gray(double value) { return {value, value, value, 1}; }
 
-// Everything that a vertex can call for, but for colour material, which is an addition.
+// Everything that a vertex can call for, but for what kAdditions adds.
 Draw all_effects() {
     Draw draw = sphere(512, 256);
     LightingState& lighting = draw.lighting;
@@ -45,9 +49,31 @@ Draw all_effects() {
     return draw;
 }
 
+// What fragments can call for, lit one by one.
+Draw all_effects_of_fragments() {
+    const std::vector<LitScene> scenes = seven_scenes(sphere(3, 2));
+    Draw draw = on_dome(scenes[1].draw, kSide);  // three kinds of lights
+    draw.lighting.light_model.two_side = true;
+    draw.lighting.light_model.color_control = kGL_SEPARATE_SPECULAR_COLOR;
+    draw.lighting.front.emission = draw.lighting.back.emission = gray(0.5);
+    auto texture = std::make_shared<Texture>(*scenes.back().draw.texture.texture);
+    texture->wrap_s = texture->wrap_t = kGL_CLAMP;
+    texture->min_filter = kGL_LINEAR;
+    texture->mag_filter = kGL_NEAREST;
+    draw.texture.texture = std::move(texture);
+    draw.texture.texture_matrix[0][0] = 1.5;
+    for (Vertex& vertex : draw.vertices) vertex.tex_coord.w = 1.5 + 0.5 * vertex.position_object.x;
+    draw.fog = {.enabled = true, .mode = kGL_EXP2, .density = 0.2};
+    draw.raster.clip_planes_eye[0] = glm::dvec4(0, 0, -1, 0);  // cuts nothing off
+    return draw;
+}
+
+using Change = void (*)(Draw& draw);
+
 struct Effect {
     const char* name;
-    void (*leave_out)(Draw& draw);
+    Change change;                           // leaves it out, or adds it
+    Change prepare = [](Draw& /*draw*/) {};  // both what has it and what does not
 };
 
 void for_lights(Draw& draw, void (*change)(LightSource& light)) {
@@ -58,7 +84,7 @@ void for_materials(Draw& draw, void (*change)(Material& material)) {
     for (Material* material : {&draw.lighting.front, &draw.lighting.back}) change(*material);
 }
 
-constexpr Effect kEffects[] = {
+constexpr Effect kOfVertices[] = {
     {"lighting", [](Draw& draw) { draw.lighting.enabled = false; }},
     {"a light of four", [](Draw& draw) { draw.lighting.lights[3].enabled = false; }},
     {"attenuation",
@@ -88,23 +114,100 @@ constexpr Effect kEffects[] = {
      }},
 };
 
+constexpr Effect kAdditions[] = {
+    {"a division by w", [](Draw& draw) { draw.eye_from_object[3][3] = 1.1; }},
+    {"colour material",
+     [](Draw& draw) {
+         draw.lighting.color_material.enabled = true;
+         for (Vertex& vertex : draw.vertices) vertex.color = gray(0.5 + 0.4 * vertex.position_object.x);
+     }},
+    {"materials of vertices",
+     [](Draw& draw) {
+         Materials other{draw.lighting.front, draw.lighting.back};
+         other.front.diffuse = other.back.diffuse = gray(0.3);
+         draw.materials = {{draw.lighting.front, draw.lighting.back}, other};
+         for (Vertex& vertex : draw.vertices) vertex.material = vertex.position_object.y > 0 ? 1 : 0;
+     }},
+};
+
+void make_directional(Draw& draw) {
+    for_lights(draw, [](LightSource& light) {
+        light.position_eye = {1, 1, 1, 0};
+        light.spot_cutoff_deg = 180;
+    });
+    draw.lighting.light_model.local_viewer = false;
+}
+
+constexpr Effect kOfFragments[] = {
+    {"lighting of fragments: equal normals",
+     [](Draw& draw) {
+         for (Vertex& vertex : draw.vertices) vertex.normal_object = {0, 0, 1};
+     },
+     make_directional},
+    {"two sides", [](Draw& draw) { draw.lighting.light_model.two_side = false; }},
+    {"separate specular colour", [](Draw& draw) { draw.lighting.light_model.color_control = kGL_SINGLE_COLOR; }},
+    {"the clamp",
+     [](Draw& draw) {
+         for_materials(draw, [](Material& material) {
+             material.emission = gray(0);
+             material.diffuse = material.specular = gray(0.2);
+         });
+     }},
+    {"the texture", [](Draw& draw) { draw.texture.texture = nullptr; }},
+    {"the texture matrix", [](Draw& draw) { draw.texture.texture_matrix = glm::dmat4(1); }},
+    {"a division by q",
+     [](Draw& draw) {
+         for (Vertex& vertex : draw.vertices) vertex.tex_coord.w = 1;
+     }},
+    {"GL_CLAMP",
+     [](Draw& draw) {
+         auto texture = std::make_shared<Texture>(*draw.texture.texture);
+         texture->wrap_s = texture->wrap_t = kGL_CLAMP_TO_EDGE;
+         draw.texture.texture = std::move(texture);
+     }},
+    {"fog", [](Draw& draw) { draw.fog.enabled = false; }},
+    {"a clip plane", [](Draw& draw) { draw.raster.clip_planes_eye[0].reset(); }},
+};
+
 // Times are with and without: the ratio is how many times as long it takes with the effect.
+void compare_effect(Results& results, const Effect& effect, const Frame& with, const Frame& without,
+                    const std::optional<Shading>& shading) {
+    std::vector<Way> ways = {shader_way("shaders, with", with, Tier::kUniform, true, shading),
+                             shader_way("shaders, without", without, Tier::kUniform, true, shading)};
+    if (!shading) {
+        ways.push_back(fixed_way("fixed, with", with, fixed::Scrub::kState, true));
+        ways.push_back(fixed_way("fixed, without, as told", without, fixed::Scrub::kNothing, true));
+        ways.push_back(fixed_way("fixed, without, scrubbed", without, fixed::Scrub::kState, true));
+    }
+    const std::vector<Timed> times = results.compare(effect.name, ways);
+    std::string sums = fmt::format("    shaders {:.2f} x", times_faster(times[1], times[0]));
+    if (!shading) sums += fmt::format(", fixed {:.2f} x", times_faster(times[4], times[2]));
+    results.remark(sums);
+}
+
 void compare_effects(Results& results) {
     const auto context = make_offscreen_context(kSide, kSide);
     glEnable(GL_RASTERIZER_DISCARD);
-    const Frame with = frame_of(all_effects());
-    for (const Effect& effect : kEffects) {
+    for (const Effect& effect : kOfVertices) {
         Draw draw = all_effects();
-        effect.leave_out(draw);
+        effect.prepare(draw);
+        const Frame with = frame_of(draw);
+        effect.change(draw);
+        compare_effect(results, effect, with, frame_of(draw), {});
+    }
+    for (const Effect& effect : kAdditions) {
+        Draw draw = all_effects();
         const Frame without = frame_of(draw);
-        const std::vector<Timed> times =
-            results.compare(effect.name, {fixed_way("fixed, with", with, fixed::Scrub::kNothing, true),
-                                          fixed_way("fixed, without, as told", without, fixed::Scrub::kNothing, true),
-                                          fixed_way("fixed, without, scrubbed", without, fixed::Scrub::kState, true),
-                                          shader_way("shaders, with", with, Tier::kUniform, true),
-                                          shader_way("shaders, without", without, Tier::kUniform, true)});
-        results.remark("    fixed " + std::to_string(times_faster(times[2], times[0])) + " x, shaders " +
-                       std::to_string(times_faster(times[4], times[3])) + " x");
+        effect.change(draw);
+        compare_effect(results, effect, frame_of(draw), without, {});
+    }
+    glDisable(GL_RASTERIZER_DISCARD);
+    for (const Effect& effect : kOfFragments) {
+        Draw draw = all_effects_of_fragments();
+        effect.prepare(draw);
+        const Frame with = frame_of(draw, kSide);
+        effect.change(draw);
+        compare_effect(results, effect, with, frame_of(draw, kSide), Shading::kPhong);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "lit_spheres.h"
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <memory>
 #include <numbers>
@@ -94,6 +95,31 @@ Draw sphere(int slices, int stacks) {
     draw.clip_from_eye = glm::perspective(glm::radians(40.0), 1.0, 1.0, 10.0);
     draw.raster.depth_test = true;
     draw.raster.viewport = {0, 0, 64, 64};
+    return draw;
+}
+
+Draw on_dome(Draw draw, int side) {
+    constexpr int kCells = 8;
+    draw.vertices.clear();
+    draw.indices.clear();
+    for (int row = 0; row <= kCells; ++row) {
+        for (int column = 0; column <= kCells; ++column) {
+            const double x = 2.0 * column / kCells - 1, y = 2.0 * row / kCells - 1;
+            draw.vertices.push_back({.position_object = {x, y, -0.3 * (x * x + y * y), 1},
+                                     .normal_object = glm::normalize(glm::dvec3(0.6 * x, 0.6 * y, 1)),
+                                     .tex_coord = {x, y, 0, 1}});
+        }
+    }
+    for (std::uint32_t row = 0; row < kCells; ++row) {
+        for (std::uint32_t column = 0; column < kCells; ++column) {
+            const std::uint32_t a = row * (kCells + 1) + column, c = a + kCells + 1;
+            draw.indices.insert(draw.indices.end(), {a, a + 1, c, c, a + 1, c + 1});
+        }
+    }
+    draw.eye_from_object = glm::dmat4(1);
+    draw.eye_from_object[3] = glm::dvec4(0, 0, -2, 1);
+    draw.raster.viewport = {0, 0, side, side};
+    draw.raster.depth_test = false;  // nothing hides anything
     return draw;
 }
 

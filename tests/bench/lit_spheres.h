@@ -1,4 +1,4 @@
-// The mesh and the states of light that the vertex stage is measured with.
+// The meshes and the states of light that the stages are measured with.
 #pragma once
 
 #include <string>
@@ -10,6 +10,10 @@ namespace twinlight::bench {
 
 // The indices of a sphere's triangles by rows from pole to pole, as one writes them down.
 Draw sphere(int slices, int stacks);
+
+// The same state on a dome that fills a picture of side x side pixels with few triangles: fragments are nearly all that it
+// costs. Without a depth test: nothing hides anything.
+Draw on_dome(Draw draw, int side);
 
 struct LitScene {
     std::string name;

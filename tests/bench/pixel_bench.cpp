@@ -182,38 +182,6 @@ class FlagUber : public Opponent {
 
 // ---- The comparison ----
 
-// A dome that fills the picture with few triangles: fragments are nearly all that it costs.
-Draw large(Draw draw) {
-    constexpr int kCells = 8;
-    draw.vertices.clear();
-    draw.indices.clear();
-    for (int row = 0; row <= kCells; ++row) {
-        for (int column = 0; column <= kCells; ++column) {
-            const double x = 2.0 * column / kCells - 1, y = 2.0 * row / kCells - 1;
-            draw.vertices.push_back({.position_object = {x, y, -0.3 * (x * x + y * y), 1},
-                                     .normal_object = glm::normalize(glm::dvec3(0.6 * x, 0.6 * y, 1)),
-                                     .tex_coord = {x, y, 0, 1}});
-        }
-    }
-    for (std::uint32_t row = 0; row < kCells; ++row) {
-        for (std::uint32_t column = 0; column < kCells; ++column) {
-            const std::uint32_t a = row * (kCells + 1) + column, c = a + kCells + 1;
-            draw.indices.insert(draw.indices.end(), {a, a + 1, c, c, a + 1, c + 1});
-        }
-    }
-    draw.eye_from_object = glm::dmat4(1);
-    draw.eye_from_object[3] = glm::dvec4(0, 0, -2, 1);
-    draw.raster.viewport = {0, 0, kSide, kSide};
-    draw.raster.depth_test = false;  // nothing hides anything
-    return draw;
-}
-
-Frame large_frame(const Draw& draw) {
-    Frame frame = frame_of(draw);
-    frame.width = frame.height = kSide;
-    return frame;
-}
-
 Way finishing(std::string name, std::function<void()> draw) {
     return {std::move(name), [draw = std::move(draw)] {
                 draw();
@@ -252,8 +220,8 @@ void compare_pixels(Results& results) {
     std::vector<double> over_uber, uniform_over_uber;
     bool is_first = true;  // of the seven: one directional, diffuse light
     for (const LitScene& scene : seven_scenes()) {
-        const Draw draw = large(scene.draw);
-        const Frame frame = large_frame(draw);
+        const Draw draw = on_dome(scene.draw, kSide);
+        const Frame frame = frame_of(draw, kSide);
         const auto uber = std::make_shared<Uber>(draw);
         std::vector<Way> ways = {finishing("uber shader, a loop", [uber] { uber->draw(); }),
                                  drawing("uniforms", frame, Tier::kUniform), drawing("baked", frame, Tier::kBaked)};

@@ -24,9 +24,11 @@ Way fixed_way(std::string name, const Frame& frame, fixed::Scrub scrub, bool pat
             }};
 }
 
-Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches) {
+Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches, const std::optional<Shading>& shading) {
+    RenderOptions options = options_for(tier, patches);
+    options.shading = shading;
     const auto renderer = std::make_shared<programmable::Renderer>();
-    const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, options_for(tier, patches));
+    const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, options);
     return {std::move(name), [renderer, prepared] {
                 renderer->draw(*prepared);
                 glFinish();

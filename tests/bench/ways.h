@@ -1,6 +1,7 @@
 // A Frame drawn again and again by one of the two fast paths, from buffers that the driver has. For the context that is current.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "fixed/prepared_frame.h"
@@ -13,6 +14,7 @@ namespace twinlight::bench {
 RenderOptions options_for(Tier tier, bool patches);
 
 Way fixed_way(std::string name, const Frame& frame, fixed::Scrub scrub, bool patches);
-Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches);
+Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches,
+               const std::optional<Shading>& shading = {});
 
 }  // namespace twinlight::bench
