@@ -11,7 +11,7 @@ namespace twinlight::programmable {
 MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptions& options) {
     return {.attributes = attributes(effects),
             .unit_normals = makes_normals_unit(effects),
-            .filled = draw.raster.polygon_mode_front == kGL_FILL && draw.raster.polygon_mode_back == kGL_FILL,
+            .borders = draw.draws_borders(),
             .patches = may_be_patched(draw, options)};
 }
 

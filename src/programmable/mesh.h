@@ -14,7 +14,7 @@ namespace twinlight::programmable {
 struct MeshForm {
     std::vector<Attribute> attributes;
     bool unit_normals = false;
-    bool filled = true;  // edge flags do not count
+    bool borders = false;  // edge flags count
     bool patches = false;
 
     friend bool operator==(const MeshForm&, const MeshForm&) = default;

@@ -19,8 +19,7 @@ bool is_order_free(const Draw& draw) {
     const bool nearest = raster.depth_test && raster.depth_mask &&
                          (raster.depth_func == kGL_LESS || raster.depth_func == kGL_LEQUAL ||
                           raster.depth_func == kGL_GREATER || raster.depth_func == kGL_GEQUAL);
-    const bool filled = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    return draw.mode == kGL_TRIANGLES && nearest && filled && !draw.fragment.blend;
+    return draw.mode == kGL_TRIANGLES && nearest && !draw.draws_borders() && !draw.fragment.blend;
 }
 
 }  // namespace
@@ -28,10 +27,8 @@ bool is_order_free(const Draw& draw) {
 bool may_be_patched(const Draw& draw, const RenderOptions& options) { return options.patches && is_order_free(draw); }
 
 bool needs_edge_flags(const Draw& draw) {
-    const RasterState& raster = draw.raster;
     const bool has_edges = draw.mode == kGL_TRIANGLES || draw.mode == kGL_QUADS || draw.mode == kGL_POLYGON;
-    const bool filled = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    return has_edges && !filled && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
+    return has_edges && draw.draws_borders() && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
 }
 
 Elements::Elements(const Draw& draw, const RenderOptions& options)
