@@ -29,6 +29,7 @@ TEST(Plan, CallsForNothingButTheColorWhenLightingIsOff) {
 
 TEST(Plan, TakesTheShadingFromTheOptionsOrElseFromTheShadeModel) {
     Draw draw = lit_triangle();
+    draw.vertices[1].normal_object = {1, 0, 0};
     EXPECT_EQ(facts(draw).shading, Shading::kGouraud);
     draw.lighting.shade_model = kGL_FLAT;
     EXPECT_EQ(facts(draw).shading, Shading::kFlat);
