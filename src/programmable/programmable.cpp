@@ -111,6 +111,7 @@ Image Renderer::render(const Frame& frame, const RenderOptions& options) {
 
 Counters Renderer::counters() const {
     Counters counters = impl_->programs.counters();
+    counters.textures = impl_->textures.upload_count();
     counters.meshes = impl_->meshes.counters();
     return counters;
 }

@@ -37,10 +37,11 @@ struct MeshCounters {
 
 // Since the Renderer was made.
 struct Counters {
-    std::uint64_t made = 0;     // programs with uniforms
-    std::uint64_t baked = 0;    // programs with constants
-    std::uint64_t hits = 0;     // Draws whose program was there
-    std::uint64_t evicted = 0;  // programs that gave way to others
+    std::uint64_t made = 0;      // programs with uniforms
+    std::uint64_t baked = 0;     // programs with constants
+    std::uint64_t hits = 0;      // Draws whose program was there
+    std::uint64_t evicted = 0;   // programs that gave way to others
+    std::uint64_t textures = 0;  // uploaded
     MeshCounters meshes;
 };
 

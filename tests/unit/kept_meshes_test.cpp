@@ -83,6 +83,39 @@ TEST_F(Kept, NothingWhereFramesAreDrawnOnce) {
     EXPECT_EQ(counters().bytes, 0u);
 }
 
+Draw textured(float red) {
+    Texture texture{.min_filter = kGL_NEAREST};
+    texture.levels.push_back({.width = 4, .height = 4, .texels = std::vector<glm::vec4>(16, {red, 0, 0, 1})});
+    Draw draw = square({});
+    draw.texture.texture = std::make_shared<const Texture>(texture);  // as State makes it: anew for each frame
+    return draw;
+}
+
+TEST_F(Kept, TexturesAreSentOnceUntilATexelChanges) {
+    const auto red = [&] { return read_pixels(4, 4).at(2, 2)[0]; };
+    for (int i = 0; i < 3; ++i) renderer_.draw(frame_of({textured(1), textured(0.2F)}), kLive);
+    EXPECT_EQ(renderer_.counters().textures, 2u);
+    EXPECT_FLOAT_EQ(red(), 0.2F);
+    renderer_.draw(frame_of({textured(0.2F), textured(1)}), kLive);
+    EXPECT_EQ(renderer_.counters().textures, 2u);
+    EXPECT_FLOAT_EQ(red(), 1);
+    Draw changed = textured(1);
+    Texture texture = *changed.texture.texture;
+    texture.levels[0].texels[10].r = 0.6F;  // the third texel of the third row
+    changed.texture.texture = std::make_shared<const Texture>(texture);
+    changed.vertices[1].tex_coord = {1, 0, 0, 1};
+    changed.vertices[2].tex_coord = {1, 1, 0, 1};
+    changed.vertices[3].tex_coord = {0, 1, 0, 1};
+    renderer_.draw(frame_of({textured(1), changed}), kLive);
+    EXPECT_EQ(renderer_.counters().textures, 3u);
+    EXPECT_FLOAT_EQ(read_pixels(4, 4).at(2, 1)[0], 0.6F);
+}
+
+TEST_F(Kept, TexturesThatAreTheSameInOneFrameAreEachTheirOwn) {
+    for (int i = 0; i < 2; ++i) renderer_.draw(frame_of({textured(1), textured(1)}), kLive);
+    EXPECT_EQ(renderer_.counters().textures, 2u);
+}
+
 // ---- Not the same ----
 
 // Each of a vertex's numbers, by one bit.
