@@ -81,7 +81,7 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(const Draw& draw) {
     known->indices = draw.indices;
     known->materials = draw.materials;
     known->bytes = bytes;
-    known->last_frame = frame_;
+    known->first_frame = known->last_frame = frame_;
     order_.push_front(known);
     index_.emplace(key, order_.begin());
     counters_.bytes += bytes;
@@ -108,17 +108,23 @@ std::shared_ptr<const Mesh> KeptMeshes::mesh(Known& known, const Draw& draw, con
 
 bool KeptMeshes::make_room(std::size_t bytes) {
     while (counters_.bytes + bytes > limit_bytes_ && !order_.empty() && order_.back()->last_frame != frame_)
-        drop_last();
+        drop(std::prev(order_.end()));
     return counters_.bytes + bytes <= limit_bytes_;
 }
 
-void KeptMeshes::drop_last() {
-    const auto last = std::prev(order_.end());
-    const auto [begin, end] = index_.equal_range((*last)->sample);
-    index_.erase(std::find_if(begin, end, [&](const auto& entry) { return entry.second == last; }));
-    counters_.bytes -= (*last)->bytes;
-    counters_.evicted += (*last)->meshes.size();
-    order_.erase(last);
+KeptMeshes::Order::iterator KeptMeshes::drop(Order::iterator known) {
+    const auto [begin, end] = index_.equal_range((*known)->sample);
+    index_.erase(std::find_if(begin, end, [&](const auto& entry) { return entry.second == known; }));
+    counters_.bytes -= (*known)->bytes;
+    counters_.evicted += (*known)->meshes.size();
+    return order_.erase(known);
+}
+
+void KeptMeshes::end_frame() {
+    auto known = std::ranges::find_if(order_, [this](const auto& kept) { return kept->last_frame != frame_; });
+    while (known != order_.end() && (*known)->last_frame + 1 == frame_)
+        known = (*known)->first_frame == (*known)->last_frame ? drop(known) : std::next(known);
+    ++frame_;
 }
 
 }  // namespace twinlight::programmable

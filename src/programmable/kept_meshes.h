@@ -22,7 +22,8 @@ namespace twinlight::programmable {
 class KeptMeshes {
   public:
     // Of the vertices kept and of their buffers; of more, those go that were not drawn for the longest time, but none that
-    // this frame has drawn: what does not fit beside these is not kept.
+    // this frame has drawn: what does not fit beside these is not kept. What one frame alone has drawn goes after the next:
+    // vertices that move never come again.
     explicit KeptMeshes(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
 
     struct Known {
@@ -39,7 +40,7 @@ class KeptMeshes {
         std::vector<Materials> materials;
         std::vector<std::pair<MeshForm, std::shared_ptr<const Mesh>>> meshes;  // few
         std::size_t bytes = 0;                                                 // 0: it is not kept
-        std::uint64_t last_frame = 0;                                          // that drew it
+        std::uint64_t first_frame = 0, last_frame = 0;                         // that drew it
     };
 
     // What is known of the Draw's vertices, or found out now.
@@ -47,14 +48,14 @@ class KeptMeshes {
     // Their buffers for a program of these effects.
     std::shared_ptr<const Mesh> mesh(Known& known, const Draw& draw, const EffectSet& effects,
                                      const RenderOptions& options);
-    void end_frame() { ++frame_; }
+    void end_frame();
 
     const MeshCounters& counters() const { return counters_; }
 
   private:
     using Order = std::list<std::shared_ptr<Known>>;  // those drawn last first
     bool make_room(std::size_t bytes);
-    void drop_last();
+    Order::iterator drop(Order::iterator known);  // gives the next
 
     std::size_t limit_bytes_;
     std::uint64_t frame_ = 1;

@@ -198,9 +198,11 @@ class KeptUpToALimit : public Kept {
     }
     Renderer small_{{.mesh_bytes = room_for_two()}};
     MeshCounters counters() const { return small_.counters().meshes; }
-    void draw(std::vector<Draw> draws) {
-        small_.draw(frame_of(std::move(draws)), kLive);
-        EXPECT_LE(counters().bytes, room_for_two());
+    void draw(const std::vector<Draw>& draws, int times = 2) {
+        for (int i = 0; i < times; ++i) {
+            small_.draw(frame_of(draws), kLive);
+            EXPECT_LE(counters().bytes, room_for_two());
+        }
     }
 };
 
@@ -218,10 +220,20 @@ TEST_F(KeptUpToALimit, ThoseGoThatWereNotDrawnForTheLongestTime) {
 }
 
 TEST_F(KeptUpToALimit, AFrameOfMoreKeepsWhatHasRoom) {
-    for (int i = 0; i < 3; ++i) draw({square_at(1), square_at(2), square_at(3)});
+    draw({square_at(1), square_at(2), square_at(3)}, 3);
     EXPECT_EQ(counters().hits, 4u);
     EXPECT_EQ(counters().made, 5u);
     EXPECT_EQ(counters().evicted, 0u);
+}
+
+TEST_F(Kept, ButNotWhatOneFrameAloneHasDrawn) {
+    const auto draw = [&](int i) { renderer_.draw(frame_of({square_at(0), square_at(0.1 * i)}), kLive); };
+    for (int i = 1; i <= 2; ++i) draw(i);
+    const std::size_t of_three = counters().bytes;
+    for (int i = 3; i <= 50; ++i) draw(i);
+    EXPECT_LE(counters().bytes, of_three);
+    EXPECT_EQ(counters().evicted, 49u);
+    EXPECT_EQ(counters().hits, 49u);
 }
 
 // ---- The same pictures ----
