@@ -13,7 +13,7 @@
 
 namespace twinlight::reference {
 
-enum class Shape : std::uint8_t { kPoint, kLine, kTriangle };
+enum class Shape : std::uint8_t { kPoint, kLine, kTriangle, kSurface };  // the last: of no primitive (surface_rays.h)
 
 struct Primitive {
     Shape shape = Shape::kPoint;

@@ -35,6 +35,12 @@ PixelRect bounds(const std::vector<Corner>& polygon, const PixelRect& within, do
             std::min(within.x1, floor_int(high.x + margin) + 1), std::min(within.y1, floor_int(high.y + margin) + 1)};
 }
 
+PixelRect bounds(const SurfaceRays& rays, const PixelRect& within) {
+    const glm::dvec2 low = rays.low_window(), high = rays.high_window();
+    return {std::max(within.x0, floor_int(low.x)), std::max(within.y0, floor_int(low.y)),
+            std::min(within.x1, floor_int(high.x) + 1), std::min(within.y1, floor_int(high.y) + 1)};
+}
+
 Edge::Edge(const Corner& from, const Corner& to) : origin_(from.edge_to_next) {
     const glm::dvec2 a = from.position_window, b = to.position_window;
     const bool forward = a.x < b.x || (a.x == b.x && a.y < b.y);

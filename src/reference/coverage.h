@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/piece.h"
+#include "reference/surface_rays.h"
 
 namespace twinlight::reference {
 
@@ -22,6 +23,9 @@ inline glm::dvec2 pixel_centre(int x, int y) { return {x + 0.5, y + 0.5}; }
 
 // The pixels whose squares, grown by `margin`, meet the polygon's bounding box.
 PixelRect bounds(const std::vector<Corner>& polygon, const PixelRect& within, double margin);
+
+// The pixels that may see the surface.
+PixelRect bounds(const SurfaceRays& rays, const PixelRect& within);
 
 // One edge of a counter-clockwise polygon.
 class Edge {
@@ -75,6 +79,13 @@ void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment&
                                                   glm::dvec2(piece.to.position_window), piece.size, within))
                 fragment(x, y);
             break;
+        case Shape::kSurface: {
+            const PixelRect box = bounds(*piece.rays, within);
+            for (int y = box.y0; y < box.y1; ++y)
+                for (int x = box.x0; x < box.x1; ++x)
+                    if (piece.rays->point(pixel_centre(x, y), piece.point)) fragment(x, y);
+            break;
+        }
         case Shape::kTriangle: {
             const PixelRect box = bounds(piece.corners, within, 0);
             if (box.y0 >= box.y1 || box.x0 >= box.x1) break;

@@ -343,7 +343,7 @@ class Rows {
 namespace {
 
 Freedom freedom_of_cut(const Frame& frame, const RenderOptions& options) {
-    const Stages stages = run_stages(frame, options.quad_cut);
+    const Stages stages = run_stages(frame, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     const std::size_t count = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
     std::vector<char> edge(count);  // bytes, not bits: bands write beside each other
@@ -374,6 +374,7 @@ void join(Freedom& freedom, const Freedom& other) {
 }  // namespace
 
 Freedom freedom(const Frame& frame, RenderOptions options) {
+    if (options.shading == Shading::kExact) options.shading = Shading::kPhong;
     options.quad_cut = QuadCut::kFirstToThird;
     Freedom result = freedom_of_cut(frame, options);
     if (!has_quadrilaterals(frame)) return result;

@@ -6,6 +6,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "reference/surface_rays.h"
+
 namespace twinlight::reference {
 
 namespace {
@@ -99,11 +101,6 @@ double along(const Piece& line, const glm::dvec2& position_window) {
     return d[major] == 0 ? 0 : std::clamp((position_window[major] - from[major]) / d[major], 0.0, 1.0);
 }
 
-bool culled(const RasterState& raster, Face face) {
-    if (!raster.cull_enabled) return false;
-    return raster.cull_face == kGL_FRONT_AND_BACK || (raster.cull_face == kGL_FRONT) == (face == Face::kFront);
-}
-
 class PieceMaker {
   public:
     PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices)
@@ -114,6 +111,7 @@ class PieceMaker {
             case Shape::kPoint: point(primitive, Face::kFront, vertex(primitive, 0)); break;
             case Shape::kLine: line(primitive, Face::kFront, vertex(primitive, 0), vertex(primitive, 1)); break;
             case Shape::kTriangle: triangle(primitive); break;
+            case Shape::kSurface: break;
         }
     }
     std::vector<Piece> take() { return std::move(pieces_); }
@@ -197,6 +195,25 @@ class PieceMaker {
 
 }  // namespace
 
+bool culled(const RasterState& raster, Face face) {
+    if (!raster.cull_enabled) return false;
+    return raster.cull_face == kGL_FRONT_AND_BACK || (raster.cull_face == kGL_FRONT) == (face == Face::kFront);
+}
+
+std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_index) {
+    std::vector<Piece> pieces;
+    for (const Surface& surface : *draw.surfaces) {
+        const auto rays = std::make_shared<const SurfaceRays>(draw, surface);
+        for (int point = 0; point < rays->most_points(); ++point)
+            pieces.push_back({.primitive = {.shape = Shape::kSurface},
+                              .draw = draw_index,
+                              .shape = Shape::kSurface,
+                              .rays = rays,
+                              .point = point});
+    }
+    return pieces;
+}
+
 std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
                                QuadCut cut) {
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return {};
@@ -206,6 +223,7 @@ std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const
 }
 
 double depth_at(const Piece& piece, const glm::dvec2& position_window) {
+    if (piece.rays) return piece.rays->point(position_window, piece.point).value().depth;
     double depth = piece.from.position_window.z;
     if (piece.shape == Shape::kTriangle) depth = on_plane(piece.depth_plane, position_window);
     if (piece.shape == Shape::kLine) depth += along(piece, position_window) * (piece.to.position_window.z - depth);

@@ -9,6 +9,7 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 #include "reference/assembly.h"
@@ -31,6 +32,8 @@ struct Corner {
     friend bool operator==(const Corner&, const Corner&) = default;
 };
 
+class SurfaceRays;  // surface_rays.h
+
 struct Piece {
     Primitive primitive;
     Face face = Face::kFront;
@@ -41,14 +44,24 @@ struct Piece {
     std::vector<Corner> corners{};  // of a polygon: convex, counter-clockwise (y up)
     WindowVertex from{}, to{};      // of a line; a point has only `from`
 
+    // Of a surface: which of the points that are seen at a pixel; each has its own face.
+    std::shared_ptr<const SurfaceRays> rays{};
+    int point = 0;
+
     // Of a polygon: linear functions of the window position, c.x * x + c.y * y + c.z.
     std::array<glm::dvec3, 3> weight_over_w_planes{};
     glm::dvec3 depth_plane{0};
 };
 
+// A draw's face that is culled (3.5.1).
+bool culled(const RasterState& raster, Face face);
+
 // The pieces of one Draw, in the order of its primitives.
 std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
                                QuadCut cut);
+
+// The same of the surfaces that a shape stands for: which fragments there are, only its rays tell.
+std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_index);
 
 // What keeps two depths apart in a depth buffer of 24 bits, which is what Twinlight's contexts have: r of 3.5.5.
 inline constexpr double kDepthStep = 1.0 / (1 << 24);

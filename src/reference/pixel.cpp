@@ -28,16 +28,22 @@ LitMaterial material_between(const DrawLighting& lighting, const std::vector<Sta
     return mixed(weights, materials);
 }
 
-void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec3& weights, const RenderOptions& options,
-                PixelFragment& fragment) {
+void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec2& position_window,
+                const RenderOptions& options, PixelFragment& fragment) {
     const DrawLighting lighting(*staged.draw, options.lecture_variants);
     fragment.is_lit = lighting.enabled();
     if (!lighting.enabled()) return;
     const auto& lights = staged.draw->lighting.lights;
     for (std::size_t i = 0; i < lights.size(); ++i)
         if (lights[i].enabled) fragment.lights.push_back(static_cast<int>(i));
-    const Face face = lighting.two_side() ? piece.face : Face::kFront;
-    if (fragment.shading == Shading::kPhong) {
+    const Face face = lighting.two_side() ? fragment.face : Face::kFront;
+    if (piece.rays) {
+        const StageVertex pixel = piece.rays->point(position_window, piece.point).value().vertex;
+        fragment.points.push_back(lighting.point(pixel, lighting.material(pixel, face), face));
+        return;
+    }
+    const glm::dvec3 weights = weights_at(piece, position_window);
+    if (fragment.shading == Shading::kPhong || fragment.shading == Shading::kExact) {
         const StageVertex pixel = between(staged.vertices, piece.primitive, weights);
         const LitMaterial material = lighting.has_vertex_materials()
                                          ? material_between(lighting, staged.vertices, piece.primitive, weights, face)
@@ -71,7 +77,7 @@ LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, 
 }
 
 std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptions& options, int x, int y) {
-    const Stages stages = run_stages(frame, options.quad_cut);
+    const Stages stages = run_stages(frame, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     const PixelRect pixel{x, y, x + 1, y + 1};
     std::vector<PixelFragment> fragments;
@@ -87,6 +93,7 @@ std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptio
             for_each_pixel(piece, scissored(draw.fragment.scissor, pixel), [&](int, int) {
                 const glm::dvec2 centre = pixel_centre(x, y);
                 PixelFragment fragment{.draw = piece.draw, .face = piece.face, .depth = depth_at(piece, centre)};
+                if (piece.rays) fragment.face = piece.rays->point(centre, piece.point).value().face;
                 fragment.shading = options.shading.value_or(draw.lighting.shade_model == kGL_FLAT ? Shading::kFlat
                                                                                                   : Shading::kGouraud);
                 fragment.color = shaders[piece.draw].color(piece, centre);
@@ -94,7 +101,7 @@ std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptio
                 fragment.passes = (!tested || depth_passes(draw.raster.depth_func, fragment.depth, stored)) &&
                                   (!draw.fragment.alpha_test || alpha_passes(draw.fragment, fragment.color.a));
                 if (fragment.passes && tested && draw.raster.depth_mask) stored = fragment.depth;
-                add_points(stages.draws[piece.draw], piece, weights_at(piece, centre), options, fragment);
+                add_points(stages.draws[piece.draw], piece, centre, options, fragment);
                 fragments.push_back(std::move(fragment));
             });
         }

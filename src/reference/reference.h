@@ -12,7 +12,7 @@ namespace twinlight::reference {
 Image render(const Frame& frame, const RenderOptions& options);
 
 // How far apart right pictures of the frame may be (docs/lighting.md, "Edges").
-// Of either cut of quadrilaterals.
+// Of either cut of quadrilaterals. Of exact surfaces: that of their meshes, lit per pixel.
 Freedom freedom(const Frame& frame, RenderOptions options = {});
 
 // The mask alone.

@@ -14,7 +14,7 @@ Rgba rgba(const glm::dvec4& color) {
 }  // namespace
 
 Image render(const Frame& frame, const RenderOptions& options) {
-    const Stages stages = run_stages(frame, options.quad_cut);
+    const Stages stages = run_stages(frame, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     Image image(frame.width, frame.height);
     for_each_band(frame.height, [&](int y0, int y1) {

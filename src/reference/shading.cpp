@@ -27,14 +27,26 @@ Shader::Shader(const StagedDraw& staged, const RenderOptions& options)
 }
 
 glm::dvec4 Shader::color(const Piece& piece, const glm::dvec2& position_window) const {
+    if (piece.rays) return exact_color(piece, position_window);
     const LitColors colors = lit(piece, position_window);
     const double fog = draw_.fog.enabled ? fog_at(piece, position_window) : 1;
-    const TextureUnit& unit = draw_.texture;
-    if (!unit.texture) return color_of(finished<double>(colors, nullptr, fog));
-    const TexturePlace place = texture_place(vertices_, piece, position_window);
-    const double lambda = level_of_detail(scale_factor(*unit.texture, place), unit.lod_bias);
-    const Channels<double> texel = channels<double>(sample(*unit.texture, place.st, lambda));
+    if (!draw_.texture.texture) return color_of(finished<double>(colors, nullptr, fog));
+    const Channels<double> texel = channels<double>(sampled(texture_place(vertices_, piece, position_window)));
     return color_of(finished(colors, &texel, fog));
+}
+
+glm::dvec4 Shader::exact_color(const Piece& piece, const glm::dvec2& position_window) const {
+    const SurfacePoint point = piece.rays->point(position_window, piece.point).value();
+    const glm::dvec4& eye = point.vertex.position_eye;
+    const double fog = draw_.fog.enabled ? fog_factor(draw_.fog, std::abs(quotient(eye.z, eye.w))) : 1;
+    if (!draw_.texture.texture) return color_of(finished<double>(exact(point), nullptr, fog));
+    const Channels<double> texel = channels<double>(sampled(point.place));
+    return color_of(finished(exact(point), &texel, fog));
+}
+
+glm::dvec4 Shader::sampled(const TexturePlace& place) const {
+    const TextureUnit& unit = draw_.texture;
+    return sample(*unit.texture, place.st, level_of_detail(scale_factor(*unit.texture, place), unit.lod_bias));
 }
 
 FragmentBounds Shader::bounds(const Piece& piece, const glm::dvec2& position_window) const {
@@ -99,6 +111,12 @@ Shader::LitColors Shader::phong(const Piece& piece, const glm::dvec3& weights) c
         lighting_.has_vertex_materials() ? mixed(weights, materials) : lighting_.material(pixel, face);
     const Vec normal_dir = lighting::unit(vec3_cast<Vec>(pixel.normal_eye));
     const Colors colors = lighting_.lit(pixel.position_eye, vec3_cast<glm::dvec3>(normal_dir), material, face);
+    return {clamped(colors.primary), clamped(colors.secondary)};
+}
+
+// A point of a surface is lit as a vertex is; the clamp is the pixel's.
+Shader::LitColors Shader::exact(const SurfacePoint& point) const {
+    const Colors colors = lighting_.colors(point.vertex, lighting_.two_side() ? point.face : Face::kFront);
     return {clamped(colors.primary), clamped(colors.secondary)};
 }
 

@@ -1,5 +1,5 @@
 // The colour of a fragment before the per-fragment operations: lighting's colours interpolated (gouraud), of the
-// provoking vertex (flat), or lit for every pixel (phong, which GL itself does not have); then texturing (3.8), the
+// provoking vertex (flat), or lit for every pixel (phong and exact, which GL itself does not have); then texturing (3.8), the
 // colour sum (3.9) and fog (3.10).
 #pragma once
 
@@ -8,6 +8,7 @@
 #include "reference/interval.h"
 #include "reference/piece.h"
 #include "reference/reference.h"
+#include "reference/surface_rays.h"
 
 namespace twinlight::reference {
 
@@ -36,12 +37,17 @@ class Shader {
     struct LitColors {
         glm::dvec4 primary{0}, secondary{0};
     };
-    bool lights_pixels() const { return shading_ == Shading::kPhong && lighting_.enabled(); }
+    bool lights_pixels() const {
+        return (shading_ == Shading::kPhong || shading_ == Shading::kExact) && lighting_.enabled();
+    }
     LitColors lit(const Piece& piece, const glm::dvec2& position_window) const;
     LitColors flat(const Piece& piece) const;
     LitColors gouraud(const Piece& piece, const glm::dvec3& weights) const;
     LitColors phong(const Piece& piece, const glm::dvec3& weights) const;
+    LitColors exact(const SurfacePoint& point) const;
+    glm::dvec4 exact_color(const Piece& piece, const glm::dvec2& position_window) const;
     double fog_at(const Piece& piece, const glm::dvec2& position_window) const;
+    glm::dvec4 sampled(const TexturePlace& place) const;
     template <class Real>
     Channels<Real> finished(const LitColors& colors, const Channels<Real>* texel, Real fog) const;
 

@@ -32,7 +32,7 @@ struct Stages {
 };
 
 // The frame must outlive the result.
-Stages run_stages(const Frame& frame, QuadCut cut);
+Stages run_stages(const Frame& frame, const RenderOptions& options);
 
 // One for each Draw.
 std::vector<Shader> make_shaders(const Stages& stages, const RenderOptions& options);

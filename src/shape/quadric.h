@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shape/shape.h"
+#include "shape/surface.h"
 
 namespace twinlight {
 
@@ -24,5 +25,8 @@ std::string choices(CommandId id);
 // Whether a command is gluSphere, gluCylinder, gluDisk or gluPartialDisk; what it sends.
 bool draws_quadric(const Command& command);
 std::vector<ShapePart> quadric_parts(const Quadric& quadric, const Command& command);
+// The surface that it stands for; nothing where it is not filled or has no normals. Its normals are the surface's own: turned
+// inside, GLU's of a cone lean the wrong way.
+std::vector<Surface> quadric_surfaces(const Quadric& quadric, const Command& command);
 
 }  // namespace twinlight

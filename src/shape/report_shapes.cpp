@@ -1,4 +1,4 @@
-// The course report's constructions of cube, cylinder, cone and sphere (shared/LECTURES A).
+// The course report's constructions of cube, cylinder, cone and sphere.
 #include "shape/report_shapes.h"
 
 #include <array>

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "command/command.h"
+#include "shape/surface.h"
 
 namespace twinlight {
 
@@ -232,6 +233,9 @@ struct Draw {
     glm::dmat4 eye_from_object{1};
     glm::dmat4 clip_from_eye{1};
     Place place;  // of the glBegin or the shape
+    // The curved surfaces that a shape's mesh stands for; null where the mesh is the shape. The Draws that share them are the
+    // parts of one shape, and follow each other.
+    std::shared_ptr<const std::vector<Surface>> surfaces;
 
     // Whether there are polygons of a face that glPolygonMode has drawn so (3.5.4), if nothing culls them.
     bool draws_polygons_as(Enum polygon_mode) const {
@@ -286,7 +290,8 @@ struct Frame {
 
 // ---- What a renderer is asked for ----
 
-enum class Shading : std::uint8_t { kFlat, kGouraud, kPhong };
+// kPhong: every pixel of the mesh lit. kExact: every pixel of the surface that the mesh stands for; of the mesh where there is none.
+enum class Shading : std::uint8_t { kFlat, kGouraud, kPhong, kExact };
 
 // Where a quadrilateral is cut into triangles. The specification leaves it open (3.5: any correct algorithm), it shows
 // wherever colours do not vary linearly over it, and a driver may do now this, now that. Only the reference asks.

@@ -19,7 +19,7 @@ Enum code_of(const std::invalid_argument& error, Enum otherwise) {
 
 void State::shape(const Command& c) {
     try {
-        send_shape(c, shape_parts(c));
+        send_shape(c, shape_parts(c), shape_surfaces(c));
     } catch (const std::invalid_argument& error) {
         raise(code_of(error, kGL_INVALID_VALUE), c, error.what());
     }
@@ -27,7 +27,9 @@ void State::shape(const Command& c) {
 
 // What a part does not send is what is current. Sent between glBegin and glEnd it becomes current itself (2.7).
 // RULING: sent by vertex arrays it does not, which 2.8 leaves open.
-void State::send_shape(const Command& c, std::vector<ShapePart> parts) {
+void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vector<Surface> surfaces) {
+    std::shared_ptr<const std::vector<Surface>> shared;
+    if (!surfaces.empty()) shared = std::make_shared<const std::vector<Surface>>(std::move(surfaces));
     for (ShapePart& part : parts) {
         if (!has_time(c, static_cast<double>(part.vertices.size()))) return;
         const std::size_t bytes =
@@ -46,6 +48,7 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts) {
         }
         if (!part.immediate) a_.current = before;
         draw.indices = std::move(part.indices);
+        draw.surfaces = shared;
         show(std::move(draw));
     }
 }
@@ -73,7 +76,7 @@ void State::quadric_shape(const Command& c) {
     const Quadric* q = lists_.quadric ? lists_.quadric : quadric(c);
     if (!q) return;
     try {
-        send_shape(c, quadric_parts(*q, c));
+        send_shape(c, quadric_parts(*q, c), quadric_surfaces(*q, c));
     } catch (const std::invalid_argument& error) {
         raise(code_of(error, kGLU_INVALID_VALUE), c, error.what());
     }

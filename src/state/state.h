@@ -247,7 +247,7 @@ class State {
     MatrixStack& stack();
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
-    void send_shape(const Command& command, std::vector<ShapePart> parts);
+    void send_shape(const Command& command, std::vector<ShapePart> parts, std::vector<Surface> surfaces);
     Quadric* quadric(const Command& command);   // its first argument; null, and the error, where there is none
     bool can_send(const Command& command);      // whether its quadric can be sent; false, and the error, if not
     void show(std::variant<Clear, Draw> item);  // adds it to the picture, in the mode that makes one

@@ -25,6 +25,7 @@ const char* name_of(Shading shading) {
         case Shading::kFlat: return "flat: of the provoking vertex";
         case Shading::kGouraud: return "gouraud: between the vertices' terms, factors are means";
         case Shading::kPhong: return "phong: of the pixel itself";
+        case Shading::kExact: return "exact: of the surface's point, or of the mesh's pixel where there is no surface";
     }
     return "";
 }
@@ -34,14 +35,15 @@ struct Rendered {
     Rgba color;
 };
 
-// The fixed function has no phong shading.
+// The fixed function has no phong shading; only the reference has exact surfaces.
 std::vector<Rendered> rendered(const Frame& frame, const RenderOptions& options, const Pixel& pixel) {
     const RendererSet set(frame.width, frame.height);
     const report::Renderers& functions = set.functions();
     std::vector<Rendered> result;
-    if (options.shading != Shading::kPhong)
-        result.push_back({"fixed", functions.fixed(frame, options).at(pixel.x, pixel.y)});
-    result.push_back({"programmable", functions.programmable(frame, options).at(pixel.x, pixel.y)});
+    const bool by_pixel = options.shading == Shading::kPhong || options.shading == Shading::kExact;
+    if (!by_pixel) result.push_back({"fixed", functions.fixed(frame, options).at(pixel.x, pixel.y)});
+    if (options.shading != Shading::kExact)
+        result.push_back({"programmable", functions.programmable(frame, options).at(pixel.x, pixel.y)});
     result.push_back({"reference", functions.reference(frame, options).at(pixel.x, pixel.y)});
     return result;
 }
@@ -183,7 +185,7 @@ std::string explain_pixel(const Frame& frame, const RenderOptions& options, cons
                                 channel_code(picture.color[2])),
                     c);
     }
-    if (variants && options.shading != Shading::kPhong)
+    if (variants && pictures.front().renderer == std::string_view("fixed"))
         text += "  (the scene's pragmas are followed by programmable and reference, and are not GL's)\n";
     return text;
 }

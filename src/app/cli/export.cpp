@@ -65,7 +65,7 @@ Subcommand add_export(CLI::App& app) {
         ->required()
         ->type_name("c|glsl|scene")
         ->check(one_of(kForms));
-    add_shading_option(*exporting, arguments->shading);
+    add_shading_option(*exporting, arguments->shading, Exact::kNo);
     add_frame_option(*exporting, arguments->frame);
     return {exporting, [arguments] { return run(*arguments); }};
 }

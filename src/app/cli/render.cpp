@@ -56,6 +56,9 @@ int run(const Arguments& arguments) {
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kPhong) {
         throw UsageError("the fixed function cannot shade by phong; use --with programmable or --with reference");
     }
+    if (arguments.renderer != "reference" && arguments.shading == Shading::kExact) {
+        throw UsageError("only the reference draws curved shapes by their equations; use --with reference");
+    }
     if (arguments.scrubbed && arguments.renderer == "programmable") {
         throw UsageError(
             "shaders are always made for what each draw calls for; use --scrubbed with fixed or reference");
