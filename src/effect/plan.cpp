@@ -18,10 +18,6 @@ namespace {
 bool is_zero(const glm::dvec3& c) { return c == glm::dvec3(0); }
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
 
-bool has_faces(Enum mode) {
-    return mode != kGL_POINTS && mode != kGL_LINES && mode != kGL_LINE_LOOP && mode != kGL_LINE_STRIP;
-}
-
 // ---- The state in force ----
 
 // 2.14.3: the colours of the material that color_material's mode names.
@@ -67,7 +63,9 @@ bool keeps_errors_apart(const FragmentState& fragment) {
 class Planner {
   public:
     Planner(const Draw& draw, const RenderOptions& options, const VertexFacts& vertices)
-        : draw_(draw), options_(options), vertices_(vertices) {}
+        : draw_(draw), options_(options), vertices_(vertices) {
+        plan_.vertices = vertices;
+    }
 
     Plan plan() {
         state().enabled = draw_.lighting.enabled;
@@ -176,7 +174,7 @@ class Planner {
         const RasterState& raster = draw_.raster;
         const auto why_one_sided = [&]() -> std::string {
             if (!state().light_model.two_side) return "GL_LIGHT_MODEL_TWO_SIDE is off";
-            if (!has_faces(draw_.mode)) return "points and lines are always front";
+            if (!draws_polygons(draw_.mode)) return "points and lines are always front";
             if (raster.cull_enabled && raster.cull_face != kGL_FRONT) return "back faces are culled";
             return "";
         }();

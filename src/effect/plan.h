@@ -57,6 +57,7 @@ std::string reason(const LightBound& light);
 
 struct Plan {
     EffectSet effects;
+    VertexFacts vertices;           // of the Draw that it was made for
     std::vector<LeftOut> left_out;  // but for whole lights: those are in light_bounds
 
     std::vector<PlannedLight> lights;  // one for each of effects.lights

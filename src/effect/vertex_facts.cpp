@@ -33,6 +33,7 @@ void find_sphere(const Draw& draw, VertexFacts& facts) {
     }
     facts.has_sphere = true;
     facts.center_object = 0.5 * low + 0.5 * high;
+    if (facts.w_is_1) facts.position_reach = glm::dvec4(glm::max(glm::abs(low), glm::abs(high)), 1);
     double square = 0;
     for (const Vertex& v : draw.vertices) {
         const glm::dvec4& p = v.position_object;
@@ -104,6 +105,9 @@ VertexFacts vertex_facts(const Draw& draw) {
         facts.q_is_1 = facts.q_is_1 && v.tex_coord.q == 1;
     }
     find_sphere(draw, facts);
+    if (!facts.has_sphere || !facts.w_is_1)
+        for (const Vertex& v : draw.vertices)
+            facts.position_reach = glm::max(facts.position_reach, glm::abs(v.position_object));
     find_normal_cone(draw, facts);
     find_colors(draw, facts);
     find_materials(draw, facts);

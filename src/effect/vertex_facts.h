@@ -13,7 +13,8 @@ namespace twinlight {
 
 struct VertexFacts {
     bool w_is_1 = true;
-    bool q_is_1 = true;  // of the texture coordinates
+    bool q_is_1 = true;            // of the texture coordinates
+    glm::dvec4 position_reach{0};  // the largest absolute value of each component
 
     // A sphere around the positions, divided by their w, and so around all that lies between them. Nothing is known of
     // it (has_sphere is false) where there is no vertex, or not every w has the same sign.

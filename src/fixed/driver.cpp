@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "command/command_set.h"
 #include "context/gl.h"
 #include "fixed/execute.h"
 #include "fixed/fixed.h"
@@ -77,20 +78,8 @@ namespace {
 // scene cannot use any.
 constexpr GLsizei kMostHitValues = 1 << 16;
 
-constexpr bool is_query(std::string_view effect) { return effect == "elsewhere_query"; }
-
 // Queries whose answers' lengths State does not know: they change nothing, and are not sent.
-constexpr bool kIsQuery[] = {
-#define GL_COMMAND(name, effect, ...) is_query(#effect),
-#define SHAPE_COMMAND(name, effect, ...) false,
-#define QUADRIC_COMMAND(name, effect, ...) false,
-#define PRAGMA_COMMAND(name, effect, ...) false,
-#include "command/commands.def"
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
-};
+constexpr CommandSet kQueries = CommandSet::of({"elsewhere_query"});
 
 }  // namespace
 
@@ -108,7 +97,7 @@ void Driver::feedback_buffer(GLsizei size, GLenum type) {
 }
 
 void Driver::execute(const Command& command) {
-    if (kIsQuery[static_cast<std::size_t>(command.id)]) return;
+    if (kQueries.contains(command.id)) return;
     if (command.id == CommandId::pragma_texture) return execute(texture_command(command));
     if (!may_see(command)) return;
     switch (command.id) {

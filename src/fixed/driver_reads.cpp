@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "command/command_set.h"
 #include "context/gl.h"
 #include "fixed/fixed.h"
 #include "state/lists.h"
@@ -23,17 +24,7 @@ namespace {
 bool names_memory(const Parameter& parameter) { return parameter.extent == Extent::kPointer; }
 
 // The commands of VertexArrays: those on arrays, on buffers and on the client's attribute stack.
-constexpr bool kIsOfArrays[] = {
-#define GL_COMMAND(name, effect, ...) std::string_view(#effect) == "client_arrays",
-#define SHAPE_COMMAND(name, effect, ...) false,
-#define QUADRIC_COMMAND(name, effect, ...) false,
-#define PRAGMA_COMMAND(name, effect, ...) false,
-#include "command/commands.def"
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
-};
+constexpr CommandSet kOfArrays = CommandSet::of({"client_arrays"});
 
 // Arrays that no pointer command of the table leads anywhere, and what a driver may take for glEnableClientState.
 bool enables_unknown_array(const Command& c) {
@@ -60,7 +51,7 @@ bool Driver::is_compiling() { return integer(GL_LIST_INDEX, 0) != 0; }
 
 bool Driver::may_see(const Command& c) {
     if (enables_unknown_array(c)) return false;
-    if (kIsOfArrays[static_cast<std::size_t>(c.id)] || draws_arrays(c.id)) return may_see_arrays(c);
+    if (kOfArrays.contains(c.id) || draws_arrays(c.id)) return may_see_arrays(c);
     switch (c.id) {
         case CommandId::glBegin:
             arrays_agree();  // asked now, for a glArrayElement that follows

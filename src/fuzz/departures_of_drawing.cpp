@@ -15,10 +15,6 @@ namespace twinlight::fuzz {
 
 namespace {
 
-bool draws_borders(const Draw& draw) {
-    return draw.raster.polygon_mode_front != kGL_FILL || draw.raster.polygon_mode_back != kGL_FILL;
-}
-
 bool is_clipped(const Draw& draw) {
     return std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
         const glm::dvec4 eye = draw.eye_from_object * vertex.position_object, clip = draw.clip_from_eye * eye;
@@ -30,14 +26,10 @@ bool is_clipped(const Draw& draw) {
 
 bool is_softpipe() { return driver_name().starts_with("softpipe"); }
 
-bool is_offset(const PolygonOffset& offset, Enum polygon_mode) {
-    return polygon_mode == kGL_FILL ? offset.fill : polygon_mode == kGL_LINE ? offset.line : offset.point;
-}
-
 bool offsets_borders(const Draw& draw) {
     if (!draw.raster.depth_test) return false;  // which alone shows it
     const auto draws_offset_borders = [&](Enum mode) {
-        return mode != kGL_FILL && is_offset(draw.raster.polygon_offset, mode);
+        return mode != kGL_FILL && draw.raster.polygon_offset.is_enabled_for(mode);
     };
     return draws_offset_borders(draw.raster.polygon_mode_front) || draws_offset_borders(draw.raster.polygon_mode_back);
 }
@@ -79,24 +71,16 @@ bool any_corners(const Draw& draw, const std::function<bool(const Corners&)>& ar
     return false;
 }
 
-bool draws_points(const Draw& draw) {
-    return draw.mode == kGL_POINTS || draw.raster.polygon_mode_front == kGL_POINT ||
-           draw.raster.polygon_mode_back == kGL_POINT;
-}
-
 }  // namespace
 
-bool draws_borders_of_clipped_polygons(const Draw& draw) { return draws_borders(draw) && is_clipped(draw); }
+bool draws_borders_of_clipped_polygons(const Draw& draw) { return draw.draws_borders() && is_clipped(draw); }
 
 bool has_faces_on_borders_in_softpipe(const Draw& draw) {
-    return draws_borders(draw) && draw.lighting.enabled && draw.lighting.light_model.two_side && is_softpipe();
+    return draw.draws_borders() && draw.lighting.enabled && draw.lighting.light_model.two_side && is_softpipe();
 }
 
 bool has_wide_lines_in_softpipe(const Draw& draw) {
-    const RasterState& raster = draw.raster;
-    const bool lines = draw.mode == kGL_LINES || draw.mode == kGL_LINE_STRIP || draw.mode == kGL_LINE_LOOP ||
-                       raster.polygon_mode_front == kGL_LINE || raster.polygon_mode_back == kGL_LINE;
-    return lines && raster.line_width > 1 && is_softpipe();
+    return draw.draws_lines() && draw.raster.line_width > 1 && is_softpipe();
 }
 
 // Whatever chooses by the level of detail: a mipmap, or one of two filters.
@@ -107,20 +91,20 @@ bool has_level_of_detail_in_softpipe(const Draw& draw) {
 
 bool has_edge_flags_in_strip(const Draw& draw) {
     const bool strip = draw.mode == kGL_TRIANGLE_STRIP || draw.mode == kGL_TRIANGLE_FAN || draw.mode == kGL_QUAD_STRIP;
-    return strip && draws_borders(draw) &&
+    return strip && draw.draws_borders() &&
            std::ranges::any_of(draw.vertices, [](const Vertex& vertex) { return !vertex.edge_flag; });
 }
 
 bool offsets_other_modes_alone(const Draw& draw) {
-    const RasterState& raster = draw.raster;
-    const PolygonOffset& offset = raster.polygon_offset;
-    return raster.depth_test && raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL &&
-           !offset.fill && (offset.line || offset.point) && (offset.units != 0 || offset.factor != 0);
+    const PolygonOffset& offset = draw.raster.polygon_offset;
+    return draw.raster.depth_test && draws_polygons(draw.mode) && !draw.draws_borders() && !offset.fill &&
+           (offset.line || offset.point) && (offset.units != 0 || offset.factor != 0);
 }
 
 bool offsets_one_of_two_modes(const Draw& draw) {
     const PolygonOffset& offset = draw.raster.polygon_offset;
-    return is_offset(offset, draw.raster.polygon_mode_front) != is_offset(offset, draw.raster.polygon_mode_back);
+    return offset.is_enabled_for(draw.raster.polygon_mode_front) !=
+           offset.is_enabled_for(draw.raster.polygon_mode_back);
 }
 
 // A polygon that is seen from its edge has no slope m, but lines and points.
@@ -151,11 +135,11 @@ bool has_no_q(const Draw& draw, const Vertex& vertex) {
 }
 
 bool has_wide_points_in_softpipe(const Draw& draw) {
-    return draws_points(draw) && draw.raster.point_size > 1 && is_softpipe();
+    return draw.draws_points() && draw.raster.point_size > 1 && is_softpipe();
 }
 
 bool biases_level_of_points(const Draw& draw) {
-    return draws_points(draw) && draw.texture.texture && draw.texture.lod_bias > 0;
+    return draw.draws_points() && draw.texture.texture && draw.texture.lod_bias > 0;
 }
 
 bool adds_secondary_color_in_fog(const Draw& draw) {

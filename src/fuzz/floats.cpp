@@ -77,10 +77,6 @@ struct Scene {
     const Draw& draw() const { return std::get<Draw>(frame.items.back()); }
 };
 
-bool is_polygon(Enum mode) {
-    return mode != kGL_POINTS && mode != kGL_LINES && mode != kGL_LINE_STRIP && mode != kGL_LINE_LOOP;
-}
-
 glm::dvec2 ndc(const reference::LitVertex& vertex) { return glm::dvec2(vertex.position_clip) / vertex.position_clip.w; }
 
 // Each vertex in a corner of the view of its own, where feedback and the shaders' picture have a place for it.
@@ -102,7 +98,7 @@ bool stands_in_corners(const std::vector<reference::LitVertex>& lit) {
 // The sign of a triangle's area in window space decides its face (2.14.1); points and lines show the front.
 bool shows_back(const Scene& scene) {
     const Draw& draw = scene.draw();
-    if (!draw.lighting.light_model.two_side || !is_polygon(draw.mode)) return false;
+    if (!draw.lighting.light_model.two_side || !draws_polygons(draw.mode)) return false;
     const glm::dvec2 a = ndc(scene.lit[0]), b = ndc(scene.lit[1]), c = ndc(scene.lit[2]);
     const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     return draw.raster.front_face == kGL_CCW ? area <= 0 : area >= 0;
@@ -113,7 +109,7 @@ std::optional<Scene> make_scene(const std::shared_ptr<const CommandList>& comman
     try {
         Scene scene{commands, make_frame(commands, {.width = kWindow, .height = kWindow}), {}};
         const Draw* draw = scene.frame.items.empty() ? nullptr : std::get_if<Draw>(&scene.frame.items.back());
-        const std::size_t least = draw && is_polygon(draw->mode) ? 3 : 1;
+        const std::size_t least = draw && draws_polygons(draw->mode) ? 3 : 1;
         if (!draw || !draw->lighting.enabled || draw->vertices.size() < least || draw->vertices.size() > 3)
             error = "the last thing drawn is not a lit primitive of three vertices";
         else if (!scene.frame.unsupported.empty())
@@ -164,7 +160,7 @@ void ask_fixed(Scene& scene) {
 // The Draw as points where its vertices stand, in a tile of its own.
 Draw as_points(const Scene& scene, const Viewport& tile) {
     Draw draw = scene.draw();
-    if (!is_polygon(draw.mode)) {
+    if (!draws_polygons(draw.mode)) {
         draw.mode = kGL_POINTS;
         draw.indices.clear();
     }
@@ -232,7 +228,7 @@ Found judge(const Scene& scene, const std::vector<std::string_view>& lifted) {
     const LeftOut left_out(*scene.commands, lifted);
     const bool back = shows_back(scene);
     const bool has_shaders =
-        !scene.draw().lighting.light_model.two_side || !is_polygon(scene.draw().mode) || knows_faces_of_corners();
+        !scene.draw().lighting.light_model.two_side || !draws_polygons(scene.draw().mode) || knows_faces_of_corners();
     const bool is_sum = scene.draw().lighting.light_model.color_control != kGL_SINGLE_COLOR;
     for (std::size_t i = 0; i < scene.lit.size(); ++i) {
         const reference::LitVertex& lit = scene.lit[i];

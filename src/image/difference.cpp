@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 namespace twinlight {
 
@@ -16,22 +17,18 @@ constexpr std::size_t kChannels = 4;
 using Codes = std::array<int, kChannels>;
 
 Codes absolute_difference(const Rgba& a, const Rgba& b) {
-    Codes codes;
+    Codes codes{};
+    if (a == b) return codes;  // as most pixels are
     for (std::size_t c = 0; c < kChannels; ++c) codes[c] = std::abs(channel_code(a[c]) - channel_code(b[c]));
     return codes;
 }
 
-int largest_difference(const Rgba& a, const Rgba& b) {
-    const Codes codes = absolute_difference(a, b);
-    return *std::ranges::max_element(codes);
-}
-
 Codes excess(const Codes& codes, const Rgba& slack) {
-    Codes result;
+    Codes result = codes;
     for (std::size_t c = 0; c < kChannels; ++c) {
-        const double allowed = slack[c] > 0 ? 1 + 255.0 * static_cast<double>(slack[c]) : 0;
-        const double left = std::ceil(codes[c] - allowed);
-        result[c] = std::max(static_cast<int>(left), 0);
+        if (codes[c] == 0 || !(slack[c] > 0)) continue;
+        const double left = std::ceil(codes[c] - (1 + 255.0 * static_cast<double>(slack[c])));
+        result[c] = static_cast<int>(std::max(left, 0.0));
     }
     return result;
 }
@@ -104,17 +101,14 @@ Image nearer_of(const Image& image, const Image& first, const Image& second, con
     check_sizes(image, second);
     check_sizes(image, slack);
     Image result = first;
-    const auto largest_excess = [&](const Image& other, std::size_t i) {
+    // Of all that is left beyond the slack, then of all.
+    const auto distance = [&](const Image& other, std::size_t i) {
         const Codes codes = absolute_difference(image.pixels[i], other.pixels[i]);
-        return std::ranges::max(excess(codes, slack.pixels[i]));
+        return std::pair(std::ranges::max(excess(codes, slack.pixels[i])), std::ranges::max(codes));
     };
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
-        const int to_first = largest_difference(image.pixels[i], first.pixels[i]);
-        const int to_second = largest_difference(image.pixels[i], second.pixels[i]);
-        const int beyond_first = largest_excess(first, i), beyond_second = largest_excess(second, i);
-        const bool is_second_nearer =
-            beyond_second < beyond_first || (beyond_second == beyond_first && to_second < to_first);
-        if (is_second_nearer) result.pixels[i] = second.pixels[i];
+        if (first.pixels[i] == second.pixels[i]) continue;
+        if (distance(second, i) < distance(first, i)) result.pixels[i] = second.pixels[i];
     }
     return result;
 }

@@ -31,4 +31,8 @@ std::vector<Attribute> attributes(const EffectSet& effects) {
     return list;
 }
 
+bool makes_normals_unit(const EffectSet& effects) {
+    return effects.needs_normal() && (effects.normalize || effects.shading == Shading::kPhong);
+}
+
 }  // namespace twinlight::programmable

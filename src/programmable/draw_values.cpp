@@ -49,8 +49,7 @@ double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std
 bool ordinary(double size) { return size > 1e-12 && size < 1e12; }
 
 double eye_unit(const Draw& draw, const Plan& plan) {
-    glm::dvec4 reach(0);
-    for (const Vertex& v : draw.vertices) reach = glm::max(reach, glm::abs(v.position_object));
+    const glm::dvec4& reach = plan.vertices.position_reach;
     double size = 0;
     for (int row = 0; row < 3; ++row) {
         double sum = 0;
@@ -75,7 +74,7 @@ glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
     if (glm::determinant(m) == 0) return glm::dmat3(0);
     glm::dmat3 normals = glm::transpose(glm::inverse(m));
     // Where normals are made unit, the matrix's scale is free.
-    if (plan.effects.normalize || plan.effects.shading == Shading::kPhong) return normals;
+    if (makes_normals_unit(plan.effects)) return normals;
     // RESCALE_NORMAL: 1 / sqrt(m31^2 + m32^2 + m33^2) of the inverse, whose third row is this third column.
     if (plan.lighting.rescale_normal) return normals / glm::length(normals[2]);
     return normals / scale;
@@ -240,7 +239,7 @@ Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) { return
 
 std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects,
                                 const std::vector<std::uint32_t>& vertices) {
-    const bool normals_made_unit = effects.normalize || effects.shading == Shading::kPhong;
+    const bool normals_made_unit = makes_normals_unit(effects);
     const std::vector<VertexProperty> properties = vertex_properties(effects);
     std::size_t floats_per_vertex = 0;
     for (const Attribute& attribute : attributes(effects))

@@ -54,12 +54,10 @@ double similarity_scale(const glm::dmat4& eye_from_object) {
 }
 
 Code code_for(const Draw& draw, const Plan& plan) {
-    Code code{.effects = plan.effects,
-              .form = {.object_space = lit_in_object_space(draw, plan),
-                       .position_w =
-                           std::ranges::any_of(draw.vertices, [](const Vertex& v) { return v.position_object.w != 1; }),
-                       .loops = {}},
-              .lights = {}};
+    Code code{
+        .effects = plan.effects,
+        .form = {.object_space = lit_in_object_space(draw, plan), .position_w = !plan.vertices.w_is_1, .loops = {}},
+        .lights = {}};
     std::map<LightEffects, std::vector<std::size_t>> equal;
     for (std::size_t i = 0; i < plan.effects.lights.size(); ++i) equal[plan.effects.lights[i]].push_back(i);
     code.effects.lights.clear();

@@ -3,16 +3,24 @@
 #include <vector>
 
 #include "context/gl.h"
-#include "programmable/attributes.h"
 #include "programmable/draw_values.h"
 #include "stages/buffers.h"
 
 namespace twinlight::programmable {
 
+MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptions& options) {
+    return {.attributes = attributes(effects),
+            .unit_normals = makes_normals_unit(effects),
+            .borders = draw.draws_borders(),
+            .patches = may_be_patched(draw, options)};
+}
+
 Mesh::Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options) : elements_(draw, options) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
-    vertices_ = filled_buffer(GL_ARRAY_BUFFER, vertex_array(draw, effects, elements_.vertices()));
+    const std::vector<float> values = vertex_array(draw, effects, elements_.vertices());
+    vertices_ = filled_buffer(GL_ARRAY_BUFFER, values);
+    bytes_ = values.size() * sizeof(float);
     const std::vector<Attribute> list = attributes(effects);
     std::size_t floats = 0;
     for (const Attribute& attribute : list) floats += static_cast<std::size_t>(attribute.size);
@@ -29,6 +37,7 @@ Mesh::Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& opti
         std::vector<GLboolean> flags;
         for_each_vertex(draw, elements_.vertices(), [&](const Vertex& vertex) { flags.push_back(vertex.edge_flag); });
         edge_flags_ = filled_buffer(GL_ARRAY_BUFFER, flags);
+        bytes_ += flags.size();
         glEnableClientState(GL_EDGE_FLAG_ARRAY);
         glEdgeFlagPointer(0, nullptr);
     }

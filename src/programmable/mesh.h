@@ -1,11 +1,25 @@
 // Mesh: a Draw's vertices and indices in buffers of the current context.
 #pragma once
 
+#include <vector>
+
 #include "effect/effect_set.h"
+#include "programmable/attributes.h"
 #include "stages/elements.h"
 #include "state/frame.h"
 
 namespace twinlight::programmable {
+
+// What decides a Mesh beside the vertices, their order and materials.
+struct MeshForm {
+    std::vector<Attribute> attributes;
+    bool unit_normals = false;
+    bool borders = false;  // edge flags count
+    bool patches = false;
+
+    friend bool operator==(const MeshForm&, const MeshForm&) = default;
+};
+MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptions& options);
 
 // Dies before its context does.
 class Mesh {
@@ -19,8 +33,11 @@ class Mesh {
     // With the program that is current.
     void draw() const;
 
+    std::size_t bytes() const { return bytes_ + elements_.bytes(); }  // of the buffers
+
   private:
     unsigned array_ = 0, vertices_ = 0, edge_flags_ = 0;
+    std::size_t bytes_ = 0;
     Elements elements_;
 };
 

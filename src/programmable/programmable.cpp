@@ -7,6 +7,7 @@
 #include "context/context.h"
 #include "context/gl.h"
 #include "programmable/draw_values.h"
+#include "programmable/kept_meshes.h"
 #include "programmable/mesh.h"
 #include "programmable/precise.h"
 #include "programmable/programs.h"
@@ -18,10 +19,12 @@ namespace {
 
 // What is left of a Draw once it is planned and its vertices are the driver's.
 struct PreparedDraw {
-    PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options)
+    // mesh_of: gives the mesh for an EffectSet.
+    template <class MeshOf>
+    PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options, const MeshOf& mesh_of)
         : code(options.precise ? precise_code(draw, plan) : code_for(draw, plan)),
           numbers(options.precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code)),
-          mesh(draw, code.effects, options) {
+          mesh(mesh_of(code.effects)) {
         stages.raster = draw.raster;
         stages.fragment = draw.fragment;
         stages.texture = draw.texture;
@@ -29,14 +32,26 @@ struct PreparedDraw {
 
     Code code;
     Uniforms numbers;
-    Mesh mesh;
+    std::shared_ptr<const Mesh> mesh;
     Draw stages;  // without vertices: what is set as GL's state
 };
+
+PreparedDraw prepared(const Draw& draw, const RenderOptions& options) {
+    return {draw, plan_effects(draw, options), options,
+            [&](const EffectSet& effects) { return std::make_shared<const Mesh>(draw, effects, options); }};
+}
+
+PreparedDraw prepared(const Draw& draw, const RenderOptions& options, KeptMeshes& kept) {
+    const auto known = kept.known(draw);
+    return {draw, plan_effects(draw, options, known->facts), options,
+            [&](const EffectSet& effects) { return kept.mesh(*known, draw, effects, options); }};
+}
 
 }  // namespace
 
 struct PreparedFrame::Impl {
-    Impl(const Frame& frame, RenderOptions options) : tier(options.tier) {
+    // kept: null where the frame shares nothing with others.
+    Impl(const Frame& frame, RenderOptions options, KeptMeshes* kept) : tier(options.tier) {
         if (options.precise) {
             options = precise_options(options);
             check_has_precise();
@@ -45,7 +60,7 @@ struct PreparedFrame::Impl {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
                 items.emplace_back(*clear);
             } else if (const Draw& draw = std::get<Draw>(item); draw.count() > 0) {
-                items.emplace_back(std::in_place_type<PreparedDraw>, draw, plan_effects(draw, options), options);
+                items.emplace_back(kept ? prepared(draw, options, *kept) : prepared(draw, options));
             }
         }
         glBindVertexArray(0);
@@ -57,24 +72,26 @@ struct PreparedFrame::Impl {
 };
 
 PreparedFrame::PreparedFrame(const Frame& frame, const RenderOptions& options)
-    : impl_(std::make_unique<Impl>(frame, options)) {}
+    : impl_(std::make_unique<Impl>(frame, options, nullptr)) {}
+PreparedFrame::PreparedFrame(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 PreparedFrame::~PreparedFrame() = default;
 
 struct Renderer::Impl {
-    explicit Impl(std::size_t program_limit) : programs(program_limit) {}
+    explicit Impl(const Limits& limits) : programs(limits.programs), meshes(limits.mesh_bytes) {}
 
     void draw(const PreparedDraw& what, const FixedStages& stages, Tier tier) {
         stages.set(what.stages);
         if (what.code.effects.has_texture()) textures.bind(what.stages.texture);
         programs.use(what.code.effects, what.code.form, what.numbers, tier);
-        what.mesh.draw();
+        what.mesh->draw();
     }
 
     Programs programs;
+    KeptMeshes meshes;
     Textures textures{Clamping::kShader};
 };
 
-Renderer::Renderer(std::size_t program_limit) : impl_(std::make_unique<Impl>(program_limit)) {}
+Renderer::Renderer(const Limits& limits) : impl_(std::make_unique<Impl>(limits)) {}
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const PreparedFrame& frame) {
@@ -88,15 +105,24 @@ void Renderer::draw(const PreparedFrame& frame) {
     }
     impl_->textures.drop_unused();
     impl_->programs.end_frame();
+    impl_->meshes.end_frame();
 }
 
-void Renderer::draw(const Frame& frame, const RenderOptions& options) { draw(PreparedFrame(frame, options)); }
+void Renderer::draw(const Frame& frame, const RenderOptions& options) {
+    KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
+    draw(PreparedFrame(std::make_unique<PreparedFrame::Impl>(frame, options, kept)));
+}
 
 Image Renderer::render(const Frame& frame, const RenderOptions& options) {
     draw(frame, options);
     return read_pixels(frame.width, frame.height);
 }
 
-Counters Renderer::counters() const { return impl_->programs.counters(); }
+Counters Renderer::counters() const {
+    Counters counters = impl_->programs.counters();
+    counters.textures = impl_->textures.upload_count();
+    counters.meshes = impl_->meshes.counters();
+    return counters;
+}
 
 }  // namespace twinlight::programmable

@@ -23,22 +23,38 @@ class PreparedFrame {
   private:
     friend class Renderer;
     struct Impl;
+    explicit PreparedFrame(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
+};
+
+// Since the Renderer was made, of Draws under Tier::kAuto: their vertices in the driver's buffers.
+struct MeshCounters {
+    std::uint64_t made = 0;
+    std::uint64_t hits = 0;     // Draws whose vertices, all the same, were there
+    std::uint64_t evicted = 0;  // that gave way to others
+    std::size_t bytes = 0;      // that are kept now, with copies of the vertices
 };
 
 // Since the Renderer was made.
 struct Counters {
-    std::uint64_t made = 0;     // programs with uniforms
-    std::uint64_t baked = 0;    // programs with constants
-    std::uint64_t hits = 0;     // Draws whose program was there
-    std::uint64_t evicted = 0;  // programs that gave way to others
+    std::uint64_t made = 0;      // programs with uniforms
+    std::uint64_t baked = 0;     // programs with constants
+    std::uint64_t hits = 0;      // Draws whose program was there
+    std::uint64_t evicted = 0;   // programs that gave way to others
+    std::uint64_t textures = 0;  // uploaded
+    MeshCounters meshes;
 };
 
-// Owns the programs and textures that it made in the context that is current; dies before that context does.
+// What a Renderer keeps; of more, that goes which was not used for the longest time.
+struct Limits {
+    std::size_t programs = 128;
+    std::size_t mesh_bytes = std::size_t{256} << 20;  // under Tier::kAuto, of frames before: 0 for none
+};
+
+// Owns the programs, textures and buffers that it made in the context that is current; dies before that context does.
 class Renderer {
   public:
-    // Keeps that many programs; of more, those go that were not used for the longest time.
-    explicit Renderer(std::size_t program_limit = 128);
+    explicit Renderer(const Limits& limits = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -47,6 +63,8 @@ class Renderer {
     // tier calls for. Throws std::runtime_error with the log, the numbered source and the EffectSet when the driver
     // refuses a shader.
     void draw(const PreparedFrame& frame);
+    // Under Tier::kAuto vertices that earlier frames had, bit by bit the same, are neither looked through nor sent to the
+    // driver again (kept_meshes.h).
     void draw(const Frame& frame, const RenderOptions& options);
     // The same, and reads the picture.
     Image render(const Frame& frame, const RenderOptions& options);

@@ -29,8 +29,7 @@ std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
     const std::pair<bool, const char*> rows[] = {
         {raster.depth_near != 0 || raster.depth_far != 1, "the depth range (glDepthRange)"},
         {raster.cull_enabled, "culling (glCullFace)"},
-        {raster.polygon_mode_front != kGL_FILL || raster.polygon_mode_back != kGL_FILL,
-         "the polygon mode (glPolygonMode)"},
+        {draw.draws_borders(), "the polygon mode (glPolygonMode)"},
         {offset.fill || offset.line || offset.point, "the polygon offset (glPolygonOffset)"},
         {raster.line_width != 1, "the line width (glLineWidth)"},
         {raster.point_size != 1, "the point size (glPointSize)"},

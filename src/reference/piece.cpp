@@ -86,8 +86,7 @@ bool set_planes(Piece& piece, const RasterState& raster, const std::array<glm::d
 // the gradient.
 double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec3& depth_plane) {
     const PolygonOffset& offset = raster.polygon_offset;
-    const bool enabled = mode == kGL_FILL ? offset.fill : mode == kGL_LINE ? offset.line : offset.point;
-    if (!enabled) return 0;
+    if (!offset.is_enabled_for(mode)) return 0;
     return std::max(std::abs(depth_plane.x), std::abs(depth_plane.y)) * offset.factor + kDepthStep * offset.units;
 }
 

@@ -19,17 +19,16 @@ bool is_order_free(const Draw& draw) {
     const bool nearest = raster.depth_test && raster.depth_mask &&
                          (raster.depth_func == kGL_LESS || raster.depth_func == kGL_LEQUAL ||
                           raster.depth_func == kGL_GREATER || raster.depth_func == kGL_GEQUAL);
-    const bool filled = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    return draw.mode == kGL_TRIANGLES && nearest && filled && !draw.fragment.blend;
+    return draw.mode == kGL_TRIANGLES && nearest && !draw.draws_borders() && !draw.fragment.blend;
 }
 
 }  // namespace
 
+bool may_be_patched(const Draw& draw, const RenderOptions& options) { return options.patches && is_order_free(draw); }
+
 bool needs_edge_flags(const Draw& draw) {
-    const RasterState& raster = draw.raster;
     const bool has_edges = draw.mode == kGL_TRIANGLES || draw.mode == kGL_QUADS || draw.mode == kGL_POLYGON;
-    const bool filled = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    return has_edges && !filled && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
+    return has_edges && draw.draws_borders() && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
 }
 
 Elements::Elements(const Draw& draw, const RenderOptions& options)
@@ -37,10 +36,16 @@ Elements::Elements(const Draw& draw, const RenderOptions& options)
     if (draw.indices.empty()) return;
     // What is no whole triangle is not drawn (2.6.1).
     const std::size_t whole = draw.indices.size() / 3 * 3;
-    if (options.patches && whole >= kFewIndices && is_order_free(draw))
+    if (whole >= kFewIndices && may_be_patched(draw, options))
         patched_ = patched(std::span(draw.indices).first(whole), draw.vertices.size());
-    indices_ = patched_.patches.empty() ? filled_buffer(GL_ELEMENT_ARRAY_BUFFER, draw.indices)
-                                        : filled_buffer(GL_ELEMENT_ARRAY_BUFFER, patched_.indices);
+    const auto fill = [&](const auto& indices) {
+        indices_ = filled_buffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+        bytes_ = indices.size() * sizeof(indices[0]);
+    };
+    if (patched_.patches.empty())
+        fill(draw.indices);
+    else
+        fill(patched_.indices);
     patched_.indices = {};
 }
 

@@ -9,10 +9,13 @@
 
 namespace twinlight {
 
+// Where the options allow patches (shape/vertex_order.h), and the order of the Draw's triangles is free.
+bool may_be_patched(const Draw& draw, const RenderOptions& options);
+
 // Owns its buffer: dies before the context does.
 class Elements {
   public:
-    // Patches (shape/vertex_order.h) where the options allow them, the mesh is large, and the order of its triangles is free.
+    // In patches where it may be patched and is large.
     Elements(const Draw& draw, const RenderOptions& options);
     ~Elements();
     Elements(const Elements&) = delete;
@@ -24,10 +27,13 @@ class Elements {
     // From the arrays that are enabled. Binds the buffer of indices, where there is one.
     void draw() const;
 
+    std::size_t bytes() const { return bytes_; }  // of the buffer
+
   private:
     Enum mode_;
     int count_ = 0;
     unsigned indices_ = 0;  // 0: 0, 1, 2, ...
+    std::size_t bytes_ = 0;
     PatchedTriangles patched_;
 };
 

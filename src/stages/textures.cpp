@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -69,6 +71,25 @@ GLuint uploaded(const Texture& texture, Clamping clamping) {
     return name;
 }
 
+// All of two images; a member more would not compile.
+bool are_same(const TextureImage& a, const TextureImage& b) {
+    const auto& [width, height, base_format, internal_format, texels] = a;
+    static_assert(sizeof(glm::vec4) == 4 * sizeof(float));
+    return width == b.width && height == b.height && base_format == b.base_format &&
+           internal_format == b.internal_format && texels.size() == b.texels.size() &&
+           (texels.empty() || std::memcmp(texels.data(), b.texels.data(), texels.size() * sizeof(glm::vec4)) == 0);
+}
+
+// The same of two textures.
+bool are_same(const Texture& a, const Texture& b) {
+    const auto& [target, levels, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority, generate_mipmap] = a;
+    return target == b.target && min_filter == b.min_filter && mag_filter == b.mag_filter && wrap_s == b.wrap_s &&
+           wrap_t == b.wrap_t && border_color == b.border_color && priority == b.priority &&
+           generate_mipmap == b.generate_mipmap &&
+           std::ranges::equal(levels, b.levels,
+                              [](const TextureImage& x, const TextureImage& y) { return are_same(x, y); });
+}
+
 }  // namespace
 
 Textures::~Textures() {
@@ -78,13 +99,26 @@ Textures::~Textures() {
 void Textures::bind(const TextureUnit& unit) {
     const Texture& texture = *unit.texture;
     auto found = uploaded_.find(&texture);
-    if (found == uploaded_.end())
+    if (found == uploaded_.end()) found = known_again(unit.texture);
+    if (found == uploaded_.end()) {
+        ++upload_count_;
         found =
             uploaded_.emplace(&texture, Uploaded{.texture = unit.texture, .name = uploaded(texture, clamping_)}).first;
+    }
     found->second.used = true;
     glBindTexture(texture.target, found->second.name);
     // 3.8.8 adds the unit's bias to the texture's own, which a Texture does not have.
     glTexParameterf(texture.target, GL_TEXTURE_LOD_BIAS, static_cast<float>(unit.lod_bias));
+}
+
+Textures::Map::iterator Textures::known_again(const std::shared_ptr<const Texture>& texture) {
+    const auto same = std::ranges::find_if(
+        uploaded_, [&](const auto& entry) { return !entry.second.used && are_same(*entry.second.texture, *texture); });
+    if (same == uploaded_.end()) return same;
+    Map::node_type node = uploaded_.extract(same);
+    node.key() = texture.get();
+    node.mapped().texture = texture;
+    return uploaded_.insert(std::move(node)).position;
 }
 
 void Textures::drop_unused() {

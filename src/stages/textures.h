@@ -24,8 +24,11 @@ class Textures {
     // Binds the unit's texture to the active unit, with its sampling parameters; uploads it at its first use. Throws
     // std::runtime_error when the driver refuses an image.
     void bind(const TextureUnit& unit);
-    // Deletes what no bind() asked for since the last call.
+    // Deletes what no bind() asked for since the last call: the end of a frame. Of the next frame, whose textures State made
+    // anew, those that are the same texel by texel are not uploaded again.
     void drop_unused();
+
+    std::uint64_t upload_count() const { return upload_count_; }
 
   private:
     struct Uploaded {
@@ -34,8 +37,12 @@ class Textures {
         unsigned name = 0;
         bool used = true;
     };
+    using Map = std::map<const Texture*, Uploaded>;
+    Map::iterator known_again(const std::shared_ptr<const Texture>& texture);
+
     Clamping clamping_;
-    std::map<const Texture*, Uploaded> uploaded_;
+    Map uploaded_;
+    std::uint64_t upload_count_ = 0;
 };
 
 }  // namespace twinlight

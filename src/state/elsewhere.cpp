@@ -84,11 +84,7 @@ void State::note_draws_elsewhere(const Draw& draw) {
     };
     if (a_.secondary_color && adds_secondary_color(draw)) note("glSecondaryColor", *a_.secondary_color);
     if (a_.fog_coordinates && draw.fog.enabled) note("glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)", *a_.fog_coordinates);
-    const bool is_polygon = draw.mode >= kGL_TRIANGLES;
-    const bool has_points =
-        draw.mode == kGL_POINTS ||
-        (is_polygon && (draw.raster.polygon_mode_front == kGL_POINT || draw.raster.polygon_mode_back == kGL_POINT));
-    if (!has_points) return;
+    if (!draw.draws_points()) return;
     for (const auto& [pname, place] : a_.point_parameters) {
         note(fmt::format("glPointParameter({})", enum_name(pname)), place);
     }

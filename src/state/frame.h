@@ -105,6 +105,10 @@ struct PolygonOffset {  // 3.5.5
     double factor = 0;
     double units = 0;
     bool point = false, line = false, fill = false;  // GL_POLYGON_OFFSET_POINT, _LINE, _FILL
+
+    bool is_enabled_for(Enum polygon_mode) const {
+        return polygon_mode == kGL_FILL ? fill : polygon_mode == kGL_LINE ? line : point;
+    }
 };
 
 inline constexpr int kMaxClipPlanes = 8;  // GL asks for six at least (table 6.29); Mesa has eight
@@ -209,6 +213,9 @@ struct Materials {
     Material front, back;
 };
 
+// Whether glBegin's mode draws polygons (2.6.1), which have two faces, and not points or lines.
+inline bool draws_polygons(Enum mode) { return mode >= kGL_TRIANGLES; }
+
 // One batch of primitives, with the state that draws it.
 struct Draw {
     Enum mode = kGL_TRIANGLES;  // glBegin's primitive type
@@ -229,6 +236,16 @@ struct Draw {
     // The curved surfaces that a shape's mesh stands for; null where the mesh is the shape. The Draws that share them are the
     // parts of one shape, and follow each other.
     std::shared_ptr<const std::vector<Surface>> surfaces;
+
+    // Whether there are polygons of a face that glPolygonMode has drawn so (3.5.4), if nothing culls them.
+    bool draws_polygons_as(Enum polygon_mode) const {
+        return draws_polygons(mode) &&
+               (raster.polygon_mode_front == polygon_mode || raster.polygon_mode_back == polygon_mode);
+    }
+    // Polygons as their edges or corners.
+    bool draws_borders() const { return draws_polygons_as(kGL_LINE) || draws_polygons_as(kGL_POINT); }
+    bool draws_points() const { return mode == kGL_POINTS || draws_polygons_as(kGL_POINT); }
+    bool draws_lines() const { return (mode != kGL_POINTS && !draws_polygons(mode)) || draws_polygons_as(kGL_LINE); }
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }
     std::uint32_t index(std::size_t i) const { return indices.empty() ? static_cast<std::uint32_t>(i) : indices[i]; }

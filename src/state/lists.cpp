@@ -8,57 +8,25 @@
 #include <cstring>
 #include <utility>
 
+#include "command/command_set.h"
 #include "state/state.h"
 
 namespace twinlight {
 
 namespace {
 
-// 5.4: commands that are executed at once while a list is compiled, by effect: those on lists, on the client's state,
-// on objects' names, and the queries.
-constexpr bool never_compiled(std::string_view effect) {
-    for (std::string_view effect_of_client :
-         {"new_list", "end_list", "gen_lists", "delete_lists", "pixel_store", "flush", "gen_textures",
-          "delete_textures", "client_arrays", "get_light", "get_material", "render_mode", "hit_buffer", "is_enabled",
-          "query_clip_plane", "query_tex_env", "query_tex_parameter", "elsewhere_query"}) {
-        if (effect == effect_of_client) return true;
-    }
-    return false;
-}
+// 5.4: commands that are executed at once while a list is compiled: those on lists, on the client's state, on objects'
+// names, and the queries. GLU's quadrics are no GL.
+constexpr CommandSet kNeverCompiled = CommandSet::of(
+    {"new_list",     "end_list",        "gen_lists",        "delete_lists",  "pixel_store",         "flush",
+     "gen_textures", "delete_textures", "client_arrays",    "get_light",     "get_material",        "render_mode",
+     "hit_buffer",   "is_enabled",      "query_clip_plane", "query_tex_env", "query_tex_parameter", "elsewhere_query",
+     "new_quadric",  "delete_quadric",  "set_quadric"});
 
-constexpr bool kNeverCompiled[] = {
-#define GL_COMMAND(name, effect, ...) never_compiled(#effect),
-#define SHAPE_COMMAND(name, effect, ...) never_compiled(#effect),
-#define QUADRIC_COMMAND(name, effect, ...) true,
-#define PRAGMA_COMMAND(name, effect, ...) never_compiled(#effect),
-#include "command/commands.def"
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
-};
-
-// Commands that send vertices or what belongs to them, by effect.
-constexpr bool sends_vertices(std::string_view effect) {
-    for (std::string_view sending :
-         {"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element",
-          "draw_arrays", "rect", "shape", "quadric_shape", "elsewhere_vertex"}) {
-        if (effect == sending) return true;
-    }
-    return false;
-}
-
-constexpr bool kSendsVertices[] = {
-#define GL_COMMAND(name, effect, ...) sends_vertices(#effect),
-#define SHAPE_COMMAND(name, effect, ...) sends_vertices(#effect),
-#define QUADRIC_COMMAND(name, effect, ...) false,
-#define PRAGMA_COMMAND(name, effect, ...) sends_vertices(#effect),
-#include "command/commands.def"
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
-};
+// Commands that send vertices or what belongs to them.
+constexpr CommandSet kSendsVertices =
+    CommandSet::of({"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element",
+                    "draw_arrays", "rect", "shape", "quadric_shape", "elsewhere_vertex"});
 
 bool reads_pixels(const Command& c) {
     const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels"; };
@@ -124,7 +92,7 @@ std::size_t ListedCommand::bytes() const {
 
 // Whether a command goes into the list that is open and is done with that. GL_COMPILE_AND_EXECUTE does both.
 bool State::compile(const Command& c) {
-    if (lists_.open_name == 0 || lists_.nesting > 0 || kNeverCompiled[static_cast<std::size_t>(c.id)]) return false;
+    if (lists_.open_name == 0 || lists_.nesting > 0 || kNeverCompiled.contains(c.id)) return false;
     if (draws_quadric(c) && !can_send(c)) return true;  // GLU itself refuses it, and calls nothing
     ListedCommand listed{.command = c};
     std::size_t bytes = 0;  // beside those that the listed command counts
@@ -151,7 +119,7 @@ bool State::compile(const Command& c) {
     }
     if (draws_quadric(c)) listed.quadric = std::make_shared<const Quadric>(*quadric(c));
     if (c.id == CommandId::glCallList || c.id == CommandId::glCallLists) bytes += compile_calls(c);
-    lists_.open->sends_vertices |= kSendsVertices[static_cast<std::size_t>(c.id)];
+    lists_.open->sends_vertices |= kSendsVertices.contains(c.id);
     bytes += listed.bytes();
     if (bytes > kMaxListedBytes - lists_.bytes - lists_.open->bytes) {
         raise(kGL_OUT_OF_MEMORY, c,

@@ -11,6 +11,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "command/command_set.h"
 #include "command/text.h"
 #include "state/capabilities.h"
 
@@ -18,22 +19,16 @@ namespace twinlight {
 
 namespace {
 
-// What may stand between Begin and End (2.6.3), by effect.
-constexpr bool legal_inside(std::string_view effect) {
-    for (std::string_view legal :
-         {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
-          "elsewhere_vertex", "elsewhere_attribute", "elsewhere_secondary_color", "call_list", "call_lists",
-          "array_element", "perspective"}) {
-        if (effect == legal) return true;  // begin, end and perspective say themselves what is wrong
-    }
-    return false;
-}
+// What may stand between Begin and End (2.6.3). begin, end and perspective say themselves what is wrong; GLU's quadrics are no
+// GL.
+constexpr CommandSet kLegalInside = CommandSet::of(
+    {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
+     "elsewhere_vertex", "elsewhere_attribute", "elsewhere_secondary_color", "call_list", "call_lists", "array_element",
+     "perspective", "new_quadric", "delete_quadric", "set_quadric"});
 
-// What a vertex is given may be any number, by effect.
-constexpr bool takes_any_number(std::string_view effect) {
-    return effect == "vertex" || effect == "normal" || effect == "color" || effect == "tex_coord" ||
-           effect == "multi_tex_coord" || effect == "elsewhere_secondary_color" || effect == "elsewhere_attribute";
-}
+// What a vertex is given may be any number.
+constexpr CommandSet kTakesAnyNumber = CommandSet::of(
+    {"vertex", "normal", "color", "tex_coord", "multi_tex_coord", "elsewhere_secondary_color", "elsewhere_attribute"});
 
 // Counts one more of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place,
@@ -64,32 +59,25 @@ void State::apply(const Command& command) {
 }
 
 void State::carry_out(const Command& command) {
-    struct Row {
-        void (State::*effect)(const Command&);
-        bool legal_inside;
-        bool takes_any_number = false;
-    };
-    static constexpr Row kRows[] = {
-#define GL_COMMAND(name, effect, ...) \
-    {&State::effect, twinlight::legal_inside(#effect), twinlight::takes_any_number(#effect)},
-#define SHAPE_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
-#define QUADRIC_COMMAND(name, effect, ...) {&State::effect, true},  // no GL, so legal anywhere
-#define PRAGMA_COMMAND(name, effect, ...) {&State::effect, twinlight::legal_inside(#effect)},
+    static constexpr void (State::*kCarriedOutBy[])(const Command&) = {
+#define GL_COMMAND(name, effect, ...) &State::effect,
+#define SHAPE_COMMAND(name, effect, ...) &State::effect,
+#define QUADRIC_COMMAND(name, effect, ...) &State::effect,
+#define PRAGMA_COMMAND(name, effect, ...) &State::effect,
 #include "command/commands.def"
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
 #undef QUADRIC_COMMAND
 #undef PRAGMA_COMMAND
     };
-    const Row& row = kRows[static_cast<std::size_t>(command.id)];
-    if (open_ && !row.legal_inside) return raise_inside(command);
+    if (open_ && !kLegalInside.contains(command.id)) return raise_inside(command);
     // RULING: GL leaves NaN and infinity open (2.1.1); here they are refused, so that no later value is either. A vertex may
     // be given them, for programs do so: represent() says what becomes of it.
     const auto is_finite = [](double v) { return std::isfinite(v); };
-    if (!row.takes_any_number && !std::ranges::all_of(command.arguments, is_finite)) {
+    if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite)) {
         return raise(kGL_INVALID_VALUE, command, fmt::format("{} is given a value that is not finite", command.name()));
     }
-    (this->*row.effect)(command);
+    (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
 }
 
 void State::raise(Enum code, const Command& command, std::string message) {

@@ -129,6 +129,43 @@ void compare_planning(Results& results) {
     results.ratio("planning_share_vertices_looked_through", *std::ranges::max_element(anew));
 }
 
+// ---- Frame after frame ----
+
+// A window's frames: each is given as a whole, and a light has moved. `moves_vertices`: a vertex as well.
+Way live_way(std::string name, const Draw& draw, const programmable::Limits& limits, bool moves_vertex = false) {
+    const auto renderer = std::make_shared<programmable::Renderer>(limits);
+    const auto frame = std::make_shared<Frame>(frame_of(draw));
+    const auto step = [=, number = 0]() mutable {
+        Draw& moving = std::get<Draw>(frame->items.at(0));
+        const double shift = 1e-3 * (++number % 7);
+        moving.lighting.lights[0].position_eye.x = draw.lighting.lights[0].position_eye.x + shift;
+        if (moves_vertex)
+            moving.vertices.back().position_object.x = draw.vertices.back().position_object.x + 1e-9 * number;
+        renderer->draw(*frame, options_for(Tier::kAuto, false));
+        glFinish();
+    };
+    return {std::move(name), step};
+}
+
+void compare_still_frames(Results& results) {
+    const auto context = make_offscreen_context(kSide, kSide);
+    const programmable::Limits nothing{.mesh_bytes = 0};
+    std::vector<double> still, changing, known;
+    for (const LitScene& scene : seven_scenes(sphere(512, 256))) {
+        const auto timed =
+            results.compare("frame after frame: " + scene.name,
+                            {live_way("anew each time", scene.draw, nothing), live_way("vertices kept", scene.draw, {}),
+                             live_way("one vertex moves", scene.draw, {}, true),
+                             shader_way("planned and sent once", frame_of(scene.draw), Tier::kAuto, false)});
+        still.push_back(times_faster(timed[1], timed[0]));
+        changing.push_back(times_faster(timed[2], timed[0]));
+        known.push_back(times_faster(timed[3], timed[1]));
+    }
+    results.ratio("still_frame_over_new_frame", geometric_mean(still));
+    results.ratio("changing_frame_over_new_frame", geometric_mean(changing));
+    results.ratio("prepared_frame_over_still_frame", geometric_mean(known));
+}
+
 // ---- More lights than matter ----
 
 // Eight lights near by, and the others far away or with cones that miss: planned and drawn.
@@ -183,7 +220,8 @@ void compare_many_lights(Results& results) {
 }
 
 const bool added = add_part("vertex", compare_vertices) && add_part("first_frame", compare_first_frames) &&
-                   add_part("planning", compare_planning) && add_part("lights", compare_many_lights);
+                   add_part("planning", compare_planning) && add_part("still", compare_still_frames) &&
+                   add_part("lights", compare_many_lights);
 
 }  // namespace
 }  // namespace twinlight::bench

@@ -1,57 +1,13 @@
-// The planner: which facts a Draw calls for, found by hand, and the reasons for the rest.
+// The planner: which facts of lighting a Draw calls for, found by hand, and the reasons for the rest.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <memory>
+#include <utility>
 
-#include "effect/bounds.h"
-#include "effect/plan.h"
+#include "planned_draws.h"
 
 namespace twinlight {
 namespace {
-
-const RenderOptions kPhong{.shading = Shading::kPhong};
-const RenderOptions kGlAlone{.shading = std::nullopt, .lecture_variants = false};
-
-// A triangle lit by GL_LIGHT0, white and directional, in GL's initial state: diffuse alone is called for.
-Draw lit_triangle() {
-    Draw draw;
-    draw.vertices.resize(3);
-    draw.vertices[1].position_object = {1, 0, 0, 1};
-    draw.vertices[2].position_object = {0, 1, 0, 1};
-    draw.lighting.enabled = true;
-    draw.lighting.lights[0].enabled = true;
-    return draw;
-}
-
-Draw with_positional_light(Draw draw = lit_triangle()) {
-    draw.lighting.lights[0].position_eye = {0, 0, 5, 1};
-    return draw;
-}
-
-Draw with_specular_material(Draw draw = lit_triangle()) {
-    draw.lighting.front.specular = {1, 1, 1, 1};
-    draw.lighting.front.shininess = 32;
-    return draw;
-}
-
-Draw with_vertex_colors(Draw draw = lit_triangle()) {
-    draw.vertices[1].color = {1, 0, 0, 1};
-    draw.lighting.color_material.enabled = true;
-    return draw;
-}
-
-EffectSet facts(const Draw& draw, const RenderOptions& options = {}) { return plan_effects(draw, options).effects; }
-
-// Why `what` is left out; empty if it is not.
-std::string reason(const Draw& draw, const std::string& what, const RenderOptions& options = {}) {
-    const Plan plan = plan_effects(draw, options);
-    for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
-        for (const LeftOut& left_out : list)
-            if (left_out.what == what) return left_out.why;
-    return "";
-}
 
 TEST(Plan, CallsForTheDiffuseTermAloneInTheInitialState) {
     EffectSet expected;
@@ -73,6 +29,7 @@ TEST(Plan, CallsForNothingButTheColorWhenLightingIsOff) {
 
 TEST(Plan, TakesTheShadingFromTheOptionsOrElseFromTheShadeModel) {
     Draw draw = lit_triangle();
+    draw.vertices[1].normal_object = {1, 0, 0};
     EXPECT_EQ(facts(draw).shading, Shading::kGouraud);
     draw.lighting.shade_model = kGL_FLAT;
     EXPECT_EQ(facts(draw).shading, Shading::kFlat);
@@ -307,95 +264,6 @@ TEST(Plan, ClampsOnlyWhatMayLeaveZeroToOne) {
     EXPECT_FALSE(facts(draw).clamp);
 }
 
-// ---- The lights' bounds ----
-
-LightBound bound(const Draw& draw, std::size_t light, const RenderOptions& options = {}) {
-    return plan_effects(draw, options).light_bounds.at(light);
-}
-
-TEST(Plan, BoundsALightByItsNearestPoint) {
-    Draw draw = with_positional_light();  // 5 above the triangle, whose sphere is 0.707 about (0.5, 0.5, 0)
-    draw.lighting.lights[0].constant_attenuation = 0;
-    draw.lighting.lights[0].quadratic_attenuation = 1;
-    const double nearest = std::sqrt(25.5) - std::sqrt(0.5);
-    const double by_hand = 0.8 / (nearest * nearest);
-    EXPECT_GE(bound(draw, 0).largest(), by_hand);
-    EXPECT_LE(bound(draw, 0).largest(), by_hand * (1 + 1e-6));
-    draw.lighting.lights[0].position_eye = {0.5, 0.5, 0.1, 1};  // inside: nothing bounds 1 / d^2
-    EXPECT_EQ(bound(draw, 0).largest(), std::numeric_limits<double>::infinity());
-}
-
-TEST(Plan, LeavesOutALightWhoseConeMisses) {
-    Draw draw = with_positional_light();
-    LightSource& light = draw.lighting.lights[0];
-    light.position_eye = {0.5, 0.5, 5, 1};
-    light.spot_cutoff_deg = 20;
-    light.spot_direction_eye = {1, 0, -1};
-    // 45 degrees less the cone's 20 and the sphere's asin(0.7071 / 5) = 8.13.
-    EXPECT_EQ(reason(draw, "GL_LIGHT0", {.shading = {}, .budget = 0}),
-              "its cone misses the sphere around the Draw by 16.9 degrees");
-    light.spot_cutoff_deg = 37;
-    EXPECT_TRUE(bound(draw, 0).in());
-}
-
-TEST(Plan, LeavesOutALightBehindEveryNormal) {
-    Draw draw = lit_triangle();
-    draw.lighting.lights[0].position_eye = {1, 0, -1, 0};
-    EXPECT_EQ(reason(draw, "GL_LIGHT0", {.shading = {}, .budget = 0}),
-              "every normal faces away from it, by 45 degrees");
-    draw.vertices[1].normal_object = {1, 0, 0};
-    EXPECT_TRUE(bound(draw, 0).in());
-    draw.vertices[1].normal_object = {0, 0, 1};
-    draw.lighting.light_model.two_side = true;
-    EXPECT_TRUE(bound(draw, 0).in());
-}
-
-TEST(Plan, LeavesOutFaintLightsWhileTheirSumIsWithinTheBudget) {
-    Draw draw = lit_triangle();
-    for (std::size_t i = 1; i < 4; ++i) {
-        draw.lighting.lights[i] = draw.lighting.lights[0];
-        draw.lighting.lights[i].diffuse = glm::dvec4(0.001 * static_cast<double>(i));
-    }
-    const Plan plan = plan_effects(draw, {.shading = {}, .budget = 0.003});  // 0.8 of 0.001, 0.002, 0.003
-    EXPECT_EQ(plan.light_bounds[1].fate, LightFate::kFaint);
-    EXPECT_EQ(plan.light_bounds[2].fate, LightFate::kFaint);
-    EXPECT_EQ(plan.light_bounds[3].fate, LightFate::kIn);
-    EXPECT_NEAR(plan.error_bound, 0.0024, 1e-8);
-    EXPECT_GE(plan.error_bound, 0.0024);
-    ASSERT_EQ(lights_by_bound(plan).size(), 2U);
-    EXPECT_EQ(lights_by_bound(plan)[0].number, 0);
-    EXPECT_EQ(plan_effects(draw, {.shading = {}, .budget = 0}).lights.size(), 4U);
-    EXPECT_EQ(plan_effects(draw, {.shading = {}, .budget = 0}).error_bound, 0);
-}
-
-TEST(Plan, HasNoBudgetWhereBlendingAddsUpWhatIsLeftOut) {
-    Draw draw = lit_triangle();
-    draw.lighting.lights[0].diffuse = glm::dvec4(0.001);
-    draw.fragment.blend = true;
-    draw.fragment.blend_src = kGL_SRC_ALPHA;
-    draw.fragment.blend_dst = kGL_ONE_MINUS_SRC_ALPHA;
-    EXPECT_FALSE(bound(draw, 0).in());
-    draw.fragment.blend_dst = kGL_ONE;
-    EXPECT_TRUE(bound(draw, 0).in());
-}
-
-TEST(Attenuation, IsBoundedForAnyFactors) {
-    LightSource light;
-    const auto largest = [&](double k0, double k1, double k2, double nearest, double farthest) {
-        light.constant_attenuation = k0;
-        light.linear_attenuation = k1;
-        light.quadratic_attenuation = k2;
-        return largest_attenuation(light, nearest, farthest);
-    };
-    EXPECT_NEAR(largest(1, 1, 1, 2, 9), 1.0 / 7, 1e-12);
-    EXPECT_EQ(largest(0, 0, 0, 2, 9), 0);
-    EXPECT_EQ(largest(0, 1, 0, 0, 9), std::numeric_limits<double>::infinity());
-    EXPECT_EQ(largest(-1, 0, 0, 0, 9), 0);
-    EXPECT_NEAR(largest(2, -1, 0.25, 1, 9), 1, 1e-6);    // (d/2 - 1)^2 + 1 is 1 at 2
-    EXPECT_NEAR(largest(2, -1, 0.25, 4, 9), 0.5, 1e-6);  // and 2 at 4
-    EXPECT_EQ(largest(1, -1, 0, 0, 2), std::numeric_limits<double>::infinity());
-}
-
 TEST(Plan, CallsForTheDivisionByWOnlyIfWMayDiffer) {
     Draw draw = with_positional_light();
     EXPECT_FALSE(facts(draw).vertex_w);
@@ -409,79 +277,6 @@ TEST(Plan, LightsPerFragmentOnlyWhatVaries) {
     Draw draw = lit_triangle();
     draw.lighting.lights[0].enabled = false;
     EXPECT_EQ(facts(draw, {.shading = Shading::kPhong}).shading, Shading::kGouraud);
-}
-
-// ---- The fragments ----
-
-Draw textured(Enum env_mode, Enum format, Draw draw = lit_triangle()) {
-    auto texture = std::make_shared<Texture>();
-    texture->levels = {
-        {.width = 1, .height = 1, .base_format = format, .internal_format = format, .texels = {glm::vec4(1)}}};
-    texture->min_filter = kGL_LINEAR;
-    draw.texture.texture = texture;
-    draw.texture.env_mode = env_mode;
-    return draw;
-}
-
-TEST(Plan, TakesEnvironmentsThatAreTheSameCodeForOne) {
-    EXPECT_EQ(facts(textured(kGL_DECAL, kGL_RGB)), facts(textured(kGL_REPLACE, kGL_RGB)));
-    EXPECT_EQ(facts(textured(kGL_BLEND, kGL_ALPHA)), facts(textured(kGL_MODULATE, kGL_ALPHA)));
-    EXPECT_EQ(facts(textured(kGL_MODULATE, kGL_LUMINANCE)), facts(textured(kGL_MODULATE, kGL_RGB)));
-    EXPECT_NE(facts(textured(kGL_ADD, kGL_INTENSITY)), facts(textured(kGL_ADD, kGL_LUMINANCE_ALPHA)));
-    EXPECT_EQ(facts(textured(kGL_DECAL, kGL_ALPHA)), facts(lit_triangle()));
-}
-
-TEST(Plan, CallsForTheTextureMatrixAndTheDivisionByQOnlyIfTheyMatter) {
-    Draw draw = textured(kGL_MODULATE, kGL_RGBA);
-    EXPECT_FALSE(facts(draw).texture.matrix);
-    EXPECT_FALSE(facts(draw).texture.q);
-    draw.texture.texture_matrix[3][0] = 0.5;
-    EXPECT_TRUE(facts(draw).texture.matrix);
-    EXPECT_FALSE(facts(draw).texture.q);
-    draw.vertices[0].tex_coord.q = 2;
-    EXPECT_TRUE(facts(draw).texture.q);
-}
-
-TEST(Plan, ClampsInTheShaderOnlyIfALinearFilterMaySeeTheBorder) {
-    Draw draw = textured(kGL_MODULATE, kGL_RGBA);
-    auto texture = std::make_shared<Texture>(*draw.texture.texture);
-    texture->wrap_s = kGL_CLAMP;
-    draw.texture.texture = texture;
-    EXPECT_TRUE(facts(draw).texture.clamp_s);
-    EXPECT_FALSE(facts(draw).texture.clamp_t);
-    EXPECT_FALSE(facts(draw).texture.gradients);
-    texture->mag_filter = kGL_NEAREST;
-    EXPECT_TRUE(facts(draw).texture.gradients);
-    texture->min_filter = kGL_NEAREST;
-    EXPECT_FALSE(facts(draw).texture.clamp_s);
-    EXPECT_EQ(reason(draw, "GL_CLAMP"), "without a linear filter it is GL_CLAMP_TO_EDGE");
-}
-
-TEST(Plan, LightsNothingThatTheTextureReplaces) {
-    EXPECT_FALSE(facts(textured(kGL_REPLACE, kGL_RGBA)).lighting);
-    const EffectSet alpha_left = facts(textured(kGL_REPLACE, kGL_RGB));
-    EXPECT_TRUE(alpha_left.lighting);
-    EXPECT_TRUE(alpha_left.lights.empty());
-    Draw draw = textured(kGL_REPLACE, kGL_RGBA, with_specular_material());
-    EXPECT_FALSE(facts(draw).lighting);
-    draw.lighting.light_model.color_control = kGL_SEPARATE_SPECULAR_COLOR;
-    EXPECT_TRUE(facts(draw).lighting);
-    EXPECT_FALSE(facts(draw).lights[0].diffuse);
-}
-
-TEST(Plan, CallsForFogAndClipPlanesThatAreThere) {
-    Draw draw = lit_triangle();
-    draw.fog.density = 0;
-    draw.fog.enabled = true;
-    EXPECT_EQ(reason(draw, "fog"), "GL_FOG_DENSITY is 0");
-    draw.fog.mode = kGL_LINEAR;
-    EXPECT_EQ(facts(draw).fog, FogEffect::kLinear);
-    EXPECT_FALSE(facts(draw).vertex_w);
-    draw.vertices[0].position_object.w = 2;
-    EXPECT_TRUE(facts(draw).vertex_w);
-    EXPECT_EQ(facts(draw).clip_plane_count, 0);
-    draw.raster.clip_planes_eye[5] = glm::dvec4(1);
-    EXPECT_EQ(facts(draw).clip_plane_count, 1);
 }
 
 TEST(Plan, CallsForMaterialsOfVerticesOnlyIfTheyDiffer) {

@@ -56,6 +56,22 @@ TEST(Quantisation, KeepsEveryCode) {
     for (int code = 0; code < 256; ++code) EXPECT_EQ(channel_code(static_cast<float>(code) / 255.0F), code);
 }
 
+// Of the floats on either side of where a code ends, and near 0, where half a code leaves a float's digits no room.
+TEST(Quantisation, RoundsNoFloatOtherwiseThanTheNearestCodeIs) {
+    const auto expect_nearest = [](float channel) {
+        EXPECT_EQ(channel_code(channel), std::lround(static_cast<double>(channel) * 255)) << channel;
+    };
+    for (int code = 0; code < 255; ++code) {
+        float channel = static_cast<float>((code + 0.5) / 255);
+        for (int i = 0; i < 8; ++i) channel = std::nextafter(channel, 0.0F);
+        for (int i = 0; i < 16; ++i) expect_nearest(channel = std::nextafter(channel, 1.0F));
+    }
+    for (float channel = 1; channel > 0; channel /= 2) {
+        expect_nearest(channel);
+        expect_nearest(std::nextafter(channel, 0.0F));
+    }
+}
+
 TEST(Quantisation, IsIdempotent) {
     Image image(256, 1);
     for (int x = 0; x < 256; ++x) image.at(x, 0) = {x * 0.0039F, x * 0.01F - 1, 0.3F, x / 255.0F};

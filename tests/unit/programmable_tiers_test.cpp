@@ -39,7 +39,7 @@ class Tiers : public ::testing::Test {
     Counters counters() const { return renderer_.counters(); }
 
     std::unique_ptr<OffscreenContext> context_ = make_offscreen_context(4, 4);
-    Renderer renderer_{4};
+    Renderer renderer_{{.programs = 4}};
 };
 
 TEST(Bake, PutsConstantsInThePlaceOfTheUniformsThatItIsGiven) {

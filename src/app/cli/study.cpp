@@ -88,7 +88,7 @@ int run(const Arguments& arguments) {
                           {.width = frame.width, .height = frame.height});
     };
     const auto context = make_offscreen_context(frame.width, frame.height);
-    programmable::Renderer shaders(1024);  // all of them stay ready
+    programmable::Renderer shaders({.programs = 1024});  // all of them stay ready
     const Interrupt interrupt;
     ProgressBar bar;
     study::Study result = study::run(frame_of, has_slices, study_renderers(frame.width, frame.height, shaders),
