@@ -57,7 +57,7 @@ std::optional<std::string> crossover(const std::vector<Point>& points, Shading c
             a ? fmt::format("; {} takes {} for that", a->choice.words(), milliseconds(a->median_seconds()))
               : fmt::format("; no {} mesh of this study is as near", name_of(coarse));
         if (!last_of_coarse)
-            return fmt::format("{} is cheaper than {} for any error: from {} on", name_of(fine), name_of(coarse),
+            return fmt::format("For any error {} is cheaper than {}: from {} on", name_of(fine), name_of(coarse),
                                words_of(*b));
         return fmt::format("From an rms error of {:.2g} down, {} is cheaper than {}: {}{}", error, name_of(fine),
                            name_of(coarse), words_of(*b), beaten);
