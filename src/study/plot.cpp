@@ -79,6 +79,12 @@ std::string grid(const Axis& x, const Axis& y) {
            "\n";
 }
 
+// "llvmpipe (LLVM 15.0.6, 256 bits)", without the versions that follow.
+std::string renderer_of(const std::string& driver) {
+    const std::size_t end = driver.find("), ");
+    return report::escaped(end == std::string::npos ? driver : driver.substr(0, end + 1));
+}
+
 std::string legend() {
     std::string svg;
     double y = kTop + 10;
@@ -114,7 +120,7 @@ std::string study_svg(const Study& study) {
     svg += R"(<rect width="100%" height="100%" fill="white"/>)";
     svg += text(kLeft, 28, "start",
                 fmt::format("{}: what accuracy costs in time ({} x {}, {})", report::escaped(study.scene), study.width,
-                            study.height, study.driver.substr(0, study.driver.find(','))));
+                            study.height, renderer_of(study.driver)));
     if (points.empty()) return svg + text(kWidth / 2, kHeight / 2, "middle", "nothing was timed") + "</svg>\n";
     const auto time = [](const Point* point) { return 1000 * point->median_seconds(); };
     const auto [fastest, slowest] = std::ranges::minmax(points, {}, time);

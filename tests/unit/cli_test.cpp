@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "image/file.h"
@@ -54,7 +55,7 @@ class Cli : public testing::Test {
 
 TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
     for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
-             {}, {"render"}, {"compare"}, {"explain"}, {"export"}, {"scenes"}, {"fuzz"}}) {
+             {}, {"render"}, {"compare"}, {"explain"}, {"export"}, {"scenes"}, {"study"}, {"fuzz"}}) {
         for (const char* flag : {"--help", "-h", "--version"}) {
             std::vector<std::string> arguments = command;
             arguments.emplace_back(flag);
@@ -69,7 +70,7 @@ TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
 
 TEST_F(Cli, RefusesBadUse) {
     const std::string file = scene(kScene);
-    expect_refused(run({}), "a command is missing: render, compare, explain, export, scenes or fuzz");
+    expect_refused(run({}), "a command is missing: render, compare, explain, export, scenes, study or fuzz");
     expect_refused(run({"rendr"}), "there is no command 'rendr'; did you mean 'render'?");
     expect_refused(run({"--bogus"}), "'--bogus'");
     expect_refused(run({"render"}), "SCENE is required; see 'twinlight render --help'");
@@ -429,6 +430,38 @@ TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
     EXPECT_EQ(lights[2]["in"], false);
     EXPECT_NEAR(lights[2]["bound"][1].get<double>(), 0.0008, 1e-9);
     expect_refused(run({"explain", file, "--budget", "2"}), "--budget");
+}
+
+TEST_F(Cli, StudiesWhatAccuracyCosts) {
+    const std::string folder = out_ / "study";
+    const ProgramResult result =
+        run({"study", scene(kScene), "-o", folder, "--quick", "--seconds", "0", "--size", "48x48", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json study = json::parse(result.out);
+    EXPECT_EQ(read_file(folder + "/study.json"), result.out);
+    for (const char* file : {"/study.csv", "/study.svg", "/index.html"}) EXPECT_FALSE(read_file(folder + file).empty());
+    std::map<std::string, json> points;
+    for (const json& point : study["points"]) points[point["key"]] = point;
+    const auto rms = [&](const char* key) { return points.at(key)["error"]["interior"]["rms"].get<double>(); };
+    EXPECT_EQ(points.at("reference-exact")["error"]["whole"]["rms"], 0);
+    // Finer is nearer, and what is lit at every pixel is nearer than what is lit at vertices.
+    EXPECT_LT(rms("programmable-phong-32"), rms("programmable-phong-8"));
+    EXPECT_LT(rms("programmable-gouraud-32"), rms("programmable-gouraud-8"));
+    EXPECT_LT(rms("programmable-phong-32"), rms("programmable-gouraud-32"));
+    EXPECT_LT(rms("programmable-gouraud-32"), rms("programmable-flat-32"));
+    EXPECT_NEAR(rms("fixed-gouraud-32"), rms("programmable-gouraud-32"), 1e-4);  // codes that round to either side
+    for (const auto& [key, point] : points) EXPECT_EQ(point["seconds"]["samples"], 3) << key;
+}
+
+TEST_F(Cli, DrawsExactSurfacesByTheReferenceAlone) {
+    const std::string file = scene(kScene);
+    const auto render = [&](const char* renderer) {
+        return run({"render", file, "--with", renderer, "--shading", "exact", "--size", "32x32", "-o", out_ / "p.png"});
+    };
+    expect_refused(render("programmable"), "use --with reference");
+    expect_refused(render("fixed"), "use --with reference");
+    expect_refused(run({"export", file, "--as", "glsl", "--shading", "exact"}), "flat, gouraud, phong");
+    EXPECT_EQ(render("reference").status, 0);
 }
 
 TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {

@@ -275,8 +275,19 @@ TEST(Plan, CallsForTheDivisionByWOnlyIfWMayDiffer) {
 
 TEST(Plan, LightsPerFragmentOnlyWhatVaries) {
     Draw draw = lit_triangle();
+    // Equal normals, a directional light, a distant viewer.
+    EXPECT_EQ(facts(draw, kPhong).shading, Shading::kGouraud);
+    EXPECT_EQ(facts(with_specular_material(draw), kPhong).shading, Shading::kGouraud);
+    Draw varying = draw;
+    varying.vertices[1].normal_object = {0, 0.6, 0.8};
+    EXPECT_EQ(facts(varying, kPhong).shading, Shading::kPhong);
+    EXPECT_EQ(facts(with_positional_light(draw), kPhong).shading, Shading::kPhong);
+    EXPECT_EQ(facts(with_vertex_colors(draw), kPhong).shading, Shading::kPhong);
+    varying = with_specular_material(draw);
+    varying.lighting.light_model.local_viewer = true;
+    EXPECT_EQ(facts(varying, kPhong).shading, Shading::kPhong);
     draw.lighting.lights[0].enabled = false;
-    EXPECT_EQ(facts(draw, {.shading = Shading::kPhong}).shading, Shading::kGouraud);
+    EXPECT_EQ(facts(draw, kPhong).shading, Shading::kGouraud);
 }
 
 TEST(Plan, CallsForMaterialsOfVerticesOnlyIfTheyDiffer) {
