@@ -230,6 +230,10 @@ void compare_pixels(Results& results) {
             ways.push_back(finishing("uber shader, flags", [flags] { flags->draw(); }));
         }
         check_same(scene.name, ways);
+        Draw unlit = draw;
+        unlit.lighting.enabled = false;
+        const Frame unlit_frame = frame_of(unlit, kSide);
+        ways.push_back(drawing("baked, without lighting", unlit_frame, Tier::kBaked));  // what no shader can do without
         const auto timed = results.compare("per fragment: " + scene.name, ways);
         over_uber.push_back(times_faster(timed[2], timed[0]));
         uniform_over_uber.push_back(times_faster(timed[1], timed[0]));
