@@ -3,17 +3,57 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <map>
 
 namespace twinlight {
 namespace {
 
-// All that is said of a plan.
-std::string text_of(const Plan& plan) {
-    std::string text = describe(plan.effects) + fmt::format("{:g}\n", plan.error_bound);
-    for (const LightBound& light : plan.light_bounds) text += reason(light) + "\n";
+// What a plan decides, without its numbers.
+std::string facts_of(const Plan& plan) {
+    std::string text = describe(plan.effects);
+    for (const LightBound& light : plan.light_bounds) text += fmt::format("{} ", static_cast<int>(light.fate));
     for (const LeftOut& left_out : plan.left_out) text += left_out.what + "\n" + left_out.why + "\n";
     return text;
+}
+
+// All that is said of it.
+std::string text_of(const Plan& plan) {
+    std::string text = facts_of(plan) + fmt::format("{:g}\n", plan.error_bound);
+    for (const LightBound& light : plan.light_bounds) text += reason(light) + "\n";
+    return text;
+}
+
+// Numbers that hold for both.
+void widen(Plan& plan, const Plan& other) {
+    plan.error_bound = std::max(plan.error_bound, other.error_bound);
+    for (std::size_t i = 0; i < plan.light_bounds.size(); ++i) {
+        LightBound& light = plan.light_bounds[i];
+        light.bound = glm::max(light.bound, other.light_bounds[i].bound);
+        light.deg = std::min(light.deg, other.light_bounds[i].deg);
+    }
+}
+
+// One for the parts of a shape that have the same facts.
+std::vector<ExplainedDraw> explain_shapes(const Frame& frame, const RenderOptions& options) {
+    std::vector<ExplainedDraw> draws;
+    std::map<std::string, std::size_t> of_shape;  // by facts
+    const Draw* last = nullptr;
+    int number = 0;
+    for (const auto& item : frame.items) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        if (!draw) continue;
+        if (!last || last->place != draw->place || last->surfaces != draw->surfaces) of_shape.clear();
+        last = draw;
+        Plan plan = plan_effects(*draw, options);
+        const auto [known, is_new] = of_shape.try_emplace(facts_of(plan), draws.size());
+        if (is_new)
+            draws.push_back({.numbers = {}, .place = draw->place, .plan = std::move(plan)});
+        else
+            widen(draws[known->second].plan, plan);
+        draws[known->second].numbers.push_back(++number);
+    }
+    return draws;
 }
 
 }  // namespace
@@ -21,14 +61,14 @@ std::string text_of(const Plan& plan) {
 std::vector<ExplainedDraw> explain(const Frame& frame, const RenderOptions& options) {
     std::vector<ExplainedDraw> draws;
     std::map<std::string, std::size_t> by_text;
-    int number = 0;
-    for (const auto& item : frame.items) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (!draw) continue;
-        Plan plan = plan_effects(*draw, options);
-        const auto [known, is_new] = by_text.try_emplace(text_of(plan), draws.size());
-        if (is_new) draws.push_back({.numbers = {}, .place = draw->place, .plan = std::move(plan)});
-        draws[known->second].numbers.push_back(++number);
+    for (ExplainedDraw& shape : explain_shapes(frame, options)) {
+        const auto [known, is_new] = by_text.try_emplace(text_of(shape.plan), draws.size());
+        if (is_new) {
+            draws.push_back(std::move(shape));
+        } else {
+            std::vector<int>& numbers = draws[known->second].numbers;
+            numbers.insert(numbers.end(), shape.numbers.begin(), shape.numbers.end());
+        }
     }
     return draws;
 }

@@ -11,7 +11,9 @@ namespace twinlight {
 struct ExplainedDraw {
     std::vector<int> numbers;  // of the Draws, from 1 up
     Place place;               // of the first
-    Plan plan;                 // of the first
+    // Of the first. The parts of a shape whose plans have the same facts are one: with the largest of their bounds, and of the
+    // angles by which a light misses them the smallest.
+    Plan plan;
 };
 
 std::vector<ExplainedDraw> explain(const Frame& frame, const RenderOptions& options);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "image/file.h"
 #include "image/png.h"
@@ -430,6 +431,24 @@ TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
     EXPECT_EQ(lights[2]["in"], false);
     EXPECT_NEAR(lights[2]["bound"][1].get<double>(), 0.0008, 1e-9);
     expect_refused(run({"explain", file, "--budget", "2"}), "--budget");
+}
+
+// The strips of a sphere: those that the light reaches, and those behind, each told once with numbers that hold for all.
+TEST_F(Cli, ExplainsThePartsOfAShapeTogether) {
+    const std::string file = scene(
+        "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightfv(GL_LIGHT0, GL_POSITION, (float[]){0, 0, 1, 0}); "
+        "glutSolidSphere(0.8, 24, 12); glutSolidSphere(0.5, 24, 12);");
+    const json explained = json::parse(run({"explain", file, "--json", "--budget", "0"}).out);
+    std::set<int> numbers;
+    for (const json& plan : explained["plans"])
+        for (const json& number : plan["draws"]) EXPECT_TRUE(numbers.insert(number.get<int>()).second) << number;
+    EXPECT_EQ(numbers.size(), 24U);
+    EXPECT_EQ(*numbers.begin(), 1);
+    EXPECT_LE(explained["plans"].size(), 4U);
+    double largest = 0;
+    for (const json& plan : explained["plans"])
+        largest = std::max(largest, plan["lights"][0]["bound"][0].get<double>());
+    EXPECT_NEAR(largest, 0.8, 1e-6);  // of the strip around the pole, which faces the light
 }
 
 TEST_F(Cli, StudiesWhatAccuracyCosts) {
