@@ -58,9 +58,7 @@ bool has_lights_beyond(const Frame& frame) {
 }
 
 void draw_commands(const Frame& frame, const RenderOptions& options) {
-    if (options.shading == Shading::kPhong) {
-        throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
-    }
+    check_shading(options);
     Driver driver(frame.width, frame.height);
     driver.make_empty_lists(frame.lists_called_before_made);
     clear_to_black();
@@ -91,6 +89,13 @@ void draw(const Frame& frame, const RenderOptions& options) {
         draw_scrubbed(frame, options);
     else
         draw_commands(frame, options);
+}
+
+void check_shading(const RenderOptions& options) {
+    if (options.shading == Shading::kPhong)
+        throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
+    if (options.shading == Shading::kExact)
+        throw std::invalid_argument("the fixed function draws meshes, no exact surfaces; use --with reference");
 }
 
 Image render(const Frame& frame, const RenderOptions& options) {

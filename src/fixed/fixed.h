@@ -96,8 +96,10 @@ class Driver {
     bool selects_ = false;  // the scene has set them, or the mode
 };
 
-// Clears to black and depth 1, executes the frame's commands, reads the picture. Throws std::invalid_argument for
-// Shading::kPhong, which the fixed function cannot do.
+// Throws std::invalid_argument for what the fixed function cannot do: Shading::kPhong and Shading::kExact.
+void check_shading(const RenderOptions& options);
+
+// Clears to black and depth 1, executes the frame's commands, reads the picture. Throws as check_shading() does.
 Image render(const Frame& frame, const RenderOptions& options);
 // The same without reading back: leaves the picture in the current colour buffer.
 void draw(const Frame& frame, const RenderOptions& options);

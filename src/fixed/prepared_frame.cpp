@@ -174,9 +174,7 @@ struct PreparedFrame::Impl {
 
 PreparedFrame::PreparedFrame(const Frame& frame, const RenderOptions& options, Scrub scrub)
     : impl_(std::make_unique<Impl>()) {
-    if (options.shading == Shading::kPhong) {
-        throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
-    }
+    check_shading(options);
     impl_->width = frame.width;
     impl_->height = frame.height;
     for (const auto& item : frame.items) {

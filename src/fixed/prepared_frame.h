@@ -18,7 +18,7 @@ enum class Scrub : std::uint8_t {
 // it does not draw. Of more than eight lights each Draw has those that may add most to it (note_lights_beyond()).
 class PreparedFrame {
   public:
-    // Throws std::invalid_argument for Shading::kPhong, which the fixed function cannot do.
+    // The frame must outlive it. Throws as check_shading() does.
     PreparedFrame(const Frame& frame, const RenderOptions& options, Scrub scrub);
     ~PreparedFrame();
     PreparedFrame(const PreparedFrame&) = delete;

@@ -1,6 +1,7 @@
 #include "programmable/programmable.h"
 
 #include <list>
+#include <stdexcept>
 #include <type_traits>
 #include <variant>
 
@@ -52,6 +53,8 @@ PreparedDraw prepared(const Draw& draw, const RenderOptions& options, KeptMeshes
 struct PreparedFrame::Impl {
     // kept: null where the frame shares nothing with others.
     Impl(const Frame& frame, RenderOptions options, KeptMeshes* kept) : tier(options.tier) {
+        if (options.shading == Shading::kExact)
+            throw std::invalid_argument("shaders draw meshes, no exact surfaces; use --with reference");
         if (options.precise) {
             options = precise_options(options);
             check_has_precise();

@@ -480,6 +480,9 @@ TEST_F(Cli, DrawsExactSurfacesByTheReferenceAlone) {
     expect_refused(render("programmable"), "use --with reference");
     expect_refused(render("fixed"), "use --with reference");
     expect_refused(run({"export", file, "--as", "glsl", "--shading", "exact"}), "flat, gouraud, phong");
+    expect_refused(
+        run({"render", file, "--with", "reference", "--scrubbed", "--shading", "exact", "-o", out_ / "p.png"}),
+        "leave one of both out");
     EXPECT_EQ(render("reference").status, 0);
 }
 

@@ -54,7 +54,8 @@ TEST(Choices, LeaveOutWhatTheSceneHasAndNothingElse) {
         // Nothing of it is left.
         EXPECT_FALSE(has(simplified(rich, without), without));
     }
-    const LightSource& light = std::get<Draw>(simplified(rich, Without::kPlaces).items[0]).lighting.lights[0];
+    const Frame directional = simplified(rich, Without::kPlaces);
+    const LightSource& light = std::get<Draw>(directional.items[0]).lighting.lights[0];
     EXPECT_EQ(light.position_eye, glm::dvec4(1, 2, 3, 0));  // seen from the middle of the sphere
 }
 

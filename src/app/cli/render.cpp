@@ -63,6 +63,10 @@ int run(const Arguments& arguments) {
         throw UsageError(
             "shaders are always made for what each draw calls for; use --scrubbed with fixed or reference");
     }
+    if (arguments.scrubbed && arguments.shading == Shading::kExact) {
+        throw UsageError(
+            "what a draw calls for is planned of its mesh, not of its exact surface; leave one of both out");
+    }
     if (arguments.baked && arguments.renderer != "programmable") {
         throw UsageError("--baked is of the shaders; use it with --with programmable");
     }

@@ -45,8 +45,9 @@ study::Renderers study_renderers(int width, int height, programmable::Renderer& 
                                }};
     };
     renderers.fixed = [prepared](const Frame& frame, const RenderOptions& options) {
-        const auto ready = std::make_shared<fixed::PreparedFrame>(frame, options, fixed::Scrub::kNothing);
-        return prepared([ready] { ready->draw(); });
+        const auto kept = std::make_shared<const Frame>(frame);
+        const auto ready = std::make_shared<fixed::PreparedFrame>(*kept, options, fixed::Scrub::kNothing);
+        return prepared([kept, ready] { ready->draw(); });
     };
     renderers.programmable = [prepared, &shaders](const Frame& frame, const RenderOptions& options) {
         const auto ready = std::make_shared<programmable::PreparedFrame>(frame, options);
@@ -87,6 +88,11 @@ int run(const Arguments& arguments) {
         return make_frame(std::make_shared<const CommandList>(study::with_slices(*scene, slices)),
                           {.width = frame.width, .height = frame.height});
     };
+    // Before the work, not after it.
+    const std::filesystem::path folder(arguments.folder);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw FileError(arguments.folder + ": " + error.message());
     const auto context = make_offscreen_context(frame.width, frame.height);
     programmable::Renderer shaders({.programs = 1024});  // all of them stay ready
     const Interrupt interrupt;
@@ -101,10 +107,6 @@ int run(const Arguments& arguments) {
     bar.wipe();
     result.scene = frame.commands->name;
     result.driver = driver_name();
-    const std::filesystem::path folder(arguments.folder);
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw FileError(arguments.folder + ": " + error.message());
     const std::string json = study::study_json(result), csv = study::study_csv(result), svg = study::study_svg(result),
                       page = study::study_page(result);
     write_files_atomically({{(folder / "study.json").string(), json},
