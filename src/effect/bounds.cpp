@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "effect/directional_spot.h"
+#include "effect/keeps_w.h"
 
 namespace twinlight {
 namespace {
@@ -84,8 +85,7 @@ Stretch stretch_of(const glm::dmat3& a) {
 
 void find_sphere(const Draw& draw, const VertexFacts& vertices, const Stretch& stretch, DrawBounds& bounds) {
     const glm::dmat4& m = draw.eye_from_object;
-    const bool affine = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
-    if (!affine || !vertices.has_sphere || stretch.largest == kInfinity) return;
+    if (!keeps_w(m) || !vertices.has_sphere || stretch.largest == kInfinity) return;
     const glm::dvec3 turned = glm::dmat3(m) * vertices.center_object, moved(m[3]);
     bounds.center_eye = turned + moved;
     bounds.radius_eye = stretch.largest * vertices.radius_object +

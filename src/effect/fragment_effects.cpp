@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "effect/keeps_w.h"
+
 namespace twinlight {
 namespace {
 
@@ -44,8 +46,7 @@ TextureEffects environment_of(Enum mode, Enum base_format) {
 }
 
 bool q_is_1(const Draw& draw, const VertexFacts& vertices) {
-    const glm::dmat4& m = draw.texture.texture_matrix;
-    return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1 && vertices.q_is_1;
+    return keeps_w(draw.texture.texture_matrix) && vertices.q_is_1;
 }
 
 void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "effect/fragment_effects.h"
+#include "effect/keeps_w.h"
 #include "effect/plan_lights.h"
 
 namespace twinlight {
@@ -152,9 +153,7 @@ class Planner {
     }
 
     void plan_w() {
-        const glm::dmat4& m = draw_.eye_from_object;
-        const bool affine = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
-        const bool w_is_1 = affine && vertices_.w_is_1;
+        const bool w_is_1 = keeps_w(draw_.eye_from_object) && vertices_.w_is_1;
         const bool w_matters = facts().needs_position_eye() || facts().has_fog();
         facts().vertex_w = w_matters && !w_is_1;
         if (w_matters && w_is_1) leave_out("the division by w", "w is 1 at every vertex");
