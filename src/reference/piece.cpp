@@ -19,13 +19,6 @@ struct DepthRange {
     double scale, offset;
 };
 
-glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc) {
-    const Viewport& viewport = raster.viewport;
-    const DepthRange depth(raster);
-    return {(ndc.x + 1) * 0.5 * viewport.width + viewport.x, (ndc.y + 1) * 0.5 * viewport.height + viewport.y,
-            ndc.z * depth.scale + depth.offset};
-}
-
 WindowVertex window_vertex(const RasterState& raster, const ClipVertex& v) {
     return {window_from_ndc(raster, glm::dvec3(v.position_clip) / v.position_clip.w), v.weights / v.position_clip.w};
 }
@@ -80,14 +73,6 @@ bool set_planes(Piece& piece, const RasterState& raster, const std::array<glm::d
     const DepthRange depth(raster);
     piece.depth_plane = depth.scale * z_over_w + glm::dvec3(0, 0, depth.offset);
     return true;
-}
-
-// 3.5.5: o = m * factor + r * units, with m = max(|dz/dx|, |dz/dy|), which the text allows in the place of the length of
-// the gradient.
-double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec3& depth_plane) {
-    const PolygonOffset& offset = raster.polygon_offset;
-    if (!offset.is_enabled_for(mode)) return 0;
-    return std::max(std::abs(depth_plane.x), std::abs(depth_plane.y)) * offset.factor + kDepthStep * offset.units;
 }
 
 double on_plane(const glm::dvec3& plane, const glm::dvec2& position_window) {
@@ -168,7 +153,7 @@ class PieceMaker {
         const bool has_planes =
             set_planes(piece, raster, {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip});
         // RULING: the border of a polygon that is seen edge on has no slope to be offset by.
-        const double offset = polygon_offset(raster, mode, has_planes ? piece.depth_plane : glm::dvec3(0));
+        const double offset = polygon_offset(raster, mode, has_planes ? glm::dvec2(piece.depth_plane) : glm::dvec2(0));
         if (mode == kGL_FILL) {
             if (!has_planes) return;
             piece.depth_plane.z += offset;
@@ -194,6 +179,21 @@ class PieceMaker {
 };
 
 }  // namespace
+
+glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc) {
+    const Viewport& viewport = raster.viewport;
+    const DepthRange depth(raster);
+    return {(ndc.x + 1) * 0.5 * viewport.width + viewport.x, (ndc.y + 1) * 0.5 * viewport.height + viewport.y,
+            ndc.z * depth.scale + depth.offset};
+}
+
+// o = m * factor + r * units, with m = max(|dz/dx|, |dz/dy|), which the text allows in the place of the length of the
+// gradient.
+double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& slope) {
+    const PolygonOffset& offset = raster.polygon_offset;
+    if (!offset.is_enabled_for(mode)) return 0;
+    return std::max(std::abs(slope.x), std::abs(slope.y)) * offset.factor + kDepthStep * offset.units;
+}
 
 bool culled(const RasterState& raster, Face face) {
     if (!raster.cull_enabled) return false;

@@ -56,6 +56,12 @@ struct Piece {
 // A draw's face that is culled (3.5.1).
 bool culled(const RasterState& raster, Face face);
 
+// 2.11.1: the viewport and the depth range.
+glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc);
+
+// 3.5.5: what is added to depths; slope: how they change by a pixel along x and y. `mode`: how the polygon is drawn.
+double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& slope);
+
 // The pieces of one Draw, in the order of its primitives.
 std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
                                QuadCut cut);

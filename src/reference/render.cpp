@@ -24,35 +24,36 @@ std::vector<int> shape_numbers(const Stages& stages) {
     return numbers;
 }
 
+// Calls visit(framebuffer, x, y, row) for every pixel once all is drawn: x and y as GL counts, row from the top.
+template <class Visit>
+void draw(const Stages& stages, const Frame& frame, const RenderOptions& options, const Visit& visit) {
+    const std::vector<Shader> shaders = make_shaders(stages, options);
+    for_each_band(frame.height, [&](int y0, int y1) {
+        const Framebuffer framebuffer(stages, shaders, frame.width, y0, y1);
+        for (int y = y0; y < y1; ++y)
+            for (int x = 0; x < frame.width; ++x) visit(framebuffer, x, y, frame.height - 1 - y);
+    });
+}
+
 }  // namespace
 
 std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options) {
     const Stages stages = run_stages(frame, options);
-    const std::vector<Shader> shaders = make_shaders(stages, options);
     const std::vector<int> numbers = shape_numbers(stages);
     std::vector<int> seen(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height), -1);
-    for_each_band(frame.height, [&](int y0, int y1) {
-        const Framebuffer framebuffer(stages, shaders, frame.width, y0, y1);
-        for (int y = y0; y < y1; ++y)
-            for (int x = 0; x < frame.width; ++x) {
-                const std::optional<StepId> step = framebuffer.step(x, y);
-                if (!step || *step < 0) continue;
-                const auto row = static_cast<std::size_t>(frame.height - 1 - y);
-                seen[row * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)] =
-                    numbers[stages.piece(*step).draw];
-            }
+    draw(stages, frame, options, [&](const Framebuffer& framebuffer, int x, int y, int row) {
+        const std::optional<StepId> step = framebuffer.step(x, y);
+        if (!step || *step < 0) return;
+        seen[static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)] =
+            numbers[stages.piece(*step).draw];
     });
     return seen;
 }
 
 Image render(const Frame& frame, const RenderOptions& options) {
-    const Stages stages = run_stages(frame, options);
-    const std::vector<Shader> shaders = make_shaders(stages, options);
     Image image(frame.width, frame.height);
-    for_each_band(frame.height, [&](int y0, int y1) {
-        const Framebuffer framebuffer(stages, shaders, frame.width, y0, y1);
-        for (int y = y0; y < y1; ++y)
-            for (int x = 0; x < frame.width; ++x) image.at(x, frame.height - 1 - y) = rgba(framebuffer.color(x, y));
+    draw(run_stages(frame, options), frame, options, [&](const Framebuffer& framebuffer, int x, int y, int row) {
+        image.at(x, row) = rgba(framebuffer.color(x, y));
     });
     return image;
 }

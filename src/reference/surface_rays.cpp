@@ -66,7 +66,7 @@ void SurfaceRays::find_window_bounds() {
             high_window_ = origin + size;
             return;
         }
-        const glm::dvec2 window = (glm::dvec2(c) / c.w + 1.0) * 0.5 * size + origin;
+        const glm::dvec2 window(window_from_ndc(draw_.raster, glm::dvec3(c) / c.w));
         low_window_ = glm::min(low_window_, window);
         high_window_ = glm::max(high_window_, window);
     }
@@ -153,15 +153,14 @@ Face SurfaceRays::face(const Tangents& tangents) const {
 double SurfaceRays::depth(const glm::dvec4& position_object, const Tangents& tangents) const {
     const RasterState& raster = draw_.raster;
     const glm::dvec4 c = clip(position_object);
-    double depth = (c.z / c.w * (raster.depth_far - raster.depth_near) + raster.depth_far + raster.depth_near) / 2;
+    double depth = window_from_ndc(raster, glm::dvec3(c) / c.w).z;
     if (raster.polygon_offset.fill) {
         const glm::dmat2 window_per_uv{glm::dvec2(tangents.window_per_u), glm::dvec2(tangents.window_per_v)};
         const glm::dvec2 depth_per_uv(tangents.window_per_u.z, tangents.window_per_v.z);
         const glm::dvec2 slope = glm::determinant(window_per_uv) == 0
                                      ? glm::dvec2(0)
                                      : glm::transpose(glm::inverse(window_per_uv)) * depth_per_uv;
-        depth += std::max(std::abs(slope.x), std::abs(slope.y)) * raster.polygon_offset.factor +
-                 kDepthStep * raster.polygon_offset.units;
+        depth += polygon_offset(raster, kGL_FILL, slope);
     }
     return std::clamp(depth, 0.0, 1.0);
 }
