@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "image/difference.h"
 
@@ -14,10 +15,10 @@ namespace {
 
 constexpr int kLeastRounds = 3;
 
-// One for each number of slices: the scene, and which shape is seen at each of its pixels.
+// One for each number of slices: the scene, and which pixels are silhouettes.
 struct Mesh {
     Frame frame;
-    std::vector<int> seen;
+    std::vector<char> is_silhouette;
 };
 
 // Where another shape is seen than in truth, or where one begins within a pixel, in either picture.
@@ -55,14 +56,14 @@ class Sum {
     double max_ = 0, squares_ = 0;
 };
 
-void set_errors(Point& point, const Image& picture, const Image& truth, const std::vector<char>& is_silhouette) {
+void set_errors(Point& point, const Image& truth, const std::vector<char>& is_silhouette) {
     Sum whole, interior, silhouette;
     for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
         Sum& part = is_silhouette[i] ? silhouette : interior;
         whole.add_pixel();
         part.add_pixel();
         for (std::size_t c = 0; c < 3; ++c) {
-            const double difference = std::abs(static_cast<double>(picture.pixels[i][c]) - truth.pixels[i][c]);
+            const double difference = std::abs(static_cast<double>(point.picture.pixels[i][c]) - truth.pixels[i][c]);
             whole.add(difference);
             part.add(difference);
         }
@@ -109,26 +110,30 @@ Study run(const std::function<Frame(int slices)>& frame_of, bool has_slices, con
 
     // The pictures, and so the errors; each choice stays ready for its turns.
     const std::vector<Choice> all = choices(scene, has_slices, settings.extent);
-    std::map<int, Mesh> meshes;
+    std::map<std::pair<int, bool>, Mesh> meshes;  // by slices, and whether it is the surfaces themselves
+    const auto mesh_of = [&](const Choice& choice) -> const Mesh& {
+        const bool is_exact = choice.shading == Shading::kExact;
+        const auto [found, is_new] = meshes.try_emplace({choice.slices, is_exact});
+        if (is_new) {
+            found->second.frame = is_exact ? scene : frame_of(choice.slices);
+            const RenderOptions lit_by_pixel{.shading = is_exact ? Shading::kExact : Shading::kPhong};
+            found->second.is_silhouette =
+                silhouettes(seen, renderers.seen(found->second.frame, lit_by_pixel), study.width, study.height);
+        }
+        return found->second;
+    };
     std::vector<Prepared> prepared;
     for (const Choice& choice : all) {
         if (settings.progress &&
             !settings.progress(static_cast<int>(prepared.size()), static_cast<int>(all.size()), choice.words()))
             break;
-        const bool is_exact = choice.shading == Shading::kExact;
-        if (!meshes.contains(choice.slices)) {
-            Frame frame = frame_of(choice.slices);
-            std::vector<int> seen_of_mesh = renderers.seen(frame, {.shading = Shading::kPhong});
-            meshes[choice.slices] = {std::move(frame), std::move(seen_of_mesh)};
-        }
-        const Mesh& mesh = meshes.at(choice.slices);
-        const Frame frame = is_exact ? scene : simplified(mesh.frame, choice.without);
+        const Mesh& mesh = mesh_of(choice);
+        const Frame frame = simplified(mesh.frame, choice.without);
         prepared.push_back(renderer_of(renderers, choice)(frame, choice.options()));
         Point point;
         point.choice = choice;
         point.picture = prepared.back().picture();
-        set_errors(point, point.picture, study.truth,
-                   silhouettes(seen, is_exact ? seen : mesh.seen, study.width, study.height));
+        set_errors(point, study.truth, mesh.is_silhouette);
         point.difference_factor = amplification_for(point.whole.max);
         point.difference = difference_picture(point.picture, study.truth, point.difference_factor);
         study.points.push_back(std::move(point));

@@ -102,13 +102,14 @@ Renderers known_renderers() {
     return renderers;
 }
 
+Frame known_frame(int /*slices*/) {
+    Frame known = frame_of("glutSolidSphere(1, 8, 8);");
+    known.width = known.height = kSide;
+    return known;
+}
+
 Study known_study() {
-    const auto frame = [](int /*slices*/) {
-        Frame known = frame_of("glutSolidSphere(1, 8, 8);");
-        known.width = known.height = kSide;
-        return known;
-    };
-    return run(frame, true, known_renderers(), {.extent = Extent::kQuick, .seconds = 0, .progress = {}});
+    return run(known_frame, true, known_renderers(), {.extent = Extent::kQuick, .seconds = 0, .progress = {}});
 }
 
 TEST(Study, TellsTheErrorsOfSilhouettesApart) {
@@ -128,12 +129,7 @@ TEST(Study, TellsTheErrorsOfSilhouettesApart) {
 
 TEST(Study, EndsWithWhatItHasWhereItIsTold) {
     int pieces = 0;
-    const auto frame = [](int /*slices*/) {
-        Frame known = frame_of("glutSolidSphere(1, 8, 8);");
-        known.width = known.height = kSide;
-        return known;
-    };
-    const Study study = run(frame, true, known_renderers(),
+    const Study study = run(known_frame, true, known_renderers(),
                             {.extent = Extent::kQuick, .seconds = 60, .progress = [&](int, int, const std::string&) {
                                  return ++pieces <= 5;
                              }});
