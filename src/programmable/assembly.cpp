@@ -63,6 +63,7 @@ void add_fragment_effects(Scope& scope, const EffectSet& effects) {
         {"EFFECT_FOG_EXP", effects.fog == FogEffect::kExp},
         {"EFFECT_FOG_W", effects.has_fog() && effects.vertex_w},
         {"EFFECT_CLIP_PLANES", effects.clip_plane_count > 0},
+        {"EFFECT_SRGB_CODED", effects.srgb_coded},
     });
     const bool one = texture.one_dimensional, q = texture.q;
     const Words words = {
@@ -137,6 +138,7 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
     scope.words = {
         {"INTERPOLATION", effects.shading == Shading::kFlat ? "flat" : "smooth"},
         {"SPACE", form.object_space ? "object" : "eye"},
+        {"PRODUCT_TYPE", effects.spectral_products ? "mat3" : "vec3"},
         {"POSITION", form.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
         {"SURFACE_PARAMETER", surface ? "Surface surface" : ""},
         {"SURFACE", surface ? "surface" : ""},

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "effect/color_products.h"
 #include "programmable/attributes.h"
 
 namespace twinlight::programmable {
@@ -97,7 +98,11 @@ class Builder {
         else
             eye_space();
 
-        vector("u_constant_ambient", plan_.constant_ambient);
+        const LightColor ambient{plan_.constant_ambient, {}};
+        if (effects_.spectral_products)
+            matrix("u_constant_ambient", product_matrix(model(), ambient));
+        else
+            vector("u_constant_ambient", ambient.rgb);
         face("front", plan_.lighting.front, effects_.front);
         if (effects_.two_side) face("back", plan_.lighting.back, effects_.back);
         for (std::size_t i = 0; i < lights_.size(); ++i) {
@@ -173,20 +178,31 @@ class Builder {
     void face(const std::string& name, const Material& material, const FaceEffects& varying) {
         glm::dvec3 base(0);
         if (!varying.tracks_emission && !varying.varies_emission) base += rgb(material.emission);
-        if (!varying.tracks_ambient && !varying.varies_ambient) base += rgb(material.ambient) * plan_.constant_ambient;
+        const Material::Reflectances& reflectances = material.reflectances;
+        if (!varying.tracks_ambient && !varying.varies_ambient)
+            base += product_of(model(), {plan_.constant_ambient, {}}, {rgb(material.ambient), reflectances.ambient});
         vector(fmt::format("u_{}_base", name), base);
         number(fmt::format("u_{}_alpha", name), material.diffuse.a);
         number(fmt::format("u_{}_shininess", name), material.shininess);
         const auto light_products = [&](std::size_t i, std::size_t planned) {
             const LightSource& light = source(planned);
-            const auto product = [&](const char* term, const glm::dvec4& light_color, const glm::dvec4& color,
+            const double reach = plan_.lights[planned].constant_reach;
+            const auto product = [&](const char* term, const LightColor& light_color, const MaterialColor& color,
                                      bool varies) {
-                const glm::dvec3 reaching = plan_.lights[planned].constant_reach * rgb(light_color);
-                vector(fmt::format("u_light{}_{}_{}", i, name, term), varies ? reaching : reaching * rgb(color));
+                const std::string uniform = fmt::format("u_light{}_{}_{}", i, name, term);
+                if (!varies)
+                    vector(uniform, reach * product_of(model(), light_color, color));
+                else if (effects_.spectral_products)
+                    matrix(uniform, reach * product_matrix(model(), light_color));
+                else
+                    vector(uniform, reach * light_color.rgb);
             };
-            product("ambient", light.ambient, material.ambient, varying.tracks_ambient || varying.varies_ambient);
-            product("diffuse", light.diffuse, material.diffuse, varying.tracks_diffuse || varying.varies_diffuse);
-            product("specular", light.specular, material.specular, varying.tracks_specular || varying.varies_specular);
+            product("ambient", ambient_of(light), {rgb(material.ambient), reflectances.ambient},
+                    varying.tracks_ambient || varying.varies_ambient);
+            product("diffuse", diffuse_of(light), {rgb(material.diffuse), reflectances.diffuse},
+                    varying.tracks_diffuse || varying.varies_diffuse);
+            product("specular", specular_of(light), {rgb(material.specular), reflectances.specular},
+                    varying.tracks_specular || varying.varies_specular);
         };
         for (std::size_t i = 0; i < lights_.size(); ++i)
             for (const std::size_t planned : lights_[i]) light_products(i, planned);
@@ -219,6 +235,7 @@ class Builder {
         number(name("cone_slope"), 1 / (span > 0 ? span : kCosineRounding));
     }
 
+    const LightModel& model() const { return plan_.lighting.light_model; }
     const LightSource& source(std::size_t planned) const {
         return plan_.lighting.lights[static_cast<std::size_t>(plan_.lights[planned].number)];
     }

@@ -5,16 +5,17 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "lighting/equation.h"
+#include "reference/spectral_lighting.h"
 #include "reference/vertex_stage.h"
 #include "state/frame.h"
 
 namespace twinlight::reference {
 
 using Vec = Vec3<double>;
-using LitMaterial = lighting::Material<double>;
 
 struct Colors {
     glm::dvec4 primary{0};
@@ -49,12 +50,16 @@ class DrawLighting {
     bool has_vertex_materials() const { return materials_.size() > 1; }
 
   private:
+    lighting::Lit<double> light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
+                                        lighting::LightTerms<double>* breakdown = nullptr) const;
+
     bool enabled_ = false;
     bool two_side_ = false;
     lighting::Model<double> model_;
     std::vector<lighting::Light<double>> lights_;  // the enabled ones
     std::vector<Materials> materials_;             // at least one
     ColorMaterial color_material_;
+    std::optional<SpectralLighting> spectral_;
 };
 
 // V: the eye position divided by its w. RULING: what lies at infinity is lit as if it were very far away.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "math/srgb.h"
 #include "reference/fog.h"
 #include "reference/texture_bounds.h"
 #include "reference/texture_environment.h"
@@ -16,13 +17,18 @@ Shading shading_of(const Draw& draw, const RenderOptions& options) {
     return draw.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud;
 }
 
+// `#pragma twinlight transfer(srgb)`: what is linear light up to here is coded as the display takes it; alpha is no light.
+double coded(double linear) { return srgb_coded(linear); }
+Interval coded(Interval linear) { return {srgb_coded(linear.low), srgb_coded(linear.high)}; }
+
 }  // namespace
 
 Shader::Shader(const StagedDraw& staged, const RenderOptions& options)
     : draw_(*staged.draw),
       vertices_(staged.vertices),
       shading_(shading_of(*staged.draw, options)),
-      lighting_(*staged.draw, options.lecture_variants) {
+      lighting_(*staged.draw, options.lecture_variants),
+      srgb_coded_(options.lecture_variants && staged.draw->fragment.srgb_coded) {
     if (!lights_pixels()) lit_ = light_vertices(draw_, options, true);
 }
 
@@ -67,7 +73,10 @@ Channels<Real> Shader::finished(const LitColors& colors, const Channels<Real>* t
     if (texel) result = textured(draw_.texture, draw_.texture.texture->levels[0].base_format, result, *texel);
     for (int i = 0; i < 3; ++i) result[i] = result[i] + Real(colors.secondary[i]);
     for (Real& channel : result) channel = clamp01(channel);
-    return draw_.fog.enabled ? fogged(draw_.fog, fog, result) : result;
+    if (draw_.fog.enabled) result = fogged(draw_.fog, fog, result);
+    if (srgb_coded_)
+        for (int i = 0; i < 3; ++i) result[i] = coded(result[i]);
+    return result;
 }
 
 Shader::LitColors Shader::lit(const Piece& piece, const glm::dvec2& position_window) const {

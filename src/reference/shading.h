@@ -55,6 +55,7 @@ class Shader {
     const std::vector<StageVertex>& vertices_;
     const Shading shading_;
     const DrawLighting lighting_;
+    const bool srgb_coded_;
     std::vector<LitVertex> lit_;
 };
 

@@ -8,9 +8,9 @@ Lit light_FACE(SURFACE_PARAMETER) {
 #elif !EFFECT_FACE_VARIES_AMBIENT
     lit.primary.rgb = VERTEX_EMISSION.rgb + BASE_OF_FACE;  // e_cm is the vertex's
 #elif !EFFECT_FACE_VARIES_EMISSION
-    lit.primary.rgb = BASE_OF_FACE + VERTEX_AMBIENT.rgb * u_constant_ambient;  // e_cm + a_cm a_cs
+    lit.primary.rgb = BASE_OF_FACE + u_constant_ambient * VERTEX_AMBIENT.rgb;  // e_cm + a_cm a_cs
 #else
-    lit.primary.rgb = VERTEX_EMISSION.rgb + VERTEX_AMBIENT.rgb * u_constant_ambient;  // e_cm + a_cm a_cs
+    lit.primary.rgb = VERTEX_EMISSION.rgb + u_constant_ambient * VERTEX_AMBIENT.rgb;  // e_cm + a_cm a_cs
 #endif
 #if EFFECT_PRIMARY && EFFECT_FACE_VARIES_DIFFUSE
     lit.primary.a = VERTEX_DIFFUSE.a;  // of d_cm

@@ -70,12 +70,12 @@
         float reach = spot;
 #endif
 #if EFFECT_LIGHT_AMBIENT && EFFECT_FACE_VARIES_AMBIENT
-        lit.primary.rgb += REACH_TIMES VERTEX_AMBIENT.rgb * u_LIGHTi_FACE_ambient;
+        lit.primary.rgb += REACH_TIMES (u_LIGHTi_FACE_ambient * VERTEX_AMBIENT.rgb);
 #elif EFFECT_LIGHT_AMBIENT
         lit.primary.rgb += REACH_TIMES u_LIGHTi_FACE_ambient;
 #endif
 #if EFFECT_LIGHT_DIFFUSE && EFFECT_FACE_VARIES_DIFFUSE
-        lit.primary.rgb += REACH_TIMES n_dot_vp * (VERTEX_DIFFUSE.rgb * u_LIGHTi_FACE_diffuse);
+        lit.primary.rgb += REACH_TIMES n_dot_vp * (u_LIGHTi_FACE_diffuse * VERTEX_DIFFUSE.rgb);
 #elif EFFECT_LIGHT_DIFFUSE
         lit.primary.rgb += REACH_TIMES n_dot_vp * u_LIGHTi_FACE_diffuse;
 #endif
@@ -104,7 +104,7 @@
         highlight = min(highlight, 1e30);  // normals may be longer than 1; infinity times 0 is no number
 #endif
 #if EFFECT_LIGHT_SPECULAR && EFFECT_FACE_VARIES_SPECULAR
-        SPECULAR_SUM += REACH_TIMES highlight * (VERTEX_SPECULAR.rgb * u_LIGHTi_FACE_specular);
+        SPECULAR_SUM += REACH_TIMES highlight * (u_LIGHTi_FACE_specular * VERTEX_SPECULAR.rgb);
 #elif EFFECT_LIGHT_SPECULAR
         SPECULAR_SUM += REACH_TIMES highlight * u_LIGHTi_FACE_specular;
 #endif

@@ -36,7 +36,7 @@ struct Lit {
 #include "power.glsl"
 #endif
 #if EFFECT_VARIES_AMBIENT
-uniform vec3 u_constant_ambient;  // light from everywhere: a_cs, and a_cli that nothing weakens on its way
+uniform PRODUCT_TYPE u_constant_ambient;  // light from everywhere: a_cs, and a_cli that nothing weakens on its way
 #endif
 #if EFFECT_OBJECT_SPACE && EFFECT_LOCAL_VIEWER
 uniform vec3 u_viewer_object;  // where the eye is
