@@ -109,6 +109,7 @@ class EglContext final : public OffscreenContext {
         attach(GL_COLOR_ATTACHMENT0, color_buffer == ColorBuffer::kFloat ? GL_RGBA32F : GL_RGBA8, buffers_[0], width,
                height);
         attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, buffers_[1], width, height);
+        lay_out_as_a_window();
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
             const std::string driver = driver_name();
             release();
@@ -134,6 +135,12 @@ class EglContext final : public OffscreenContext {
         glBindRenderbuffer(GL_RENDERBUFFER, buffer);
         glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+    }
+    // In Mesa a window's first row in memory is its top one, a framebuffer object's is its bottom one: with rows the other
+    // way up, borders and positions that are rounded fall to the other side. Elsewhere there is no such switch.
+    static void lay_out_as_a_window() {
+        if (has_word(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), "GL_MESA_framebuffer_flip_y"))
+            glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, GL_TRUE);
     }
     bool bind() {
         return eglMakeCurrent(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection_.context) == EGL_TRUE;
