@@ -116,6 +116,7 @@ demo: deps  ## build; open the GLUT window, or write the comparison as a report 
 
 test: deps  ## build; run every test headless (TEST=Filter* runs some)
 	@$(MAKE) test-binary
+	@if pkg-config --exists egl; then $(MAKE) GL=egl $(BUILD)/egl/twinlight; fi
 	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(PROGRAMS) \
 	    $(PROGRAMS)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
 
@@ -142,7 +143,8 @@ deps:  ## install what is missing (apt), and nothing else
 	[ -z "$$packages" ] && exit 0; \
 	echo "Still missing:$$packages" >&2; \
 	case "$$packages" in *osmesa*) \
-	    echo "If apt does not know libosmesa6-dev: Mesa has OSMesa up to 25.0, as in Debian 12 and 13." >&2; esac; \
+	    echo "If apt does not know libosmesa6-dev: Mesa has OSMesa up to 25.0, as in Debian 12 and 13; say GL=egl." >&2; \
+	esac; \
 	exit 1
 
 golden: deps  ## write golden pictures anew (CASE=scene for one): look at each before it is committed

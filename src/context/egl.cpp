@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -86,7 +87,10 @@ const char* refusal(const Source& source, Connection& connection) {
     return is_current ? "it has no compatibility profile" : "its context does not become current";
 }
 
+// Throws where nothing connects, in one line: of each that was tried Mesa would otherwise print one of its own.
 Connection connect() {
+    constexpr int kKeep = 0;  // what the user set
+    ::setenv("EGL_LOG_LEVEL", "fatal", kKeep);
     std::string tried;
     for (const Source& source : sources()) {
         Connection connection;
