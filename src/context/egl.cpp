@@ -120,6 +120,8 @@ class EglContext final : public OffscreenContext {
             throw std::runtime_error(fmt::format("{} cannot draw into a buffer of {} x {} pixels; try a smaller one",
                                                  driver, width, height));
         }
+        // Floats are read as a screen shows them, which OSMesa does of its own: it takes them for fixed-point.
+        glClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);
         glViewport(0, 0, width, height);
         glScissor(0, 0, width, height);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
