@@ -1,13 +1,13 @@
 # Twinlight's build. `make help` lists the targets; `make deps` installs what they need.
 #
-#   config=release|debug|sanitize   release builds into build/, the others into build/<config>/
+#   config=release|debug|sanitize   release builds into build/, the others into build/<config>/; `make fuzz` into build/fuzz/
 #   GL=osmesa|egl                   what draws without a window: Mesa's OSMesa into build/, EGL's drivers into build/egl/
 #   CI=true                         warnings are errors
 
 config ?= release
 GL ?= osmesa
 CXX ?= g++
-$(if $(filter release debug sanitize,$(config)),,$(error config is release, debug or sanitize, not '$(config)'))
+$(if $(filter release debug sanitize fuzz,$(config)),,$(error config is release, debug or sanitize, not '$(config)'))
 $(if $(filter osmesa egl,$(GL)),,$(error GL is osmesa or egl, not '$(GL)'))
 BUILD := $(if $(filter release,$(config)),build,build/$(config))
 # The programs; the objects in $(BUILD) are the same, whatever draws.
@@ -58,6 +58,9 @@ CXXFLAGS_debug := -O0 -g
 CXXFLAGS_sanitize := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined \
     -Wno-maybe-uninitialized
 LDFLAGS_sanitize := -fsanitize=address,undefined
+# Of clang, for libFuzzer: its runtime stands beside the compiler (Debian's package libclang-rt-dev).
+CXXFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
+LDFLAGS_fuzz := -fsanitize=address,undefined
 CXXFLAGS_all = $(CXXFLAGS_common) $(CXXFLAGS_$(config)) $(shell pkg-config --cflags $(MODULES) 2>/dev/null) $(CXXFLAGS)
 CXXFLAGS_all := $(CXXFLAGS_all)
 LDFLAGS_all := $(LDFLAGS_$(config)) $(LDFLAGS)
@@ -66,6 +69,7 @@ LIBS := $(shell pkg-config --libs fmt stb 2>/dev/null)
 LIBS_osmesa := $(shell pkg-config --libs osmesa glu 2>/dev/null)
 LIBS_egl := $(shell pkg-config --libs egl glu gl 2>/dev/null)
 LIBS_offscreen := $(LIBS_$(GL))
+LIBS_fuzz := $(shell pkg-config --libs fmt 2>/dev/null)
 LIBS_window := $(shell pkg-config --libs glut glu gl 2>/dev/null)
 LIBS_gtest := $(shell pkg-config --libs gtest_main 2>/dev/null)
 
@@ -84,9 +88,16 @@ SOURCES_bench := $(wildcard tests/bench/*.cpp)
 SOURCES_bench_library := src/app/cli/progress.cpp
 # What of it the tests link, which count the instructions of the same meshes.
 SOURCES_bench_meshes := tests/bench/lit_spheres.cpp
-SOURCES_tests := $(filter-out $(SOURCES_bench),$(wildcard tests/*/*.cpp))
+# Fuzzers, a program each, and what they share; of the library the layers that untrusted input meets.
+SOURCES_fuzzers := $(wildcard tests/fuzz/*_fuzzer.cpp)
+SOURCES_fuzz_common := tests/fuzz/command_bytes.cpp tests/fuzz/stb.cpp
+SOURCES_fuzz_seeds := tests/fuzz/write_seeds.cpp
+SOURCES_fuzz := $(SOURCES_fuzzers) $(SOURCES_fuzz_common) $(SOURCES_fuzz_seeds)
+SOURCES_fuzz_library := $(wildcard $(patsubst %,src/%/*.cpp,command image shape state effect reference trace scenes))
+SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz),$(wildcard tests/*/*.cpp))
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
-SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) $(SOURCES_bench))
+SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) \
+    $(SOURCES_bench) $(SOURCES_fuzz))
 EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp
 FILES_scenes := $(wildcard src/scenes/*.gl)
 FILES_shaders := $(wildcard src/programmable/shaders/*.glsl)
@@ -97,7 +108,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # What programs without a window link beside their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench programs golden instructions format check tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -123,6 +134,17 @@ test: deps  ## build; run every test headless (TEST=Filter* runs some)
 bench: deps  ## measure: a table of medians, and ratios in build/bench.json (BENCH=Regex runs some)
 	@$(MAKE) $(PROGRAMS)/twinlight-bench
 	@TWINLIGHT_BUILD=$(PROGRAMS) $(PROGRAMS)/twinlight-bench '$(or $(BENCH),.)'
+
+# Each target from where its corpus stands (build/fuzz/corpus, which grows) and from seeds; a finding is kept beside it.
+TIME ?= 60
+fuzz_targets := $(patsubst tests/fuzz/%_fuzzer.cpp,%,$(SOURCES_fuzzers))
+fuzz:  ## look for crashes on random input (TIME=seconds a target, TARGET=scene|dump|png|state|picture for one)
+	@if ! echo 'extern "C" int LLVMFuzzerTestOneInput(char*, int) { return 0; }' | \
+	    clang++ -x c++ -fsanitize=fuzzer,address - -o /dev/null 2>/dev/null; then \
+	    echo "fuzz: skipped, clang++ and its runtime are not installed (Debian's packages clang and libclang-rt-dev)"; exit 0; fi; \
+	$(MAKE) config=fuzz CXX=clang++ $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
+	for target in $(or $(TARGET),$(fuzz_targets)); do \
+	    tests/fuzz/run.sh $$target $(TIME) || exit 1; done
 
 deps:  ## install what is missing (apt), and nothing else
 	@missing() { echo "$$DEPENDENCIES" | while read -r package ask; do \
@@ -209,6 +231,13 @@ $(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_bench_mesh
 
 $(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
+
+OBJECTS_fuzz := $(call object,$(SOURCES_fuzz_common) $(SOURCES_fuzz_library)) $(BUILD)/embedded/scenes.o
+$(fuzz_targets:%=$(BUILD)/%-fuzzer): $(BUILD)/%-fuzzer: $(BUILD)/objects/tests/fuzz/%_fuzzer.o $(OBJECTS_fuzz)
+	$(link) -fsanitize=fuzzer $(LIBS_fuzz)
+
+$(BUILD)/write-seeds: $(call object,$(SOURCES_fuzz_seeds)) $(OBJECTS_fuzz)
+	$(link) $(LIBS_fuzz)
 
 # What the real freeglut and GLU send for their shapes: the tests hold src/shape against it.
 $(PROGRAMS)/shape-recorder: $(call object,$(SOURCES_recorder))
