@@ -1,9 +1,6 @@
 #include "effect/color_products.h"
 
-#include <vector>
-
 namespace twinlight {
-namespace {
 
 std::vector<double> samples_of(const SpectralSamples& spectrum, const LightColor& light) {
     if (!light.illuminant.spectrum) return spectrum.of_color(vec3_cast<Vec3<double>>(light.rgb));
@@ -12,12 +9,16 @@ std::vector<double> samples_of(const SpectralSamples& spectrum, const LightColor
     return samples;
 }
 
+std::vector<double> samples_of(const SpectralSamples& spectrum, const MaterialColor& material) {
+    return material.reflectance ? spectrum.of_reflectance(*material.reflectance)
+                                : spectrum.of_color(vec3_cast<Vec3<double>>(material.rgb));
+}
+
+namespace {
+
 glm::dvec3 product_of(const SpectralSamples& spectrum, const std::vector<double>& light,
                       const MaterialColor& material) {
-    const Vec3<double> rgb = vec3_cast<Vec3<double>>(material.rgb);
-    return vec3_cast<glm::dvec3>(material.reflectance
-                                     ? spectrum.color_of_product(light, spectrum.of_reflectance(*material.reflectance))
-                                     : spectrum.color_of_product(light, spectrum.of_color(rgb)));
+    return vec3_cast<glm::dvec3>(spectrum.color_of_product(light, samples_of(spectrum, material)));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "state/frame.h"
 
@@ -25,6 +26,10 @@ struct MaterialColor {
     glm::dvec3 rgb{0};
     const Spectrum* reflectance = nullptr;
 };
+
+// Of its colour, or of the spectrum that it is of.
+std::vector<double> samples_of(const SpectralSamples& spectrum, const LightColor& light);
+std::vector<double> samples_of(const SpectralSamples& spectrum, const MaterialColor& material);
 
 glm::dvec3 product_of(const LightModel& model, const LightColor& light, const MaterialColor& material);
 

@@ -372,6 +372,12 @@ class Planner {
                    face.varies_diffuse || face.varies_specular;
         };
         facts().spectral_products = brings_colors(facts().front) || brings_colors(facts().back);
+        constexpr std::size_t kMostSampledLights = 8;
+        if (!options_.fold_spectra && !facts().spectral_products && facts().needs_primary_rgb() &&
+            facts().lights.size() <= kMostSampledLights) {
+            facts().spectral_groups = (state().light_model.spectrum->count() + 2) / 3;
+            return;
+        }
         leave_out(fmt::format("{} samples of the spectrum", state().light_model.spectrum->count()),
                   facts().spectral_products
                       ? "the products with a light are linear in the vertices' colours: a matrix has them"

@@ -103,6 +103,7 @@ class Builder {
             matrix("u_constant_ambient", product_matrix(model(), ambient));
         else
             vector("u_constant_ambient", ambient.rgb);
+        if (effects_.spectral_groups > 0) spectral_samples();
         face("front", plan_.lighting.front, effects_.front);
         if (effects_.two_side) face("back", plan_.lighting.back, effects_.back);
         for (std::size_t i = 0; i < lights_.size(); ++i) {
@@ -172,6 +173,40 @@ class Builder {
         // RULING: fog that ends where it starts is a step there.
         constexpr double kStep = 1e30;
         number("u_fog_scale", fog.end == fog.start ? kStep : 1 / (fog.end - fog.start));
+    }
+
+    // Three a group; 0 behind the last.
+    void samples(const std::string& name, std::vector<double> values, double factor = 1) {
+        values.resize(3 * static_cast<std::size_t>(effects_.spectral_groups));
+        for (const double value : values) number(name, factor * value);
+    }
+
+    // What lights every point in samples: those of the faces and of the lights, and what each adds to red, green and blue.
+    void spectral_samples() {
+        const SpectralSamples& spectrum = *model().spectrum;
+        std::vector<double> weights;
+        for (int s = 0; s < spectrum.count(); ++s) {
+            const Vec3<double> w = spectrum.weight(static_cast<std::size_t>(s));
+            for (const double channel : {w.x, w.y, w.z}) weights.push_back(channel);
+        }
+        weights.resize(9 * static_cast<std::size_t>(effects_.spectral_groups));
+        for (const double weight : weights) number("u_rgb_from_samples", weight);
+        const auto of_face = [&](const std::string& name, const Material& m) {
+            const Material::Reflectances& r = m.reflectances;
+            samples(name + "_ambient_samples", samples_of(spectrum, MaterialColor{rgb(m.ambient), r.ambient}));
+            samples(name + "_diffuse_samples", samples_of(spectrum, MaterialColor{rgb(m.diffuse), r.diffuse}));
+            samples(name + "_specular_samples", samples_of(spectrum, MaterialColor{rgb(m.specular), r.specular}));
+        };
+        of_face("u_front", plan_.lighting.front);
+        if (effects_.two_side) of_face("u_back", plan_.lighting.back);
+        for (std::size_t i = 0; i < lights_.size(); ++i) {
+            const LightSource& light = source(lights_[i].front());
+            const double reach = plan_.lights[lights_[i].front()].constant_reach;
+            const std::string name = fmt::format("u_light{}", i);
+            samples(name + "_ambient_samples", samples_of(spectrum, ambient_of(light)), reach);
+            samples(name + "_diffuse_samples", samples_of(spectrum, diffuse_of(light)), reach);
+            samples(name + "_specular_samples", samples_of(spectrum, specular_of(light)), reach);
+        }
     }
 
     // e_cm + a_cm a_cs, but for what each vertex brings.

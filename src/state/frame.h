@@ -352,6 +352,9 @@ struct RenderOptions {
     // for who draws the same vertices again and again.
     bool patches = false;
     Tier tier = Tier::kUniform;  // of the programmable renderer
+    // Of the programmable renderer, where a scene has spectra: false lights every vertex or fragment in all samples, as if materials
+    // varied from point to point. The picture is the same: for who asks what samples cost (study/spectral.h).
+    bool fold_spectra = true;
     // Of the programmable renderer: lit per vertex in the order of operations of Mesa's fixed function, every sum in floats
     // (programmable/precise.h). Nothing of the lighting is left out then, whatever the budget.
     bool precise = false;

@@ -78,12 +78,14 @@ SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& render
     SpectralStudy study{.patches = patch_errors(), .pictures = {}, .findings = {}};
     const Image truth = renderers.reference(with_samples(frame, SpectralSamples::kMost));
     std::vector<Frame> frames;
-    std::vector<std::function<void()>> shaders;
+    std::vector<std::function<void()>> shaders, sampling_shaders;
     for (const int count : kPictureCounts) {
         frames.push_back(with_samples(frame, count));
         shaders.push_back(renderers.shaders(frames.back()));
+        sampling_shaders.push_back(renderers.sampling_shaders(frames.back()));
         study.pictures.push_back({.samples = count,
                                   .reference_seconds = {},
+                                  .sampling_shader_seconds = {},
                                   .shader_seconds = {},
                                   .off = perceived_difference(truth, renderers.reference(frames.back()))});
     }
@@ -92,8 +94,11 @@ SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& render
         const std::size_t which = static_cast<std::size_t>(i) % frames.size();
         SampledPicture& picture = study.pictures[which];
         picture.reference_seconds.push_back(seconds_of([&] { renderers.reference(frames[which]); }));
-        shaders[which]();  // a frame of a film: the one before it was drawn in the same way
+        // A frame of a film: the one before it was drawn in the same way.
+        shaders[which]();
         picture.shader_seconds.push_back(seconds_of(shaders[which]));
+        sampling_shaders[which]();
+        picture.sampling_shader_seconds.push_back(seconds_of(sampling_shaders[which]));
     }
     study.findings = spectral_findings(study);
     return study;

@@ -26,8 +26,10 @@ std::vector<PatchError> patch_errors();
 // The scene's picture with so many samples.
 struct SampledPicture {
     int samples = 0;
-    std::vector<double> reference_seconds, shader_seconds;  // a frame, one for each round
-    PerceivedDifference off;                                // from 81 samples, by the reference, pixel by pixel lit
+    // A frame, one for each round: by the reference, by shaders that light every point in samples, and by shaders whose products
+    // of lights and materials are made once a Draw.
+    std::vector<double> reference_seconds, sampling_shader_seconds, shader_seconds;
+    PerceivedDifference off;  // from 81 samples, by the reference, pixel by pixel lit
 };
 
 struct SpectralStudy {
@@ -43,7 +45,7 @@ Frame with_samples(const Frame& frame, int samples);
 struct SpectralRenderers {
     std::function<Image(const Frame&)> reference;
     // The frame made ready to be drawn again and again.
-    std::function<std::function<void()>(const Frame&)> shaders;
+    std::function<std::function<void()>(const Frame&)> shaders, sampling_shaders;
 };
 
 // Each number of samples has its turn in every round. `goes_on` is asked before each; false ends the timing.
@@ -54,7 +56,7 @@ SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& render
 std::vector<std::string> spectral_findings(const SpectralStudy& study);
 
 // {"patches": [{"light", "samples", "mean", "max", "worst"}],
-//  "pictures": [{"samples", "reference_seconds", "shader_seconds", "mean", "percentile_95", "max"}], "findings": ["sentence"]}
+//  "pictures": [{"samples", "reference_seconds", "sampling_shader_seconds", "shader_seconds", "mean", "percentile_95", "max"}], "findings": ["sentence"]}
 std::string spectral_json(const SpectralStudy& study);
 // Mean Delta E of each light against the samples, on logarithmic axes.
 std::string spectral_svg(const SpectralStudy& study);

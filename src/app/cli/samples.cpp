@@ -10,18 +10,32 @@
 
 namespace twinlight::cli {
 
+namespace {
+
+constexpr RenderOptions kPerPixel = {.shading = Shading::kPhong};
+
+std::function<void()> drawn(programmable::Renderer& renderer, const Frame& frame, const RenderOptions& options) {
+    const auto ready = std::make_shared<programmable::PreparedFrame>(frame, options);
+    return [ready, &renderer] {
+        renderer.draw(*ready);
+        glFinish();
+    };
+}
+
+}  // namespace
+
 std::string study_samples(const Frame& frame, const std::filesystem::path& folder, bool quick) {
     if (!study::has_spectrum(frame)) return "";
-    constexpr RenderOptions kPerPixel = {.shading = Shading::kPhong};
     programmable::Renderer renderer;
     const study::SpectralRenderers renderers = {
         .reference = [](const Frame& sampled) { return reference::render(sampled, kPerPixel); },
         .shaders = [&renderer](const Frame& sampled) -> std::function<void()> {
-            const auto ready = std::make_shared<programmable::PreparedFrame>(sampled, kPerPixel);
-            return [ready, &renderer] {
-                renderer.draw(*ready);
-                glFinish();
-            };
+            return drawn(renderer, sampled, kPerPixel);
+        },
+        .sampling_shaders = [&renderer](const Frame& sampled) -> std::function<void()> {
+            RenderOptions every_point = kPerPixel;
+            every_point.fold_spectra = false;
+            return drawn(renderer, sampled, every_point);
         }};
     const Interrupt interrupt;
     ProgressBar bar;

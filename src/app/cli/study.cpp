@@ -9,6 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/renderers.h"
+#include "app/cli/samples.h"
 #include "context/gl.h"
 #include "fixed/prepared_frame.h"
 #include "image/file.h"
@@ -105,6 +106,7 @@ int run(const Arguments& arguments) {
                                           return !Interrupt::came();
                                       }});
     bar.wipe();
+    const std::string samples = study_samples(frame, folder, arguments.quick);
     result.scene = frame.commands->name;
     result.driver = driver_name();
     const std::string json = study::study_json(result), csv = study::study_csv(result), svg = study::study_svg(result),
@@ -113,7 +115,7 @@ int run(const Arguments& arguments) {
                             {(folder / "study.csv").string(), csv},
                             {(folder / "study.svg").string(), svg},
                             {(folder / "index.html").string(), page}});
-    write_result(arguments.json ? json : summary(result, arguments.folder));
+    write_result(arguments.json ? json : samples + summary(result, arguments.folder));
     return kFine;
 }
 

@@ -43,6 +43,9 @@ uniform vec3 u_viewer_object;  // where the eye is
 #elif EFFECT_OBJECT_SPACE && EFFECT_VPE_DIR
 uniform vec3 u_viewer_dir;  // the direction to it
 #endif
+#if EFFECT_SAMPLED
+uniform mat3 u_rgb_from_samples[GROUPS];
+#endif
 #for_each_light "light_uniforms.glsl"
 #for_each_face "face_uniforms.glsl"
 
