@@ -105,7 +105,10 @@ class Planner {
             plan_unlit();
         plan_colors_that_are_left();
         plan_w();
-        if (facts().srgb_coded) plan_.error_bound *= kSteepestSrgb;
+        if (facts().srgb_coded) {
+            plan_.error_bound *= kSteepestSrgb;
+            plan_.budget *= kSteepestSrgb;
+        }
         return std::move(plan_);
     }
 

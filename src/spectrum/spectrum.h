@@ -38,7 +38,7 @@ std::span<const Spectrum, 3> primaries();
 Vec3<double> xyz_of_light(const Lines& power);
 
 // In linear sRGB: of a surface under D65, of a light on a perfect white. D65 and white are (1, 1, 1), exactly: sRGB's white is
-// D65 rounded to four digits, and the channels are scaled by the 2e-4 at most that this makes.
+// D65 rounded to four digits, and the channels are scaled by the 3e-4 at most that this makes.
 Vec3<double> rgb_of_reflectance(const Lines& reflectance);
 Vec3<double> rgb_of_light(const Lines& power);
 

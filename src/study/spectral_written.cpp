@@ -153,7 +153,8 @@ std::string spectral_svg(const SpectralStudy& study) {
         "font-size=\"13\">\n"
         "<rect width=\"760\" height=\"400\" fill=\"white\"/>\n"
         "<text x=\"{}\" y=\"18\">Mean Delta E 2000 of the ColorChecker against the samples of the spectrum</text>\n"
-        "<text x=\"{}\" y=\"380\" text-anchor=\"middle\">samples (dashed: the product of red, green and blue)</text>\n",
+        "<text x=\"{}\" y=\"380\" text-anchor=\"middle\">samples (dashed: the product of red, green and blue; lowest "
+        "line: 0.01 or less)</text>\n",
         kLeft, kLeft + kWidth / 2);
     const auto line = [&](double x1, double y1, double x2, double y2, const char* style) {
         svg +=

@@ -25,8 +25,12 @@ LightingState lighting_after(const std::string& text) {
     return std::get<Draw>(frame_of(text + "\nglutSolidCube(1);").items.back()).lighting;
 }
 
-glm::dvec4 rgb_in_floats(Vec3<double> c) {
-    return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1};
+// As glMaterialfv and glLightfv take it.
+void expect_floats_of(Vec3<double> rgb, const glm::dvec4& color) {
+    EXPECT_EQ(color.r, double{static_cast<float>(rgb.x)});
+    EXPECT_EQ(color.g, double{static_cast<float>(rgb.y)});
+    EXPECT_EQ(color.b, double{static_cast<float>(rgb.z)});
+    EXPECT_EQ(color.a, 1);
 }
 
 // ---- What they set ----
@@ -40,11 +44,11 @@ TEST(SpectralPragmas, SetTheColorThatGLHasForTheSpectrum) {
     EXPECT_EQ(state.front.reflectances.diffuse, foliage);
     EXPECT_EQ(state.front.reflectances.specular, nullptr);
     EXPECT_EQ(state.back.reflectances.diffuse, nullptr);
-    EXPECT_EQ(state.front.diffuse, rgb_in_floats(rgb_of_reflectance(foliage->lines)));
+    expect_floats_of(rgb_of_reflectance(foliage->lines), state.front.diffuse);
     EXPECT_EQ(state.lights[2].specular_illuminant.spectrum, f11);
     EXPECT_EQ(state.lights[2].specular_illuminant.scale, 0.5);
     EXPECT_EQ(state.lights[2].diffuse_illuminant.spectrum, nullptr);
-    EXPECT_EQ(state.lights[2].specular, rgb_in_floats(0.5 * rgb_of_light(f11->lines)));
+    expect_floats_of(0.5 * rgb_of_light(f11->lines), state.lights[2].specular);
     EXPECT_EQ(state.light_model.spectrum, nullptr) << "whether they are used is spectrum()'s";
 }
 
@@ -158,9 +162,9 @@ Vec3<double> patch_under(const char* light, double scale, const char* patch, int
 TEST(SpectralPictures, AreTheSumsOverTheSamples) {
     for (const int n : {3, 5, 9, 81})
         expect_drawn(lit_square("#pragma twinlight spectrum(" + std::to_string(n) +
-                                ")\n#pragma twinlight reflectance(GL_FRONT, GL_DIFFUSE, orange_yellow)\n"
+                                ")\n#pragma twinlight reflectance(GL_FRONT, GL_DIFFUSE, light_skin)\n"
                                 "#pragma twinlight illuminant(GL_LIGHT0, GL_DIFFUSE, F2, 0.5)"),
-                     patch_under("F2", 0.5, "orange_yellow", n));
+                     patch_under("F2", 0.5, "light_skin", n));
 }
 
 TEST(SpectralPictures, OfRedGreenAndBlueUnderWhiteAreGLsOwn) {
@@ -190,18 +194,19 @@ TEST(SpectralPictures, AddTheHighlightOfAMetalAsASecondColor) {
         "#pragma twinlight spectrum(16)\nglMaterialfv(GL_FRONT, GL_DIFFUSE, (float[]){0, 0, 0, 1});\n"
         "glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR); glMaterialf(GL_FRONT, GL_SHININESS, "
         "8);\n"
-        "#pragma twinlight reflectance(GL_FRONT, GL_SPECULAR, yellow)\n"
+        "#pragma twinlight reflectance(GL_FRONT, GL_SPECULAR, light_skin)\n"
         "#pragma twinlight illuminant(GL_LIGHT0, GL_SPECULAR, LED_B3, 0.5)");
-    expect_drawn(text, patch_under("LED_B3", 0.5, "yellow", 16));
+    expect_drawn(text, patch_under("LED_B3", 0.5, "light_skin", 16));
 }
 
 TEST(SpectralPictures, AreClampedWhereTheGamutEnds) {
-    // Cyan under CIE A has less than no red to be shown.
-    const Vec3<double> cyan = patch_under("A", 1, "cyan", 9);
-    ASSERT_LT(cyan.x, 0);
-    expect_drawn(lit_square("#pragma twinlight spectrum(9)\n#pragma twinlight reflectance(GL_FRONT, GL_DIFFUSE, cyan)\n"
-                            "#pragma twinlight illuminant(GL_LIGHT0, GL_DIFFUSE, A, 1)"),
-                 {0, cyan.y, cyan.z});
+    // Yellow under an LED has less than no blue to be shown.
+    const Vec3<double> yellow = patch_under("LED_B3", 0.8, "yellow", 9);
+    ASSERT_LT(yellow.z, -0.01);
+    expect_drawn(
+        lit_square("#pragma twinlight spectrum(9)\n#pragma twinlight reflectance(GL_FRONT, GL_DIFFUSE, yellow)\n"
+                   "#pragma twinlight illuminant(GL_LIGHT0, GL_DIFFUSE, LED_B3, 0.8)"),
+        {yellow.x, yellow.y, 0});
 }
 
 TEST(SpectralPictures, AreCodedWhereTheSceneAsks) {
@@ -210,7 +215,7 @@ TEST(SpectralPictures, AreCodedWhereTheSceneAsks) {
     const std::string state =
         "#pragma twinlight transfer(srgb)\nglMaterialfv(GL_FRONT, GL_DIFFUSE, (float[]){0.001, 0.2, 0.8, 1});";
     expect_drawn(lit_square(state), {srgb_coded(0.001), srgb_coded(0.2), srgb_coded(0.8)}, kCoded);
-    EXPECT_EQ(middle_of(reference::render(frame_of(lit_square(state)), {.lecture_variants = false})),
+    EXPECT_EQ(middle_of(reference::render(frame_of(lit_square(state)), {.shading = {}, .lecture_variants = false})),
               (Vec3<double>{0.001F, 0.2F, 0.8F}))
         << "GL's own model has no curve";
 }

@@ -99,7 +99,7 @@ std::string text_of(const PixelFragment& fragment, const Draw& draw) {
         text += "  GL_LIGHTING is disabled\n";
     }
     return text + row("fragment",
-                      draw.fragment.srgb_coded ? "after clamp, texture, colour sum, fog and sRGB's curve"
+                      draw.fragment.srgb_coded ? "after clamp, texture, sum, fog, sRGB's curve"
                                                : "after clamp, texture, colour sum and fog",
                       vec3_cast<Vec>(fragment.color));
 }
