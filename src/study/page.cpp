@@ -38,6 +38,7 @@ std::string study_page(const Study& study) {
                            {"plot", study_svg(study)},
                            {"truth", report::data_uri(encode_png(study.truth))},
                            {"rows", rows},
+                           {"spectral", study.spectral ? spectral_section(*study.spectral) : ""},
                            {"style", std::string(report::page_file("page.css"))},
                            {"script", std::string(report::page_file("study.js"))}});
 }

@@ -58,8 +58,10 @@ std::vector<std::string> spectral_findings(const SpectralStudy& study);
 // {"patches": [{"light", "samples", "mean", "max", "worst"}],
 //  "pictures": [{"samples", "reference_seconds", "sampling_shader_seconds", "shader_seconds", "mean", "percentile_95", "max"}], "findings": ["sentence"]}
 std::string spectral_json(const SpectralStudy& study);
-// Mean Delta E of each light against the samples, on logarithmic axes.
+// Mean Delta E of each light against the samples and against their time, on logarithmic axes.
 std::string spectral_svg(const SpectralStudy& study);
+// A page's section: plot, tables and sentences.
+std::string spectral_section(const SpectralStudy& study);
 // A table of the patches and one of the pictures, as text.
 std::string spectral_text(const SpectralStudy& study);
 

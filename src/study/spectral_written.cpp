@@ -1,10 +1,11 @@
-// What is said of samples of the spectrum: sentences, JSON, a plot, tables.
+// What is said of samples of the spectrum: sentences, JSON, tables.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "report/html.h"
 #include "study/spectral.h"
 
 namespace twinlight::study {
@@ -131,65 +132,38 @@ std::string spectral_text(const SpectralStudy& study) {
     return text;
 }
 
-namespace {
-
-constexpr double kLeft = 60, kTop = 30, kWidth = 560, kHeight = 300;
-constexpr double kLowest = 0.01, kHighest = 10;  // of Delta E
-constexpr int kFirst = 3, kLast = 81;
-const char* const kColors[] = {"#c2410c", "#a16207", "#475569", "#15803d", "#0369a1", "#7e22ce"};
-
-double x_of(int samples) {
-    return kLeft + kWidth * std::log(static_cast<double>(samples) / kFirst) / std::log(double{kLast} / kFirst);
-}
-double y_of(double delta_e) {
-    return kTop + kHeight * std::log(kHighest / std::clamp(delta_e, kLowest, kHighest)) / std::log(kHighest / kLowest);
-}
-
-}  // namespace
-
-std::string spectral_svg(const SpectralStudy& study) {
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 760 400\" font-family=\"sans-serif\" "
-        "font-size=\"13\">\n"
-        "<rect width=\"760\" height=\"400\" fill=\"white\"/>\n"
-        "<text x=\"{}\" y=\"18\">Mean Delta E 2000 of the ColorChecker against the samples of the spectrum</text>\n"
-        "<text x=\"{}\" y=\"380\" text-anchor=\"middle\">samples (dashed: the product of red, green and blue; lowest "
-        "line: 0.01 or less)</text>\n",
-        kLeft, kLeft + kWidth / 2);
-    const auto line = [&](double x1, double y1, double x2, double y2, const char* style) {
-        svg +=
-            fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x1, y1, x2, y2, style);
-    };
-    for (const double e : {0.01, 0.1, 1.0, 10.0}) {
-        line(kLeft, y_of(e), kLeft + kWidth, y_of(e), "stroke=\"#ddd\"");
-        svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", kLeft - 8, y_of(e) + 4, e);
-    }
-    for (const int n : {3, 5, 9, 16, 31, 81})
-        svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", x_of(n),
-                           kTop + kHeight + 20, n);
+std::string spectral_section(const SpectralStudy& study) {
     const std::vector<std::string> lights = lights_of(study);
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        const char* color = kColors[i % std::size(kColors)];
-        std::string points, dots;
-        for (const PatchError& e : study.patches) {
-            if (e.light != lights[i] || e.samples < kFirst) continue;
-            points += fmt::format("{:.1f},{:.1f} ", x_of(e.samples), y_of(e.mean));
-            dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n", x_of(e.samples),
-                                y_of(e.mean), color);
+    std::string head, rows, pictures, sentences;
+    for (const std::string& light : lights) head += fmt::format("<th scope=\"col\">{}</th>", report::escaped(light));
+    for (const PatchError& first : study.patches) {
+        if (first.light != lights.front()) continue;
+        rows += fmt::format("<tr><th scope=\"row\">{}</th>", samples_in_words(first.samples));
+        for (const std::string& light : lights) {
+            const PatchError* e = find(study, light, first.samples);
+            rows += fmt::format("<td>{:.2f} / {:.2f}</td>", e->mean, e->max);
         }
-        svg += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n{}", points,
-                           color, dots);
-        const PatchError* three = find(study, lights[i], 0);
-        if (three && three->mean >= kLowest)
-            line(kLeft, y_of(three->mean), kLeft + kWidth, y_of(three->mean),
-                 fmt::format("stroke=\"{}\" stroke-dasharray=\"5 4\"", color).c_str());
-        const double y = kTop + 20 + 22 * static_cast<double>(i);
-        svg += fmt::format(
-            "<rect x=\"640\" y=\"{:.0f}\" width=\"12\" height=\"12\" fill=\"{}\"/>\n<text x=\"658\" "
-            "y=\"{:.0f}\">{}{}</text>\n",
-            y - 11, color, y, lights[i], three && three->mean < kLowest ? " (exact)" : "");
+        rows += "</tr>\n";
     }
-    return svg + "</svg>\n";
+    for (const SampledPicture& p : study.pictures)
+        pictures += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td><td>{:.2f}</td><td>{:.2f}</td>"
+            "<td>{:.2f}</td></tr>\n",
+            samples_in_words(p.samples), 1000 * median(p.reference_seconds), 1000 * median(p.sampling_shader_seconds),
+            1000 * median(p.shader_seconds), p.off.mean, p.off.percentile_95, p.off.max);
+    for (const std::string& sentence : study.findings) sentences += "<li>" + report::escaped(sentence) + "</li>\n";
+    return fmt::format(
+        "<section>\n<h2>Samples of the spectrum</h2>\n<ul>\n{}</ul>\n<div class=\"scroll plot\">{}</div>\n"
+        "<p>Delta E 2000 of the ColorChecker's 24 patches, mean / worst.</p>\n"
+        "<div class=\"scroll\"><table class=\"study\"><thead><tr><th "
+        "scope=\"col\"></th>{}</tr></thead>\n<tbody>{}</tbody></table></div>\n"
+        "<p>The scene's picture: its time, and Delta E 2000 from that of 81 samples over all pixels.</p>\n"
+        "<div class=\"scroll\"><table class=\"study\"><thead><tr><th scope=\"col\"></th><th scope=\"col\">reference, "
+        "ms</th>"
+        "<th scope=\"col\">shaders, every pixel, ms</th><th scope=\"col\">shaders, once a Draw, ms</th>"
+        "<th scope=\"col\">mean</th><th scope=\"col\">95 %</th><th scope=\"col\">worst</th></tr></thead>\n"
+        "<tbody>{}</tbody></table></div>\n</section>\n",
+        sentences, spectral_svg(study), head, rows, pictures);
 }
 
 }  // namespace twinlight::study

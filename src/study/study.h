@@ -13,6 +13,7 @@
 #include "image/image.h"
 #include "state/frame.h"
 #include "study/choice.h"
+#include "study/spectral.h"
 
 namespace twinlight::study {
 
@@ -57,7 +58,8 @@ struct Study {
     int rounds = 0;
     std::vector<Point> points;
     Image truth;
-    std::vector<std::string> findings;  // sentences: what to choose, where one choice overtakes another
+    std::vector<std::string> findings;      // sentences: what to choose, where one choice overtakes another
+    std::optional<SpectralStudy> spectral;  // of scenes with spectra
 };
 
 struct Settings {
@@ -82,7 +84,8 @@ std::vector<std::string> findings(const std::vector<Point>& points);
 // {"scene", "driver", "size": [w, h], "rounds",
 //  "points": [{"key", "words", "renderer", "tier", "shading", "slices", "budget", "seconds": {"median", "q1", "q3", "samples"},
 //              "error": {"whole"|"interior"|"silhouette": {"pixels", "max", "rms", "psnr_db"}}, "on_front"}],
-//  "findings": ["sentence"]}
+//  "findings": ["sentence"],
+//  "spectral": as spectral_json() gives it, of scenes with spectra}
 std::string study_json(const Study& study);
 std::string study_csv(const Study& study);  // a line a point, the first names the columns
 // Error against time on logarithmic axes, for slides.

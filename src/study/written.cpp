@@ -44,6 +44,7 @@ std::string study_json(const Study& study) {
     Json json = {{"scene", study.scene},   {"driver", study.driver},  {"size", {study.width, study.height}},
                  {"rounds", study.rounds}, {"points", Json::array()}, {"findings", study.findings}};
     for (const Point& point : study.points) json["points"].push_back(json_of(point));
+    if (study.spectral) json["spectral"] = Json::parse(spectral_json(*study.spectral));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -3,10 +3,8 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "context/gl.h"
-#include "image/file.h"
 #include "programmable/programmable.h"
 #include "reference/reference.h"
-#include "study/spectral.h"
 
 namespace twinlight::cli {
 
@@ -24,8 +22,8 @@ std::function<void()> drawn(programmable::Renderer& renderer, const Frame& frame
 
 }  // namespace
 
-std::string study_samples(const Frame& frame, const std::filesystem::path& folder, bool quick) {
-    if (!study::has_spectrum(frame)) return "";
+std::optional<study::SpectralStudy> study_samples(const Frame& frame, bool quick) {
+    if (!study::has_spectrum(frame)) return std::nullopt;
     programmable::Renderer renderer;
     const study::SpectralRenderers renderers = {
         .reference = [](const Frame& sampled) { return reference::render(sampled, kPerPixel); },
@@ -39,15 +37,13 @@ std::string study_samples(const Frame& frame, const std::filesystem::path& folde
         }};
     const Interrupt interrupt;
     ProgressBar bar;
-    const study::SpectralStudy study =
-        study::spectral_study(frame, renderers, quick ? 3 : 9, [&bar](int done, int total) {
-            bar.show(done, total, "samples of the spectrum");
-            return !Interrupt::came();
-        });
+    const auto goes_on = [&bar](int done, int total) {
+        bar.show(done, total, "samples of the spectrum");
+        return !Interrupt::came();
+    };
+    study::SpectralStudy study = study::spectral_study(frame, renderers, quick ? 3 : 9, goes_on);
     bar.wipe();
-    const std::string json = study::spectral_json(study), svg = study::spectral_svg(study);
-    write_files_atomically({{(folder / "spectral.json").string(), json}, {(folder / "spectral.svg").string(), svg}});
-    return study::spectral_text(study);
+    return study;
 }
 
 }  // namespace twinlight::cli

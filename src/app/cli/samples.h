@@ -1,15 +1,13 @@
-// What `twinlight study` says of scenes that have spectra.
+// What `twinlight study` measures of scenes that have spectra.
 #pragma once
 
-#include <filesystem>
-#include <string>
+#include <optional>
 
-#include "state/frame.h"
+#include "study/spectral.h"
 
 namespace twinlight::cli {
 
-// Where the scene has `#pragma twinlight spectrum(n)`: writes spectral.json and spectral.svg into the folder, and gives their tables
-// and sentences; else nothing. Draws into the current context. `quick`: three rounds of times in the place of nine.
-std::string study_samples(const Frame& frame, const std::filesystem::path& folder, bool quick);
+// Where the scene has `#pragma twinlight spectrum(n)`. Draws into the current context. `quick`: three rounds of times in the place of nine.
+std::optional<study::SpectralStudy> study_samples(const Frame& frame, bool quick);
 
 }  // namespace twinlight::cli

@@ -76,6 +76,7 @@ std::string summary(const study::Study& study, const std::string& folder) {
                             1000 * point->median_seconds(), point->whole.rms, point->whole.max);
     text += "\n";
     for (const std::string& sentence : study.findings) text += sentence + "\n";
+    if (study.spectral) text += "\n" + study::spectral_text(*study.spectral);
     return text + "Report: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
@@ -106,16 +107,19 @@ int run(const Arguments& arguments) {
                                           return !Interrupt::came();
                                       }});
     bar.wipe();
-    const std::string samples = study_samples(frame, folder, arguments.quick);
+    result.spectral = study_samples(frame, arguments.quick);
     result.scene = frame.commands->name;
     result.driver = driver_name();
     const std::string json = study::study_json(result), csv = study::study_csv(result), svg = study::study_svg(result),
                       page = study::study_page(result);
-    write_files_atomically({{(folder / "study.json").string(), json},
-                            {(folder / "study.csv").string(), csv},
-                            {(folder / "study.svg").string(), svg},
-                            {(folder / "index.html").string(), page}});
-    write_result(arguments.json ? json : samples + summary(result, arguments.folder));
+    const std::string samples_svg = result.spectral ? study::spectral_svg(*result.spectral) : "";
+    std::vector<FileToWrite> files = {{(folder / "study.json").string(), json},
+                                      {(folder / "study.csv").string(), csv},
+                                      {(folder / "study.svg").string(), svg},
+                                      {(folder / "index.html").string(), page}};
+    if (result.spectral) files.push_back({(folder / "spectral.svg").string(), samples_svg});
+    write_files_atomically(files);
+    write_result(arguments.json ? json : summary(result, arguments.folder));
     return kFine;
 }
 
@@ -142,7 +146,9 @@ Subcommand add_study(CLI::App& app) {
     study->add_flag("--quick", arguments->quick, "fewer meshes, a smaller picture, less time");
     study->add_flag("--json", arguments->json, "print study.json's object instead of the table");
     study->footer(
-        "Truth is the reference with exact surfaces. Ctrl-C ends the timing; what was measured is written.\n"
+        "Truth is the reference with exact surfaces. Of a scene with #pragma twinlight spectrum(n) the samples are "
+        "studied\n"
+        "too: in study.json, the page and spectral.svg. Ctrl-C ends the timing; what was measured is written.\n"
         "Exit status: 0 fine, 2 bad input or use.");
     return {study, [arguments] { return run(*arguments); }};
 }
