@@ -241,13 +241,9 @@ DrawBounds draw_bounds(const Draw& draw, const VertexFacts& vertices, const Ligh
     return bounds;
 }
 
-ColorRange product_of(const LightModel& model, const LightColor& light, const FaceRange& face,
-                      ColorRange FaceRange::*color) {
+ColorRange spectral_product_of(const LightModel& model, const LightColor& light, const FaceRange& face,
+                               ColorRange FaceRange::*color) {
     const auto& [low, high] = face.*color;
-    if (!model.spectrum) {
-        const glm::dvec3 a = low * light.rgb, b = high * light.rgb;
-        return {glm::min(a, b), glm::max(a, b)};
-    }
     if (low == high) {
         const Spectrum* reflectance = color == &FaceRange::ambient   ? face.reflectances.ambient
                                       : color == &FaceRange::diffuse ? face.reflectances.diffuse

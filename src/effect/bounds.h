@@ -63,9 +63,16 @@ struct FaceRange {
     Material::Reflectances reflectances{};  // of the colours that are not the vertices'
 };
 
-// A material's colour times a light's.
-ColorRange product_of(const LightModel& model, const LightColor& light, const FaceRange& face,
-                      ColorRange FaceRange::*color);
+// A material's colour times a light's, in the samples of a spectrum.
+ColorRange spectral_product_of(const LightModel& model, const LightColor& light, const FaceRange& face,
+                               ColorRange FaceRange::*color);
+// In those that the scene asks for.
+inline ColorRange product_of(const LightModel& model, const LightColor& light, const FaceRange& face,
+                             ColorRange FaceRange::*color) {
+    if (model.spectrum) return spectral_product_of(model, light, face, color);
+    const glm::dvec3 a = (face.*color).low * light.rgb, b = (face.*color).high * light.rgb;
+    return {glm::min(a, b), glm::max(a, b)};
+}
 
 // The factors of a light's terms, at most. Of the faces, the front's first.
 struct LightFactors {
