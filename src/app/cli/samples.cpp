@@ -41,7 +41,7 @@ std::optional<study::SpectralStudy> study_samples(const Frame& frame, bool quick
         bar.show(done, total, "samples of the spectrum");
         return !Interrupt::came();
     };
-    study::SpectralStudy study = study::spectral_study(frame, renderers, quick ? 2 : 9, goes_on);
+    study::SpectralStudy study = study::spectral_study(frame, renderers, quick ? 3 : 9, goes_on);
     bar.wipe();
     return study;
 }
