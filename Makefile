@@ -37,6 +37,7 @@ libcli11-dev        pkg-config --exists CLI11
 nlohmann-json3-dev  pkg-config --exists nlohmann_json
 libfmt-dev          pkg-config --exists fmt
 libstb-dev          pkg-config --exists stb
+libxsimd-dev        pkg-config --exists xsimd
 libgtest-dev        pkg-config --exists gtest_main
 xvfb                command -v Xvfb
 xdotool             command -v xdotool
@@ -54,6 +55,12 @@ WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(if $(CI),-Werror)
 CXXFLAGS_common := -std=c++20 -ffp-contract=off $(WARNINGS) -Isrc -DGL_GLEXT_PROTOTYPES
 CXXFLAGS_release := -O2
 CXXFLAGS_debug := -O0 -g
+# What the reference lights many points with, where the processor has it (src/lighting/points.h).
+INSTRUCTIONS_points_avx2 := -mavx2 -mfma
+# (g++ 12 takes what its own header leaves undefined on purpose for uninitialised.)
+INSTRUCTIONS_points_avx512 := -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -Wno-uninitialized -Wno-maybe-uninitialized
+INSTRUCTIONS = $(if $(filter x86_64%,$(MACHINE)),$(INSTRUCTIONS_$(basename $(@F))))
+MACHINE := $(shell $(CXX) -dumpmachine 2>/dev/null)
 # g++ 12 takes std::regex for uninitialised where the address sanitizer has rewritten it.
 CXXFLAGS_sanitize := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined \
     -Wno-maybe-uninitialized
@@ -212,7 +219,7 @@ $(BUILD)/flags $(BUILD)/files:
 $(BUILD)/objects/%.o: %.cpp $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D)
-	@$(CXX) $(CXXFLAGS_all) -MMD -MP -c $< -o $@
+	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) -MMD -MP -c $< -o $@
 
 $(BUILD)/libtwinlight.a: $(OBJECTS_library) $(BUILD)/files
 	@rm -f $@
