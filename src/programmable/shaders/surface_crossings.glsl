@@ -78,33 +78,37 @@ float quartic(float s) {
     return inner * (inner + 4.0 * u_ring * from_axis);
 }
 
-// Where the slope, which rises or falls between low and high, is 0; high where it is nowhere. Newton's steps in an interval that
-// shrinks; where a step leaves it, it is halved.
-float turn_between(float low, float high) {
+// Where the slope, which rises or falls between low and high, is 0; high where it is nowhere. Newton's steps, from where they come
+// nearer from one side alone: what bends between there and the root bends away. Kept in an interval that shrinks.
+float turn_between(float low, float high, float start) {
     bool rises = quartic_slope(low) < 0.0;
     if (rises == (quartic_slope(high) < 0.0)) return high;
-    float s = 0.5 * (low + high);
-    for (int i = 0; i < 12; ++i) {
+    float s = start;
+    for (int i = 0; i < 16; ++i) {
         float value = quartic_slope(s);
         if ((value < 0.0) == rises) low = s;
         else high = s;
-        s -= value / (12.0 * s * s + 2.0 * quartic_square);
-        if (!(s > low && s < high)) s = 0.5 * (low + high);
+        float step = value / (12.0 * s * s + 2.0 * quartic_square);
+        s -= step;
+        if (!(s >= low && s <= high)) s = 0.5 * (low + high);
+        if (abs(step) < 1e-7) break;
     }
     return s;
 }
 
 // The same of the quartic: meets the root between low and high if there is one.
-void meet_between(float low, float high) {
+void meet_between(float low, float high, float start) {
     bool rises = quartic(low) < 0.0;
     if (rises == (quartic(high) < 0.0)) return;
-    float s = 0.5 * (low + high);
-    for (int i = 0; i < 12; ++i) {
+    float s = start;
+    for (int i = 0; i < 16; ++i) {
         float value = quartic(s);
         if ((value < 0.0) == rises) low = s;
         else high = s;
-        s -= value / quartic_slope(s);
-        if (!(s > low && s < high)) s = 0.5 * (low + high);
+        float step = value / quartic_slope(s);
+        s -= step;
+        if (!(s >= low && s <= high)) s = 0.5 * (low + high);
+        if (abs(step) < 1e-7) break;
     }
     meet(nearest + s * direction);
 }
@@ -148,21 +152,22 @@ void cast_ray() {
     }
 #elif EFFECT_RAY_TORUS
     direction = normalize(direction);
-    float outer = u_ring + u_tube, distance_to_ray = length(nearest);
+    // A little larger than the torus: at the ends its quartic is surely positive.
+    float outer = u_ring + u_tube + 0.03125, distance_to_ray = length(nearest);
     float square = (outer - distance_to_ray) * (outer + distance_to_ray);
     if (square > 0.0) {
         float reach = sqrt(square), four = 4.0 * u_ring * u_ring;
         quartic_square = 2.0 * (dot(nearest, nearest) + (u_ring - u_tube) * (u_ring + u_tube)) -
             four * dot(direction.xy, direction.xy);
         quartic_linear = -2.0 * four * dot(nearest.xy, direction.xy);
-        float inflection = sqrt(max(-quartic_square / 6.0, 0.0));
-        inflection = min(inflection, reach);
-        float first = turn_between(-reach, -inflection), second = turn_between(-inflection, inflection);
-        float third = turn_between(inflection, reach);
-        meet_between(third, reach);
-        meet_between(second, third);
-        meet_between(first, second);
-        meet_between(-reach, first);
+        float inflection = min(sqrt(max(-quartic_square / 6.0, 0.0)), reach);  // and -inflection
+        float first = turn_between(-reach, -inflection, -reach);
+        float second = turn_between(-inflection, inflection, 0.0);
+        float third = turn_between(inflection, reach, reach);
+        meet_between(third, reach, reach);
+        meet_between(second, third, inflection);
+        meet_between(first, second, -inflection);
+        meet_between(-reach, first, -reach);
     }
 #endif
 }
