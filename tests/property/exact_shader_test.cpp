@@ -242,11 +242,10 @@ class ExactShader : public ::testing::Test {
 
 // What is drawn is rounded, the reference's picture is not; floats add little to that.
 constexpr double kOpaque = (0.5 + 0.02) * kCode;
-// Each of at most four faces of each of three surfaces is rounded, and one rounding may go the other way.
-constexpr double kBlended = kOpaque + kCode;
+// Each of at most four points of a ray is rounded when it is blended, too.
+constexpr double kBlended = kOpaque + 4 * 0.5 * kCode;
 // llvmpipe's filters have weights of 8 bits: a 256th of what lies between two texels, once a dimension and once between levels.
 constexpr double kFiltered = kOpaque + 3 * 0.5 * kCode;
-
 TEST_F(ExactShader, DrawsEveryShapeInEveryStateAsTheReferenceDoes) {
     std::size_t number = 0;
     for (const StateCase& state : kStates) {
@@ -282,11 +281,32 @@ TEST_F(ExactShader, HasTheTexturesOfQuadrics) {
          texels() + "glDisable(GL_DEPTH_TEST); glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ONE); "},
     };
     std::size_t number = 0;
-    for (const StateCase& state : states) expect_shapes(state, number++, kFiltered);
+    for (const StateCase& state : states) {
+        const bool blends = state.commands.find("GL_BLEND") != std::string::npos;
+        expect_shapes(state, number++, blends ? kFiltered + kBlended : kFiltered);
+    }
     fmt::print("{} pixels drawn, {} edges, {} off; {} interiors off, the worst by {:.2f} codes\n", drawn_, edges_,
                edges_off_, interiors_off_, worst_ / kCode);
     EXPECT_EQ(interiors_off_, 0);
     EXPECT_EQ(edges_off_, 0);
+}
+
+// 3.8.8 leaves open how a scale factor is made of the derivatives: the largest of them, their length or their sum. Half a level
+// lies between.
+Frame at_other_levels(Frame frame, double bias) {
+    for (auto& item : frame.items)
+        if (Draw* draw = std::get_if<Draw>(&item)) draw->texture.lod_bias += bias;
+    return frame;
+}
+
+// How far a colour lies outside of what is between two others.
+double beyond(const Rgba& color, const Rgba& a, const Rgba& b) {
+    double most = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto [low, high] = std::minmax(a[c], b[c]);
+        most = std::max(most, static_cast<double>(std::max(low - color[c], color[c] - high)));
+    }
+    return most;
 }
 
 // What is off is of meshes, and so in phong shading, too.
@@ -301,16 +321,26 @@ TEST(ExactShaderScenes, DifferFromTheReferenceInMeshesAlone) {
         const Image picture = renderer.render(frame, options);
         options.shading = Shading::kPhong;
         const Image phong = renderer.render(frame, options), phong_truth = reference::render(frame, options);
-        int off = 0;
-        for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-            off += truth.nearest(i, picture.pixels[i]) > kFiltered &&
-                   apart(phong.pixels[i], phong_truth.pixels[i]) <= kFiltered;
-        EXPECT_EQ(off, 0) << file.name;
+        std::array<Image, 2> levels;
+        for (std::size_t i = 0; i < 2; ++i)
+            levels[i] = reference::render(at_other_levels(frame, i == 0 ? -0.5 : 0.5), {.shading = Shading::kExact});
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            if (apart(phong.pixels[i], phong_truth.pixels[i]) > kFiltered) continue;
+            EXPECT_LE(std::min(truth.nearest(i, picture.pixels[i]),
+                               beyond(picture.pixels[i], levels[0].pixels[i], levels[1].pixels[i])),
+                      kFiltered)
+                << file.name << " at " << static_cast<int>(i) % kWidth << "," << static_cast<int>(i) / kWidth;
+        }
     }
 }
 
 // The depth buffer's, at some pixels of every shape.
 TEST_F(ExactShader, WritesTheReferencesDepth) {
+    constexpr double kStep = 1.0 / (1 << 24);
+    // Half a step of rounding, and a few floats' of a sum that is as large as 1 where depths are small.
+    constexpr double kDepth = 6 * kStep;
+    // Three times the slope, which grows without a bound towards a silhouette, and its error with its square.
+    constexpr double kOffsetDepth = 40 * kStep;
     double worst = 0;
     int compared = 0;
     for (const StateCase& state : kStates)
@@ -332,8 +362,9 @@ TEST_F(ExactShader, WritesTheReferencesDepth) {
                         glReadPixels(x, y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &actual);
                         const double off = std::abs(actual - expected);
                         compared += expected < 1;
-                        if (off > worst)
-                            fmt::print("{}: {} at {},{}: {} is not {}\n", name, shape, x, y, actual, expected);
+                        const bool is_offset = std::strcmp(name, "offset") == 0;
+                        EXPECT_LE(off, is_offset ? kOffsetDepth : kDepth)
+                            << name << ": " << shape << " at " << x << "," << y;
                         worst = std::max(worst, off);
                     }
             }
@@ -370,7 +401,7 @@ TEST(ExactShaderFloats, AreOrdersOfMagnitudeNearerThanAFineMesh) {
                    count, std::sqrt(surface_square / count), worst, std::sqrt(mesh_square / count),
                    std::sqrt(mesh_square / surface_square));
         EXPECT_GT(count, 5000);
-        EXPECT_GT(std::sqrt(mesh_square), 1000 * std::sqrt(surface_square)) << shape;
+        EXPECT_GT(std::sqrt(mesh_square), 500 * std::sqrt(surface_square)) << shape;
     }
 }
 
