@@ -18,7 +18,7 @@
 
 namespace twinlight {
 
-inline constexpr int kSide = 64;
+inline constexpr int kSide = 48;
 inline constexpr double kCode = 1.0 / 255;
 
 inline Frame frame_of(const std::string& text, int width = kSide, int height = kSide) {
@@ -154,7 +154,7 @@ inline const StateCase kStates[] = {
     {"GL_NOTEQUAL", "glDepthFunc(GL_NOTEQUAL); "},
     {"depth range", "glDepthRange(0.8, 0.3); "},
     {"offset", "glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(3, 20); "},
-    {"scissor", "glEnable(GL_SCISSOR_TEST); glScissor(30, 20, 40, 50); glViewport(-10, 5, 110, 90); "},
+    {"scissor", "glEnable(GL_SCISSOR_TEST); glScissor(15, 10, 20, 25); glViewport(-5, 3, 55, 45); "},
     {"large",
      "glLoadIdentity(); gluLookAt(1e6, 2e6, 3e6, 0, 2e5, 0, 0, 1, 0); glScalef(1e6, 1e6, 1e6); "
      "glLightfv(GL_LIGHT0, GL_POSITION, (float[]){2e6, 3e6, 4e6, 1}); glMatrixMode(GL_PROJECTION); "
