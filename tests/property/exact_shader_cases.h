@@ -160,7 +160,7 @@ inline const StateCase kStates[] = {
      "glLightfv(GL_LIGHT0, GL_POSITION, (float[]){2e6, 3e6, 4e6, 1}); glMatrixMode(GL_PROJECTION); "
      "glLoadIdentity(); gluPerspective(40, 1, 1e6, 2e7); glMatrixMode(GL_MODELVIEW); "},
     {"far away",
-     "glMatrixMode(GL_PROJECTION); glLoadIdentity(); gluPerspective(0.2, 1, 10, 2000); "
+     "glMatrixMode(GL_PROJECTION); glLoadIdentity(); gluPerspective(0.2, 1, 900, 1000); "
      "glMatrixMode(GL_MODELVIEW); glLoadIdentity(); gluLookAt(250, 500, 750, 0, 0.2, 0, 0, 1, 0); "},
 };
 
