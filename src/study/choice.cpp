@@ -173,6 +173,8 @@ std::vector<Choice> choices(const Frame& frame, bool has_slices, Extent extent) 
         result.push_back({.renderer = "programmable", .shading = Shading::kPhong, .tier = Tier::kBaked, .slices = n});
         result.push_back({.renderer = "reference", .shading = Shading::kPhong, .slices = n});
     }
+    result.push_back({.renderer = "programmable", .shading = Shading::kExact});
+    result.push_back({.renderer = "programmable", .shading = Shading::kExact, .tier = Tier::kBaked});
     result.push_back({.renderer = "reference", .shading = Shading::kExact});
     const int middle = has_slices ? kMiddleSlices : 0;
     for (const Simplification& simplification : kSimplifications) {

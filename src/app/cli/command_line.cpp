@@ -19,17 +19,12 @@ namespace twinlight::cli {
 
 namespace {
 
-const std::map<std::string, Shading> kMeshShadings = {
+const std::map<std::string, Shading> kShadings = {
     {"flat", Shading::kFlat},
     {"gouraud", Shading::kGouraud},
     {"phong", Shading::kPhong},
+    {"exact", Shading::kExact},
 };
-
-std::map<std::string, Shading> with_exact(std::map<std::string, Shading> shadings) {
-    shadings.emplace("exact", Shading::kExact);
-    return shadings;
-}
-const std::map<std::string, Shading> kAllShadings = with_exact(kMeshShadings);
 
 }  // namespace
 
@@ -41,14 +36,12 @@ void add_scene_argument(CLI::App& app, std::string& scene) {
         ->check(not_empty());
 }
 
-void add_shading_option(CLI::App& app, std::optional<Shading>& shading, Exact exact) {
-    const bool has_exact = exact == Exact::kYes;
+void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {
     app.add_option_function<std::string>(
-           "--shading", [&shading](const std::string& name) { shading = kAllShadings.at(name); },
-           std::string("what the scene's glShadeModel says, unless given") +
-               (has_exact ? "; exact: curved shapes by their equations, by the reference" : ""))
-        ->type_name(has_exact ? "flat|gouraud|phong|exact" : "flat|gouraud|phong")
-        ->check(one_of(has_exact ? kAllShadings : kMeshShadings));
+           "--shading", [&shading](const std::string& name) { shading = kShadings.at(name); },
+           "what the scene's glShadeModel says, unless given; exact: curved shapes by their equations, ray by ray")
+        ->type_name("flat|gouraud|phong|exact")
+        ->check(one_of(kShadings));
 }
 
 void add_precise_flag(CLI::App& app, bool& precise) {

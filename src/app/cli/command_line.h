@@ -40,9 +40,7 @@ CLI::Validator one_of(const Map& map) {
 }
 
 void add_scene_argument(CLI::App& app, std::string& scene);
-// Whether --shading exact may be asked for: only the reference has it.
-enum class Exact : std::uint8_t { kYes, kNo };
-void add_shading_option(CLI::App& app, std::optional<Shading>& shading, Exact exact = Exact::kYes);
+void add_shading_option(CLI::App& app, std::optional<Shading>& shading);
 
 // RenderOptions::budget.
 void add_budget_option(CLI::App& app, double& budget);
