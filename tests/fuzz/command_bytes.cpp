@@ -43,18 +43,19 @@ class Bytes {
             result |= std::uint32_t{byte(static_cast<std::uint8_t>(value >> shift))} << shift;
         return result;
     }
-    // Small numbers as they are, and those at which arithmetic goes wrong.
+    // Numbers that are small, so that their product is no day's work, and those at which arithmetic goes wrong.
     double whole(double value) {
-        constexpr std::array kHard = {2147483647.0, -2147483648.0, 4294967295.0, 65535.0, 65536.0, 1073741824.0, 255.0};
-        constexpr int kFirstHard = 128 + 64;
-        int code = static_cast<int>(std::clamp(value, -64.0, 127.0));
-        if (code < 0) code += kFirstHard;
-        const auto hard = std::ranges::find(kHard, value);
-        if (hard != kHard.end()) code = kFirstHard + static_cast<int>(hard - kHard.begin());
+        constexpr int kSmall = 40, kNegative = 160, kHard = 224;  // from which byte on; what is below is from 0 on
+        constexpr std::array kHardValues = {2147483647.0, -2147483648.0, 4294967295.0, 65535.0,
+                                            65536.0,      1073741824.0,  255.0,        32767.0};
+        const auto hard = std::ranges::find(kHardValues, value);
+        int code = static_cast<int>(std::clamp<double>(value, kNegative - kHard, kSmall - 1));
+        if (code < 0) code = kNegative - 1 - code;
+        if (hard != kHardValues.end()) code = kHard + static_cast<int>(hard - kHardValues.begin());
         code = byte(static_cast<std::uint8_t>(code));
-        if (code < 128) return code;
-        if (code < kFirstHard) return code - kFirstHard;
-        return kHard[static_cast<std::size_t>(code - kFirstHard) % kHard.size()];
+        if (code < kNegative) return code % kSmall;
+        if (code < kHard) return kNegative - 1 - code;
+        return kHardValues[static_cast<std::size_t>(code - kHard) % kHardValues.size()];
     }
 
   private:
