@@ -223,7 +223,7 @@ std::vector<Command> commands_from(std::span<const std::uint8_t> input) {
     return commands;
 }
 
-std::string bytes_from(const std::vector<Command>& commands) {
+std::string bytes_from(std::span<const Command> commands) {
     Bytes bytes;
     Walk walk(bytes);
     for (const Command& command : commands) walk.command(command);
