@@ -25,6 +25,10 @@ endif
 
 # ---- What has to be installed: one line each, "apt package : how to ask for it" ---------------------------------
 
+# Whether clang has libFuzzer's runtime.
+try_fuzzer := echo 'extern "C" int LLVMFuzzerTestOneInput(char*, int) { return 0; }' | \
+    clang++ -x c++ -fsanitize=fuzzer,address - -o /dev/null
+
 define DEPENDENCIES
 g++                 command -v $(CXX)
 pkg-config          command -v pkg-config
@@ -44,6 +48,8 @@ xdotool             command -v xdotool
 apitrace            command -v apitrace
 mesa-utils          command -v glxgears
 $(if $(CI),valgrind            command -v valgrind)
+$(if $(CI),clang               command -v clang++)
+$(if $(CI),libclang-rt-dev     $(try_fuzzer))
 endef
 export DEPENDENCIES
 
@@ -142,14 +148,13 @@ bench: deps  ## measure: a table of medians, and ratios in build/bench.json (BEN
 	@$(MAKE) $(PROGRAMS)/twinlight-bench
 	@TWINLIGHT_BUILD=$(PROGRAMS) $(PROGRAMS)/twinlight-bench '$(or $(BENCH),.)'
 
-# Each target from where its corpus stands (build/fuzz/corpus, which grows) and from seeds; a finding is kept beside it.
+# Each target from seeds and from the corpus that earlier runs left. Warnings are the other compiler's, so CI is not said.
 TIME ?= 60
 fuzz_targets := $(patsubst tests/fuzz/%_fuzzer.cpp,%,$(SOURCES_fuzzers))
-fuzz:  ## look for crashes on random input (TIME=seconds a target, TARGET=scene|dump|png|state|picture for one)
-	@if ! echo 'extern "C" int LLVMFuzzerTestOneInput(char*, int) { return 0; }' | \
-	    clang++ -x c++ -fsanitize=fuzzer,address - -o /dev/null 2>/dev/null; then \
+fuzz: deps  ## look for crashes on random input (TIME=seconds a target, TARGET=scene|dump|png|state|picture for one)
+	@if ! { $(try_fuzzer); } 2>/dev/null; then \
 	    echo "fuzz: skipped, clang++ and its runtime are not installed (Debian's packages clang and libclang-rt-dev)"; exit 0; fi; \
-	$(MAKE) config=fuzz CXX=clang++ $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
+	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
 	for target in $(or $(TARGET),$(fuzz_targets)); do \
 	    tests/fuzz/run.sh $$target $(TIME) || exit 1; done
 

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 
 #include "app/cli/progress.h"
@@ -113,12 +110,6 @@ Frame load_frame(const std::string& scene, std::optional<Size> size, std::option
     Frame made = make_frame(list, options);
     fixed::note_lights_beyond(made, {});
     return made;
-}
-
-void write_result(std::string_view bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
-        throw FileError(std::string("standard output: ") + std::strerror(errno));
-    }
 }
 
 bool result_in_color() {

@@ -55,9 +55,6 @@ void add_frame_option(CLI::App& app, std::optional<int>& frame);
 // standard error.
 Frame load_frame(const std::string& scene, std::optional<Size> size, std::optional<int> frame = std::nullopt);
 
-// Standard output, whole; throws FileError when it cannot be written.
-void write_result(std::string_view bytes);
-
 // Whether escape sequences may colour what is printed: a terminal, and NO_COLOR (no-color.org) is not set.
 bool result_in_color();
 
