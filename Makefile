@@ -31,6 +31,7 @@ libcli11-dev        pkg-config --exists CLI11
 nlohmann-json3-dev  pkg-config --exists nlohmann_json
 libfmt-dev          pkg-config --exists fmt
 libstb-dev          pkg-config --exists stb
+libjs-chart.js      ls /usr/share/javascript/chart.js
 libgtest-dev        pkg-config --exists gtest_main
 xvfb                command -v Xvfb
 xdotool             command -v xdotool
@@ -79,7 +80,9 @@ SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCE
 EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp
 FILES_scenes := $(wildcard src/scenes/*.gl)
 FILES_shaders := $(wildcard src/programmable/shaders/*.glsl)
-FILES_pages := $(filter-out %.h,$(wildcard src/report/pages/*))
+# Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
+CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
+FILES_pages := $(wildcard src/report/pages/*) $(BUILD)/embedded/chart.js
 object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
@@ -211,6 +214,9 @@ $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files Makefile
 	$(call embed,programmable/shader_files.h,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files Makefile
 	$(call embed,report/pages.h,kPageFiles,$(sort $(FILES_pages)))
+
+$(BUILD)/embedded/chart.js: $(CHART)
+	@mkdir -p $(@D); cp $< $@
 
 $(BUILD)/embedded/%.o: $(BUILD)/embedded/%.cpp $(BUILD)/flags
 	@$(CXX) $(CXXFLAGS_all) -MMD -MP -c $< -o $@

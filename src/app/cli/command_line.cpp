@@ -14,28 +14,27 @@
 #include "image/file.h"
 #include "scenes/load.h"
 #include "state/recorded_frame.h"
+#include "state/shading_names.h"
 
 namespace twinlight::cli {
 
 namespace {
 
-const std::map<std::string, Shading> kMeshShadings = {
-    {"flat", Shading::kFlat},
-    {"gouraud", Shading::kGouraud},
-    {"phong", Shading::kPhong},
-};
-
-std::map<std::string, Shading> with_exact(std::map<std::string, Shading> shadings) {
-    shadings.emplace("exact", Shading::kExact);
-    return shadings;
+// All of them, or those of meshes.
+std::map<std::string, Shading> shadings(bool with_exact) {
+    std::map<std::string, Shading> named;
+    for (const ShadingName& name : kShadings)
+        if (with_exact || name.value != Shading::kExact) named.emplace(name.key, name.value);
+    return named;
 }
-const std::map<std::string, Shading> kAllShadings = with_exact(kMeshShadings);
+const std::map<std::string, Shading> kAllShadings = shadings(true), kMeshShadings = shadings(false);
 
 }  // namespace
 
-void add_scene_argument(CLI::App& app, std::string& scene) {
-    app.add_option("SCENE", scene,
-                   "a built-in scene's name, a .gl file, an apitrace .trace or its dump, or - for standard input")
+CLI::Option* add_scene_argument(CLI::App& app, std::string& scene) {
+    return app
+        .add_option("SCENE", scene,
+                    "a built-in scene's name, a .gl file, an apitrace .trace or its dump, or - for standard input")
         ->required()
         ->type_name("")
         ->check(not_empty());
