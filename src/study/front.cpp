@@ -82,14 +82,12 @@ void recommend(std::vector<std::string>& sentences, const PointsOf& points, cons
         const double target = measure.targets[i];
         const Point* best = fastest(points, measure, target, any);
         if (!best) {
-            sentences.push_back(fmt::format("No choice of this study has {} of {} at most.", measure.words,
-                                            measure.target_words(target)));
+            sentences.push_back(fmt::format("No choice of this study has {}.", measure.demand_of(target)));
             return;  // nor of less
         }
         const bool is_last = i + 1 == measure.targets.size() || measure.targets[i + 1] == 0;
         if (!is_last && fastest(points, measure, measure.targets[i + 1], any) == best) continue;
-        sentences.push_back(fmt::format("For {} of {} at most: {}.", measure.words, measure.target_words(target),
-                                        words_of(*best, measure)));
+        sentences.push_back(fmt::format("For {}: {}.", measure.demand_of(target), words_of(*best, measure)));
     }
 }
 

@@ -6,15 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "image/delta_e.h"
 #include "image/image.h"
 
 namespace twinlight::study {
 
-// Of red, green and blue on [0,1].
+// Of red, green and blue on [0,1]; and what the eye sees of it.
 struct Error {
     std::size_t pixels = 0;
     double max = 0;
     double rms = 0;
+    double delta_e = 0, delta_e_95 = 0;  // image/delta_e.h: the mean, and what 95 % of the pixels do not exceed
 
     double psnr_db() const;  // 20 log10(1 / rms); infinite where there is none
 
@@ -38,20 +40,31 @@ inline constexpr Region kRegions[] = {
 
 // A number that says how far off a picture is.
 struct Measure {
-    const char* name;   // "rms"
-    const char* words;  // "an rms error", in a sentence
-    const char* unit;   // what stands before a value of it
-    const char* axis;   // of a plot, and of a table
+    const char* name;    // "rms"
+    const char* axis;    // "rms error, of 1": of a plot, and of a table
+    const char* unit;    // "rms": what stands before a value of it
+    const char* demand;  // "an rms error of at most {}": in a sentence
     double Error::*value;
     std::array<double, 6> targets;  // for which a choice is recommended, from rough to fine; 0: no more
 
-    // "0.01", and "1 code (1/255)"
-    std::string target_words(double target) const;
+    std::string demand_of(double target) const;
 };
 inline constexpr double kCode = 1.0 / 255;  // of a channel of 8 bits
 inline constexpr Measure kMeasures[] = {
-    {"rms", "an rms error", "rms", "rms error, of 1", &Error::rms, {0.1, 0.03, 0.01, kCode, 0.001, 0.0001}},
-    {"max", "a largest error", "max", "largest error, of 1", &Error::max, {0.5, 0.1, 0.03, 0.01, kCode}},
+    {"rms",
+     "rms error, of 1",
+     "rms",
+     "an rms error of at most {}",
+     &Error::rms,
+     {0.1, 0.03, 0.01, kCode, 0.001, 0.0001}},
+    {"max", "largest error, of 1", "max", "a largest error of at most {}", &Error::max, {0.5, 0.1, 0.03, 0.01, kCode}},
+    {"delta_e", "mean Delta E 2000", "Delta E", "a mean Delta E of at most {}", &Error::delta_e, {5, 2, 1, 0.5, 0.1}},
+    {"delta_e_95",
+     "Delta E 2000 of 95 %",
+     "Delta E",
+     "95 % of the pixels within a Delta E of {}",
+     &Error::delta_e_95,
+     {5, 2, 1}},
 };
 inline constexpr double kLargestError = 1e3;  // of any measure: beyond what pictures can have
 inline constexpr std::size_t kMeasureCount = std::size(kMeasures);
@@ -60,6 +73,17 @@ inline constexpr std::size_t kMeasureCount = std::size(kMeasures);
 std::vector<char> silhouettes(const std::vector<int>& seen, const std::vector<int>& seen_in_truth, int width,
                               int height);
 
-Errors errors_of(const Image& picture, const Image& truth, const std::vector<char>& is_silhouette);
+// What pictures are held against.
+class Truth {
+  public:
+    explicit Truth(Image image);
+
+    const Image& image() const { return image_; }
+    Errors errors_of(const Image& picture, const std::vector<char>& is_silhouette) const;
+
+  private:
+    Image image_;
+    std::vector<Lab> labs_;
+};
 
 }  // namespace twinlight::study

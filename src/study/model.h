@@ -34,7 +34,7 @@ bool matters(const Frame& frame, Model model);
 Frame with_model(const Frame& frame, Model model);
 
 // Highlights of the same width by either vector: r.v is cos(2a) where n.h is cos(a), and for small angles
-// cos(2a)^(s/4) = cos(a)^s to second order (F. Fisher, A. Woo, "R.E versus N.H Specular Highlights", Graphics Gems IV, 1994).
+// cos(2a)^(s/4) is cos(a)^s but for terms of a^4 (F. Fisher, A. Woo, "R.E versus N.H Specular Highlights", Graphics Gems IV, 1994).
 inline constexpr double kReflectionExponent = 0.25;
 
 }  // namespace twinlight::study

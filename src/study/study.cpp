@@ -38,18 +38,21 @@ class Run {
   public:
     Run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const Renderers& renderers,
         const Settings& settings)
-        : frame_of_(frame_of), renderers_(renderers), settings_(settings), scene_(frame_of(0)) {
+        : frame_of_(frame_of),
+          renderers_(renderers),
+          settings_(settings),
+          scene_(frame_of(0)),
+          truth_(
+              renderers
+                  .prepare(scene_,
+                           {.renderer = Renderer::kReference, .shading = Shading::kExact, .samples = settings.coverage})
+                  .picture()) {
         study_.width = scene_.width;
         study_.height = scene_.height;
         study_.extent = settings.extent;
         study_.coverage = settings.coverage;
         study_.series.resize(1);
-        truth_ =
-            renderers
-                .prepare(scene_,
-                         {.renderer = Renderer::kReference, .shading = Shading::kExact, .samples = settings.coverage})
-                .picture();
-        study_.truth_png = encode_png(truth_);
+        study_.truth_png = encode_png(truth_.image());
         seen_ = renderers.seen(scene_, {.shading = Shading::kExact});
         all_ = choices(scene_, has_slices, settings.extent, settings.coverage);
     }
@@ -116,10 +119,10 @@ class Run {
         const Image picture = prepared.picture();
         Point point;
         point.choice = choice;
-        point.errors = errors_of(picture, truth_, mesh.is_silhouette);
+        point.errors = truth_.errors_of(picture, mesh.is_silhouette);
         point.picture_png = encode_png(picture);
         point.difference_factor = amplification_for(point.errors.whole.max);
-        point.difference_png = encode_png(difference_picture(picture, truth_, point.difference_factor));
+        point.difference_png = encode_png(difference_picture(picture, truth_.image(), point.difference_factor));
         if (const Point* before = earlier(choice)) point.seconds = before->seconds;
         study_.points.push_back(std::move(point));
         prepared_.push_back(std::move(prepared));
@@ -163,8 +166,8 @@ class Run {
     const Renderers& renderers_;
     const Settings& settings_;
     Frame scene_;
+    Truth truth_;
     Study study_;
-    Image truth_;
     std::vector<int> seen_;
     std::vector<Choice> all_;
     std::map<std::pair<int, bool>, Mesh> meshes_;  // by slices, and whether it is the surfaces themselves

@@ -501,6 +501,21 @@ TEST_F(Cli, StudiesWhatAccuracyCosts) {
     expect_refused(run({"study", "-o", both}), "SCENE is missing");
 }
 
+TEST_F(Cli, KeepsWhatAnInterruptedStudyHas) {
+    const std::string file = scene(kScene), folder = out_ / "study";
+    const ProgramResult result =
+        run_shell("twinlight", "timeout --preserve-status -s INT 2 \"$PROGRAM\" study " + quoted(file) + " -o " +
+                                   quoted(folder) + " --quick --seconds 1000 --size 24x24 --json");
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json begun = json::parse(result.out);
+    const ProgramResult more = run({"study", file, "-o", folder, "--resume", "--seconds", "0", "--json"});
+    ASSERT_EQ(more.status, 0) << more.err;
+    const json ended = json::parse(more.out);
+    EXPECT_GE(ended["points"].size(), begun["points"].size());
+    EXPECT_GE(ended["series"][0]["rounds"], begun["series"][0]["rounds"]);
+    for (const json& point : ended["points"]) EXPECT_GE(point["seconds"]["samples"].size(), 3U) << point["key"];
+}
+
 TEST_F(Cli, StudiesEdgesByCoverage) {
     const ProgramResult result = run({"study", scene(kScene), "-o", out_ / "study", "--quick", "--seconds", "0",
                                       "--size", "48x48", "--coverage", "8", "--json"});

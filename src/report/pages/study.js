@@ -58,12 +58,12 @@
             callback(value) {
                 const decade = 10 ** Math.floor(Math.log10(value) + 1e-9), lead = Number((value / decade).toFixed(6));
                 const wide = this.max / this.min > 300;
-                return lead === 1 || (!wide && (lead === 2 || lead === 5)) ? numeral(value) : null;
+                return lead === 1 || (!wide && (lead === 2 || lead === 5)) ? numeral(value) : "";
             },
         },
     });
     // Data between round numbers, with a little air.
-    const limits = (values) => ({min: Math.min(...values) / 1.3, max: Math.max(...values) * 1.3});
+    const limits = (values) => values.length === 0 ? {} : {min: Math.min(...values) / 1.3, max: Math.max(...values) * 1.3};
     const motionless = {animation: false, responsive: true, maintainAspectRatio: false};
 
     const dotsOf = () => visible().filter((point) => error(point) > 0)
