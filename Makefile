@@ -1,12 +1,17 @@
 # Twinlight's build. `make help` lists the targets; `make deps` installs what they need.
 #
-#   config=release|debug|sanitize   release builds into build/, the others into build/<config>/
+#   config=release|debug|sanitize   release builds into build/, the others into build/<config>/; `make fuzz` into build/fuzz/
+#   GL=osmesa|egl                   what draws without a window: Mesa's OSMesa into build/, EGL's drivers into build/egl/
 #   CI=true                         warnings are errors
 
 config ?= release
+GL ?= osmesa
 CXX ?= g++
-$(if $(filter release debug sanitize,$(config)),,$(error config is release, debug or sanitize, not '$(config)'))
+$(if $(filter release debug sanitize fuzz,$(config)),,$(error config is release, debug or sanitize, not '$(config)'))
+$(if $(filter osmesa egl,$(GL)),,$(error GL is osmesa or egl, not '$(GL)'))
 BUILD := $(if $(filter release,$(config)),build,build/$(config))
+# The programs; the objects in $(BUILD) are the same, whatever draws.
+PROGRAMS := $(BUILD)$(if $(filter egl,$(GL)),/egl)
 
 # Every processor, unless the caller chose a number of jobs; a make within make shares its caller's.
 ifeq (0,$(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)))
@@ -24,7 +29,8 @@ endif
 define DEPENDENCIES
 g++                 command -v $(CXX)
 pkg-config          command -v pkg-config
-libosmesa6-dev      pkg-config --exists osmesa
+$(if $(filter osmesa,$(GL)),libosmesa6-dev      pkg-config --exists osmesa)
+$(if $(or $(CI),$(filter egl,$(GL))),libegl-dev          pkg-config --exists egl)
 libglu1-mesa-dev    pkg-config --exists glu
 freeglut3-dev       pkg-config --exists glut
 libglm-dev          pkg-config --exists glm
@@ -55,18 +61,27 @@ CXXFLAGS_debug := -O0 -g
 CXXFLAGS_sanitize := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined \
     -Wno-maybe-uninitialized
 LDFLAGS_sanitize := -fsanitize=address,undefined
+# Of clang, for libFuzzer: its runtime stands beside the compiler (Debian's package libclang-rt-dev).
+CXXFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
+LDFLAGS_fuzz := -fsanitize=address,undefined
 CXXFLAGS_all = $(CXXFLAGS_common) $(CXXFLAGS_$(config)) $(shell pkg-config --cflags $(MODULES) 2>/dev/null) $(CXXFLAGS)
 CXXFLAGS_all := $(CXXFLAGS_all)
 LDFLAGS_all := $(LDFLAGS_$(config)) $(LDFLAGS)
 LIBS := $(shell pkg-config --libs fmt stb 2>/dev/null)
 # OSMesa stands ahead of GLU, so that GLU's own GL calls reach OSMesa and not libGL.
-LIBS_offscreen := $(shell pkg-config --libs osmesa glu 2>/dev/null)
+LIBS_osmesa := $(shell pkg-config --libs osmesa glu 2>/dev/null)
+LIBS_egl := $(shell pkg-config --libs egl glu gl 2>/dev/null)
+LIBS_offscreen := $(LIBS_$(GL))
+LIBS_fuzz := $(shell pkg-config --libs fmt 2>/dev/null)
 LIBS_window := $(shell pkg-config --libs glut glu gl 2>/dev/null)
 LIBS_gtest := $(shell pkg-config --libs gtest_main 2>/dev/null)
 
 # ---- Files ------------------------------------------------------------------------------------------------------
 
-SOURCES_library := $(filter-out src/app/%,$(wildcard src/*/*.cpp src/*/*/*.cpp))
+# What provides GL without a window: each program links one of them.
+SOURCES_osmesa := src/context/osmesa.cpp
+SOURCES_egl := src/context/egl.cpp
+SOURCES_library := $(filter-out src/app/% $(SOURCES_osmesa) $(SOURCES_egl),$(wildcard src/*/*.cpp src/*/*/*.cpp))
 SOURCES_app := $(wildcard src/app/*.cpp)
 SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
 SOURCES_demo := $(SOURCES_app) $(wildcard src/app/demo/*.cpp)
@@ -76,9 +91,16 @@ SOURCES_bench := $(wildcard tests/bench/*.cpp)
 SOURCES_bench_library := src/app/cli/progress.cpp
 # What of it the tests link, which count the instructions of the same meshes.
 SOURCES_bench_meshes := tests/bench/lit_spheres.cpp
-SOURCES_tests := $(filter-out $(SOURCES_bench),$(wildcard tests/*/*.cpp))
+# Fuzzers, a program each, and what they share; of the library the layers that untrusted input meets.
+SOURCES_fuzzers := $(wildcard tests/fuzz/*_fuzzer.cpp)
+SOURCES_fuzz_common := tests/fuzz/command_bytes.cpp tests/fuzz/stb.cpp
+SOURCES_fuzz_seeds := tests/fuzz/write_seeds.cpp
+SOURCES_fuzz := $(SOURCES_fuzzers) $(SOURCES_fuzz_common) $(SOURCES_fuzz_seeds)
+SOURCES_fuzz_library := $(wildcard $(patsubst %,src/%/*.cpp,command image shape state effect reference trace scenes))
+SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz),$(wildcard tests/*/*.cpp))
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
-SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) $(SOURCES_bench))
+SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) \
+    $(SOURCES_bench) $(SOURCES_fuzz))
 EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp
 FILES_scenes := $(wildcard src/scenes/*.gl)
 FILES_shaders := $(wildcard src/programmable/shaders/*.glsl)
@@ -88,32 +110,46 @@ FILES_pages := $(wildcard src/report/pages/*) $(BUILD)/embedded/chart.js
 object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
+# What programs without a window link beside their own objects.
+OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench programs golden instructions format check tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
 all: deps
 	@$(MAKE) programs
 
-programs: $(BUILD)/twinlight $(BUILD)/twinlight-demo
-test-binary: $(BUILD)/twinlight-tests $(BUILD)/shape-recorder programs
+programs: $(PROGRAMS)/twinlight $(PROGRAMS)/twinlight-demo
+test-binary: $(PROGRAMS)/twinlight-tests $(PROGRAMS)/shape-recorder programs
 
 demo: deps  ## build; open the GLUT window, or write the comparison as a report where there is no display
 	@$(MAKE) programs
-	@if [ -n "$$DISPLAY" ]; then exec $(BUILD)/twinlight-demo $(SCENE); else \
+	@if [ -n "$$DISPLAY" ]; then exec $(PROGRAMS)/twinlight-demo $(SCENE); else \
 	    echo "There is no display (DISPLAY is not set): writing the comparison of the scene 'report' instead."; \
-	    mkdir -p build/report && $(BUILD)/twinlight compare report -o build/report && \
+	    mkdir -p build/report && $(PROGRAMS)/twinlight compare report -o build/report && \
 	    echo "Open build/report/index.html in a browser."; fi
 
 test: deps  ## build; run every test headless (TEST=Filter* runs some)
 	@$(MAKE) test-binary
-	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(BUILD) \
-	    $(BUILD)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
+	@if pkg-config --exists egl; then $(MAKE) GL=egl $(BUILD)/egl/twinlight; fi
+	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(PROGRAMS) \
+	    $(PROGRAMS)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
 
 bench: deps  ## measure: a table of medians, and ratios in build/bench.json (BENCH=Regex runs some)
-	@$(MAKE) $(BUILD)/twinlight-bench
-	@TWINLIGHT_BUILD=$(BUILD) $(BUILD)/twinlight-bench '$(or $(BENCH),.)'
+	@$(MAKE) $(PROGRAMS)/twinlight-bench
+	@TWINLIGHT_BUILD=$(PROGRAMS) $(PROGRAMS)/twinlight-bench '$(or $(BENCH),.)'
+
+# Each target from where its corpus stands (build/fuzz/corpus, which grows) and from seeds; a finding is kept beside it.
+TIME ?= 60
+fuzz_targets := $(patsubst tests/fuzz/%_fuzzer.cpp,%,$(SOURCES_fuzzers))
+fuzz:  ## look for crashes on random input (TIME=seconds a target, TARGET=scene|dump|png|state|picture for one)
+	@if ! echo 'extern "C" int LLVMFuzzerTestOneInput(char*, int) { return 0; }' | \
+	    clang++ -x c++ -fsanitize=fuzzer,address - -o /dev/null 2>/dev/null; then \
+	    echo "fuzz: skipped, clang++ and its runtime are not installed (Debian's packages clang and libclang-rt-dev)"; exit 0; fi; \
+	$(MAKE) config=fuzz CXX=clang++ $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
+	for target in $(or $(TARGET),$(fuzz_targets)); do \
+	    tests/fuzz/run.sh $$target $(TIME) || exit 1; done
 
 deps:  ## install what is missing (apt), and nothing else
 	@missing() { echo "$$DEPENDENCIES" | while read -r package ask; do \
@@ -134,16 +170,17 @@ deps:  ## install what is missing (apt), and nothing else
 	[ -z "$$packages" ] && exit 0; \
 	echo "Still missing:$$packages" >&2; \
 	case "$$packages" in *osmesa*) \
-	    echo "If apt does not know libosmesa6-dev: Mesa has OSMesa up to 25.0, as in Debian 12 and 13." >&2; esac; \
+	    echo "If apt does not know libosmesa6-dev: Mesa has OSMesa up to 25.0, as in Debian 12 and 13; say GL=egl." >&2; \
+	esac; \
 	exit 1
 
 golden: deps  ## write golden pictures anew (CASE=scene for one): look at each before it is committed
 	@$(MAKE) test-binary
-	@TWINLIGHT_BUILD=$(BUILD) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(BUILD)/twinlight-tests --gtest_filter='*GoldenScenes*'
+	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(PROGRAMS)/twinlight-tests --gtest_filter='*GoldenScenes*'
 
 instructions: deps  ## count the instructions of tests/instructions anew, where a change of them is meant
 	@$(MAKE) test-binary
-	@TWINLIGHT_BUILD=$(BUILD) TWINLIGHT_WRITE_INSTRUCTIONS=1 $(BUILD)/twinlight-tests --gtest_brief=1 --gtest_filter='Instructions*'
+	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_INSTRUCTIONS=1 $(PROGRAMS)/twinlight-tests --gtest_brief=1 --gtest_filter='Instructions*'
 
 format:  ## clang-format every source
 	clang-format -i $(SOURCES_all) $(wildcard src/*/*.h src/*/*/*.h tests/*/*.h)
@@ -186,22 +223,29 @@ $(BUILD)/libtwinlight.a: $(OBJECTS_library) $(BUILD)/files
 	@rm -f $@
 	@ar rcs $@ $(OBJECTS_library)
 
-link = @echo "link $@"; $(CXX) $(LDFLAGS_all) $(filter %.o %.a,$^) -o $@
+link = @echo "link $@"; mkdir -p $(@D); $(CXX) $(LDFLAGS_all) $(filter %.o %.a,$^) -o $@
 
-$(BUILD)/twinlight: $(call object,$(SOURCES_cli)) $(BUILD)/libtwinlight.a
+$(PROGRAMS)/twinlight: $(call object,$(SOURCES_cli)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
 
-$(BUILD)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
+$(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
 	$(link) $(LIBS_window) $(LIBS)
 
-$(BUILD)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_bench_meshes) $(SOURCES_demo_library)) $(BUILD)/libtwinlight.a
+$(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_tests) $(SOURCES_bench_meshes) $(SOURCES_demo_library)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
-$(BUILD)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(BUILD)/libtwinlight.a
+$(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
 
+OBJECTS_fuzz := $(call object,$(SOURCES_fuzz_common) $(SOURCES_fuzz_library)) $(BUILD)/embedded/scenes.o
+$(fuzz_targets:%=$(BUILD)/%-fuzzer): $(BUILD)/%-fuzzer: $(BUILD)/objects/tests/fuzz/%_fuzzer.o $(OBJECTS_fuzz)
+	$(link) -fsanitize=fuzzer $(LIBS_fuzz)
+
+$(BUILD)/write-seeds: $(call object,$(SOURCES_fuzz_seeds)) $(OBJECTS_fuzz)
+	$(link) $(LIBS_fuzz)
+
 # What the real freeglut and GLU send for their shapes: the tests hold src/shape against it.
-$(BUILD)/shape-recorder: $(call object,$(SOURCES_recorder))
+$(PROGRAMS)/shape-recorder: $(call object,$(SOURCES_recorder))
 	$(link) $(LIBS_window)
 
 # Files that travel inside the binaries: a table of {name, text} a folder, declared beside the code that reads it.

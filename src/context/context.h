@@ -1,8 +1,9 @@
-// A place to draw without a window. OSMesa provides it (osmesa.cpp).
+// A place to draw without a window. What a program links provides it: OSMesa (osmesa.cpp) or EGL (egl.cpp).
 #pragma once
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "image/image.h"
 
@@ -22,7 +23,9 @@ enum class ColorBuffer { kUnorm8, kFloat };
 std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height,
                                                          ColorBuffer color_buffer = ColorBuffer::kUnorm8);
 
-// "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6": GL_RENDERER, GL_VERSION.
+std::string_view offscreen_provider();  // "OSMesa", "EGL"
+
+// "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6, OSMesa": GL_RENDERER, GL_VERSION, provider.
 std::string driver_name();
 
 // The colour buffer of the current context (the back buffer of a window), row 0 at the top.

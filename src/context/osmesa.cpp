@@ -1,13 +1,12 @@
 // OSMesa: Mesa's software rendering into memory of our own, without a window system.
 #include <GL/osmesa.h>
 
-#include <cstdlib>
 #include <stdexcept>
-#include <string_view>
 #include <vector>
 
 #include "context/context.h"
 #include "context/gl.h"
+#include "context/softpipe.h"
 
 namespace twinlight {
 
@@ -50,15 +49,9 @@ class OsmesaContext final : public OffscreenContext {
     std::vector<unsigned char> buffer_;
 };
 
-// softpipe's vertices are left to Mesa's own interpreter: compiled by LLVM they would be llvmpipe's once more, no second
-// opinion, and Mesa 22.3 crashes in LLVM over some programs.
-void give_softpipe_its_own_vertices() {
-    const char* driver = std::getenv("GALLIUM_DRIVER");
-    constexpr int kKeep = 0;  // what the user set
-    if (driver && std::string_view(driver) == "softpipe") ::setenv("DRAW_USE_LLVM", "0", kKeep);
-}
-
 }  // namespace
+
+std::string_view offscreen_provider() { return "OSMesa"; }
 
 std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height, ColorBuffer color_buffer) {
     give_softpipe_its_own_vertices();

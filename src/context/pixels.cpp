@@ -1,20 +1,10 @@
-// What any context can be asked: its driver, its picture.
-#include <fmt/format.h>
-
+// What any context can be asked: its picture.
 #include <algorithm>
 
 #include "context/context.h"
 #include "context/gl.h"
 
 namespace twinlight {
-
-std::string driver_name() {
-    const auto text = [](GLenum name) {
-        const GLubyte* value = glGetString(name);
-        return std::string(value ? reinterpret_cast<const char*>(value) : "?");
-    };
-    return fmt::format("{}, {}", text(GL_RENDERER), text(GL_VERSION));
-}
 
 Image read_pixels(int width, int height) {
     Image bottom_up(width, height);

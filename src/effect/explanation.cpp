@@ -43,7 +43,7 @@ std::vector<ExplainedDraw> explain_shapes(const Frame& frame, const RenderOption
     for (const auto& item : frame.items) {
         const Draw* draw = std::get_if<Draw>(&item);
         if (!draw) continue;
-        if (!last || last->place != draw->place || last->surfaces != draw->surfaces) of_shape.clear();
+        if (!last || !are_one_shape(*last, *draw)) of_shape.clear();
         last = draw;
         Plan plan = plan_effects(*draw, options);
         const auto [known, is_new] = of_shape.try_emplace(facts_of(plan), draws.size());

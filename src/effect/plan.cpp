@@ -74,6 +74,8 @@ class Planner {
         plan_fragments(draw_, vertices_, plan_);
         facts().shading =
             options_.shading.value_or(draw_.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud);
+        // A mesh that is its own surface, and a surface (surface_draw.h), are lit at each fragment.
+        if (facts().shading == Shading::kExact) facts().shading = Shading::kPhong;
         if (facts().shading == Shading::kFlat && draw_.mode == kGL_POINTS) {
             facts().shading = Shading::kGouraud;
             leave_out("flat shading", "a point has one vertex");

@@ -37,14 +37,16 @@ bool varies_diffuse(const FaceEffects& face) { return face.tracks_diffuse || fac
 bool varies_specular(const FaceEffects& face) { return face.tracks_specular || face.varies_specular; }
 
 // What stands behind the primary colour.
-void add_fragment_effects(Scope& scope, const EffectSet& effects) {
+void add_fragment_effects(Scope& scope, const EffectSet& effects, const Form& form, Stage stage) {
+    const bool ray = form.surface.kind != SurfaceKind::kNone, ray_tex_coord = form.surface.tex_coord;
+    const bool here = !ray || stage == Stage::kFragment;  // where the fragment's point is known
     using Environment = TextureEnvironment;
     const TextureEffects& texture = effects.texture;
     const auto is = [&](Environment environment) { return texture.environment == environment; };
     scope.switches.insert({
         {"EFFECT_PRIMARY", effects.needs_primary()},
-        {"EFFECT_TEXTURE", effects.has_texture()},
-        {"EFFECT_TEXTURE_MATRIX", texture.matrix},
+        {"EFFECT_TEXTURE", effects.has_texture() && (here || !ray_tex_coord)},
+        {"EFFECT_TEXTURE_MATRIX", texture.matrix && (here || !ray_tex_coord)},
         {"EFFECT_TEXTURE_Q", texture.q},
         {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},
         {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
@@ -58,11 +60,11 @@ void add_fragment_effects(Scope& scope, const EffectSet& effects) {
         {"EFFECT_REPLACE", is(Environment::kReplace)},
         {"EFFECT_BLEND", is(Environment::kBlend)},
         {"EFFECT_ADD", is(Environment::kAdd)},
-        {"EFFECT_FOG", effects.has_fog()},
+        {"EFFECT_FOG", effects.has_fog() && here},
         {"EFFECT_FOG_LINEAR", effects.fog == FogEffect::kLinear},
         {"EFFECT_FOG_EXP", effects.fog == FogEffect::kExp},
-        {"EFFECT_FOG_W", effects.has_fog() && effects.vertex_w},
-        {"EFFECT_CLIP_PLANES", effects.clip_plane_count > 0},
+        {"EFFECT_FOG_W", effects.has_fog() && effects.vertex_w && here},
+        {"EFFECT_CLIP_PLANES", effects.clip_plane_count > 0 && !ray},
     });
     const bool one = texture.one_dimensional, q = texture.q;
     const Words words = {
@@ -70,13 +72,42 @@ void add_fragment_effects(Scope& scope, const EffectSet& effects) {
         {"TEX_COORD_TYPE", one ? (q ? "vec2" : "float") : (q ? "vec3" : "vec2")},
         {"TEX_COORD_PARTS", std::string(one ? "s" : "st") + (q ? "q" : "")},
         {"DIVIDED_TYPE", one ? "float" : "vec2"},
-        {"DIVIDED_TEX_COORD", one ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
-                                  : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
+        {"DIVIDED_PARTS", one ? "s" : "st"},
+        {"DIVIDED_TEX_COORD", ray_tex_coord ? (one ? "tex_place.s" : "tex_place.st")
+                              : one         ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
+                                            : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
         {"TEX_COORD_S", one ? "tex_coord" : "tex_coord.s"},
         {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"},
         {"CLIP_PLANE_COUNT", std::to_string(effects.clip_plane_count)},
     };
     scope.words.insert(scope.words.end(), words.begin(), words.end());
+}
+
+// An exact surface's rays (form.h).
+void add_rays(Scope& scope, const EffectSet& effects, const SurfaceForm& surface) {
+    const auto is = [&](SurfaceKind kind) { return surface.kind == kind; };
+    const bool ray = !is(SurfaceKind::kNone), steps = surface.offset || surface.tex_coord;
+    scope.switches.insert({
+        {"EFFECT_RAY", ray},
+        {"EFFECT_RAY_SPHERE", is(SurfaceKind::kSphere)},
+        {"EFFECT_RAY_FRUSTUM", is(SurfaceKind::kFrustum)},
+        {"EFFECT_RAY_DISK", is(SurfaceKind::kDisk)},
+        {"EFFECT_RAY_TORUS", is(SurfaceKind::kTorus)},
+        {"EFFECT_RAY_SECTOR", surface.sector},
+        {"EFFECT_RAY_INSIDE", surface.inside},
+        {"EFFECT_RAY_TEX_COORD", surface.tex_coord},
+        {"EFFECT_RAY_NEAR_FAR", surface.near_far},
+        {"EFFECT_RAY_CULL", surface.culls},
+        {"EFFECT_RAY_DEPTH", surface.depth},
+        {"EFFECT_RAY_OFFSET", surface.offset},
+        {"EFFECT_RAY_NEAREST", surface.nearest},
+        {"EFFECT_RAY_STEPS", steps},
+        {"EFFECT_RAY_NORMAL",
+         (effects.needs_normal() && effects.shading == Shading::kPhong) || effects.two_side || steps},
+    });
+    // What a fragment is given: by the rasteriser between vertices, or by its ray.
+    scope.words.emplace_back("GIVEN_", ray ? "" : "v_");
+    if (ray) scope.words.emplace_back("gl_FrontFacing", "is_front");
 }
 
 // One text for the face that shows: of a fragment that is known.
@@ -104,6 +135,9 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
     const bool properties = effects.front.varies() || effects.back.varies();
     const bool surface = effects.needs_position_eye() || effects.needs_normal() || effects.needs_color() || properties;
 
+    // The vertex shader of a ray's rectangle has nothing to hand over.
+    const bool given_here = lights_here || form.surface.kind == SurfaceKind::kNone;
+
     Scope scope;
     scope.switches = {
         {"EFFECT_LIGHTING", effects.lighting},
@@ -112,13 +146,13 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
         {"EFFECT_CLAMP", effects.clamp},
         {"EFFECT_TWO_SIDE", effects.two_side},
         {"EFFECT_LOCAL_VIEWER", effects.local_viewer},
-        {"EFFECT_VERTEX_W", effects.vertex_w && effects.needs_position_eye()},
+        {"EFFECT_VERTEX_W", effects.vertex_w && effects.needs_position_eye() && given_here},
         {"EFFECT_NORMALIZE", effects.normalize},
         {"EFFECT_SEPARATE_SPECULAR", effects.separate_specular},
         {"EFFECT_REFLECTION", reflection},
         {"EFFECT_SHININESS", shininess},
-        {"EFFECT_POSITION_EYE", effects.needs_position_eye()},
-        {"EFFECT_NORMAL", effects.needs_normal()},
+        {"EFFECT_POSITION_EYE", effects.needs_position_eye() && given_here},
+        {"EFFECT_NORMAL", effects.needs_normal() && given_here},
         {"EFFECT_COLOR", effects.needs_color()},
         {"EFFECT_SURFACE", surface},
         {"EFFECT_VARIES_AMBIENT", varies_ambient(effects.front) || varies_ambient(effects.back)},
@@ -147,7 +181,8 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
         {"POWER_OF_ROOT", effects.shininess == Power::kReal ? "real_power_of_root" : "whole_power_of_root"},
         {"POWER", effects.shininess == Power::kReal ? "real_power" : "whole_power"},
     };
-    add_fragment_effects(scope, effects);
+    add_fragment_effects(scope, effects, form, stage);
+    add_rays(scope, effects, form.surface);
     return scope;
 }
 

@@ -9,6 +9,22 @@
 
 namespace twinlight::programmable {
 
+// An exact surface in the place of a mesh (surface_values.h): what rays meet, and what is made of where they meet it.
+enum class SurfaceKind : std::uint8_t { kNone, kSphere, kFrustum, kDisk, kTorus };
+struct SurfaceForm {
+    SurfaceKind kind = SurfaceKind::kNone;
+    bool inside = false;     // normals look inwards
+    bool sector = false;     // a disk between two angles
+    bool tex_coord = false;  // texture coordinates of its own are called for
+    bool near_far = false;   // the near or the far plane may cut it
+    bool culls = false;
+    bool depth = false;    // the depth test asks for it
+    bool offset = false;   // glPolygonOffset
+    bool nearest = false;  // of a ray's points the nearest alone is drawn; else that of one number
+
+    friend auto operator<=>(const SurfaceForm&, const SurfaceForm&) = default;  // NOLINT
+};
+
 // NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
 struct Form {
     // The vertices are lit in object coordinates, to which the lights are brought once: where the modelview matrix keeps
@@ -21,6 +37,7 @@ struct Form {
     // The last lights of the effects, as many as these, stand for many that differ in numbers alone: the text goes through
     // them in a loop, over arrays of these lengths.
     std::vector<int> loops;
+    SurfaceForm surface{};
 
     friend auto operator<=>(const Form&, const Form&) = default;  // NOLINT
 };

@@ -12,6 +12,7 @@
 #include "programmable/mesh.h"
 #include "programmable/precise.h"
 #include "programmable/programs.h"
+#include "programmable/surface_values.h"
 #include "stages/fixed_stages.h"
 #include "stages/textures.h"
 
@@ -26,6 +27,15 @@ struct PreparedDraw {
         : code(options.precise ? precise_code(draw, plan) : code_for(draw, plan)),
           numbers(options.precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code)),
           mesh(mesh_of(code.effects)) {
+        keep_state(draw);
+    }
+    // One pass of an exact surface.
+    PreparedDraw(const SurfaceProgram& surface, const Uniforms& pass, std::shared_ptr<const Mesh> rectangle)
+        : code(surface.code), numbers(pass), mesh(std::move(rectangle)) {
+        keep_state(surface.draw);
+    }
+
+    void keep_state(const Draw& draw) {
         stages.raster = draw.raster;
         stages.fragment = draw.fragment;
         stages.texture = draw.texture;
@@ -53,21 +63,33 @@ PreparedDraw prepared(const Draw& draw, const RenderOptions& options, KeptMeshes
 struct PreparedFrame::Impl {
     // kept: null where the frame shares nothing with others.
     Impl(const Frame& frame, RenderOptions options, KeptMeshes* kept) : tier(options.tier) {
-        if (options.shading == Shading::kExact)
-            throw std::invalid_argument("shaders draw meshes, no exact surfaces; use --with reference");
         if (options.precise) {
             options = precise_options(options);
             check_has_precise();
         }
+        const Draw* last = nullptr;
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
                 items.emplace_back(*clear);
-            } else if (const Draw& draw = std::get<Draw>(item); draw.count() > 0) {
-                items.emplace_back(kept ? prepared(draw, options, *kept) : prepared(draw, options));
+                continue;
             }
+            const Draw& draw = std::get<Draw>(item);
+            if (draw.count() == 0) continue;
+            if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
+                items.emplace_back(kept ? prepared(draw, options, *kept) : prepared(draw, options));
+            else if (!last || !are_one_shape(*last, draw))  // the first part stands for all of the shape
+                add_surfaces(draw, options);
+            last = &draw;
         }
         glBindVertexArray(0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
+    }
+
+    void add_surfaces(const Draw& draw, const RenderOptions& options) {
+        for (const SurfaceProgram& surface : surface_programs(draw, options)) {
+            const auto rectangle = std::make_shared<const Mesh>(surface.draw, surface.code.effects);
+            for (const Uniforms& pass : surface.passes) items.emplace_back(PreparedDraw(surface, pass, rectangle));
+        }
     }
 
     Tier tier;

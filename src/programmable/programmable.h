@@ -15,7 +15,6 @@ namespace twinlight::programmable {
 // context that is current; dies before that does.
 class PreparedFrame {
   public:
-    // Throws std::invalid_argument for Shading::kExact, which only the reference has.
     PreparedFrame(const Frame& frame, const RenderOptions& options);
     ~PreparedFrame();
     PreparedFrame(const PreparedFrame&) = delete;

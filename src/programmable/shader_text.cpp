@@ -8,6 +8,7 @@
 #include "programmable/bake.h"
 #include "programmable/precise.h"
 #include "programmable/programmable.h"
+#include "programmable/surface_values.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -62,7 +63,7 @@ std::vector<std::vector<std::string>> light_names(const Plan& plan, const Code& 
     return names;
 }
 
-std::string program_text(const Draw& draw, const Plan& plan, const Code& code) {
+std::string program_text(const Draw& draw, const Plan& plan, const Code& code, const Uniforms& numbers) {
     const bool precise = code.form.precise;
     std::string text = "// What lights this Draw:\n" + commented(describe(precise ? code.effects : plan.effects));
     const std::vector<std::vector<std::string>> lights = light_names(plan, code);
@@ -78,7 +79,7 @@ std::string program_text(const Draw& draw, const Plan& plan, const Code& code) {
     const ShaderSource source = assemble(code.effects, code.form);
     const auto names = uniform_names(source);
     text += "// The uniforms' values:\n";
-    for (const auto& [name, values] : precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code))
+    for (const auto& [name, values] : numbers)
         if (names.contains(name)) text += fmt::format("//   {} = {}\n", name, fmt::join(values, " "));
     text += fmt::format("\n// ---- Vertex shader ----\n\n{}\n// ---- Fragment shader ----\n\n{}", source.vertex,
                         source.fragment);
@@ -91,32 +92,48 @@ std::string shader_source(const Frame& frame, const RenderOptions& asked) {
     const RenderOptions options = asked.precise ? precise_options(asked) : asked;
     // The Draws of each program; the first of them gives the values.
     struct Use {
-        const Draw* first;
+        EffectSet effects;
+        Form form;
+        Place place;
         int number;
+        std::string text;
         int others = 0;
-        Plan plan;
-        Code code;
     };
     std::vector<Use> uses;
     int number = 0;
+    const auto add = [&](const Draw& draw, const Plan& plan, const Code& code, const auto& numbers) {
+        const auto same = std::ranges::find_if(
+            uses, [&](const Use& use) { return use.effects == code.effects && use.form == code.form; });
+        if (same != uses.end())
+            ++same->others;
+        else
+            uses.push_back({.effects = code.effects,
+                            .form = code.form,
+                            .place = draw.place,
+                            .number = number,
+                            .text = program_text(draw, plan, code, numbers())});
+    };
+    const Draw* last = nullptr;
     for (const auto& item : frame.items) {
         const Draw* draw = std::get_if<Draw>(&item);
         if (!draw) continue;
         ++number;
-        Plan plan = plan_effects(*draw, options);
-        Code code = options.precise ? precise_code(*draw, plan) : code_for(*draw, plan);
-        const auto same = std::ranges::find_if(
-            uses, [&](const Use& use) { return use.code.effects == code.effects && use.code.form == code.form; });
-        if (same != uses.end())
-            ++same->others;
-        else
-            uses.push_back({.first = draw, .number = number, .plan = std::move(plan), .code = std::move(code)});
+        if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
+            const Plan plan = plan_effects(*draw, options);
+            const Code code = options.precise ? precise_code(*draw, plan) : code_for(*draw, plan);
+            add(*draw, plan, code,
+                [&] { return options.precise ? precise_uniforms(*draw, plan, code) : uniforms(*draw, plan, code); });
+        } else if (!last || !are_one_shape(*last, *draw)) {
+            for (const SurfaceProgram& surface : surface_programs(*draw, options))
+                add(surface.draw, surface.plan, surface.code, [&] { return surface.passes.front(); });
+        }
+        last = draw;
     }
     std::string text;
     for (const Use& use : uses) {
-        text += fmt::format("// ==== Draw {}, {}", use.number, use.first->place.str());
+        text += fmt::format("// ==== Draw {}, {}", use.number, use.place.str());
         if (use.others > 0) text += fmt::format("; {} more with other values", use.others);
-        text += "\n" + program_text(*use.first, use.plan, use.code) + "\n";
+        text += "\n" + use.text + "\n";
     }
     return text;
 }

@@ -17,7 +17,7 @@ std::vector<int> shape_numbers(const Stages& stages) {
     const Draw* last = nullptr;
     for (const StagedDraw& staged : stages.draws) {
         const Draw& draw = *staged.draw;
-        const bool is_same = last && last->place == draw.place && last->surfaces == draw.surfaces;
+        const bool is_same = last && are_one_shape(*last, draw);
         numbers.push_back(numbers.empty() ? 0 : numbers.back() + (is_same ? 0 : 1));
         last = &draw;
     }

@@ -7,20 +7,9 @@
 
 namespace twinlight::reference {
 
-namespace {
-
-// Only filled surfaces have equations.
-bool is_exact(const Draw& draw, const RenderOptions& options) {
-    const RasterState& raster = draw.raster;
-    return options.shading == Shading::kExact && draw.surfaces && raster.polygon_mode_front == kGL_FILL &&
-           raster.polygon_mode_back == kGL_FILL && raster.viewport.width > 0 && raster.viewport.height > 0;
-}
-
-}  // namespace
-
 Stages run_stages(const Frame& frame, const RenderOptions& options) {
     Stages stages;
-    std::shared_ptr<const std::vector<Surface>> last_shape;
+    const Draw* last = nullptr;
     const auto add_clear = [&](const Clear& clear) {
         stages.clears.push_back(clear);
         stages.steps.push_back({.clear = -static_cast<StepId>(stages.clears.size())});
@@ -36,11 +25,11 @@ Stages run_stages(const Frame& frame, const RenderOptions& options) {
         const std::size_t first = stages.pieces.size();
         const auto index = static_cast<std::uint32_t>(stages.draws.size() - 1);
         std::vector<Piece> pieces;
-        if (!is_exact(draw, options))
+        if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
             pieces = make_pieces(draw, index, stages.draws.back().vertices, options.quad_cut);
-        else if (draw.surfaces != last_shape)  // the first part stands for all of the shape
+        else if (!last || !are_one_shape(*last, draw))  // the first part stands for all of the shape
             pieces = make_surface_pieces(draw, index);
-        last_shape = draw.surfaces;
+        last = &draw;
         std::move(pieces.begin(), pieces.end(), std::back_inserter(stages.pieces));
         stages.steps.push_back({.first_piece = first, .end_piece = stages.pieces.size()});
     }

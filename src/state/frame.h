@@ -247,9 +247,19 @@ struct Draw {
     bool draws_points() const { return mode == kGL_POINTS || draws_polygons_as(kGL_POINT); }
     bool draws_lines() const { return (mode != kGL_POINTS && !draws_polygons(mode)) || draws_polygons_as(kGL_LINE); }
 
+    // Whether it has surfaces that Shading::kExact draws in the place of its mesh: only filled ones have equations.
+    bool has_exact_surfaces() const {
+        return surfaces && !draws_borders() && raster.viewport.width > 0 && raster.viewport.height > 0;
+    }
+
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }
     std::uint32_t index(std::size_t i) const { return indices.empty() ? static_cast<std::uint32_t>(i) : indices[i]; }
 };
+
+// Whether a Draw and the next are parts of one shape, or of one glBegin.
+inline bool are_one_shape(const Draw& draw, const Draw& next) {
+    return draw.place == next.place && draw.surfaces == next.surfaces;
+}
 
 // The Draw's vertices of these numbers in this order; all of them where there is none.
 template <class Visit>

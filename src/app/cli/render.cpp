@@ -54,10 +54,14 @@ void tell_unsupported(const Frame& frame, const std::string& renderer) {
 
 int run(const Arguments& arguments) {
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kPhong) {
-        throw UsageError("the fixed function cannot shade by phong; use --with programmable or --with reference");
+        throw UsageError(
+            "the fixed function cannot shade by phong; use --with programmable or "
+            "--with reference");
     }
-    if (arguments.renderer != "reference" && arguments.shading == Shading::kExact) {
-        throw UsageError("only the reference draws curved shapes by their equations; use --with reference");
+    if (arguments.renderer == "fixed" && arguments.shading == Shading::kExact) {
+        throw UsageError(
+            "the fixed function draws meshes, no surfaces by their equations; use --with programmable or "
+            "--with reference");
     }
     if (arguments.scrubbed && arguments.renderer == "programmable") {
         throw UsageError(

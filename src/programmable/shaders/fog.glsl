@@ -1,8 +1,8 @@
     // Fog (section 3.10), by the distance to the plane of the eye; alpha stays as it is.
 #if EFFECT_FOG_W
-    float fog_distance = abs(v_eye_z.x / v_eye_z.y);
+    float fog_distance = abs(GIVEN_eye_z.x / GIVEN_eye_z.y);
 #else
-    float fog_distance = abs(v_eye_z);
+    float fog_distance = abs(GIVEN_eye_z);
 #endif
 #if EFFECT_FOG_LINEAR
     float fog_factor = clamp((u_fog_end - fog_distance) * u_fog_scale, 0.0, 1.0);

@@ -1,11 +1,15 @@
 #version VERSION
-#if EFFECT_PHONG
+#if EFFECT_RAY && EFFECT_PHONG
+// The fragment shader: casts the pixel's ray at an exact surface and lights it where it is met (GL 2.1, section 2.14, of a vertex there).
+#elif EFFECT_RAY
+// The fragment shader: casts the pixel's ray at an exact surface, and what is made of its colour there (GL 2.1, sections 3.8 to 3.10).
+#elif EFFECT_PHONG
 // The fragment shader: lights each fragment (GL 2.1, section 2.14, of a vertex there).
 #else
 // The fragment shader: the interpolated colours, and what is made of them (GL 2.1, sections 3.8 to 3.10).
 #endif
 
-#if EFFECT_PHONG
+#if EFFECT_PHONG && !EFFECT_RAY
 #if EFFECT_VERTEX_W
 in vec4 v_position_eye;
 #elif EFFECT_POSITION_EYE
@@ -18,7 +22,7 @@ in vec3 v_normal_eye;
 in vec4 v_color;
 #endif
 #for_each_property in PROPERTY_TYPE v_PROPERTY;
-#else
+#elif !EFFECT_PHONG
 #if EFFECT_PRIMARY
 INTERPOLATION in vec4 v_front_primary;
 #endif
@@ -33,18 +37,23 @@ INTERPOLATION in vec3 v_back_secondary;
 #endif
 #endif
 
-#if EFFECT_TEXTURE
+#if EFFECT_TEXTURE && !EFFECT_RAY_TEX_COORD
 in TEX_COORD_TYPE v_tex_coord;
 #endif
-#if EFFECT_FOG_W
+#if EFFECT_FOG_W && !EFFECT_RAY
 in vec2 v_eye_z;  // z and w, in eye coordinates
-#elif EFFECT_FOG
+#elif EFFECT_FOG && !EFFECT_RAY
 in float v_eye_z;
 #endif
 
 out vec4 fragment_color;
 
 #include "fragment_uniforms.glsl"
+#if EFFECT_RAY
+#include "surface_uniforms.glsl"
+
+#include "surface_crossings.glsl"
+#endif
 
 #if EFFECT_PHONG
 #if EFFECT_UNIT
@@ -57,17 +66,20 @@ out vec4 fragment_color;
 #endif
 
 void main() {
+#if EFFECT_RAY
+#include "surface_point.glsl"
+#endif
 #if EFFECT_PHONG
 #if EFFECT_SURFACE
     Surface surface;
 #endif
 #if EFFECT_VERTEX_W
-    surface.position_eye = divided_by_w(v_position_eye);
+    surface.position_eye = divided_by_w(GIVEN_position_eye);
 #elif EFFECT_POSITION_EYE
-    surface.position_eye = v_position_eye;
+    surface.position_eye = GIVEN_position_eye;
 #endif
 #if EFFECT_NORMAL
-    surface.normal_eye = unit(v_normal_eye);  // interpolation shortens it
+    surface.normal_eye = unit(GIVEN_normal_eye);
 #endif
 #if EFFECT_COLOR
     surface.color = v_color;

@@ -1,6 +1,8 @@
 #version VERSION
 // The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11)
-#if EFFECT_PHONG
+#if EFFECT_RAY
+// are the rays' affair: the rectangle of the window around an exact surface.
+#elif EFFECT_PHONG
 // and to eye coordinates, in which the fragment shader lights.
 #elif EFFECT_LIGHTING && EFFECT_OBJECT_SPACE
 // and the vertex's light (section 2.14): the modelview matrix keeps angles, so the lights are given in object coordinates.
@@ -10,7 +12,11 @@
 // and the vertex's colour, if it is called for.
 #endif
 
+#if EFFECT_RAY
+in vec4 a_position;  // the corners of a square
+#else
 in vec4 a_position;  // in object coordinates
+#endif
 #if EFFECT_NORMAL
 in vec3 a_normal;
 #endif
@@ -22,7 +28,11 @@ in vec4 a_tex_coord;
 #endif
 #for_each_property in PROPERTY_TYPE a_PROPERTY;
 
+#if EFFECT_RAY
+uniform vec4 u_rectangle_ndc;  // its lower left and upper right corner
+#else
 uniform mat4 u_clip_from_object;  // the product of the projection and the modelview matrix
+#endif
 #if EFFECT_POSITION_EYE && !EFFECT_OBJECT_SPACE
 uniform mat4 u_eye_from_object;  // the modelview matrix
 #endif
@@ -41,7 +51,9 @@ uniform vec4 u_eye_z_from_object;  // the modelview matrix's third row
 #if EFFECT_FOG_W
 uniform vec4 u_eye_w_from_object;  // its fourth
 #endif
+#if EFFECT_CLIP_PLANES
 #for_each_clip_plane uniform vec4 u_clip_planeCLIP_PLANE_NUMBER_object;  // glClipPlane's, in object coordinates
+#endif
 
 #if EFFECT_PHONG
 #if EFFECT_VERTEX_W
@@ -101,10 +113,14 @@ invariant gl_Position;  // what is drawn again, by another program, lies at the 
 #endif
 
 void main() {
+#if EFFECT_RAY
+    gl_Position = vec4(mix(u_rectangle_ndc.xy, u_rectangle_ndc.zw, a_position.xy), 0.0, 1.0);
+#else
     vec4 position = POSITION;
+#endif
 #if EFFECT_PRECISE
     gl_Position = transformed(u_clip_from_object, position);
-#else
+#elif !EFFECT_RAY
     gl_Position = u_clip_from_object[0] * position.x + u_clip_from_object[1] * position.y +
         u_clip_from_object[2] * position.z + u_clip_from_object[3] * position.w;
 #endif
@@ -180,6 +196,6 @@ void main() {
 #endif
 #if EFFECT_CLIP_PLANES
     // What lies behind a plane is clipped (section 2.12).
-#endif
 #for_each_clip_plane     gl_ClipDistance[CLIP_PLANE_NUMBER] = dot(u_clip_planeCLIP_PLANE_NUMBER_object, POSITION);
+#endif
 }

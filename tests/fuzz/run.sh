@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# run.sh TARGET SECONDS: fuzzes one target from its seeds and from the corpus that earlier runs left in build/fuzz/corpus.
+# What it finds is kept in build/fuzz/findings; then it exits with 1.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+target=$1 seconds=$2 build=build/fuzz
+corpus=$build/corpus/$target seeds=$build/seeds/$target findings=$build/findings
+mkdir -p "$corpus" "$seeds" "$findings"
+
+# Small seeds: those that are kept for it, and the scenes and recordings that the tests draw.
+if [ -d "tests/fuzz/seeds/$target" ]; then cp tests/fuzz/seeds/"$target"/* "$seeds"; fi
+case $target in
+scene) cp src/scenes/*.gl "$seeds" ;;
+state | picture) "$build/write-seeds" "$seeds" src/scenes/*.gl tests/fuzz/seeds/scene/*.gl ;;
+dump) for dump in tests/traces/*/dump.txt; do
+    head -n 60 "$dump" >"$seeds/$(basename "$(dirname "$dump")")"
+    done ;;
+esac
+
+# The words of both texts.
+sed -nE 's/^(GL|SHAPE|QUADRIC|PRAGMA)_COMMAND\((\w+),.*/"\2"/p; s/^ENUM\((\w+),.*/"GL_\1"/p; s/^WORD\((\w+),.*/"\1"/p' src/command/*.def |
+    sort -u >"$build/names.dict"
+
+# A leak is told at the end; what a machine does in a second may take a sanitizer's build a minute.
+status=0
+"$build/$target-fuzzer" "$corpus" "$seeds" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=6144 -use_value_profile=1 \
+    -dict="$build/names.dict" -artifact_prefix="$findings/$target-" -print_final_stats=1 -verbosity=0 \
+    >"$build/$target.log" 2>&1 || status=$?
+executions=$(sed -nE 's/^stat::number_of_executed_units: *//p' "$build/$target.log")
+if [ "$status" -ne 0 ]; then
+    cat "$build/$target.log"
+    echo "fuzz $target: found something after ${executions:-?} executions; repeat it: $build/$target-fuzzer FILE of $findings"
+    exit 1
+fi
+echo "fuzz $target: $executions executions in $seconds s, nothing found"
