@@ -24,6 +24,9 @@ unsigned renderbuffer(GLenum format, int width, int height) {
 
 RenderTarget::RenderTarget(int width, int height, ColorBuffer color_buffer, int samples) {
     const GLenum format = color_buffer == ColorBuffer::kFloat ? GL_RGBA32F : GL_RGBA8;
+    GLint own = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &own);
+    own_ = static_cast<unsigned>(own);
     depth_ = renderbuffer(GL_DEPTH_COMPONENT24, samples * width, samples * height);
     for (; samples > 0; samples /= 2) {
         Level level{.width = samples * width, .height = samples * height};
@@ -34,7 +37,7 @@ RenderTarget::RenderTarget(int width, int height, ColorBuffer color_buffer, int 
         if (levels_.empty()) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
         levels_.push_back(level);
         const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glBindFramebuffer(GL_FRAMEBUFFER, own_);
         if (status != GL_FRAMEBUFFER_COMPLETE)
             throw std::runtime_error(fmt::format("the driver cannot draw into {} x {} pixels of {}", level.width,
                                                  level.height,
@@ -61,14 +64,14 @@ void RenderTarget::resolve() const {
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer);
         glBlitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, own_);
 }
 
 Image RenderTarget::read() const {
     const Level& picture = levels_.back();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer);
     Image image = read_pixels(picture.width, picture.height);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, own_);
     return image;
 }
 

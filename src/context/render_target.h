@@ -31,6 +31,7 @@ class RenderTarget {
 
     std::vector<Level> levels_;  // the first is drawn into, the last is the picture
     unsigned depth_ = 0;
+    unsigned own_ = 0;  // the context's own framebuffer
 };
 
 }  // namespace twinlight

@@ -1,6 +1,7 @@
 // Which choices a study makes: every shading of every mesh by every renderer, and from the middle of these one thing changed
 // at a time.
 #include <algorithm>
+#include <functional>
 
 #include "study/choice.h"
 
@@ -11,11 +12,13 @@ namespace {
 constexpr int kQuickSlices[] = {8, 16, 32, 64};
 constexpr int kFullSlices[] = {6, 8, 12, 16, 24, 32, 48, 64, 96, 128};
 constexpr int kMiddleSlices = 32;
+constexpr int kMostSamples = 4;  // along a pixel's side, of choices
 
-bool any_lit(const Frame& frame) {
-    return std::ranges::any_of(frame.items, [](const auto& item) {
+template <class Is>
+bool any_draw(const Frame& frame, const Is& is) {
+    return std::ranges::any_of(frame.items, [&](const auto& item) {
         const Draw* draw = std::get_if<Draw>(&item);
-        return draw && draw->lighting.enabled;
+        return draw && std::invoke(is, *draw);
     });
 }
 
@@ -59,8 +62,13 @@ std::vector<Choice> choices(const Frame& frame, bool has_slices, Extent extent, 
     for (const Renderer renderer : {kUniforms, kConstants, kReference})
         result.add({.renderer = renderer, .shading = Shading::kPhong}, all_slices);
     result.add({.renderer = kReference, .shading = Shading::kExact});
+    const bool has_surfaces = any_draw(frame, &Draw::has_exact_surfaces);
+    if (has_surfaces)
+        for (const Renderer renderer : {kUniforms, kConstants})
+            result.add({.renderer = renderer, .shading = Shading::kExact});
 
-    if (any_lit(frame)) result.add({.renderer = kPrecise}, is_full ? all_slices : some_slices);
+    if (any_draw(frame, [](const Draw& draw) { return draw.lighting.enabled; }))
+        result.add({.renderer = kPrecise}, is_full ? all_slices : some_slices);
     for (const ModelRow& model : models()) {
         if (model.value == Model::kWhole || !matters(frame, model.value)) continue;
         for (const Shading shading : {Shading::kGouraud, Shading::kPhong})
@@ -71,11 +79,14 @@ std::vector<Choice> choices(const Frame& frame, bool has_slices, Extent extent, 
     result.add({.renderer = kFixed, .target = Target::kFloats}, some_slices);
     for (const Shading shading : {Shading::kGouraud, Shading::kPhong})
         result.add({.renderer = kUniforms, .shading = shading, .target = Target::kFloats}, some_slices);
-    for (int samples = 2; samples <= std::min(coverage, 4); samples *= 2) {
+    if (has_surfaces) result.add({.renderer = kUniforms, .shading = Shading::kExact, .target = Target::kFloats});
+    for (int samples = 2; samples <= std::min(coverage, kMostSamples); samples *= 2) {
         result.add({.renderer = kFixed, .samples = samples}, is_full ? all_slices : some_slices);
         result.add({.renderer = kUniforms, .shading = Shading::kPhong, .samples = samples},
                    is_full ? all_slices : some_slices);
-        result.add({.renderer = kReference, .shading = Shading::kExact, .samples = samples});
+        for (const Renderer renderer : {kUniforms, kReference})
+            if (has_surfaces || renderer == kReference)
+                result.add({.renderer = renderer, .shading = Shading::kExact, .samples = samples});
     }
     for (const double budget : {0.0, 4.0 / 255, 16.0 / 255})
         result.add({.renderer = kUniforms, .shading = Shading::kPhong, .slices = middle, .budget = budget});
