@@ -123,8 +123,9 @@ std::vector<std::string> findings(const Study& study) {
         if (points.empty()) continue;
         std::vector<std::string> sentences;
         for (const Measure& measure : kMeasures) recommend(sentences, points, measure);
-        for (const auto& [coarse, fine] :
-             {std::pair(Shading::kFlat, Shading::kGouraud), {Shading::kGouraud, Shading::kPhong}})
+        for (const auto& [coarse, fine] : {std::pair(Shading::kFlat, Shading::kGouraud),
+                                           {Shading::kGouraud, Shading::kPhong},
+                                           {Shading::kPhong, Shading::kExact}})
             if (const auto sentence = crossover(points, coarse, fine)) sentences.push_back(*sentence + ".");
         for (const std::string& sentence : sentences)
             all.push_back(study.series.size() == 1 ? sentence : study.series[series].name + ": " + sentence);

@@ -120,6 +120,7 @@ std::string study_page(const Study& study) {
                            {"findings", findings},
                            {"plot", study_svg(study)},
                            {"columns", head_row(study)},
+                           {"time_column", study.series.size() > 1 ? "2" : "1"},
                            {"rows", rows},
                            {"data", page_data(study)},
                            {"chart", std::string(page_file("chart.js"))},

@@ -165,6 +165,7 @@ Subcommand add_study(CLI::App& app) {
         ->type_name("DIR")
         ->check(not_empty());
     add_size_option(*study, arguments->size);
+    study->get_option("--size")->default_str("320x240, or 240x180 with --quick");
     study
         ->add_option_function<double>(
             "--seconds", [arguments](double seconds) { arguments->seconds = seconds; },
@@ -184,7 +185,7 @@ Subcommand add_study(CLI::App& app) {
     study
         ->add_option("--merge", arguments->merge,
                      "lay studies of one scene over each other, of several machines; there is no SCENE then")
-        ->type_name("A.json B.json ...");
+        ->type_name("A.json B.json");
     study->add_flag("--json", arguments->json, "print study.json's object instead of the table");
     study->footer(
         "Truth is the reference with exact surfaces. Ctrl-C ends the study; what was measured is written, and "

@@ -27,7 +27,7 @@
     const usual = (point) => ["model", "sending", "target", "samples", "number", "power", "budget"].every(
         (axis) => !(axis in point.axes) || point.axes[axis] === study.points[0].axes[axis]);
 
-    const numeral = (value) => value !== 0 && (value < 1e-3 || value >= 1e4) ? value.toExponential(1) : String(Number(value.toPrecision(3)));
+    const numeral = (value) => value !== 0 && (value < 1e-3 || value >= 1e4) ? Number(value.toPrecision(2)).toExponential() : String(Number(value.toPrecision(3)));
     const milliseconds = (point) => 1000 * point.seconds.median;
     const measure = () => study.measures.find((one) => one.name === element("measure").value);
     const error = (point, region = element("region").value) => point.error[region][measure().name];
@@ -58,7 +58,7 @@
             callback(value) {
                 const decade = 10 ** Math.floor(Math.log10(value) + 1e-9), lead = Number((value / decade).toFixed(6));
                 const wide = this.max / this.min > 300;
-                return lead === 1 || (!wide && (lead === 2 || lead === 5)) ? numeral(value) : "";
+                return lead === 1 || (!wide && (lead === 2 || lead === 5)) ? numeral(value) : null;
             },
         },
     });
@@ -181,13 +181,18 @@
         state.chosen = point;
         for (const row of rows) row.classList.toggle("chosen", Number(row.dataset.point) === point.number);
         element("detail").hidden = false;
-        element("detail-name").textContent = told(point) + (point.picture ? "" : "; its picture is not at hand");
+        tellChosen();
         for (const image of ["picture", "difference"]) {
             element("detail-" + image).hidden = !point[image];
             if (point[image]) element("detail-" + image).src = point[image];
         }
         element("detail-factor").textContent = "\u00d7 " + point.difference_factor;
         drawChart();
+    }
+
+    function tellChosen() {
+        const point = state.chosen;
+        if (point) element("detail-name").textContent = told(point) + (point.picture ? "" : "; its picture is not at hand");
     }
 
     function wipe() {
@@ -286,6 +291,7 @@
     if (shaders && shaders.axes.slices !== null) element("renderer").value = shaders.values.renderer;
 
     function draw() {
+        tellChosen();
         drawLegend();
         target(false);
         drawChart();
