@@ -55,7 +55,8 @@ Mesh::Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& 
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
         return;
     }
-    for (std::size_t i = 0; i < draw.count(); ++i) indices_.push_back(draw.index(i));
+    count_ = static_cast<int>(draw.count());
+    indices_ = draw.indices;
     if (sending_ == Sending::kDisplayList) {
         list_ = glGenLists(1);
         glNewList(list_, GL_COMPILE);
@@ -113,8 +114,10 @@ void Mesh::draw_arrays() const {
     }
     if (elements_)
         elements_->draw();
+    else if (indices_.empty())
+        glDrawArrays(mode_, 0, count_);
     else
-        glDrawElements(mode_, static_cast<GLsizei>(indices_.size()), GL_UNSIGNED_INT, indices_.data());
+        glDrawElements(mode_, count_, GL_UNSIGNED_INT, indices_.data());
     for (const GLenum array :
          {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_EDGE_FLAG_ARRAY})
         glDisableClientState(array);
@@ -125,7 +128,8 @@ void Mesh::draw_arrays() const {
 void Mesh::draw_immediately() const {
     const std::size_t stride = stride_ / sizeof(float);
     glBegin(mode_);
-    for (const std::uint32_t index : indices_) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        const std::size_t index = indices_.empty() ? i : indices_[i];
         const float* vertex = values_.data() + index * stride;
         const auto at = [&](const Attribute& attribute) { return vertex + attribute.offset / sizeof(float); };
         if (!flags_.empty()) glEdgeFlag(flags_[index]);

@@ -47,7 +47,8 @@ class Mesh {
     Enum mode_ = 0;
     std::vector<float> values_;
     std::vector<std::uint8_t> flags_;  // empty: nothing asks for them
-    std::vector<std::uint32_t> indices_;
+    int count_ = 0;
+    std::vector<std::uint32_t> indices_;  // empty: 0, 1, 2, ...
     unsigned list_ = 0;
 };
 

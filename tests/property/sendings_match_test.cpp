@@ -37,9 +37,17 @@ glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, indices);
         const Frame frame = make_frame(scene, {.width = kWidth, .height = kHeight});
         const Image buffers = picture(frame, Sending::kBuffers);
         EXPECT_NE(buffers.pixels, Image(kWidth, kHeight).pixels) << name << " draws nothing";
-        for (const Sending sending : {Sending::kClientArrays, Sending::kImmediate, Sending::kDisplayList})
-            EXPECT_EQ(picture(frame, sending).pixels, buffers.pixels)
-                << name << ", sending " << static_cast<int>(sending);
+        EXPECT_TRUE(picture(frame, Sending::kClientArrays).pixels == buffers.pixels) << name;
+        EXPECT_TRUE(picture(frame, Sending::kImmediate).pixels == buffers.pixels) << name;
+        // From a list Mesa cuts quadrilaterals along the other diagonal; GL leaves it open (3.5).
+        Frame without_quads = frame;
+        std::erase_if(without_quads.items, [](const auto& item) {
+            const Draw* draw = std::get_if<Draw>(&item);
+            return draw && (draw->mode == kGL_QUADS || draw->mode == kGL_QUAD_STRIP);
+        });
+        EXPECT_TRUE(picture(without_quads, Sending::kDisplayList).pixels ==
+                    picture(without_quads, Sending::kBuffers).pixels)
+            << name;
     }
 }
 

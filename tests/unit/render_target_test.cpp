@@ -10,11 +10,13 @@ namespace {
 
 constexpr int kSide = 4;
 
+constexpr float kRed = 0.29F;  // 73.95 of 255
+
 // Red over the left part of the picture, from 0 to 1.
 void draw_left(float part) {
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glColor3f(0.3F, 0, 0);
+    glColor3f(kRed, 0, 0);
     glRectf(-1, -1, 2 * part - 1, 1);
 }
 
@@ -27,7 +29,7 @@ TEST(RenderTarget, KeepsFloatsWhereItIsOfFloats) {
         draw_left(0.5F);
         target.resolve();
         const Image image = target.read();
-        EXPECT_EQ(image.at(0, 0)[0], kind == ColorBuffer::kFloat ? 0.3F : 77.0F / 255);  // 0.3 * 255 = 76.5
+        EXPECT_EQ(image.at(0, 0)[0], kind == ColorBuffer::kFloat ? kRed : 74.0F / 255);
         EXPECT_EQ(image.at(kSide - 1, 0)[0], 0);
     }
     // The context's own buffer is the current one again, and untouched.
@@ -44,8 +46,8 @@ TEST(RenderTarget, MakesMeansOfSamples) {
         target.resolve();
         const Image image = target.read();
         for (int y = 0; y < kSide; ++y) {
-            EXPECT_FLOAT_EQ(image.at(0, y)[0], 0.3F);
-            EXPECT_FLOAT_EQ(image.at(1, y)[0], 0.15F);
+            EXPECT_FLOAT_EQ(image.at(0, y)[0], kRed);
+            EXPECT_FLOAT_EQ(image.at(1, y)[0], kRed / 2);
             EXPECT_EQ(image.at(2, y)[0], 0);
         }
     }

@@ -5,12 +5,15 @@
     const element = (id) => document.getElementById(id);
     const told = {};
     const canvas = element("chart"), chart = Chart.getChart(canvas);
-    const point_at = async (number) => {
+    // Until it is answered: events wait for the next picture, and the plot may not have its size yet.
+    const point_at = async (number, is_answered) => {
         canvas.scrollIntoView();
-        const dot = chart.getDatasetMeta(0).data[number], box = canvas.getBoundingClientRect();
-        const place = {clientX: box.left + dot.x, clientY: box.top + dot.y, bubbles: true};
-        canvas.dispatchEvent(new MouseEvent("mousemove", place));
-        await pause();
+        for (let tries = 0; tries < 50 && !is_answered(); ++tries) {
+            const dot = chart.getDatasetMeta(0).data[number], box = canvas.getBoundingClientRect();
+            const place = {clientX: box.left + dot.x, clientY: box.top + dot.y, bubbles: true};
+            canvas.dispatchEvent(new MouseEvent("mousemove", place));
+            await pause();
+        }
     };
     const press = async (key) => {
         canvas.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true}));
@@ -28,19 +31,20 @@
         await pause();
         told.dots = chart.data.datasets[0].data.length;
         told.hidden_at_first = element("detail").hidden;
-        await point_at(3);
+        await point_at(3, () => !element("detail").hidden);
+        await Promise.all([element("detail-picture").decode(), element("detail-difference").decode()]);
         told.pointed_at = element("detail-name").textContent;
         told.picture = [element("detail-picture").naturalWidth, element("detail-picture").offsetWidth > 0];
         told.difference = element("detail-difference").naturalWidth;
         const here = element("detail-name").textContent;
-        await press("ArrowRight");
-        await press("ArrowRight");
-        told.key_moves = element("detail-name").textContent !== here;
+        await press("ArrowDown");
+        await press("ArrowDown");
+        told.key_moves = [here, element("detail-name").textContent];
 
         await slide("target", 900);
-        told.rough = element("target-choice").textContent;
+        told.rough = [element("target-value").textContent, element("target-choice").textContent];
         await slide("target", 100);
-        told.fine = element("target-choice").textContent;
+        told.fine = [element("target-value").textContent, element("target-choice").textContent];
         await slide("wipe", 25);
         told.wiped = element("truth").style.clipPath;
 
