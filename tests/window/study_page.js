@@ -5,15 +5,17 @@
     const element = (id) => document.getElementById(id);
     const told = {};
     const canvas = element("chart"), chart = Chart.getChart(canvas);
-    // Until it is answered: events wait for the next picture, and the plot may not have its size yet.
-    const point_at = async (number, is_answered) => {
-        canvas.scrollIntoView();
-        for (let tries = 0; tries < 50 && !is_answered(); ++tries) {
-            const dot = chart.getDatasetMeta(0).data[number], box = canvas.getBoundingClientRect();
-            const place = {clientX: box.left + dot.x, clientY: box.top + dot.y, bubbles: true};
-            canvas.dispatchEvent(new MouseEvent("mousemove", place));
+    const until = async (is_so, attempt = () => {}) => {
+        for (let tries = 0; tries < 50 && !is_so(); ++tries) {
+            attempt();
             await pause();
         }
+    };
+    const point_at = (number) => {
+        canvas.scrollIntoView();
+        const dot = chart.getDatasetMeta(0).data[number], box = canvas.getBoundingClientRect();
+        const place = {clientX: box.left + dot.x, clientY: box.top + dot.y, bubbles: true};
+        canvas.dispatchEvent(new MouseEvent("mousemove", place));
     };
     const press = async (key) => {
         canvas.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true}));
@@ -31,8 +33,10 @@
         await pause();
         told.dots = chart.data.datasets[0].data.length;
         told.hidden_at_first = element("detail").hidden;
-        await point_at(3, () => !element("detail").hidden);
-        await Promise.all([element("detail-picture").decode(), element("detail-difference").decode()]);
+        // Events wait for the next picture, and the plot may not have its size yet.
+        const name = chart.data.datasets[0].data[3].point.words;
+        await until(() => element("detail-name").textContent.startsWith(name), () => point_at(3));
+        await until(() => element("detail-picture").complete && element("detail-difference").complete);
         told.pointed_at = element("detail-name").textContent;
         told.picture = [element("detail-picture").naturalWidth, element("detail-picture").offsetWidth > 0];
         told.difference = element("detail-difference").naturalWidth;

@@ -70,14 +70,22 @@
         .map((point) => ({x: milliseconds(point), y: error(point), point}));
     const line = (data, options) => ({type: "line", data, pointRadius: 0, pointHitRadius: 0, borderWidth: 1.5, ...options});
 
+    // Chart.js gives the last event again whenever it draws: where a pointer rests, keys are to move on all the same.
+    let answered = null;
+    function pointAt(event, found) {
+        if (event.native === answered) return;
+        answered = event.native;
+        if (found.length) show(chart.data.datasets[found[0].datasetIndex].data[found[0].index].point);
+    }
+
     const chart = new Chart(element("chart"), {
         type: "scatter",
         data: {datasets: []},
         options: {
             ...motionless,
             interaction: {mode: "nearest", intersect: true},
-            onHover: (event, found) => { if (found.length) show(chart.data.datasets[found[0].datasetIndex].data[found[0].index].point); },
-            onClick: (event, found) => { if (found.length) show(chart.data.datasets[found[0].datasetIndex].data[found[0].index].point); },
+            onHover: pointAt,
+            onClick: pointAt,
             plugins: {
                 legend: {display: false},
                 tooltip: {filter: (item) => item.raw.point !== undefined, callbacks: {label: (item) => told(item.raw.point)}},
