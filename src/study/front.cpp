@@ -116,21 +116,18 @@ void find_fronts(Study& study) {
     }
 }
 
-std::vector<std::string> findings(const Study& study) {
-    std::vector<std::string> all;
+void find_words(Study& study) {
     for (std::size_t series = 0; series < study.series.size(); ++series) {
+        std::vector<std::string>& sentences = study.series[series].findings;
+        sentences.clear();
         const PointsOf points = timed_points(study, series);
         if (points.empty()) continue;
-        std::vector<std::string> sentences;
         for (const Measure& measure : kMeasures) recommend(sentences, points, measure);
         for (const auto& [coarse, fine] : {std::pair(Shading::kFlat, Shading::kGouraud),
                                            {Shading::kGouraud, Shading::kPhong},
                                            {Shading::kPhong, Shading::kExact}})
             if (const auto sentence = crossover(points, coarse, fine)) sentences.push_back(*sentence + ".");
-        for (const std::string& sentence : sentences)
-            all.push_back(study.series.size() == 1 ? sentence : study.series[series].name + ": " + sentence);
     }
-    return all;
 }
 
 }  // namespace twinlight::study

@@ -13,6 +13,31 @@ std::string short_name(const std::string& driver) {
     return end == std::string::npos ? driver.substr(0, driver.find(',')) : driver.substr(0, end + 1);
 }
 
+namespace {
+
+// By what tells them apart: the driver, else who provides it, else the machine, else a number.
+void name_apart(std::vector<Series>& all) {
+    const auto try_names = [&](const auto& name) {
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < all.size(); ++i) names.insert(all[i].name = name(all[i], i));
+        return names.size() == all.size();
+    };
+    const auto by_driver = [](const Series& series, std::size_t) { return short_name(series.driver); };
+    const auto by_provider = [](const Series& series, std::size_t) {
+        return short_name(series.driver) +
+               series.driver.substr(std::min(series.driver.rfind(", "), series.driver.size()));
+    };
+    const auto by_machine = [](const Series& series, std::size_t) {
+        return short_name(series.driver) + ", " + series.machine.processor;
+    };
+    const auto by_number = [&](const Series& series, std::size_t i) {
+        return fmt::format("{} ({})", by_machine(series, i), i + 1);
+    };
+    try_names(by_driver) || try_names(by_provider) || try_names(by_machine) || try_names(by_number);
+}
+
+}  // namespace
+
 std::string difference_of(const Study& a, const Study& b) {
     if (a.fingerprint != b.fingerprint)
         return a.scene == b.scene ? fmt::format("of a scene '{}' that says something else", b.scene)
@@ -39,19 +64,9 @@ Study merged(std::vector<NamedStudy> studies) {
         if (other.extent == Extent::kFull) result.extent = Extent::kFull;
         if (result.truth_png.empty()) result.truth_png = std::move(other.truth_png);
     }
-    // Named by what tells them apart: the driver, else the machine too, else a number.
-    const auto are_different = [&] {
-        std::set<std::string> names;
-        for (const Series& series : result.series) names.insert(series.name);
-        return names.size() == result.series.size();
-    };
-    for (Series& series : result.series) series.name = short_name(series.driver);
-    if (!are_different())
-        for (Series& series : result.series) series.name += ", " + series.machine.processor;
-    if (!are_different())
-        for (std::size_t i = 0; i < result.series.size(); ++i) result.series[i].name += fmt::format(" ({})", i + 1);
+    name_apart(result.series);
     find_fronts(result);
-    result.findings = findings(result);
+    find_words(result);
     return result;
 }
 

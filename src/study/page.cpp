@@ -84,6 +84,17 @@ std::string row(const Study& study, const Point& point, std::size_t number) {
     return html + "</tr>\n";
 }
 
+std::string findings(const Study& study) {
+    std::string html;
+    for (const Series& series : study.series) {
+        if (study.series.size() > 1) html += fmt::format("<h3>{}</h3>\n", escaped(series.name));
+        html += "<ul>\n";
+        for (const std::string& sentence : series.findings) html += "<li>" + escaped(sentence) + "</li>\n";
+        html += "</ul>\n";
+    }
+    return html;
+}
+
 std::string machines(const Study& study) {
     std::string html;
     for (const Series& series : study.series) {
@@ -107,17 +118,16 @@ std::string machines(const Study& study) {
 
 std::string study_page(const Study& study) {
     using report::page_file;
-    std::string rows, findings;
+    std::string rows;
     for (std::size_t i = 0; i < study.points.size(); ++i)
         if (study.points[i].is_timed()) rows += row(study, study.points[i], i);
-    for (const std::string& sentence : study.findings) findings += "<li>" + escaped(sentence) + "</li>\n";
     const std::string style = std::string(page_file("page.css")) + std::string(page_file("study.css"));
     return report::filled(page_file("study.html"),
                           {{"head", report::page_head(study.scene + ": what accuracy costs in time", style)},
                            {"scene", escaped(study.scene)},
                            {"size", fmt::format("{} &times; {}", study.width, study.height)},
                            {"machines", machines(study)},
-                           {"findings", findings},
+                           {"findings", findings(study)},
                            {"plot", study_svg(study)},
                            {"columns", head_row(study)},
                            {"time_column", study.series.size() > 1 ? "2" : "1"},

@@ -13,8 +13,8 @@ namespace twinlight::study {
 
 namespace {
 
-constexpr double kWidth = 900, kHeight = 560;
-constexpr double kLeft = 80, kRight = 240, kTop = 48, kBottom = 64;  // margins; the legend stands in the right one
+constexpr double kPlotRight = 660, kHeight = 560;      // right of it stands the legend
+constexpr double kLeft = 80, kTop = 48, kBottom = 64;  // margins
 
 // A logarithmic axis over whole powers of ten.
 class LogAxis {
@@ -69,12 +69,12 @@ std::string grid(const LogAxis& x, const LogAxis& y) {
     for (int e = x.low(); e <= x.high(); ++e)
         svg += fmt::format(R"(<path d="M{:.1f} {:.1f}V{:.1f}"/>)", x.at(std::pow(10, e)), kTop, kHeight - kBottom);
     for (int e = y.low(); e <= y.high(); ++e)
-        svg += fmt::format(R"(<path d="M{:.1f} {:.1f}H{:.1f}"/>)", kLeft, y.at(std::pow(10, e)), kWidth - kRight);
+        svg += fmt::format(R"(<path d="M{:.1f} {:.1f}H{:.1f}"/>)", kLeft, y.at(std::pow(10, e)), kPlotRight);
     svg += "</g>\n";
     for (int e = x.low(); e <= x.high(); ++e)
         svg += text(x.at(std::pow(10, e)), kHeight - kBottom + 20, "middle", power_of_ten(e));
     for (int e = y.low(); e <= y.high(); ++e) svg += text(kLeft - 8, y.at(std::pow(10, e)) + 4, "end", power_of_ten(e));
-    svg += text((kLeft + kWidth - kRight) / 2, kHeight - 16, "middle", "time of a frame, ms");
+    svg += text((kLeft + kPlotRight) / 2, kHeight - 16, "middle", "time of a frame, ms");
     return svg +
            fmt::format(
                R"svg(<text transform="translate(22 {:.1f}) rotate(-90)" text-anchor="middle">rms error of a channel, 0 to 1</text>)svg",
@@ -92,10 +92,19 @@ std::vector<std::string> colour_words(const Study& study) {
     return words;
 }
 
+// With room for the longest line of the legend.
+double width_of(const Study& study) {
+    constexpr double kLetter = 7, kLeast = 240, kSigns = 60;
+    double right = kLeast;
+    for (const std::string& words : colour_words(study))
+        right = std::max(right, kSigns + kLetter * static_cast<double>(words.size()));
+    return kPlotRight + right;
+}
+
 std::string legend(const Study& study) {
     std::string svg;
     double y = kTop + 10;
-    const double x = kWidth - kRight + 30;
+    const double x = kPlotRight + 30;
     const std::vector<std::string> words = colour_words(study);
     for (std::size_t i = 0; i < words.size(); ++i) {
         svg += fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="12" height="12" fill="{}"/>)", x - 6, y - 6,
@@ -125,20 +134,19 @@ std::string study_svg(const Study& study) {
         if (point.is_timed() && point.errors.whole.rms > 0) points.push_back(&point);
     std::string svg = fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" font-family="sans-serif" font-size="13">)",
-        kWidth, kHeight);
+        width_of(study), kHeight);
     svg += R"(<rect width="100%" height="100%" fill="white"/>)";
     const std::string where =
-        study.series.size() == 1 ? short_name(study.series[0].driver) : fmt::format("{} machines", study.series.size());
+        study.series.size() == 1 ? short_name(study.series[0].driver) : fmt::format("{} drivers", study.series.size());
     svg += text(kLeft, 28, "start",
                 report::escaped(fmt::format("{}: what accuracy costs in time ({} x {}, {})", study.scene, study.width,
                                             study.height, where)));
-    if (points.empty()) return svg + text(kWidth / 2, kHeight / 2, "middle", "nothing was timed") + "</svg>\n";
+    if (points.empty()) return svg + text(kPlotRight / 2, kHeight / 2, "middle", "nothing was timed") + "</svg>\n";
     const auto time = [](const Point* point) { return 1000 * point->median_seconds(); };
     const auto [fastest, slowest] = std::ranges::minmax(points, {}, time);
     const auto rms = [](const Point* point) { return point->errors.whole.rms; };
     const auto [best, worst] = std::ranges::minmax(points, {}, rms);
-    const LogAxis x(time(fastest), time(slowest), kLeft, kWidth - kRight),
-        y(rms(best), rms(worst), kHeight - kBottom, kTop);
+    const LogAxis x(time(fastest), time(slowest), kLeft, kPlotRight), y(rms(best), rms(worst), kHeight - kBottom, kTop);
     svg += grid(x, y) + legend(study);
     std::ranges::stable_sort(points, {}, time);
     for (std::size_t series = 0; series < study.series.size(); ++series) {

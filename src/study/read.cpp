@@ -62,7 +62,8 @@ Series read_series(const Node& node) {
                         .cores = machine["cores"].whole_number(0, kMany),
                         .system = machine["system"].text()},
             .driver = node["driver"].text(),
-            .rounds = node["rounds"].whole_number(0, kMany)};
+            .rounds = node["rounds"].whole_number(0, kMany),
+            .findings = {}};
 }
 
 Error read_error(const Node& node) {
@@ -136,7 +137,7 @@ Study read_study(std::string_view text, const std::string& file) {
         if (std::ranges::count_if(study.points, is_same) > 1) node.fail("this choice is there twice");
     }
     find_fronts(study);
-    study.findings = findings(study);
+    find_words(study);
     return study;
 }
 

@@ -62,7 +62,7 @@ class Run {
         keep_earlier();
         take_times();
         find_fronts(study_);
-        study_.findings = findings(study_);
+        find_words(study_);
         return std::move(study_);
     }
 

@@ -33,6 +33,7 @@ struct Series {
     Machine machine;
     std::string driver;
     int rounds = 0;
+    std::vector<std::string> findings;  // sentences: what to choose, where one choice overtakes another
 
     friend bool operator==(const Series&, const Series&) = default;
 };
@@ -60,7 +61,6 @@ struct Study {
     std::vector<Series> series;
     std::vector<Point> points;  // of one series together
     std::string truth_png;
-    std::vector<std::string> findings;  // sentences: what to choose, where one choice overtakes another
 };
 
 // ---- How it is made ----
@@ -119,18 +119,18 @@ std::string difference_of(const Study& a, const Study& b);
 
 // ---- What follows from the points ----
 
-// Sets on_front: no other point of the series is both as fast and as accurate, over all pixels.
+// Sets Point::on_front: no other point of the series is both as fast and as accurate, over all pixels.
 void find_fronts(Study& study);
-std::vector<std::string> findings(const Study& study);
+// Sets Series::findings.
+void find_words(Study& study);
 
 // ---- What is written ----
 
 // {"format": "twinlight study", "version": 1, "scene", "fingerprint", "size": [w, h], "extent": "full"|"quick", "coverage",
-//  "series": [{"name", "machine": {"processor", "cores", "system"}, "driver", "rounds"}],
+//  "series": [{"name", "machine": {"processor", "cores", "system"}, "driver", "rounds", "findings": ["sentence"]}],
 //  "points": [{"series": 0, "key", "words", "axes": {"renderer": "fixed", ...}, "seconds": {"median", "q1", "q3", "samples": []},
 //              "error": {"whole"|"interior"|"silhouette": {"pixels", a value of each measure, "psnr_db"}},
-//              "front": ["rms", ...], "picture", "difference", "difference_factor"}],
-//  "findings": ["sentence"]}
+//              "front": ["rms", ...], "picture", "difference", "difference_factor"}]}
 // Pictures are named by their files, beside study.json; null where there are none.
 inline constexpr const char* kFormat = "twinlight study";
 inline constexpr int kFormatVersion = 1;

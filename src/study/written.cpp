@@ -24,7 +24,8 @@ Json json_of(const Series& series) {
         {"machine",
          {{"processor", series.machine.processor}, {"cores", series.machine.cores}, {"system", series.machine.system}}},
         {"driver", series.driver},
-        {"rounds", series.rounds}};
+        {"rounds", series.rounds},
+        {"findings", series.findings}};
 }
 
 Json value_of(const Axis& axis, const Choice& choice) {
@@ -72,8 +73,7 @@ std::string study_json(const Study& study) {
                  {"extent", name_of(study.extent)},
                  {"coverage", study.coverage},
                  {"series", Json::array()},
-                 {"points", Json::array()},
-                 {"findings", study.findings}};
+                 {"points", Json::array()}};
     for (const Series& series : study.series) json["series"].push_back(json_of(series));
     for (const Point& point : study.points) json["points"].push_back(json_of(study, point));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

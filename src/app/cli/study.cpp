@@ -57,10 +57,10 @@ std::string summary(const study::Study& study, const std::string& folder) {
         for (const study::Point* point : front)
             text += fmt::format("{:<64} {:>7.3g} ms {:>10.2e} {:>8.3f}\n", point->choice.words(),
                                 1000 * point->median_seconds(), point->errors.whole.rms, point->errors.whole.max);
+        text += "\n";
+        for (const std::string& sentence : one.findings) text += sentence + "\n";
     }
-    text += "\n";
-    for (const std::string& sentence : study.findings) text += sentence + "\n";
-    return text + "Report: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
+    return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
 int write(const Arguments& arguments, const study::Study& study) {
@@ -129,8 +129,11 @@ int run(Arguments arguments) {
     about.width = frame.width;
     about.height = frame.height;
     about.coverage = arguments.coverage.value_or(1);
-    about.series.push_back(
-        {.name = study::short_name(driver_name()), .machine = this_machine(), .driver = driver_name(), .rounds = 0});
+    about.series.push_back({.name = study::short_name(driver_name()),
+                            .machine = this_machine(),
+                            .driver = driver_name(),
+                            .rounds = 0,
+                            .findings = {}});
     if (earlier) check_resumable(*earlier, about);
 
     const Interrupt interrupt;
@@ -147,8 +150,10 @@ int run(Arguments arguments) {
     bar.wipe();
     result.scene = about.scene;
     result.fingerprint = about.fingerprint;
-    about.series[0].rounds = result.series[0].rounds;
-    result.series = about.series;
+    study::Series& series = result.series[0];
+    series.name = about.series[0].name;
+    series.machine = about.series[0].machine;
+    series.driver = about.series[0].driver;
     return write(arguments, result);
 }
 
