@@ -24,6 +24,7 @@ ifneq (,$(word 2,$(MAKECMDGOALS)))
 endif
 
 # ---- What has to be installed: one line each, "apt package : how to ask for it" ---------------------------------
+# Ubuntu has chromium as a snap only: there the tests that open a page are skipped.
 
 # Whether clang has libFuzzer's runtime.
 try_fuzzer := echo 'extern "C" int LLVMFuzzerTestOneInput(char*, int) { return 0; }' | \
@@ -42,6 +43,7 @@ nlohmann-json3-dev  pkg-config --exists nlohmann_json
 libfmt-dev          pkg-config --exists fmt
 libstb-dev          pkg-config --exists stb
 libxsimd-dev        pkg-config --exists xsimd
+libjs-chart.js      ls /usr/share/javascript/chart.js
 libgtest-dev        pkg-config --exists gtest_main
 xvfb                command -v Xvfb
 xdotool             command -v xdotool
@@ -50,6 +52,7 @@ mesa-utils          command -v glxgears
 $(if $(CI),valgrind            command -v valgrind)
 $(if $(CI),clang               command -v clang++)
 $(if $(CI),libclang-rt-dev     $(try_fuzzer))
+$(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-release)
 endef
 export DEPENDENCIES
 
@@ -114,7 +117,9 @@ SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOUR
 EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp
 FILES_scenes := $(wildcard src/scenes/*.gl)
 FILES_shaders := $(wildcard src/programmable/shaders/*.glsl)
-FILES_pages := $(filter-out %.h,$(wildcard src/report/pages/*))
+# Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
+CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
+FILES_pages := $(wildcard src/report/pages/*) $(BUILD)/embedded/chart.js
 object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
@@ -267,6 +272,9 @@ $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files Makefile
 	$(call embed,programmable/shader_files.h,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files Makefile
 	$(call embed,report/pages.h,kPageFiles,$(sort $(FILES_pages)))
+
+$(BUILD)/embedded/chart.js: $(CHART)
+	@mkdir -p $(@D); cp $< $@
 
 $(BUILD)/embedded/%.o: $(BUILD)/embedded/%.cpp $(BUILD)/flags
 	@$(CXX) $(CXXFLAGS_all) -MMD -MP -c $< -o $@

@@ -39,7 +39,7 @@ CLI::Validator one_of(const Map& map) {
     return CLI::Validator(check, "");
 }
 
-void add_scene_argument(CLI::App& app, std::string& scene);
+CLI::Option* add_scene_argument(CLI::App& app, std::string& scene);
 void add_shading_option(CLI::App& app, std::optional<Shading>& shading);
 
 // RenderOptions::budget.
