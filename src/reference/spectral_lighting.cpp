@@ -101,6 +101,33 @@ lighting::Lit<double> SpectralLighting::light_surface(const LitMaterial& materia
     return sum;
 }
 
+lighting::Lit<lighting::Column> SpectralLighting::light_points(const std::vector<lighting::Points>& groups,
+                                                               const Arithmetic& arithmetic) const {
+    lighting::Lit<lighting::Column> sum;
+    const std::size_t count = groups.front().size();
+    for (lighting::Column* column :
+         {&sum.primary.x, &sum.primary.y, &sum.primary.z, &sum.secondary.x, &sum.secondary.y, &sum.secondary.z})
+        column->assign(count, 0);
+    const auto add = [](Vec3<lighting::Column>& columns, std::size_t i, Vec c) {
+        columns.x[i] += c.x;
+        columns.y[i] += c.y;
+        columns.z[i] += c.z;
+    };
+    const auto at = [](const Vec3<lighting::Column>& columns, std::size_t i) {
+        return Vec{columns.x[i], columns.y[i], columns.z[i]};
+    };
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        const lighting::Lit<lighting::Column> lit =
+            lighting::light_points(groups_[g].model, groups_[g].lights, groups[g], arithmetic);
+        for (std::size_t i = 0; i < count; ++i) {
+            add(sum.primary, i, color(groups_[g], at(lit.primary, i)));
+            add(sum.secondary, i, color(groups_[g], at(lit.secondary, i)));
+        }
+        sum.alpha = lit.alpha;
+    }
+    return sum;
+}
+
 Vec3<double> SpectralLighting::scene_ambient(const LitMaterial& material) const {
     Vec sum;
     for (std::size_t i = 0; i < groups_.size(); ++i)

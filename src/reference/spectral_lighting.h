@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lighting/equation.h"
+#include "lighting/points.h"
 #include "spectrum/samples.h"
 #include "state/frame.h"
 
@@ -32,6 +33,10 @@ class SpectralLighting {
     // As lighting::light_surface().
     lighting::Lit<double> light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
                                         lighting::LightTerms<double>* breakdown) const;
+    // As lighting::light_points(): of points of equal places, of each group of samples.
+    lighting::Lit<lighting::Column> light_points(const std::vector<lighting::Points>& groups,
+                                                 const Arithmetic& arithmetic) const;
+    std::size_t group_count() const { return groups_.size(); }
     Vec3<double> scene_ambient(const LitMaterial& material) const;
 
   private:
