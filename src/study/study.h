@@ -133,7 +133,8 @@ void find_words(Study& study);
 //  "series": [{"name", "machine": {"processor", "cores", "system"}, "driver", "rounds", "findings": ["sentence"]}],
 //  "points": [{"series": 0, "key", "words", "axes": {"renderer": "fixed", ...}, "seconds": {"median", "q1", "q3", "samples": []},
 //              "error": {"whole"|"interior"|"silhouette": {"pixels", a value of each measure, "psnr_db"}},
-//              "front": ["rms", ...], "picture", "difference", "difference_factor"}]}
+//              "front": ["rms", ...], "picture", "difference", "difference_factor"}],
+//  "spectral": what spectral_json() gives, of scenes with spectra}
 // Pictures are named by their files, beside study.json; null where there are none.
 inline constexpr const char* kFormat = "twinlight study";
 inline constexpr int kFormatVersion = 1;
