@@ -38,12 +38,24 @@ constexpr Named<Target> kTargets[] = {
     {Target::kCodes, "8-bit", "8-bit target"},
     {Target::kFloats, "float", "float target"},
 };
+constexpr Named<Number> kNumbers[] = {
+    {Number::kDouble, "double", "in doubles"},
+    {Number::kFloat, "float", "in floats"},
+    {Number::kLongDouble, "long-double", "in long doubles"},
+};
+constexpr Named<Powers> kPowers[] = {
+    {Powers::kPow, "pow", "powers by pow()"},
+    {Powers::kSquaring, "squaring", "powers by squaring"},
+    {Powers::kTable, "table", "powers from a table"},
+};
 
 std::span<const Named<Renderer>> names(Renderer) { return kRenderers; }
 std::span<const ShadingName> names(Shading) { return kShadings; }
 std::span<const ModelRow> names(Model) { return models(); }
 std::span<const Named<Sending>> names(Sending) { return kSendings; }
 std::span<const Named<Target>> names(Target) { return kTargets; }
+std::span<const Named<Number>> names(Number) { return kNumbers; }
+std::span<const Named<Powers>> names(Powers) { return kPowers; }
 
 enum class Told : std::uint8_t { kAlways, kUnlessUsual };
 
@@ -147,6 +159,8 @@ const std::vector<Axis>& axes() {
         of_names<&Choice::target, Told::kUnlessUsual>("target", "what is drawn into"),
         kSamples,
         kBudget,
+        of_names<&Choice::number, Told::kUnlessUsual>("number", "the reference's numbers"),
+        of_names<&Choice::powers, Told::kUnlessUsual>("powers", "the reference's powers"),
     };
     return all;
 }
@@ -173,6 +187,7 @@ RenderOptions Choice::options() const {
     options.precise = renderer == Renderer::kPrecise;
     options.sending = sending;
     options.budget = budget;
+    options.arithmetic = {number, powers};
     return options;
 }
 

@@ -26,6 +26,8 @@ struct Choice {
     Target target = Target::kCodes;
     int samples = 1;  // the side of a pixel's square of samples
     double budget = RenderOptions{}.budget;
+    Number number = Number::kDouble;  // of the reference's lighting, as the next
+    Powers powers = Powers::kPow;
 
     // "shaders with uniforms, gouraud, 32 slices": what is as usual is not told.
     std::string words() const;
