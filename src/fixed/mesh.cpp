@@ -18,7 +18,8 @@ bool all_share(const Draw& draw, Property Vertex::*property) {
 
 }  // namespace
 
-Mesh::Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& options) : elements_(draw, options) {
+Mesh::Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& options)
+    : sending_(options.sending), mode_(draw.mode) {
     if (draw.vertices.empty()) return;
     shared_ = draw.vertices.front();
     const bool w_is_1 =
@@ -32,64 +33,115 @@ Mesh::Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& 
     if (contents.color && !all_share(draw, &Vertex::color)) add(color_, 4);
     if (contents.tex_coord && !all_share(draw, &Vertex::tex_coord)) add(tex_coord_, 4);
 
-    std::vector<float> values;
-    std::vector<GLboolean> edge_flags;
-    values.reserve(draw.vertices.size() * stride_ / sizeof(float));
-    for_each_vertex(draw, elements_.vertices(), [&](const Vertex& vertex) {
+    const bool in_buffers = sending_ == Sending::kBuffers;
+    if (in_buffers) elements_.emplace(draw, options);
+    const bool has_flags = needs_edge_flags(draw);
+    values_.reserve(draw.vertices.size() * stride_ / sizeof(float));
+    for_each_vertex(draw, in_buffers ? elements_->vertices() : std::vector<std::uint32_t>{}, [&](const Vertex& vertex) {
         const auto put = [&](const auto& v, const Attribute& attribute) {
-            for (int n = 0; n < attribute.size; ++n) values.push_back(static_cast<float>(v[n]));
+            for (int n = 0; n < attribute.size; ++n) values_.push_back(static_cast<float>(v[n]));
         };
         put(vertex.position_object, position_);
         put(vertex.normal_object, normal_);
         put(vertex.color, color_);
         put(vertex.tex_coord, tex_coord_);
-        edge_flags.push_back(vertex.edge_flag);
+        if (has_flags) flags_.push_back(vertex.edge_flag ? 1 : 0);
     });
-    vertices_ = filled_buffer(GL_ARRAY_BUFFER, values);
-    if (needs_edge_flags(draw)) edge_flags_ = filled_buffer(GL_ARRAY_BUFFER, edge_flags);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+    if (in_buffers) {
+        vertices_ = filled_buffer(GL_ARRAY_BUFFER, values_);
+        if (!flags_.empty()) edge_flags_ = filled_buffer(GL_ARRAY_BUFFER, flags_);
+        values_ = {};
+        glBindBuffer(GL_ARRAY_BUFFER, 0);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+        return;
+    }
+    count_ = static_cast<int>(draw.count());
+    indices_ = draw.indices;
+    if (sending_ == Sending::kDisplayList) {
+        list_ = glGenLists(1);
+        glNewList(list_, GL_COMPILE);
+        draw_immediately();
+        glEndList();
+    }
 }
 
 Mesh::~Mesh() {
     for (const GLuint name : {vertices_, edge_flags_})
         if (name != 0) glDeleteBuffers(1, &name);
+    if (list_ != 0) glDeleteLists(list_, 1);
 }
 
 void Mesh::draw() const {
-    if (vertices_ == 0) return;
-    const auto stride = static_cast<GLsizei>(stride_);
+    if (stride_ == 0) return;
     const glm::vec4 color(shared_.color), tex_coord(shared_.tex_coord);
     glColor4fv(&color[0]);
     glTexCoord4fv(&tex_coord[0]);
     glEdgeFlag(shared_.edge_flag);
+    switch (sending_) {
+        case Sending::kBuffers:
+        case Sending::kClientArrays: return draw_arrays();
+        case Sending::kImmediate: return draw_immediately();
+        case Sending::kDisplayList: return glCallList(list_);
+    }
+}
 
+void Mesh::draw_arrays() const {
+    const auto stride = static_cast<GLsizei>(stride_);
+    // An array's address, or its offset into the buffer that is bound.
+    const auto* memory = reinterpret_cast<const char*>(values_.data());
+    const auto at = [&](const Attribute& attribute) {
+        return elements_ ? buffer_offset(attribute.offset) : memory + attribute.offset;
+    };
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
     glEnableClientState(GL_VERTEX_ARRAY);
-    glVertexPointer(position_.size, GL_FLOAT, stride, buffer_offset(position_.offset));
+    glVertexPointer(position_.size, GL_FLOAT, stride, at(position_));
     if (normal_.size != 0) {
         glEnableClientState(GL_NORMAL_ARRAY);
-        glNormalPointer(GL_FLOAT, stride, buffer_offset(normal_.offset));
+        glNormalPointer(GL_FLOAT, stride, at(normal_));
     }
     if (color_.size != 0) {
         glEnableClientState(GL_COLOR_ARRAY);
-        glColorPointer(color_.size, GL_FLOAT, stride, buffer_offset(color_.offset));
+        glColorPointer(color_.size, GL_FLOAT, stride, at(color_));
     }
     if (tex_coord_.size != 0) {
         glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-        glTexCoordPointer(tex_coord_.size, GL_FLOAT, stride, buffer_offset(tex_coord_.offset));
+        glTexCoordPointer(tex_coord_.size, GL_FLOAT, stride, at(tex_coord_));
     }
-    if (edge_flags_ != 0) {
+    if (edge_flags_ != 0 || !flags_.empty()) {
         glBindBuffer(GL_ARRAY_BUFFER, edge_flags_);
         glEnableClientState(GL_EDGE_FLAG_ARRAY);
-        glEdgeFlagPointer(0, nullptr);
+        glEdgeFlagPointer(0, elements_ ? nullptr : flags_.data());
     }
-    elements_.draw();
+    if (elements_)
+        elements_->draw();
+    else if (indices_.empty())
+        glDrawArrays(mode_, 0, count_);
+    else
+        glDrawElements(mode_, count_, GL_UNSIGNED_INT, indices_.data());
     for (const GLenum array :
          {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_EDGE_FLAG_ARRAY})
         glDisableClientState(array);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+}
+
+void Mesh::draw_immediately() const {
+    const std::size_t stride = stride_ / sizeof(float);
+    glBegin(mode_);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        const std::size_t index = indices_.empty() ? i : indices_[i];
+        const float* vertex = values_.data() + index * stride;
+        const auto at = [&](const Attribute& attribute) { return vertex + attribute.offset / sizeof(float); };
+        if (!flags_.empty()) glEdgeFlag(flags_[index]);
+        if (normal_.size != 0) glNormal3fv(at(normal_));
+        if (color_.size != 0) glColor4fv(at(color_));
+        if (tex_coord_.size != 0) glTexCoord4fv(at(tex_coord_));
+        if (position_.size == 3)
+            glVertex3fv(at(position_));
+        else
+            glVertex4fv(at(position_));
+    }
+    glEnd();
 }
 
 // ---- With materials ----

@@ -1,7 +1,9 @@
-// Mesh: a Draw's vertices in buffers of the driver's, as the arrays of the fixed function (2.8, 2.9).
+// Mesh: a Draw's vertices as the fixed function is sent them (RenderOptions::sending).
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "effect/effect_set.h"
 #include "stages/elements.h"
@@ -21,7 +23,7 @@ class Mesh {
     Mesh(const Mesh&) = delete;
     Mesh& operator=(const Mesh&) = delete;
 
-    // With its own arrays; none is enabled afterwards. A property that all vertices share is the current one.
+    // None of its arrays is enabled afterwards. A property that all vertices share is the current one.
     void draw() const;
 
   private:
@@ -30,11 +32,24 @@ class Mesh {
         std::size_t offset = 0;
     };
 
-    Elements elements_;
+    void draw_arrays() const;
+    void draw_immediately() const;
+
+    Sending sending_;
     Attribute position_, normal_, color_, tex_coord_;
     std::size_t stride_ = 0;
     Vertex shared_;  // its properties are those that all share
+
+    // In the driver's buffers:
+    std::optional<Elements> elements_;
     unsigned vertices_ = 0, edge_flags_ = 0;
+    // Or in memory:
+    Enum mode_ = 0;
+    std::vector<float> values_;
+    std::vector<std::uint8_t> flags_;  // empty: nothing asks for them
+    int count_ = 0;
+    std::vector<std::uint32_t> indices_;  // empty: 0, 1, 2, ...
+    unsigned list_ = 0;
 };
 
 // Between glBegin and glEnd, where glMaterial may stand as well: those properties of a face that vary.

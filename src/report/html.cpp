@@ -65,4 +65,8 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
     }
 }
 
+std::string page_head(std::string_view title, const std::string& style) {
+    return filled(page_file("head.html"), {{"title", escaped(title)}, {"style", style}});
+}
+
 }  // namespace twinlight::report

@@ -20,4 +20,7 @@ std::string data_uri(std::string_view png);
 // Replaces each {{name}}; what is put in is not looked at again. Throws std::logic_error for a name without a value.
 std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
 
+// All of a page up to its body.
+std::string page_head(std::string_view title, const std::string& style);
+
 }  // namespace twinlight::report

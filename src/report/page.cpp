@@ -115,23 +115,24 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
         differences += figure(comparison, pictures.differences[i], name_of(comparison, pair), "difference",
                               fmt::format("&times; {}", pair.factor), "");
     }
-    return filled(page_file("page.html"),
-                  {{"scene", escaped(comparison.scene)},
-                   {"driver", escaped(comparison.driver)},
-                   {"size", fmt::format("{} &times; {}", comparison.width, comparison.height)},
-                   {"state", word_of(comparison.verdict())},
-                   {"verdict", verdict(comparison)},
-                   {"renders", renders},
-                   {"differences", differences},
-                   {"edges", image(comparison, pictures.edges, R"(id="edges" alt="" hidden)")},
-                   {"pair_rows", pair_rows(comparison)},
-                   {"interior_pixels", grouped(comparison.pairs.front().difference.interior.pixels)},
-                   {"edge_pixels", grouped(comparison.pairs.front().difference.edge.pixels)},
-                   {"tolerance", words_of(comparison.tolerance)},
-                   {"unsupported", unsupported(comparison)},
-                   {"plans", plans(comparison)},
-                   {"style", std::string(page_file("page.css"))},
-                   {"script", std::string(page_file("page.js"))}});
+    return filled(
+        page_file("page.html"),
+        {{"head", page_head(comparison.scene + ": three renderers compared", std::string(page_file("page.css")))},
+         {"scene", escaped(comparison.scene)},
+         {"driver", escaped(comparison.driver)},
+         {"size", fmt::format("{} &times; {}", comparison.width, comparison.height)},
+         {"state", word_of(comparison.verdict())},
+         {"verdict", verdict(comparison)},
+         {"renders", renders},
+         {"differences", differences},
+         {"edges", image(comparison, pictures.edges, R"(id="edges" alt="" hidden)")},
+         {"pair_rows", pair_rows(comparison)},
+         {"interior_pixels", grouped(comparison.pairs.front().difference.interior.pixels)},
+         {"edge_pixels", grouped(comparison.pairs.front().difference.edge.pixels)},
+         {"tolerance", words_of(comparison.tolerance)},
+         {"unsupported", unsupported(comparison)},
+         {"plans", plans(comparison)},
+         {"script", std::string(page_file("page.js"))}});
 }
 
 }  // namespace twinlight::report

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "command/command.h"
+#include "math/arithmetic.h"
 #include "shape/surface.h"
 
 namespace twinlight {
@@ -321,6 +322,14 @@ enum class Tier : std::uint8_t {
     kAuto,     // of frame after frame: uniforms, and constants for what has stood still for a while
 };
 
+// How the fixed function's vertices get to the driver, frame after frame (2.6 to 2.9, 5.4).
+enum class Sending : std::uint8_t {
+    kBuffers,       // arrays in buffer objects
+    kClientArrays,  // arrays in the program's own memory
+    kImmediate,     // vertex by vertex, between glBegin and glEnd
+    kDisplayList,   // the same, compiled once
+};
+
 struct RenderOptions {
     std::optional<Shading> shading;  // nothing: flat or gouraud, as each Draw's glShadeModel says
     QuadCut quad_cut = QuadCut::kFirstToThird;
@@ -335,6 +344,8 @@ struct RenderOptions {
     // Of the programmable renderer: lit per vertex in the order of operations of Mesa's fixed function, every sum in floats
     // (programmable/precise.h). Nothing of the lighting is left out then, whatever the budget.
     bool precise = false;
+    Arithmetic arithmetic{};  // of the reference's lighting
+    Sending sending = Sending::kBuffers;  // of fixed::PreparedFrame
 };
 
 }  // namespace twinlight

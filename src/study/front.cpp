@@ -6,49 +6,52 @@
 #include <limits>
 #include <optional>
 
+#include "state/shading_names.h"
 #include "study/study.h"
 
 namespace twinlight::study {
 
 namespace {
 
-bool is_timed(const Point& point) { return !point.seconds.empty(); }
+using PointsOf = std::vector<const Point*>;
 
 std::string milliseconds(double seconds) { return fmt::format("{:.3g} ms", 1000 * seconds); }
 
-std::string words_of(const Point& point) {
-    return fmt::format("{} ({}, rms {:.2g})", point.choice.words(), milliseconds(point.median_seconds()),
-                       point.whole.rms);
+double error_of(const Point& point, const Measure& measure) { return point.errors.whole.*measure.value; }
+
+std::string words_of(const Point& point, const Measure& measure) {
+    return fmt::format("{} ({}, {} {:.2g})", point.choice.words(), milliseconds(point.median_seconds()), measure.unit,
+                       error_of(point, measure));
 }
 
 // The fastest of those that `is_meant`, of an error at most as large.
 template <class IsMeant>
-const Point* fastest(const std::vector<Point>& points, double most_rms, const IsMeant& is_meant) {
+const Point* fastest(const PointsOf& points, const Measure& measure, double most, const IsMeant& is_meant) {
     const Point* best = nullptr;
-    for (const Point& point : points) {
-        if (!is_timed(point) || point.whole.rms > most_rms || !is_meant(point)) continue;
-        if (!best || point.median_seconds() < best->median_seconds()) best = &point;
+    for (const Point* point : points) {
+        if (error_of(*point, measure) > most || !is_meant(*point)) continue;
+        if (!best || point->median_seconds() < best->median_seconds()) best = point;
     }
     return best;
 }
 
-// By full simulation, so that meshes and shadings are compared, not models.
+// By shaders in full simulation, so that meshes and shadings are compared, not models.
 bool is_whole(const Point& point, Shading shading) {
-    const Choice& choice = point.choice;
-    return choice.renderer == "programmable" && choice.shading == shading && choice.tier == Tier::kUniform &&
-           choice.without == Without::kNothing && choice.budget == RenderOptions{}.budget;
+    const Choice plain{.renderer = Renderer::kUniforms, .shading = shading, .slices = point.choice.slices};
+    return point.choice == plain;
 }
 
 // Where the finer shading on a coarser mesh begins to be the cheaper way to an error.
-std::optional<std::string> crossover(const std::vector<Point>& points, Shading coarse, Shading fine) {
+std::optional<std::string> crossover(const PointsOf& points, Shading coarse, Shading fine) {
+    const Measure& rms = kMeasures[0];
     std::vector<double> errors;
-    for (const Point& point : points)
-        if (is_timed(point) && (is_whole(point, coarse) || is_whole(point, fine))) errors.push_back(point.whole.rms);
+    for (const Point* point : points)
+        if (is_whole(*point, coarse) || is_whole(*point, fine)) errors.push_back(error_of(*point, rms));
     std::sort(errors.rbegin(), errors.rend());
     const Point* last_of_coarse = nullptr;
     for (const double error : errors) {
-        const Point* a = fastest(points, error, [&](const Point& point) { return is_whole(point, coarse); });
-        const Point* b = fastest(points, error, [&](const Point& point) { return is_whole(point, fine); });
+        const Point* a = fastest(points, rms, error, [&](const Point& point) { return is_whole(point, coarse); });
+        const Point* b = fastest(points, rms, error, [&](const Point& point) { return is_whole(point, fine); });
         if (!b || (a && a->median_seconds() <= b->median_seconds())) {
             last_of_coarse = a;
             continue;
@@ -58,45 +61,73 @@ std::optional<std::string> crossover(const std::vector<Point>& points, Shading c
               : fmt::format("; no {} mesh of this study is as near", name_of(coarse));
         if (!last_of_coarse)
             return fmt::format("For any error {} is cheaper than {}: from {} on", name_of(fine), name_of(coarse),
-                               words_of(*b));
+                               words_of(*b, rms));
         return fmt::format("From an rms error of {:.2g} down, {} is cheaper than {}: {}{}", error, name_of(fine),
-                           name_of(coarse), words_of(*b), beaten);
+                           name_of(coarse), words_of(*b, rms), beaten);
     }
     return {};
 }
 
-}  // namespace
+PointsOf timed_points(const Study& study, std::size_t series) {
+    PointsOf points;
+    for (const Point& point : study.points)
+        if (point.series == series && point.is_timed()) points.push_back(&point);
+    return points;
+}
 
-void find_front(std::vector<Point>& points) {
-    std::vector<Point*> by_time;
-    for (Point& point : points) {
-        point.on_front = false;
-        if (is_timed(point)) by_time.push_back(&point);
-    }
-    std::ranges::stable_sort(by_time, [](const Point* a, const Point* b) {
-        return std::pair(a->median_seconds(), a->whole.rms) < std::pair(b->median_seconds(), b->whole.rms);
-    });
-    double least = std::numeric_limits<double>::infinity();
-    for (Point* point : by_time) {
-        if (!(point->whole.rms < least)) continue;
-        least = point->whole.rms;
-        point->on_front = true;
+// For each target the fastest choice; where one choice serves several targets, it is told of the strictest.
+void recommend(std::vector<std::string>& sentences, const PointsOf& points, const Measure& measure) {
+    const auto any = [](const Point& /*point*/) { return true; };
+    for (std::size_t i = 0; i < measure.targets.size() && measure.targets[i] > 0; ++i) {
+        const double target = measure.targets[i];
+        const Point* best = fastest(points, measure, target, any);
+        if (!best) {
+            sentences.push_back(fmt::format("No choice of this study has {}.", measure.demand_of(target)));
+            return;  // nor of less
+        }
+        const bool is_last = i + 1 == measure.targets.size() || measure.targets[i + 1] == 0;
+        if (!is_last && fastest(points, measure, measure.targets[i + 1], any) == best) continue;
+        sentences.push_back(fmt::format("For {}: {}.", measure.demand_of(target), words_of(*best, measure)));
     }
 }
 
-std::vector<std::string> findings(const std::vector<Point>& points) {
-    std::vector<std::string> sentences;
-    const auto any = [](const Point& /*point*/) { return true; };
-    for (const double target : {0.1, 0.03, 0.01, 0.003, 0.001, 0.0001}) {
-        if (const Point* best = fastest(points, target, any))
-            sentences.push_back(fmt::format("For an rms error of {:g} at most: {}.", target, words_of(*best)));
-        else
-            sentences.push_back(fmt::format("No choice of this study has an rms error of {:g} at most.", target));
+}  // namespace
+
+void find_fronts(Study& study) {
+    for (std::size_t m = 0; m < kMeasureCount; ++m) {
+        for (std::size_t series = 0; series < study.series.size(); ++series) {
+            std::vector<Point*> by_time;
+            for (Point& point : study.points) {
+                if (point.series != series) continue;
+                point.on_front[m] = false;
+                if (point.is_timed()) by_time.push_back(&point);
+            }
+            std::ranges::stable_sort(by_time, {}, [&](const Point* point) {
+                return std::pair(point->median_seconds(), error_of(*point, kMeasures[m]));
+            });
+            double least = std::numeric_limits<double>::infinity();
+            for (Point* point : by_time) {
+                const double error = error_of(*point, kMeasures[m]);
+                if (!(error < least)) continue;
+                least = error;
+                point->on_front[m] = true;
+            }
+        }
     }
-    for (const auto& [coarse, fine] :
-         {std::pair(Shading::kFlat, Shading::kGouraud), {Shading::kGouraud, Shading::kPhong}})
-        if (const auto sentence = crossover(points, coarse, fine)) sentences.push_back(*sentence + ".");
-    return sentences;
+}
+
+void find_words(Study& study) {
+    for (std::size_t series = 0; series < study.series.size(); ++series) {
+        std::vector<std::string>& sentences = study.series[series].findings;
+        sentences.clear();
+        const PointsOf points = timed_points(study, series);
+        if (points.empty()) continue;
+        for (const Measure& measure : kMeasures) recommend(sentences, points, measure);
+        for (const auto& [coarse, fine] : {std::pair(Shading::kFlat, Shading::kGouraud),
+                                           {Shading::kGouraud, Shading::kPhong},
+                                           {Shading::kPhong, Shading::kExact}})
+            if (const auto sentence = crossover(points, coarse, fine)) sentences.push_back(*sentence + ".");
+    }
 }
 
 }  // namespace twinlight::study

@@ -3,22 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 
 #include "report/html.h"
+#include "state/shading_names.h"
 #include "study/study.h"
 
 namespace twinlight::study {
 
 namespace {
 
-constexpr double kWidth = 900, kHeight = 560;
-constexpr double kLeft = 80, kRight = 240, kTop = 48, kBottom = 64;  // margins; the legend stands in the right one
+constexpr double kPlotRight = 660, kHeight = 560;      // right of it stands the legend
+constexpr double kLeft = 80, kTop = 48, kBottom = 64;  // margins
 
 // A logarithmic axis over whole powers of ten.
-class Axis {
+class LogAxis {
   public:
-    Axis(double low, double high, double from, double to)
+    LogAxis(double low, double high, double from, double to)
         : low_(std::floor(std::log10(low))), high_(std::ceil(std::log10(high))), from_(from), to_(to) {
         if (high_ <= low_) high_ = low_ + 1;
     }
@@ -30,15 +31,17 @@ class Axis {
     double low_, high_, from_, to_;
 };
 
-// Colour-blind safe (Okabe and Ito, 2008), one a renderer; the shading is the mark.
-const std::map<std::string, std::pair<const char*, const char*>> kRenderers = {
-    {"fixed", {"#d55e00", "fixed function"}},
-    {"programmable", {"#0072b2", "shaders, uniforms"}},
-    {"baked", {"#56b4e9", "shaders, constants"}},
-    {"reference", {"#009e73", "reference"}},
-};
+// Colour-blind safe (Okabe and Ito, 2008): one a renderer, or of several machines one a machine; the shading is the mark.
+constexpr const char* kColours[] = {"#d55e00", "#0072b2", "#56b4e9", "#cc79a7", "#009e73", "#e69f00", "#000000"};
+constexpr Renderer kRenderers[] = {Renderer::kFixed, Renderer::kUniforms, Renderer::kConstants, Renderer::kReference,
+                                   Renderer::kPrecise};
 
-std::string colour_key(const Choice& choice) { return choice.tier == Tier::kBaked ? "baked" : choice.renderer; }
+const char* colour_of(std::size_t number) { return kColours[number % std::size(kColours)]; }
+
+std::size_t colour_number(const Study& study, const Point& point) {
+    if (study.series.size() > 1) return point.series;
+    return static_cast<std::size_t>(std::ranges::find(kRenderers, point.choice.renderer) - std::begin(kRenderers));
+}
 
 std::string mark(Shading shading, double x, double y, const char* colour, bool filled) {
     const std::string paint =
@@ -61,17 +64,17 @@ std::string power_of_ten(int exponent) {
     return fmt::format(R"(10<tspan dy="-5" font-size="10">{}</tspan>)", exponent);
 }
 
-std::string grid(const Axis& x, const Axis& y) {
+std::string grid(const LogAxis& x, const LogAxis& y) {
     std::string svg = R"(<g stroke="#ddd">)";
     for (int e = x.low(); e <= x.high(); ++e)
         svg += fmt::format(R"(<path d="M{:.1f} {:.1f}V{:.1f}"/>)", x.at(std::pow(10, e)), kTop, kHeight - kBottom);
     for (int e = y.low(); e <= y.high(); ++e)
-        svg += fmt::format(R"(<path d="M{:.1f} {:.1f}H{:.1f}"/>)", kLeft, y.at(std::pow(10, e)), kWidth - kRight);
+        svg += fmt::format(R"(<path d="M{:.1f} {:.1f}H{:.1f}"/>)", kLeft, y.at(std::pow(10, e)), kPlotRight);
     svg += "</g>\n";
     for (int e = x.low(); e <= x.high(); ++e)
         svg += text(x.at(std::pow(10, e)), kHeight - kBottom + 20, "middle", power_of_ten(e));
     for (int e = y.low(); e <= y.high(); ++e) svg += text(kLeft - 8, y.at(std::pow(10, e)) + 4, "end", power_of_ten(e));
-    svg += text((kLeft + kWidth - kRight) / 2, kHeight - 16, "middle", "time of a frame, ms");
+    svg += text((kLeft + kPlotRight) / 2, kHeight - 16, "middle", "time of a frame, ms");
     return svg +
            fmt::format(
                R"svg(<text transform="translate(22 {:.1f}) rotate(-90)" text-anchor="middle">rms error of a channel, 0 to 1</text>)svg",
@@ -79,20 +82,34 @@ std::string grid(const Axis& x, const Axis& y) {
            "\n";
 }
 
-// "llvmpipe (LLVM 15.0.6, 256 bits)", without the versions that follow.
-std::string renderer_of(const std::string& driver) {
-    const std::size_t end = driver.find("), ");
-    return report::escaped(end == std::string::npos ? driver : driver.substr(0, end + 1));
+// What the colours stand for.
+std::vector<std::string> colour_words(const Study& study) {
+    std::vector<std::string> words;
+    if (study.series.size() > 1)
+        for (const Series& series : study.series) words.push_back(series.name);
+    else
+        for (const Renderer renderer : kRenderers) words.push_back(axes()[0].value({.renderer = renderer}).words);
+    return words;
 }
 
-std::string legend() {
+// With room for the longest line of the legend.
+double width_of(const Study& study) {
+    constexpr double kLetter = 7, kLeast = 240, kSigns = 60;
+    double right = kLeast;
+    for (const std::string& words : colour_words(study))
+        right = std::max(right, kSigns + kLetter * static_cast<double>(words.size()));
+    return kPlotRight + right;
+}
+
+std::string legend(const Study& study) {
     std::string svg;
     double y = kTop + 10;
-    const double x = kWidth - kRight + 30;
-    for (const auto& [key, renderer] : kRenderers) {
+    const double x = kPlotRight + 30;
+    const std::vector<std::string> words = colour_words(study);
+    for (std::size_t i = 0; i < words.size(); ++i) {
         svg += fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="12" height="12" fill="{}"/>)", x - 6, y - 6,
-                           renderer.first);
-        svg += text(x + 16, y + 4, "start", renderer.second);
+                           colour_of(i));
+        svg += text(x + 16, y + 4, "start", report::escaped(words[i]));
         y += 22;
     }
     y += 10;
@@ -101,7 +118,7 @@ std::string legend() {
         y += 22;
     }
     y += 10;
-    svg += mark(Shading::kPhong, x, y, "#444", false) + text(x + 16, y + 4, "start", "with less simulated");
+    svg += mark(Shading::kPhong, x, y, "#444", false) + text(x + 16, y + 4, "start", "with something changed");
     y += 22;
     svg += fmt::format(R"(<path d="M{:.1f} {:.1f}h16" stroke="#000" stroke-dasharray="4 3"/>)", x - 8, y);
     return svg + text(x + 16, y + 4, "start", "no choice is both faster") +
@@ -111,37 +128,42 @@ std::string legend() {
 }  // namespace
 
 std::string study_svg(const Study& study) {
+    constexpr std::size_t kRms = 0;  // of kMeasures
     std::vector<const Point*> points;
     for (const Point& point : study.points)
-        if (!point.seconds.empty() && point.whole.rms > 0) points.push_back(&point);
+        if (point.is_timed() && point.errors.whole.rms > 0) points.push_back(&point);
     std::string svg = fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" font-family="sans-serif" font-size="13">)",
-        kWidth, kHeight);
+        width_of(study), kHeight);
     svg += R"(<rect width="100%" height="100%" fill="white"/>)";
+    const std::string where =
+        study.series.size() == 1 ? short_name(study.series[0].driver) : fmt::format("{} drivers", study.series.size());
     svg += text(kLeft, 28, "start",
-                fmt::format("{}: what accuracy costs in time ({} x {}, {})", report::escaped(study.scene), study.width,
-                            study.height, renderer_of(study.driver)));
-    if (points.empty()) return svg + text(kWidth / 2, kHeight / 2, "middle", "nothing was timed") + "</svg>\n";
+                report::escaped(fmt::format("{}: what accuracy costs in time ({} x {}, {})", study.scene, study.width,
+                                            study.height, where)));
+    if (points.empty()) return svg + text(kPlotRight / 2, kHeight / 2, "middle", "nothing was timed") + "</svg>\n";
     const auto time = [](const Point* point) { return 1000 * point->median_seconds(); };
     const auto [fastest, slowest] = std::ranges::minmax(points, {}, time);
-    const auto rms = [](const Point* point) { return point->whole.rms; };
+    const auto rms = [](const Point* point) { return point->errors.whole.rms; };
     const auto [best, worst] = std::ranges::minmax(points, {}, rms);
-    const Axis x(time(fastest), time(slowest), kLeft, kWidth - kRight),
-        y(rms(best), rms(worst), kHeight - kBottom, kTop);
-    svg += grid(x, y) + legend();
+    const LogAxis x(time(fastest), time(slowest), kLeft, kPlotRight), y(rms(best), rms(worst), kHeight - kBottom, kTop);
+    svg += grid(x, y) + legend(study);
     std::ranges::stable_sort(points, {}, time);
-    std::string front;
-    for (const Point* point : points)
-        if (point->on_front)
-            front += fmt::format("{}{:.1f} {:.1f}", front.empty() ? "M" : "L", x.at(time(point)), y.at(rms(point)));
-    if (!front.empty())
-        svg += fmt::format(R"(<path d="{}" fill="none" stroke="#000" stroke-dasharray="4 3"/>)", front) + "\n";
+    for (std::size_t series = 0; series < study.series.size(); ++series) {
+        std::string front;
+        for (const Point* point : points)
+            if (point->series == series && point->on_front[kRms])
+                front += fmt::format("{}{:.1f} {:.1f}", front.empty() ? "M" : "L", x.at(time(point)), y.at(rms(point)));
+        if (!front.empty())
+            svg += fmt::format(R"(<path d="{}" fill="none" stroke="#000" stroke-dasharray="4 3"/>)", front) + "\n";
+    }
     for (const Point* point : points) {
-        const bool whole = point->choice.without == Without::kNothing && point->choice.budget == RenderOptions{}.budget;
-        svg += fmt::format(R"(<g class="dot" data-point="{}"><title>{}: {:.3g} ms, rms {:.3g}</title>{}</g>)",
-                           point - study.points.data(), point->choice.words(), time(point), rms(point),
-                           mark(point->choice.shading, x.at(time(point)), y.at(rms(point)),
-                                kRenderers.at(colour_key(point->choice)).first, whole)) +
+        const Choice& choice = point->choice;
+        const Choice plain{.renderer = choice.renderer, .shading = choice.shading, .slices = choice.slices};
+        svg += fmt::format(R"(<g class="dot"><title>{}: {:.3g} ms, rms {:.3g}</title>{}</g>)", choice.words(),
+                           time(point), rms(point),
+                           mark(choice.shading, x.at(time(point)), y.at(rms(point)),
+                                colour_of(colour_number(study, *point)), choice == plain)) +
                "\n";
     }
     return svg + "</svg>\n";

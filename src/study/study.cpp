@@ -2,18 +2,30 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "image/difference.h"
+#include "image/png.h"
 
 namespace twinlight::study {
 
 namespace {
 
-constexpr int kLeastRounds = 3;
+constexpr std::size_t kLeastRounds = 3;
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+double quantile(std::vector<double> values, double part) {
+    if (values.empty()) return 0;
+    std::ranges::sort(values);
+    const double place = part * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
 
 // One for each number of slices: the scene, and which pixels are silhouettes.
 struct Mesh {
@@ -21,144 +33,156 @@ struct Mesh {
     std::vector<char> is_silhouette;
 };
 
-// Where another shape is seen than in truth, or where one begins within a pixel, in either picture.
-std::vector<char> silhouettes(const std::vector<int>& a, const std::vector<int>& b, int width, int height) {
-    std::vector<char> mask(a.size());
-    const auto at = [&](int x, int y) {
-        const int column = std::clamp(x, 0, width - 1), row = std::clamp(y, 0, height - 1);
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-    };
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const int here = b[at(x, y)];
-            bool is_border = false;
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx)
-                    is_border |= a[at(x + dx, y + dy)] != here || b[at(x + dx, y + dy)] != here;
-            mask[at(x, y)] = is_border ? 1 : 0;
-        }
-    return mask;
-}
-
-class Sum {
+// A study in the making: each choice stays ready for its turns.
+class Run {
   public:
-    void add(double difference) {
-        max_ = std::max(max_, difference);
-        squares_ += difference * difference;
+    Run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const Renderers& renderers,
+        const Settings& settings)
+        : frame_of_(frame_of),
+          renderers_(renderers),
+          settings_(settings),
+          scene_(frame_of(0)),
+          truth_(
+              renderers
+                  .prepare(scene_,
+                           {.renderer = Renderer::kReference, .shading = Shading::kExact, .samples = settings.coverage})
+                  .picture()) {
+        study_.width = scene_.width;
+        study_.height = scene_.height;
+        study_.extent = settings.extent;
+        study_.coverage = settings.coverage;
+        study_.series.resize(1);
+        study_.truth_png = encode_png(truth_.image());
+        seen_ = renderers.seen(scene_, {.shading = Shading::kExact});
+        all_ = choices(scene_, has_slices, settings.extent, settings.coverage);
     }
-    void add_pixel() { ++pixels_; }
-    Error error() const {
-        return {pixels_, max_, pixels_ == 0 ? 0 : std::sqrt(squares_ / (3.0 * static_cast<double>(pixels_)))};
+
+    Study study() {
+        draw_all();
+        keep_earlier();
+        take_times();
+        find_fronts(study_);
+        find_words(study_);
+        return std::move(study_);
     }
 
   private:
-    std::size_t pixels_ = 0;
-    double max_ = 0, squares_ = 0;
-};
+    bool goes_on(int done, int total, const std::string& next, double seconds_left) const {
+        return !settings_.progress || settings_.progress({done, total, next, seconds_left});
+    }
 
-void set_errors(Point& point, const Image& truth, const std::vector<char>& is_silhouette) {
-    Sum whole, interior, silhouette;
-    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-        Sum& part = is_silhouette[i] ? silhouette : interior;
-        whole.add_pixel();
-        part.add_pixel();
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double difference = std::abs(static_cast<double>(point.picture.pixels[i][c]) - truth.pixels[i][c]);
-            whole.add(difference);
-            part.add(difference);
+    const Mesh& mesh_of(const Choice& choice) {
+        const bool is_exact = choice.shading == Shading::kExact;
+        const auto [found, is_new] = meshes_.try_emplace({choice.slices, is_exact});
+        if (is_new) {
+            found->second.frame = is_exact ? scene_ : frame_of_(choice.slices);
+            const RenderOptions lit_by_pixel{.shading = is_exact ? Shading::kExact : Shading::kPhong};
+            found->second.is_silhouette =
+                silhouettes(renderers_.seen(found->second.frame, lit_by_pixel), seen_, study_.width, study_.height);
+        }
+        return found->second;
+    }
+
+    // The pictures, and so the errors.
+    void draw_all() {
+        const auto start = Clock::now();
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            const double each = i == 0 ? 0 : seconds_since(start) / static_cast<double>(i);
+            const double left = each * static_cast<double>(all_.size() - i) + settings_.seconds;
+            if (!goes_on(static_cast<int>(i), static_cast<int>(all_.size()), all_[i].words(), left)) return;
+            try {
+                draw(all_[i]);
+            } catch (const Refused&) {
+                // Left out.
+            }
         }
     }
-    point.whole = whole.error();
-    point.interior = interior.error();
-    point.silhouette = silhouette.error();
-}
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+    const Point* earlier(const Choice& choice) const {
+        if (!settings_.earlier) return nullptr;
+        const auto same = std::ranges::find(settings_.earlier->points, choice, &Point::choice);
+        return same == settings_.earlier->points.end() ? nullptr : &*same;
+    }
 
-double quantile(std::vector<double> values, double q) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    std::sort(values.begin(), values.end());
-    const double place = q * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
-}
+    // Those that the end came before.
+    void keep_earlier() {
+        for (const Choice& choice : all_) {
+            const Point* point = earlier(choice);
+            if (point && std::ranges::find(study_.points, choice, &Point::choice) == study_.points.end())
+                study_.points.push_back(*point);
+        }
+    }
 
-const Prepare& renderer_of(const Renderers& renderers, const Choice& choice) {
-    if (choice.renderer == "fixed") return renderers.fixed;
-    return choice.renderer == "reference" ? renderers.reference : renderers.programmable;
-}
+    void draw(const Choice& choice) {
+        const Mesh& mesh = mesh_of(choice);
+        Prepared prepared = renderers_.prepare(with_model(mesh.frame, choice.model), choice);
+        const Image picture = prepared.picture();
+        Point point;
+        point.choice = choice;
+        point.errors = truth_.errors_of(picture, mesh.is_silhouette);
+        point.picture_png = encode_png(picture);
+        point.difference_factor = amplification_for(point.errors.whole.max);
+        point.difference_png = encode_png(difference_picture(picture, truth_.image(), point.difference_factor));
+        if (const Point* before = earlier(choice)) point.seconds = before->seconds;
+        study_.points.push_back(std::move(point));
+        prepared_.push_back(std::move(prepared));
+    }
+
+    // Round by round, so that a machine which is slow for a while is slow for all.
+    void take_times() {
+        if (settings_.earlier) study_.series[0].rounds = settings_.earlier->series.at(0).rounds;
+        const auto start = Clock::now();
+        const auto lacks_rounds = [&] {
+            return std::ranges::any_of(std::span(study_.points).first(prepared_.size()),
+                                       [](const Point& point) { return point.seconds.size() < kLeastRounds; });
+        };
+        const double all = static_cast<double>(prepared_.size());
+        for (int round = 0; !prepared_.empty() && (lacks_rounds() || seconds_since(start) < settings_.seconds);
+             ++round) {
+            for (std::size_t i = 0; i < prepared_.size(); ++i) {
+                const double gone = seconds_since(start), rounds = round + static_cast<double>(i) / all;
+                const double least = static_cast<double>(kLeastRounds);
+                const double whole = std::max(settings_.seconds, rounds > 0 ? gone / rounds * least : 0);
+                constexpr int kParts = 100;
+                const int part = whole > 0 ? std::min(kParts, static_cast<int>(kParts * gone / whole)) : 0;
+                const std::string next = "timing, round " + std::to_string(study_.series[0].rounds + 1);
+                if (!goes_on(part, kParts, next, std::max(0.0, whole - gone))) return;
+                study_.points[i].seconds.push_back(time_of(i));
+            }
+            ++study_.series[0].rounds;
+        }
+    }
+
+    double time_of(std::size_t i) const {
+        // A frame of a film: the one before it was drawn in the same way. (llvmpipe keeps 64 variants of its triangle setup,
+        // and takes more than it needs: what other choices have put there in between is not this one's cost.)
+        if (study_.points[i].choice.renderer != Renderer::kReference) prepared_[i].draw();
+        const auto before = Clock::now();
+        prepared_[i].draw();
+        return seconds_since(before);
+    }
+
+    const std::function<Frame(int slices)>& frame_of_;
+    const Renderers& renderers_;
+    const Settings& settings_;
+    Frame scene_;
+    Truth truth_;
+    Study study_;
+    std::vector<int> seen_;
+    std::vector<Choice> all_;
+    std::map<std::pair<int, bool>, Mesh> meshes_;  // by slices, and whether it is the surfaces themselves
+    std::vector<Prepared> prepared_;               // of the first of study_.points
+};
 
 }  // namespace
 
-double Error::psnr_db() const { return -20 * std::log10(rms); }
-
 double Point::median_seconds() const { return quantile(seconds, 0.5); }
+
 std::array<double, 2> Point::quartiles_seconds() const { return {quantile(seconds, 0.25), quantile(seconds, 0.75)}; }
 
 Study run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const Renderers& renderers,
           const Settings& settings) {
-    Study study;
-    const Frame scene = frame_of(0);
-    study.width = scene.width;
-    study.height = scene.height;
-    const RenderOptions exact{.shading = Shading::kExact};
-    study.truth = renderers.reference(scene, exact).picture();
-    const std::vector<int> seen = renderers.seen(scene, exact);
-
-    // The pictures, and so the errors; each choice stays ready for its turns.
-    const std::vector<Choice> all = choices(scene, has_slices, settings.extent);
-    std::map<std::pair<int, bool>, Mesh> meshes;  // by slices, and whether it is the surfaces themselves
-    const auto mesh_of = [&](const Choice& choice) -> const Mesh& {
-        const bool is_exact = choice.shading == Shading::kExact;
-        const auto [found, is_new] = meshes.try_emplace({choice.slices, is_exact});
-        if (is_new) {
-            found->second.frame = is_exact ? scene : frame_of(choice.slices);
-            const RenderOptions lit_by_pixel{.shading = is_exact ? Shading::kExact : Shading::kPhong};
-            found->second.is_silhouette =
-                silhouettes(seen, renderers.seen(found->second.frame, lit_by_pixel), study.width, study.height);
-        }
-        return found->second;
-    };
-    std::vector<Prepared> prepared;
-    for (const Choice& choice : all) {
-        if (settings.progress &&
-            !settings.progress(static_cast<int>(prepared.size()), static_cast<int>(all.size()), choice.words()))
-            break;
-        const Mesh& mesh = mesh_of(choice);
-        const Frame frame = simplified(mesh.frame, choice.without);
-        prepared.push_back(renderer_of(renderers, choice)(frame, choice.options()));
-        Point point;
-        point.choice = choice;
-        point.picture = prepared.back().picture();
-        set_errors(point, study.truth, mesh.is_silhouette);
-        point.difference_factor = amplification_for(point.whole.max);
-        point.difference = difference_picture(point.picture, study.truth, point.difference_factor);
-        study.points.push_back(std::move(point));
-    }
-
-    // The times: round by round, so that a machine which is slow for a while is slow for all.
-    const auto start = std::chrono::steady_clock::now();
-    for (study.rounds = 0; study.rounds < kLeastRounds || seconds_since(start) < settings.seconds; ++study.rounds) {
-        const double share = seconds_since(start) / settings.seconds;
-        constexpr int kParts = 100;
-        if (settings.progress && !settings.progress(std::min(kParts, static_cast<int>(share * kParts)), kParts,
-                                                    "timing, round " + std::to_string(study.rounds + 1)))
-            break;
-        for (std::size_t i = 0; i < prepared.size(); ++i) {
-            // A frame of a film: the one before it was drawn in the same way. (llvmpipe keeps 64 variants of its triangle setup,
-            // and takes more than it needs: what other choices have put there in between is not this one's cost.)
-            if (study.points[i].choice.renderer != "reference") prepared[i].draw();
-            const auto before = std::chrono::steady_clock::now();
-            prepared[i].draw();
-            study.points[i].seconds.push_back(seconds_since(before));
-        }
-    }
-    find_front(study.points);
-    study.findings = findings(study.points);
-    return study;
+    return Run(frame_of, has_slices, renderers, settings).study();
 }
 
 }  // namespace twinlight::study

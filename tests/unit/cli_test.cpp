@@ -469,7 +469,71 @@ TEST_F(Cli, StudiesWhatAccuracyCosts) {
     EXPECT_LT(rms("programmable-phong-32"), rms("programmable-gouraud-32"));
     EXPECT_LT(rms("programmable-gouraud-32"), rms("programmable-flat-32"));
     EXPECT_NEAR(rms("fixed-gouraud-32"), rms("programmable-gouraud-32"), 1e-4);  // codes that round to either side
-    for (const auto& [key, point] : points) EXPECT_EQ(point["seconds"]["samples"], 3) << key;
+    for (const auto& [key, point] : points) EXPECT_EQ(point["seconds"]["samples"].size(), 3U) << key;
+    // What is only sent in another way is the same picture, and so are normals that are rescaled.
+    for (const char* sending : {"client-arrays", "immediate", "display-list"})
+        EXPECT_EQ(points.at(std::string("fixed-gouraud-32-") + sending)["error"],
+                  points.at("fixed-gouraud-32")["error"]);
+    // Floats have nothing to round.
+    EXPECT_LT(rms("programmable-phong-32-float"), rms("programmable-phong-32"));
+    EXPECT_LT(std::filesystem::file_size(folder + "/pictures/reference-exact-difference.png"), 1000U);  // one grey
+
+    // Goes on: the rounds are added to those that there were.
+    const ProgramResult more = run({"study", scene(kScene), "-o", folder, "--resume", "--seconds", "0.001", "--json"});
+    ASSERT_EQ(more.status, 0) << more.err;
+    const json resumed = json::parse(more.out);
+    EXPECT_EQ(resumed["size"], study["size"]);
+    EXPECT_EQ(resumed["series"][0]["rounds"], 4);
+    EXPECT_EQ(resumed["points"].size(), study["points"].size());
+    const auto expect_refusal = [](const ProgramResult& refused, const std::string& expected) {
+        EXPECT_EQ(refused.status, 2);
+        EXPECT_NE(refused.err.find(expected), std::string::npos) << refused.err;
+    };
+    expect_refusal(run({"study", scene("glutSolidCube(1);"), "-o", folder, "--resume"}), "leave --resume out");
+    expect_refusal(run({"study", scene(kScene), "-o", folder, "--resume", "--size", "9x9"}),
+                   "of 48 x 48 pixels, not 9 x 9");
+    expect_refusal(run({"study", scene(kScene), "-o", out_ / "none", "--resume"}), "none/study.json");
+
+    // Two of them laid over each other, with their pictures.
+    const std::string file = folder + "/study.json", both = out_ / "both";
+    const ProgramResult merged = run({"study", "--merge", file, file, "-o", both, "--json"});
+    ASSERT_EQ(merged.status, 0) << merged.err;
+    EXPECT_EQ(json::parse(merged.out)["series"].size(), 2U);
+    EXPECT_EQ(read_file(both + "/pictures/2-reference-exact.png"), read_file(folder + "/pictures/reference-exact.png"));
+    expect_refusal(run({"study", "--merge", file, "-o", both}), "two files");
+    expect_refusal(run({"study", "--merge", file, scene(kScene), "-o", both}), "is no JSON");
+    expect_refusal(run({"study", "-o", both}), "SCENE is missing");
+}
+
+TEST_F(Cli, KeepsWhatAnInterruptedStudyHas) {
+    const std::string file = scene(kScene), folder = out_ / "study";
+    const ProgramResult result =
+        run_shell("twinlight", "timeout --preserve-status -s INT 2 \"$PROGRAM\" study " + quoted(file) + " -o " +
+                                   quoted(folder) + " --quick --seconds 1000 --size 24x24 --json");
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json begun = json::parse(result.out);
+    const ProgramResult more = run({"study", file, "-o", folder, "--resume", "--seconds", "0", "--json"});
+    ASSERT_EQ(more.status, 0) << more.err;
+    const json ended = json::parse(more.out);
+    EXPECT_GE(ended["points"].size(), begun["points"].size());
+    EXPECT_GE(ended["series"][0]["rounds"], begun["series"][0]["rounds"]);
+    for (const json& point : ended["points"]) EXPECT_GE(point["seconds"]["samples"].size(), 3U) << point["key"];
+}
+
+TEST_F(Cli, StudiesEdgesByCoverage) {
+    const ProgramResult result = run({"study", scene(kScene), "-o", out_ / "study", "--quick", "--seconds", "0",
+                                      "--size", "48x48", "--coverage", "8", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    std::map<std::string, json> points;
+    const json study = json::parse(result.out);
+    for (const json& point : study["points"]) points[point["key"]] = point;
+    const auto rms = [&](const std::string& key) { return points.at(key)["error"]["silhouette"]["rms"].get<double>(); };
+    for (const std::string choice : {"fixed-gouraud-32", "programmable-phong-32", "reference-exact"}) {
+        EXPECT_LT(rms(choice + "-samples-2"), rms(choice));
+        EXPECT_LT(rms(choice + "-samples-4"), rms(choice + "-samples-2"));
+    }
+    EXPECT_GT(rms("reference-exact"), 0.01);  // one sample is not the mean of sixty-four
+    EXPECT_EQ(run({"study", scene(kScene), "-o", out_ / "study", "--coverage", "3"}).status, 2);
 }
 
 TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 
 #include "app/cli/progress.h"
@@ -14,23 +11,24 @@
 #include "image/file.h"
 #include "scenes/load.h"
 #include "state/recorded_frame.h"
+#include "state/shading_names.h"
 
 namespace twinlight::cli {
 
 namespace {
 
-const std::map<std::string, Shading> kShadings = {
-    {"flat", Shading::kFlat},
-    {"gouraud", Shading::kGouraud},
-    {"phong", Shading::kPhong},
-    {"exact", Shading::kExact},
-};
+const std::map<std::string, Shading> kAllShadings = [] {
+    std::map<std::string, Shading> named;
+    for (const ShadingName& name : kShadings) named.emplace(name.key, name.value);
+    return named;
+}();
 
 }  // namespace
 
-void add_scene_argument(CLI::App& app, std::string& scene) {
-    app.add_option("SCENE", scene,
-                   "a built-in scene's name, a .gl file, an apitrace .trace or its dump, or - for standard input")
+CLI::Option* add_scene_argument(CLI::App& app, std::string& scene) {
+    return app
+        .add_option("SCENE", scene,
+                    "a built-in scene's name, a .gl file, an apitrace .trace or its dump, or - for standard input")
         ->required()
         ->type_name("")
         ->check(not_empty());
@@ -38,10 +36,10 @@ void add_scene_argument(CLI::App& app, std::string& scene) {
 
 void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {
     app.add_option_function<std::string>(
-           "--shading", [&shading](const std::string& name) { shading = kShadings.at(name); },
+           "--shading", [&shading](const std::string& name) { shading = kAllShadings.at(name); },
            "what the scene's glShadeModel says, unless given; exact: curved shapes by their equations, ray by ray")
         ->type_name("flat|gouraud|phong|exact")
-        ->check(one_of(kShadings));
+        ->check(one_of(kAllShadings));
 }
 
 void add_precise_flag(CLI::App& app, bool& precise) {
@@ -113,12 +111,6 @@ Frame load_frame(const std::string& scene, std::optional<Size> size, std::option
     Frame made = make_frame(list, options);
     fixed::note_lights_beyond(made, {});
     return made;
-}
-
-void write_result(std::string_view bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
-        throw FileError(std::string("standard output: ") + std::strerror(errno));
-    }
 }
 
 bool result_in_color() {

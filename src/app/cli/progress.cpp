@@ -3,13 +3,21 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
+#include <string>
 
 namespace twinlight::cli {
 
 namespace {
-constexpr int kWidth = 60;  // of the line: blanks up to here cover what stood there before
+constexpr int kWidth = 79;  // of the line: blanks up to here cover what stood there before
 constexpr int kBarWidth = 24;
+
+std::string time_left(double seconds) {
+    constexpr double kMinute = 60, kManySeconds = 100;
+    if (seconds < kManySeconds) return fmt::format("{:.0f} s left", std::ceil(seconds));
+    return fmt::format("{:.0f} min left", std::ceil(seconds / kMinute));
+}
 }  // namespace
 
 ProgressBar::ProgressBar() : terminal_(::isatty(STDERR_FILENO) != 0) {}
@@ -20,18 +28,20 @@ void ProgressBar::wipe() {
     if (terminal_) fmt::print(stderr, "\r{:{}}\r", "", kWidth);
 }
 
-void ProgressBar::show(std::string_view doing) {
-    if (!terminal_) return;
-    fmt::print(stderr, "\r{:{}}", doing.substr(0, kWidth), kWidth);
-    std::fflush(stderr);
+void ProgressBar::show(std::string_view doing) { print(doing); }
+
+void ProgressBar::show(int done, int total, std::string_view next, std::optional<double> seconds_left) {
+    const int filled = done * kBarWidth / total;
+    const std::string left = seconds_left ? time_left(*seconds_left) + ", " : "";
+    print(fmt::format("[{:#<{}}{:.<{}}] {}/{} {}{}", "", filled, "", kBarWidth - filled, done, total, left, next));
 }
 
-void ProgressBar::show(int done, int total, std::string_view next) {
-    if (!terminal_) return;
-    const int filled = done * kBarWidth / total;
-    const std::string line =
-        fmt::format("[{:#<{}}{:.<{}}] {}/{} {}", "", filled, "", kBarWidth - filled, done, total, next);
-    fmt::print(stderr, "\r{:{}}", line, kWidth);
+void ProgressBar::print(std::string_view line) {
+    constexpr std::chrono::milliseconds kTooSoon(50);  // nobody reads faster
+    const auto now = std::chrono::steady_clock::now();
+    if (!terminal_ || (printed_ && now - *printed_ < kTooSoon)) return;
+    printed_ = now;
+    fmt::print(stderr, "\r{:{}}", line.substr(0, kWidth), kWidth);
     std::fflush(stderr);
 }
 

@@ -1,6 +1,8 @@
 // Progress on standard error: a bar where that is a terminal, nothing otherwise.
 #pragma once
 
+#include <chrono>
+#include <optional>
 #include <string_view>
 
 namespace twinlight::cli {
@@ -12,12 +14,15 @@ class ProgressBar {
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    void show(int done, int total, std::string_view next);
+    void show(int done, int total, std::string_view next, std::optional<double> seconds_left = std::nullopt);
     void show(std::string_view doing);  // where there is no telling how much is left
     void wipe();
 
   private:
+    void print(std::string_view line);
+
     bool terminal_;
+    std::optional<std::chrono::steady_clock::time_point> printed_;
 };
 
 }  // namespace twinlight::cli

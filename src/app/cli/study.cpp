@@ -3,17 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/cli/command_line.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/machine.h"
 #include "app/cli/progress.h"
-#include "app/cli/renderers.h"
-#include "context/gl.h"
-#include "fixed/prepared_frame.h"
+#include "app/cli/study_renderers.h"
+#include "command/text.h"
 #include "image/file.h"
-#include "reference/reference.h"
 #include "state/state.h"
+#include "study/files.h"
 #include "study/tessellation.h"
 
 namespace twinlight::cli {
@@ -27,58 +28,86 @@ struct Arguments {
     std::string scene;
     std::optional<Size> size;
     std::string folder;
+    std::vector<std::string> merge;
     std::optional<double> seconds;
-    bool quick = false, json = false;
+    std::optional<int> coverage;
+    bool quick = false, resume = false, json = false;
 };
 
-// Draws into the context that is current.
-study::Renderers study_renderers(int width, int height, programmable::Renderer& shaders) {
-    study::Renderers renderers;
-    const auto prepared = [width, height](const std::function<void()>& draw) {
-        const auto finish = [draw] {
-            draw();
-            glFinish();
-        };
-        return study::Prepared{finish, [finish, width, height] {
-                                   finish();
-                                   return read_pixels(width, height);
-                               }};
-    };
-    renderers.fixed = [prepared](const Frame& frame, const RenderOptions& options) {
-        const auto kept = std::make_shared<const Frame>(frame);
-        const auto ready = std::make_shared<fixed::PreparedFrame>(*kept, options, fixed::Scrub::kNothing);
-        return prepared([kept, ready] { ready->draw(); });
-    };
-    renderers.programmable = [prepared, &shaders](const Frame& frame, const RenderOptions& options) {
-        const auto ready = std::make_shared<programmable::PreparedFrame>(frame, options);
-        return prepared([ready, &shaders] { shaders.draw(*ready); });
-    };
-    renderers.reference = [](const Frame& frame, const RenderOptions& options) {
-        const auto ready = std::make_shared<const Frame>(frame);
-        return study::Prepared{[ready, options] { reference::render(*ready, options); },
-                               [ready, options] { return reference::render(*ready, options); }};
-    };
-    renderers.seen = reference::seen_shapes;
-    return renderers;
+// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo): to tell scenes apart, not to keep anybody from forging one.
+std::string fingerprint(std::string_view text) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3;
+    return fmt::format("{:016x}", hash);
 }
 
 std::string summary(const study::Study& study, const std::string& folder) {
-    std::string text = fmt::format("{}, {} x {}, {}: {} choices, {} rounds\n\n{:<56} {:>10} {:>10} {:>8}\n",
-                                   study.scene, study.width, study.height, study.driver, study.points.size(),
-                                   study.rounds, "no other is both faster and more accurate", "time", "rms", "max");
-    std::vector<const study::Point*> front;
-    for (const study::Point& point : study.points)
-        if (point.on_front) front.push_back(&point);
-    std::ranges::sort(front, {}, [](const study::Point* point) { return point->median_seconds(); });
-    for (const study::Point* point : front)
-        text += fmt::format("{:<56} {:>7.3g} ms {:>10.2e} {:>8.3f}\n", point->choice.words(),
-                            1000 * point->median_seconds(), point->whole.rms, point->whole.max);
-    text += "\n";
-    for (const std::string& sentence : study.findings) text += sentence + "\n";
-    return text + "Report: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
+    constexpr std::size_t kRms = 0;  // of kMeasures
+    std::string text =
+        fmt::format("{}, {} x {}: {} choices\n", study.scene, study.width, study.height, study.points.size());
+    for (std::size_t series = 0; series < study.series.size(); ++series) {
+        const study::Series& one = study.series[series];
+        text += fmt::format("\n{}, {} cores, {}; {} rounds\n{:<64} {:>10} {:>10} {:>8}\n", one.machine.processor,
+                            one.machine.cores, one.driver, one.rounds, "no other is both faster and more accurate",
+                            "time", "rms", "max");
+        std::vector<const study::Point*> front;
+        for (const study::Point& point : study.points)
+            if (point.series == series && point.on_front[kRms]) front.push_back(&point);
+        std::ranges::sort(front, {}, [](const study::Point* point) { return point->median_seconds(); });
+        for (const study::Point* point : front)
+            text += fmt::format("{:<64} {:>7.3g} ms {:>10.2e} {:>8.3f}\n", point->choice.words(),
+                                1000 * point->median_seconds(), point->errors.whole.rms, point->errors.whole.max);
+        text += "\n";
+        for (const std::string& sentence : one.findings) text += sentence + "\n";
+    }
+    return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
-int run(const Arguments& arguments) {
+int write(const Arguments& arguments, const study::Study& study) {
+    study::write_study(study, arguments.folder);
+    write_result(arguments.json ? study_json(study) : summary(study, arguments.folder));
+    return kFine;
+}
+
+int merge(const Arguments& arguments) {
+    if (arguments.merge.size() < 2) throw UsageError("--merge takes two files study.json or more");
+    std::vector<study::NamedStudy> studies;
+    for (const std::string& file : arguments.merge) studies.push_back({file, study::load_study(file)});
+    return write(arguments, study::merged(std::move(studies)));
+}
+
+// The study in the folder, and what of it this one goes on with unless something else is said.
+std::optional<study::Study> earlier_study(Arguments& arguments) {
+    if (!arguments.resume) return {};
+    const std::string file = (std::filesystem::path(arguments.folder) / "study.json").string();
+    study::Study study = study::load_study(file);
+    if (study.series.size() != 1)
+        throw UsageError(file + " is merged of several; --resume goes on with a study of one machine");
+    const bool was_quick = study.extent == study::Extent::kQuick;
+    if (arguments.quick && !was_quick) throw UsageError(file + " is no --quick study; leave --quick out");
+    arguments.quick = was_quick;
+    if (!arguments.size) arguments.size = Size{study.width, study.height};
+    if (!arguments.coverage) arguments.coverage = study.coverage;
+    return study;
+}
+
+void check_resumable(const study::Study& earlier, const study::Study& now) {
+    std::string difference = difference_of(now, earlier);
+    if (difference.empty() && earlier.series[0].machine != now.series[0].machine)
+        difference = "of another machine, " + earlier.series[0].machine.processor;
+    if (difference.empty() && earlier.series[0].driver != now.series[0].driver)
+        difference = "of another driver, " + earlier.series[0].driver;
+    if (!difference.empty())
+        throw UsageError(
+            fmt::format("the study to go on with is {}; leave --resume out to begin anew, or use another "
+                        "folder and --merge",
+                        one_line(difference)));
+}
+
+int run(Arguments arguments) {
+    if (!arguments.merge.empty()) return merge(arguments);
+    if (arguments.scene.empty()) throw UsageError("SCENE is missing, or --merge with files to lay over each other");
+    const std::optional<study::Study> earlier = earlier_study(arguments);
     const Size size = arguments.size.value_or(arguments.quick ? kQuickSize : kSize);
     const Frame frame = load_frame(arguments.scene, size);
     const auto* scene = dynamic_cast<const CommandList*>(frame.commands.get());
@@ -89,32 +118,43 @@ int run(const Arguments& arguments) {
                           {.width = frame.width, .height = frame.height});
     };
     // Before the work, not after it.
-    const std::filesystem::path folder(arguments.folder);
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    std::filesystem::create_directories(arguments.folder, error);
     if (error) throw FileError(arguments.folder + ": " + error.message());
-    const auto context = make_offscreen_context(frame.width, frame.height);
-    programmable::Renderer shaders({.programs = 1024});  // all of them stay ready
+    StudyRenderers renderers(frame.width, frame.height);
+
+    study::Study about;  // what is known of it beforehand
+    about.scene = frame.commands->name;
+    about.fingerprint = fingerprint(scene ? print_scene(*scene) : read_file(arguments.scene));
+    about.width = frame.width;
+    about.height = frame.height;
+    about.coverage = arguments.coverage.value_or(1);
+    about.series.push_back({.name = study::short_name(driver_name()),
+                            .machine = this_machine(),
+                            .driver = driver_name(),
+                            .rounds = 0,
+                            .findings = {}});
+    if (earlier) check_resumable(*earlier, about);
+
     const Interrupt interrupt;
     ProgressBar bar;
-    study::Study result = study::run(frame_of, has_slices, study_renderers(frame.width, frame.height, shaders),
+    study::Study result = study::run(frame_of, has_slices, renderers.functions(),
                                      {.extent = arguments.quick ? study::Extent::kQuick : study::Extent::kFull,
+                                      .coverage = about.coverage,
                                       .seconds = arguments.seconds.value_or(arguments.quick ? kQuickSeconds : kSeconds),
-                                      .progress = [&](int done, int total, const std::string& next) {
-                                          bar.show(done, total, next);
+                                      .earlier = earlier ? &*earlier : nullptr,
+                                      .progress = [&](const study::Progress& progress) {
+                                          bar.show(progress.done, progress.total, progress.next, progress.seconds_left);
                                           return !Interrupt::came();
                                       }});
     bar.wipe();
-    result.scene = frame.commands->name;
-    result.driver = driver_name();
-    const std::string json = study::study_json(result), csv = study::study_csv(result), svg = study::study_svg(result),
-                      page = study::study_page(result);
-    write_files_atomically({{(folder / "study.json").string(), json},
-                            {(folder / "study.csv").string(), csv},
-                            {(folder / "study.svg").string(), svg},
-                            {(folder / "index.html").string(), page}});
-    write_result(arguments.json ? json : summary(result, arguments.folder));
-    return kFine;
+    result.scene = about.scene;
+    result.fingerprint = about.fingerprint;
+    study::Series& series = result.series[0];
+    series.name = about.series[0].name;
+    series.machine = about.series[0].machine;
+    series.driver = about.series[0].driver;
+    return write(arguments, result);
 }
 
 }  // namespace
@@ -122,14 +162,15 @@ int run(const Arguments& arguments) {
 Subcommand add_study(CLI::App& app) {
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* study = app.add_subcommand("study", "Show what accuracy costs in time");
-    add_scene_argument(*study, arguments->scene);
+    add_scene_argument(*study, arguments->scene)->required(false);
     study
         ->add_option("-o", arguments->folder,
-                     "where study.json, study.csv, study.svg and index.html go; made if it is not there")
+                     "where study.json, study.csv, study.svg, index.html and pictures/ go; made if it is not there")
         ->required()
         ->type_name("DIR")
         ->check(not_empty());
     add_size_option(*study, arguments->size);
+    study->get_option("--size")->default_str("320x240, or 240x180 with --quick");
     study
         ->add_option_function<double>(
             "--seconds", [arguments](double seconds) { arguments->seconds = seconds; },
@@ -137,10 +178,24 @@ Subcommand add_study(CLI::App& app) {
         ->type_name("S")
         ->default_str("60, or 5 with --quick")
         ->check(CLI::Range(0.0, 86400.0));
-    study->add_flag("--quick", arguments->quick, "fewer meshes, a smaller picture, less time");
+    study
+        ->add_option_function<int>(
+            "--coverage", [arguments](int samples) { arguments->coverage = samples; },
+            "edges by coverage: truth has NxN samples a pixel, and choices with several samples are in")
+        ->type_name("N")
+        ->default_str("1")
+        ->check(CLI::IsMember({1, 2, 4, 8, 16}));
+    study->add_flag("--quick", arguments->quick, "fewer choices, a smaller picture, less time");
+    study->add_flag("--resume", arguments->resume, "go on with the study in DIR, as it was begun");
+    study
+        ->add_option("--merge", arguments->merge,
+                     "lay studies of one scene over each other, of several machines; there is no SCENE then")
+        ->type_name("A.json B.json");
     study->add_flag("--json", arguments->json, "print study.json's object instead of the table");
     study->footer(
-        "Truth is the reference with exact surfaces. Ctrl-C ends the timing; what was measured is written.\n"
+        "Truth is the reference with exact surfaces. Ctrl-C ends the study; what was measured is written, and "
+        "--resume\n"
+        "goes on with it.\n"
         "Exit status: 0 fine, 2 bad input or use.");
     return {study, [arguments] { return run(*arguments); }};
 }

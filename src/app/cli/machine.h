@@ -1,0 +1,10 @@
+// The machine that the program runs on.
+#pragma once
+
+#include "study/study.h"
+
+namespace twinlight::cli {
+
+study::Machine this_machine();
+
+}  // namespace twinlight::cli

@@ -1,0 +1,93 @@
+#include "app/cli/study_renderers.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "context/gl.h"
+#include "fixed/prepared_frame.h"
+#include "reference/reference.h"
+
+namespace twinlight::cli {
+
+namespace {
+
+// The mean of each square of samples.
+Image reduced(const Image& image, int samples) {
+    Image result(image.width / samples, image.height / samples);
+    const auto count = static_cast<float>(samples * samples);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (std::size_t c = 0; c < 4; ++c) result.at(x / samples, y / samples)[c] += image.at(x, y)[c] / count;
+    return result;
+}
+
+// Floats may be beyond what is shown.
+Image clamped(Image image) {
+    for (Rgba& pixel : image.pixels)
+        for (float& channel : pixel) channel = std::clamp(channel, 0.0F, 1.0F);
+    return image;
+}
+
+study::Prepared by_reference(Frame frame, const study::Choice& choice) {
+    const auto ready = std::make_shared<const Frame>(std::move(frame));
+    const auto picture = [ready, options = choice.options(), samples = choice.samples] {
+        Image image = reference::render(*ready, options);
+        return samples == 1 ? image : reduced(image, samples);
+    };
+    return {[picture] { picture(); }, picture};
+}
+
+// Drivers may have no precise programs, and scenes lights that the fixed function has not.
+std::shared_ptr<programmable::PreparedFrame> prepared_for_shaders(const Frame& frame, const study::Choice& choice) {
+    try {
+        return std::make_shared<programmable::PreparedFrame>(frame, choice.options());
+    } catch (const std::runtime_error& refusal) {
+        if (choice.renderer == study::Renderer::kPrecise) throw study::Refused(refusal.what());
+        throw;
+    }
+}
+
+}  // namespace
+
+StudyRenderers::StudyRenderers(int width, int height)
+    : width_(width),
+      height_(height),
+      context_(make_offscreen_context(width, height)),
+      shaders_({.programs = 1024}) {}  // all of them stay ready
+
+study::Renderers StudyRenderers::functions() {
+    return {[this](const Frame& frame, const study::Choice& choice) { return prepare(frame, choice); },
+            reference::seen_shapes};
+}
+
+const RenderTarget& StudyRenderers::target_of(const study::Choice& choice) {
+    const ColorBuffer kind = choice.target == study::Target::kFloats ? ColorBuffer::kFloat : ColorBuffer::kUnorm8;
+    return targets_.try_emplace({choice.target, choice.samples}, width_, height_, kind, choice.samples).first->second;
+}
+
+study::Prepared StudyRenderers::prepare(const Frame& frame, const study::Choice& choice) {
+    Frame drawn = choice.samples == 1 ? frame : study::enlarged(frame, choice.samples);
+    if (choice.renderer == study::Renderer::kReference) return by_reference(std::move(drawn), choice);
+    std::function<void()> draw;
+    if (choice.renderer == study::Renderer::kFixed) {
+        const auto kept = std::make_shared<const Frame>(std::move(drawn));
+        const auto ready = std::make_shared<fixed::PreparedFrame>(*kept, choice.options(), fixed::Scrub::kNothing);
+        draw = [kept, ready] { ready->draw(); };
+    } else {
+        const auto ready = prepared_for_shaders(drawn, choice);
+        draw = [this, ready] { shaders_.draw(*ready); };
+    }
+    const RenderTarget& target = target_of(choice);
+    const auto finish = [draw, &target] {
+        target.bind();
+        draw();
+        target.resolve();
+        glFinish();
+    };
+    return {finish, [finish, &target] {
+                finish();
+                return clamped(target.read());
+            }};
+}
+
+}  // namespace twinlight::cli

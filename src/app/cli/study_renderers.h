@@ -1,0 +1,33 @@
+// What a study draws with.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "context/context.h"
+#include "context/render_target.h"
+#include "programmable/programmable.h"
+#include "study/study.h"
+
+namespace twinlight::cli {
+
+class StudyRenderers {
+  public:
+    // For pictures of that size. Throws std::runtime_error that says what the driver refused.
+    StudyRenderers(int width, int height);
+
+    // Valid as long as the set lives.
+    study::Renderers functions();
+
+  private:
+    study::Prepared prepare(const Frame& frame, const study::Choice& choice);
+    const RenderTarget& target_of(const study::Choice& choice);
+
+    int width_, height_;
+    std::unique_ptr<OffscreenContext> context_;
+    programmable::Renderer shaders_;  // this and the next die before the context
+    std::map<std::pair<study::Target, int>, RenderTarget> targets_;
+};
+
+}  // namespace twinlight::cli
