@@ -542,7 +542,6 @@ TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
         return run({"render", file, "--with", renderer, "--shading", "exact", "--size", "32x32", "-o", out_ / "p.png"});
     };
     expect_refused(render("fixed"), "use --with programmable or --with reference");
-    EXPECT_EQ(render("programmable").status, 0);
     expect_refused(
         run({"render", file, "--with", "programmable", "--precise", "--shading", "exact", "-o", out_ / "p.png"}),
         "no exact surfaces");
@@ -552,7 +551,12 @@ TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
     expect_refused(
         run({"render", file, "--with", "reference", "--scrubbed", "--shading", "exact", "-o", out_ / "p.png"}),
         "leave one of both out");
+    expect_refused(run({"compare", file, "--shading", "flat", "-o", out_.str()}), "exact, phong");
+    EXPECT_EQ(render("programmable").status, 0);
     EXPECT_EQ(render("reference").status, 0);
+    const ProgramResult compared = run({"compare", file, "--shading", "exact", "--size", "32x32", "-o", out_.str()});
+    EXPECT_EQ(compared.status, 0) << compared.err;
+    EXPECT_NE(compared.out.find("programmable-exact"), std::string::npos);
 }
 
 TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
