@@ -241,6 +241,25 @@ DrawBounds draw_bounds(const Draw& draw, const VertexFacts& vertices, const Ligh
     return bounds;
 }
 
+ColorRange spectral_product_of(const LightModel& model, const LightColor& light, const FaceRange& face,
+                               ColorRange FaceRange::*color) {
+    const auto& [low, high] = face.*color;
+    if (low == high) {
+        const Spectrum* reflectance = color == &FaceRange::ambient   ? face.reflectances.ambient
+                                      : color == &FaceRange::diffuse ? face.reflectances.diffuse
+                                                                     : face.reflectances.specular;
+        const glm::dvec3 product = product_of(model, light, {low, reflectance});
+        return {product, product};
+    }
+    const glm::dmat3 matrix = product_matrix(model, light);
+    ColorRange range;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 a = low[i] * matrix[i], b = high[i] * matrix[i];
+        range = {range.low + glm::min(a, b), range.high + glm::max(a, b)};
+    }
+    return range;
+}
+
 double largest_attenuation(const LightSource& light, double nearest, double farthest) {
     const double k0 = light.constant_attenuation, k1 = light.linear_attenuation, k2 = light.quadratic_attenuation;
     if (k0 <= 0 && k1 <= 0 && k2 <= 0) return 0;  // RULING: where the denominator is not positive, 0

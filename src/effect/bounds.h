@@ -13,6 +13,7 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
+#include "effect/color_products.h"
 #include "effect/vertex_facts.h"
 #include "state/frame.h"
 
@@ -55,17 +56,23 @@ struct ColorRange {
     glm::dvec3 low{0}, high{0};
 };
 
-// A material's colour times a light's.
-inline ColorRange product_of(const ColorRange& material, const glm::dvec3& light) {
-    const glm::dvec3 a = material.low * light, b = material.high * light;
-    return {glm::min(a, b), glm::max(a, b)};
-}
-
 // What a face's materials may be.
 struct FaceRange {
     ColorRange emission, ambient, diffuse, specular;
     Range shininess, alpha;
+    Material::Reflectances reflectances{};  // of the colours that are not the vertices'
 };
+
+// A material's colour times a light's, in the samples of a spectrum.
+ColorRange spectral_product_of(const LightModel& model, const LightColor& light, const FaceRange& face,
+                               ColorRange FaceRange::*color);
+// In those that the scene asks for.
+inline ColorRange product_of(const LightModel& model, const LightColor& light, const FaceRange& face,
+                             ColorRange FaceRange::*color) {
+    if (model.spectrum) return spectral_product_of(model, light, face, color);
+    const glm::dvec3 a = (face.*color).low * light.rgb, b = (face.*color).high * light.rgb;
+    return {glm::min(a, b), glm::max(a, b)};
+}
 
 // The factors of a light's terms, at most. Of the faces, the front's first.
 struct LightFactors {

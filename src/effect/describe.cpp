@@ -115,6 +115,9 @@ std::string describe(const EffectSet& effects) {
     add(effects.fog == FogEffect::kLinear, "linear fog");
     add(effects.fog == FogEffect::kExp, "exponential fog");
     add(effects.fog == FogEffect::kExp2, "squared exponential fog");
+    add(effects.spectral_products, "spectral products");
+    add(effects.spectral_groups > 0, fmt::format("spectral groups: {}", effects.spectral_groups));
+    add(effects.srgb_coded, "coded as sRGB");
     add(effects.clip_plane_count > 0, fmt::format("clip planes: {}", effects.clip_plane_count));
     return text;
 }

@@ -15,6 +15,8 @@
 //   normalize                                a light is diffuse or specular, and one factor does not make all normals unit
 //   separate_specular, specular_model        a light is specular
 //   shininess                                a light is specular
+//   spectral_products                        tracks_* or varies_* of an ambient, diffuse or specular colour
+//   spectral_groups                          no spectral_products; only where RenderOptions::fold_spectra is off
 //   tracks_*, varies_*                       that property of the material is called for; one of both at most
 //   lights[i].attenuated, .spot              the light is positional
 //   lights[i].spot without an exponent       its cone does not hold all of the Draw
@@ -126,6 +128,11 @@ struct EffectSet {
     TextureEffects texture;
     FogEffect fog = FogEffect::kNone;
     int clip_plane_count = 0;  // of the user (2.12)
+    // The colours of vertices meet lights in more samples than three: the products are a matrix times them.
+    bool spectral_products = false;
+    // Groups of three samples in which every point is lit; 0: in red, green and blue.
+    int spectral_groups = 0;
+    bool srgb_coded = false;  // a fragment's colour is linear light, and coded last
 
     friend auto operator<=>(const EffectSet&, const EffectSet&) = default;  // NOLINT
 

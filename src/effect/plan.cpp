@@ -16,6 +16,8 @@
 namespace twinlight {
 namespace {
 
+constexpr double kSteepestSrgb = 12.92;  // the slope of its straight part
+
 bool is_zero(const glm::dvec3& c) { return c == glm::dvec3(0); }
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
 
@@ -31,10 +33,15 @@ FaceEffects tracked_by(Enum mode) {
 }
 
 void put_color(Material& material, const FaceEffects& tracked, const glm::dvec4& color) {
+    const auto put = [&](bool tracks, glm::dvec4& property, const Spectrum*& reflectance) {
+        if (!tracks) return;
+        property = color;
+        reflectance = nullptr;
+    };
     if (tracked.tracks_emission) material.emission = color;
-    if (tracked.tracks_ambient) material.ambient = color;
-    if (tracked.tracks_diffuse) material.diffuse = color;
-    if (tracked.tracks_specular) material.specular = color;
+    put(tracked.tracks_ambient, material.ambient, material.reflectances.ambient);
+    put(tracked.tracks_diffuse, material.diffuse, material.reflectances.diffuse);
+    put(tracked.tracks_specular, material.specular, material.reflectances.specular);
 }
 
 bool names_front(Enum face) { return face != kGL_BACK; }
@@ -59,6 +66,15 @@ bool keeps_errors_apart(const FragmentState& fragment) {
     return is_mean(fragment.blend_equation, fragment.blend_src, fragment.blend_dst);
 }
 
+Material::Reflectances reflectances_of(const Material& material, const FaceEffects& face) {
+    const auto unless = [](bool vertex_has_it, const Spectrum* reflectance) {
+        return vertex_has_it ? nullptr : reflectance;
+    };
+    return {.ambient = unless(face.tracks_ambient || face.varies_ambient, material.reflectances.ambient),
+            .diffuse = unless(face.tracks_diffuse || face.varies_diffuse, material.reflectances.diffuse),
+            .specular = unless(face.tracks_specular || face.varies_specular, material.reflectances.specular)};
+}
+
 // ---- The planner ----
 
 class Planner {
@@ -71,6 +87,9 @@ class Planner {
     Plan plan() {
         state().enabled = draw_.lighting.enabled;
         plan_.budget = keeps_errors_apart(draw_.fragment) ? std::max(options_.budget, 0.0) : 0;
+        facts().srgb_coded = options_.lecture_variants && draw_.fragment.srgb_coded;
+        // sRGB's curve is steepest at black, and magnifies there what is off in linear light.
+        if (facts().srgb_coded) plan_.budget /= kSteepestSrgb;
         plan_fragments(draw_, vertices_, plan_);
         facts().shading =
             options_.shading.value_or(draw_.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud);
@@ -86,6 +105,10 @@ class Planner {
             plan_unlit();
         plan_colors_that_are_left();
         plan_w();
+        if (facts().srgb_coded) {
+            plan_.error_bound *= kSteepestSrgb;
+            plan_.budget *= kSteepestSrgb;
+        }
         return std::move(plan_);
     }
 
@@ -119,6 +142,7 @@ class Planner {
         plan_clamp(lights, plan_lights(lights, plan_));
         plan_specular();
         drop_idle_colors();
+        plan_spectral_products();
         plan_geometry(lights.bounds);
         plan_shading_per_fragment();
     }
@@ -143,6 +167,7 @@ class Planner {
         EffectSet left;
         left.texture = facts().texture;
         left.fog = facts().fog;
+        left.srgb_coded = facts().srgb_coded;
         left.clip_plane_count = facts().clip_plane_count;
         facts() = left;
         state().enabled = false;
@@ -167,6 +192,7 @@ class Planner {
         const LightModel initial;
         state().light_model.specular = initial.specular;
         state().light_model.light_ambient = initial.light_ambient;
+        state().light_model.spectrum = nullptr;
         for (LightSource& light : state().lights) light.smooth_cone.reset();
     }
 
@@ -259,7 +285,8 @@ class Planner {
                 .diffuse = colors(&Material::diffuse, face.tracks_diffuse),
                 .specular = colors(&Material::specular, face.tracks_specular),
                 .shininess = {(least_shiny.*of).shininess, (most_shiny.*of).shininess},
-                .alpha = {low.a, high.a}};
+                .alpha = {low.a, high.a},
+                .reflectances = reflectances_of(materials_.front().*of, face)};
     }
 
     // 2.14.6. What lies in [0,1] with all that its terms may come to, needs no clamp.
@@ -267,7 +294,8 @@ class Planner {
         double low = 0, high = 0;
         for (std::size_t i = 0; i < (facts().two_side ? 2 : 1); ++i) {
             const FaceRange& face = lights.faces[i];
-            const ColorRange ambient = product_of(face.ambient, plan_.constant_ambient);
+            const ColorRange ambient =
+                product_of(state().light_model, {plan_.constant_ambient, {}}, face, &FaceRange::ambient);
             for (int c = 0; c < 3; ++c) {
                 low = std::min(low, face.emission.low[c] + ambient.low[c] + of_lights.low[c]);
                 high = std::max(high, face.emission.high[c] + ambient.high[c] + of_lights.high[c]);
@@ -337,6 +365,27 @@ class Planner {
         };
         drop_of_face(facts().front, &Materials::front);
         drop_of_face(facts().back, &Materials::back);
+    }
+
+    // What is one for the Draw meets the lights before it is drawn, and costs the same with any number of samples.
+    void plan_spectral_products() {
+        if (!state().light_model.spectrum) return;
+        const auto brings_colors = [](const FaceEffects& face) {
+            return face.tracks_ambient || face.tracks_diffuse || face.tracks_specular || face.varies_ambient ||
+                   face.varies_diffuse || face.varies_specular;
+        };
+        facts().spectral_products = brings_colors(facts().front) || brings_colors(facts().back);
+        constexpr std::size_t kMostSampledLights = 8;
+        if (!options_.fold_spectra && !facts().spectral_products && facts().needs_primary_rgb() &&
+            facts().lights.size() <= kMostSampledLights) {
+            facts().spectral_groups = (state().light_model.spectrum->count() + 2) / 3;
+            return;
+        }
+        leave_out(fmt::format("{} samples of the spectrum", state().light_model.spectrum->count()),
+                  facts().spectral_products
+                      ? "the products with a light are linear in the vertices' colours: a matrix has them"
+                      : "the products of lights and materials are the same at every vertex: they are made red, green "
+                        "and blue before");
     }
 
     void plan_geometry(const DrawBounds& bounds) {

@@ -59,10 +59,14 @@ class LightsPlanner {
     }
     bool is_unattenuated() const { return plan_.lighting.light_model.light_ambient == Word::unattenuated; }
 
+    ColorRange product_with(const LightColor& light, const FaceRange& face, ColorRange FaceRange::*material) const {
+        return product_of(plan_.lighting.light_model, light, face, material);
+    }
+
     // Whether a colour of the light meets a material that is not black there: on a face that shows, in some channel.
-    bool meets(const glm::dvec4& light, ColorRange FaceRange::*material) const {
+    bool meets(const LightColor& light, ColorRange FaceRange::*material) const {
         for (std::size_t face = 0; face < face_count_; ++face) {
-            const ColorRange range = product_of(what_.faces[face].*material, rgb(light));
+            const ColorRange range = product_with(light, what_.faces[face], material);
             if (range.low != glm::dvec3(0) || range.high != glm::dvec3(0)) return true;
         }
         return false;
@@ -86,10 +90,10 @@ class LightsPlanner {
             if (effects.spot) effects.spot_exponent = power_of(light.spot_exponent);
         }
         const bool reaches = constant_reach > 0;
-        const bool ambient = what_.primary && meets(light.ambient, &FaceRange::ambient);
-        effects.diffuse = what_.primary && reaches && meets(light.diffuse, &FaceRange::diffuse);
+        const bool ambient = what_.primary && meets(ambient_of(light), &FaceRange::ambient);
+        effects.diffuse = what_.primary && reaches && meets(diffuse_of(light), &FaceRange::diffuse);
         effects.specular =
-            (what_.primary || is_specular_separate()) && reaches && meets(light.specular, &FaceRange::specular);
+            (what_.primary || is_specular_separate()) && reaches && meets(specular_of(light), &FaceRange::specular);
 
         // The Draw's bounds, the cheap one first: what is fainter than its share is out whatever the angles are.
         const double share = plan_.budget / static_cast<double>(enabled_) / kUp;
@@ -160,12 +164,12 @@ class LightsPlanner {
             const FaceRange& materials = what_.faces[face];
             ColorRange sum;
             const double reach = factors.reach;
-            if (effects.ambient) add_term(sum, product_of(materials.ambient, rgb(light.ambient)), reach);
+            if (effects.ambient) add_term(sum, product_with(ambient_of(light), materials, &FaceRange::ambient), reach);
             if (effects.diffuse)
-                add_term(sum, product_of(materials.diffuse, rgb(light.diffuse)),
+                add_term(sum, product_with(diffuse_of(light), materials, &FaceRange::diffuse),
                          product(reach, factors.n_dot_vp[face]));
             if (effects.specular)
-                add_term(sum, product_of(materials.specular, rgb(light.specular)),
+                add_term(sum, product_with(specular_of(light), materials, &FaceRange::specular),
                          product(reach, factors.highlight[face]));
             whole = {glm::min(whole.low, sum.low), glm::max(whole.high, sum.high)};
         }
@@ -212,7 +216,7 @@ class LightsPlanner {
             note("cone", "it holds all of the Draw, and GL_SPOT_EXPONENT is 0");
         if (effects.spot && effects.spot_exponent == Power::kOne)
             note("fall-off inside the cone", "GL_SPOT_EXPONENT is 0");
-        if (!effects.ambient && meets(light.ambient, &FaceRange::ambient))
+        if (!effects.ambient && meets(ambient_of(light), &FaceRange::ambient))
             note("ambient term", "it is the same at every vertex: it is added to the scene's ambient light");
         else if (!effects.ambient)
             note("ambient term", "the product of its and the material's ambient colours is 0");

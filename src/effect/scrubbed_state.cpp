@@ -19,6 +19,8 @@ LightSource scrubbed_light(const Plan& plan, std::size_t i) {
         const double reach = plan.lights[i].constant_reach;
         for (glm::dvec4* color : {&light.ambient, &light.diffuse, &light.specular})
             *color = with_rgb(reach * glm::dvec3(*color), *color);
+        for (LightSource::Illuminant* illuminant : {&light.diffuse_illuminant, &light.specular_illuminant})
+            illuminant->scale *= reach;
         light.constant_attenuation = 1;
         light.linear_attenuation = light.quadratic_attenuation = 0;
     }

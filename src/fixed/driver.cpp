@@ -6,6 +6,7 @@
 #include "context/gl.h"
 #include "fixed/execute.h"
 #include "fixed/fixed.h"
+#include "spectrum/commands.h"
 
 namespace twinlight::fixed {
 
@@ -99,6 +100,7 @@ void Driver::feedback_buffer(GLsizei size, GLenum type) {
 void Driver::execute(const Command& command) {
     if (kQueries.contains(command.id)) return;
     if (command.id == CommandId::pragma_texture) return execute(texture_command(command));
+    if (const auto color = gl_command_of_spectrum(command)) return execute(*color);
     if (!may_see(command)) return;
     switch (command.id) {
         case CommandId::glGenTextures:

@@ -65,6 +65,7 @@ void add_fragment_effects(Scope& scope, const EffectSet& effects, const Form& fo
         {"EFFECT_FOG_EXP", effects.fog == FogEffect::kExp},
         {"EFFECT_FOG_W", effects.has_fog() && effects.vertex_w && here},
         {"EFFECT_CLIP_PLANES", effects.clip_plane_count > 0 && !ray},
+        {"EFFECT_SRGB_CODED", effects.srgb_coded},
     });
     const bool one = texture.one_dimensional, q = texture.q;
     const Words words = {
@@ -164,6 +165,10 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
         {"EFFECT_HIGHLIGHT_BOUND", shininess && !effects.normalize && !phong},
         {"EFFECT_SHOWN_FACE", shares_faces(effects)},
         {"EFFECT_OBJECT_SPACE", form.object_space},
+        {"EFFECT_SAMPLED", effects.spectral_groups > 0},
+        {"EFFECT_AMBIENT", effects.any_light(&LightEffects::ambient)},
+        {"EFFECT_DIFFUSE", effects.any_light(&LightEffects::diffuse)},
+        {"EFFECT_SPECULAR", specular},
         {"EFFECT_HALF_SUM", half_sum},
         {"EFFECT_POWER_WHOLE", whole_power && !form.precise},
         {"EFFECT_POWER_REAL", real_power},
@@ -171,6 +176,9 @@ Scope scope_of_stage(const EffectSet& effects, const Form& form, Stage stage) {
     scope.words = {
         {"INTERPOLATION", effects.shading == Shading::kFlat ? "flat" : "smooth"},
         {"SPACE", form.object_space ? "object" : "eye"},
+        {"GROUPS", std::to_string(effects.spectral_groups)},
+        {"SPECULAR_SAMPLES", effects.separate_specular ? "secondary_samples" : "samples"},
+        {"PRODUCT_TYPE", effects.spectral_products ? "mat3" : "vec3"},
         {"POSITION", form.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
         {"SURFACE_PARAMETER", surface ? "Surface surface" : ""},
         {"SURFACE", surface ? "surface" : ""},
@@ -207,6 +215,9 @@ Scope scope_of_face(Scope scope, const FaceEffects& face, const std::string& nam
                         {"VERTEX_SPECULAR", property(face.tracks_specular, "specular")},
                         {"SHININESS_OF_FACE", of_face(face.varies_shininess ? "surface." : "u_", "shininess")},
                         {"BASE_OF_FACE", of_face("u_", "base")},
+                        {"AMBIENT_SAMPLES_OF_FACE", of_face("u_", "ambient_samples[g]")},
+                        {"DIFFUSE_SAMPLES_OF_FACE", of_face("u_", "diffuse_samples[g]")},
+                        {"SPECULAR_SAMPLES_OF_FACE", of_face("u_", "specular_samples[g]")},
                         {"ALPHA_OF_FACE", of_face("u_", "alpha")}});
     scope.words.emplace_back("FACE", name);  // after SURFACE
     return scope;

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "effect/color_products.h"
 #include "programmable/attributes.h"
 
 namespace twinlight::programmable {
@@ -97,7 +98,12 @@ class Builder {
         else
             eye_space();
 
-        vector("u_constant_ambient", plan_.constant_ambient);
+        const LightColor ambient{plan_.constant_ambient, {}};
+        if (effects_.spectral_products)
+            matrix("u_constant_ambient", product_matrix(model(), ambient));
+        else
+            vector("u_constant_ambient", ambient.rgb);
+        if (effects_.spectral_groups > 0) spectral_samples();
         face("front", plan_.lighting.front, effects_.front);
         if (effects_.two_side) face("back", plan_.lighting.back, effects_.back);
         for (std::size_t i = 0; i < lights_.size(); ++i) {
@@ -169,24 +175,69 @@ class Builder {
         number("u_fog_scale", fog.end == fog.start ? kStep : 1 / (fog.end - fog.start));
     }
 
+    // Three a group; 0 behind the last.
+    void samples(const std::string& name, std::vector<double> values, double factor = 1) {
+        values.resize(3 * static_cast<std::size_t>(effects_.spectral_groups));
+        for (const double value : values) number(name, factor * value);
+    }
+
+    // What lights every point in samples: those of the faces and of the lights, and what each adds to red, green and blue.
+    void spectral_samples() {
+        const SpectralSamples& spectrum = *model().spectrum;
+        std::vector<double> weights;
+        for (int s = 0; s < spectrum.count(); ++s) {
+            const Vec3<double> w = spectrum.weight(static_cast<std::size_t>(s));
+            for (const double channel : {w.x, w.y, w.z}) weights.push_back(channel);
+        }
+        weights.resize(9 * static_cast<std::size_t>(effects_.spectral_groups));
+        for (const double weight : weights) number("u_rgb_from_samples", weight);
+        const auto of_face = [&](const std::string& name, const Material& m) {
+            const Material::Reflectances& r = m.reflectances;
+            samples(name + "_ambient_samples", samples_of(spectrum, MaterialColor{rgb(m.ambient), r.ambient}));
+            samples(name + "_diffuse_samples", samples_of(spectrum, MaterialColor{rgb(m.diffuse), r.diffuse}));
+            samples(name + "_specular_samples", samples_of(spectrum, MaterialColor{rgb(m.specular), r.specular}));
+        };
+        of_face("u_front", plan_.lighting.front);
+        if (effects_.two_side) of_face("u_back", plan_.lighting.back);
+        for (std::size_t i = 0; i < lights_.size(); ++i) {
+            const LightSource& light = source(lights_[i].front());
+            const double reach = plan_.lights[lights_[i].front()].constant_reach;
+            const std::string name = fmt::format("u_light{}", i);
+            samples(name + "_ambient_samples", samples_of(spectrum, ambient_of(light)), reach);
+            samples(name + "_diffuse_samples", samples_of(spectrum, diffuse_of(light)), reach);
+            samples(name + "_specular_samples", samples_of(spectrum, specular_of(light)), reach);
+        }
+    }
+
     // e_cm + a_cm a_cs, but for what each vertex brings.
     void face(const std::string& name, const Material& material, const FaceEffects& varying) {
         glm::dvec3 base(0);
         if (!varying.tracks_emission && !varying.varies_emission) base += rgb(material.emission);
-        if (!varying.tracks_ambient && !varying.varies_ambient) base += rgb(material.ambient) * plan_.constant_ambient;
+        const Material::Reflectances& reflectances = material.reflectances;
+        if (!varying.tracks_ambient && !varying.varies_ambient)
+            base += product_of(model(), {plan_.constant_ambient, {}}, {rgb(material.ambient), reflectances.ambient});
         vector(fmt::format("u_{}_base", name), base);
         number(fmt::format("u_{}_alpha", name), material.diffuse.a);
         number(fmt::format("u_{}_shininess", name), material.shininess);
         const auto light_products = [&](std::size_t i, std::size_t planned) {
             const LightSource& light = source(planned);
-            const auto product = [&](const char* term, const glm::dvec4& light_color, const glm::dvec4& color,
+            const double reach = plan_.lights[planned].constant_reach;
+            const auto product = [&](const char* term, const LightColor& light_color, const MaterialColor& color,
                                      bool varies) {
-                const glm::dvec3 reaching = plan_.lights[planned].constant_reach * rgb(light_color);
-                vector(fmt::format("u_light{}_{}_{}", i, name, term), varies ? reaching : reaching * rgb(color));
+                const std::string uniform = fmt::format("u_light{}_{}_{}", i, name, term);
+                if (!varies)
+                    vector(uniform, reach * product_of(model(), light_color, color));
+                else if (effects_.spectral_products)
+                    matrix(uniform, reach * product_matrix(model(), light_color));
+                else
+                    vector(uniform, reach * light_color.rgb);
             };
-            product("ambient", light.ambient, material.ambient, varying.tracks_ambient || varying.varies_ambient);
-            product("diffuse", light.diffuse, material.diffuse, varying.tracks_diffuse || varying.varies_diffuse);
-            product("specular", light.specular, material.specular, varying.tracks_specular || varying.varies_specular);
+            product("ambient", ambient_of(light), {rgb(material.ambient), reflectances.ambient},
+                    varying.tracks_ambient || varying.varies_ambient);
+            product("diffuse", diffuse_of(light), {rgb(material.diffuse), reflectances.diffuse},
+                    varying.tracks_diffuse || varying.varies_diffuse);
+            product("specular", specular_of(light), {rgb(material.specular), reflectances.specular},
+                    varying.tracks_specular || varying.varies_specular);
         };
         for (std::size_t i = 0; i < lights_.size(); ++i)
             for (const std::size_t planned : lights_[i]) light_products(i, planned);
@@ -219,6 +270,7 @@ class Builder {
         number(name("cone_slope"), 1 / (span > 0 ? span : kCosineRounding));
     }
 
+    const LightModel& model() const { return plan_.lighting.light_model; }
     const LightSource& source(std::size_t planned) const {
         return plan_.lighting.lights[static_cast<std::size_t>(plan_.lights[planned].number)];
     }

@@ -17,7 +17,8 @@ constexpr std::size_t kObjectBytes = 4096;
 // The doubles of a Vertex stand before all else, without gaps; behind them there are some.
 constexpr std::size_t kVertexNumbers = offsetof(Vertex, edge_flag);
 static_assert(kVertexNumbers == (4 + 3 + 4 + 4) * sizeof(double) && std::is_trivially_copyable_v<Vertex>);
-static_assert(sizeof(Materials) == 2 * (4 * 4 + 1 + 3) * sizeof(double) && std::is_trivially_copyable_v<Materials>);
+static_assert(sizeof(Materials) == 2 * ((4 * 4 + 1 + 3) * sizeof(double) + 3 * sizeof(void*)) &&
+              std::is_trivially_copyable_v<Materials>);
 
 // By their bits: 0 and -0 are two numbers, and a NaN is itself.
 bool is_same(const Vertex& a, const Vertex& b) {

@@ -131,7 +131,7 @@ void Program::use(const Uniforms& uniforms) {
             case GL_FLOAT_VEC2: glUniform2fv(slot.location, given(2), values); break;
             case GL_FLOAT_VEC3: glUniform3fv(slot.location, given(3), values); break;
             case GL_FLOAT_VEC4: glUniform4fv(slot.location, given(4), values); break;
-            case GL_FLOAT_MAT3: glUniformMatrix3fv(slot.location, 1, GL_FALSE, values); break;
+            case GL_FLOAT_MAT3: glUniformMatrix3fv(slot.location, given(9), GL_FALSE, values); break;
             case GL_FLOAT_MAT4: glUniformMatrix4fv(slot.location, 1, GL_FALSE, values); break;
             default: throw std::logic_error(fmt::format("the uniform {} has an odd type", slot.name));
         }

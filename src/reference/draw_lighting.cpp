@@ -58,8 +58,13 @@ DrawLighting::DrawLighting(const Draw& draw, bool lecture_variants)
     model_.separate_specular = light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
     model_.reflection = lecture_variants && light_model.specular == Word::reflection;
     model_.ambient_unattenuated = lecture_variants && light_model.light_ambient == Word::unattenuated;
-    for (const LightSource& source : draw.lighting.lights)
-        if (source.enabled) lights_.push_back(light_of(source, lecture_variants));
+    std::vector<LightSource> sources;
+    for (const LightSource& source : draw.lighting.lights) {
+        if (!source.enabled) continue;
+        lights_.push_back(light_of(source, lecture_variants));
+        sources.push_back(source);
+    }
+    if (lecture_variants && light_model.spectrum) spectral_.emplace(light_model.spectrum, model_, lights_, sources);
 }
 
 LitMaterial DrawLighting::material(const StageVertex& v, Face face) const {
@@ -70,12 +75,27 @@ LitMaterial DrawLighting::material(const StageVertex& v, Face face) const {
         return tracks(color_material_, face, property) ? v.color : own;
     };
     const glm::dvec4 diffuse = value(kGL_DIFFUSE, base.diffuse);
-    return {.emission = rgb(value(kGL_EMISSION, base.emission)),
-            .ambient = rgb(value(kGL_AMBIENT, base.ambient)),
-            .diffuse = rgb(diffuse),
-            .specular = rgb(value(kGL_SPECULAR, base.specular)),
-            .diffuse_alpha = diffuse.a,
-            .shininess = base.shininess};
+    LitMaterial material{{.emission = rgb(value(kGL_EMISSION, base.emission)),
+                          .ambient = rgb(value(kGL_AMBIENT, base.ambient)),
+                          .diffuse = rgb(diffuse),
+                          .specular = rgb(value(kGL_SPECULAR, base.specular)),
+                          .diffuse_alpha = diffuse.a,
+                          .shininess = base.shininess}};
+    if (spectral_) {
+        const auto own = [&](Enum property, const Spectrum* reflectance) {
+            return tracks(color_material_, face, property) ? nullptr : reflectance;
+        };
+        material.samples = spectral_->samples_of(material, {.ambient = own(kGL_AMBIENT, base.reflectances.ambient),
+                                                            .diffuse = own(kGL_DIFFUSE, base.reflectances.diffuse),
+                                                            .specular = own(kGL_SPECULAR, base.reflectances.specular)});
+    }
+    return material;
+}
+
+lighting::Lit<double> DrawLighting::light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
+                                                  lighting::LightTerms<double>* breakdown) const {
+    if (spectral_) return spectral_->light_surface(material, surface, breakdown);
+    return lighting::light_surface<double>(model_, material, surface, lights_, breakdown);
 }
 
 bool DrawLighting::has_one_material(Face face) const {
@@ -86,7 +106,7 @@ bool DrawLighting::has_one_material(Face face) const {
 Colors DrawLighting::lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
                          Face face) const {
     const lighting::Surface<double> surface = surface_of(position_eye, normal_eye, face);
-    const lighting::Lit<double> lit = lighting::light_surface<double>(model_, material, surface, lights_);
+    const lighting::Lit<double> lit = light_surface(material, surface);
     return {.primary = glm::dvec4(vec3_cast<glm::dvec3>(lit.primary), lit.alpha),
             .secondary = glm::dvec4(vec3_cast<glm::dvec3>(lit.secondary), 1),
             .magnitude = glm::dvec4(vec3_cast<glm::dvec3>(lit.magnitude), std::abs(lit.alpha))};
@@ -98,30 +118,45 @@ Colors DrawLighting::colors(const StageVertex& v, Face face) const {
 }
 
 PointBatch::PointBatch(const DrawLighting& lighting, Normals normals) : lighting_(lighting) {
-    for (Side& side : sides_) side.points.makes_unit_normals = normals == Normals::kMadeUnit;
+    for (Side& side : sides_) {
+        side.points.makes_unit_normals = normals == Normals::kMadeUnit;
+        if (lighting.spectral_) side.samples.assign(lighting.spectral_->group_count(), side.points);
+    }
 }
 
 void PointBatch::add(const StageVertex& v, Face face, const std::function<LitMaterial()>& material) {
     Side& side = sides_[face == Face::kFront ? 0 : 1];
-    if (side.places.empty() || !lighting_.has_one_material(face)) side.points.add(material());
-    side.points.add(surface_of(v.position_eye, v.normal_eye, face));
+    const lighting::Surface<double> surface = surface_of(v.position_eye, v.normal_eye, face);
+    if (side.places.empty() || !lighting_.has_one_material(face)) {
+        const LitMaterial own = material();
+        if (side.samples.empty()) side.points.add(own);
+        for (std::size_t g = 0; g < side.samples.size(); ++g) side.samples[g].add(own.samples[g]);
+    }
+    if (side.samples.empty()) side.points.add(surface);
+    for (lighting::Points& group : side.samples) group.add(surface);
     side.places.push_back(count_++);
 }
 
 lighting::Lit<lighting::Column> PointBatch::light(const Side& side, const Arithmetic& arithmetic) const {
+    if (lighting_.spectral_) return lighting_.spectral_->light_points(side.samples, arithmetic);
     return lighting::light_points(lighting_.model_, lighting_.lights_, side.points, arithmetic);
 }
 
 LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials) {
-    LitMaterial sum{.diffuse_alpha = 0};
+    const auto add = [](lighting::Material<double>& sum, double weight, const lighting::Material<double>& m) {
+        sum.emission += weight * m.emission;
+        sum.ambient += weight * m.ambient;
+        sum.diffuse += weight * m.diffuse;
+        sum.specular += weight * m.specular;
+        sum.diffuse_alpha += weight * m.diffuse_alpha;
+        sum.shininess += weight * m.shininess;
+    };
+    const lighting::Material<double> nothing{.diffuse_alpha = 0};
+    LitMaterial sum{nothing, std::vector(materials[0].samples.size(), nothing)};
     for (int i = 0; i < 3; ++i) {
         const LitMaterial& m = materials[static_cast<std::size_t>(i)];
-        sum.emission += weights[i] * m.emission;
-        sum.ambient += weights[i] * m.ambient;
-        sum.diffuse += weights[i] * m.diffuse;
-        sum.specular += weights[i] * m.specular;
-        sum.diffuse_alpha += weights[i] * m.diffuse_alpha;
-        sum.shininess += weights[i] * m.shininess;
+        add(sum, weights[i], m);
+        for (std::size_t g = 0; g < sum.samples.size(); ++g) add(sum.samples[g], weights[i], m.samples[g]);
     }
     return sum;
 }

@@ -6,17 +6,18 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "lighting/equation.h"
 #include "lighting/points.h"
+#include "reference/spectral_lighting.h"
 #include "reference/vertex_stage.h"
 #include "state/frame.h"
 
 namespace twinlight::reference {
 
 using Vec = Vec3<double>;
-using LitMaterial = lighting::Material<double>;
 
 struct Colors {
     glm::dvec4 primary{0};
@@ -58,12 +59,16 @@ class DrawLighting {
   private:
     friend class PointBatch;
 
+    lighting::Lit<double> light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
+                                        lighting::LightTerms<double>* breakdown = nullptr) const;
+
     bool enabled_ = false;
     bool two_side_ = false;
     lighting::Model<double> model_;
     std::vector<lighting::Light<double>> lights_;  // the enabled ones
     std::vector<Materials> materials_;             // at least one
     ColorMaterial color_material_;
+    std::optional<SpectralLighting> spectral_;
 };
 
 // Points of a lit Draw that are lit together, on all lanes that the processor has (lighting/points.h). The DrawLighting must
@@ -90,7 +95,8 @@ class PointBatch {
   private:
     struct Side {  // of a face
         lighting::Points points;
-        std::vector<std::size_t> places;  // among all
+        std::vector<lighting::Points> samples;  // in the place of points: of each group (spectral_lighting.h)
+        std::vector<std::size_t> places;        // among all
     };
     lighting::Lit<lighting::Column> light(const Side& side, const Arithmetic& arithmetic) const;
 

@@ -67,9 +67,9 @@ LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, 
     const lighting::Surface<double> surface = surface_of(v.position_eye, v.normal_eye, face);
     LitPoint point{.material = material};
     point.terms.resize(lights_.size());
-    const lighting::Lit<double> lit =
-        lighting::light_surface<double>(model_, material, surface, lights_, point.terms.data());
-    point.scene_ambient = lighting::representable(material.ambient * model_.ambient);
+    const lighting::Lit<double> lit = light_surface(material, surface, point.terms.data());
+    point.scene_ambient =
+        spectral_ ? spectral_->scene_ambient(material) : lighting::representable(material.ambient * model_.ambient);
     point.primary = lit.primary;
     point.secondary = lit.secondary;
     return point;
@@ -109,7 +109,7 @@ std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptio
 }
 
 LitPoint mean_of(const PixelFragment& fragment) {
-    LitPoint mean{.material = {.diffuse_alpha = 0}};
+    LitPoint mean{.material = {{.diffuse_alpha = 0}}};
     mean.terms.resize(fragment.lights.size());
     for (lighting::LightTerms<double>& terms : mean.terms) terms.attenuation = terms.spot = 0;
     for (const LitPoint& point : fragment.points) {

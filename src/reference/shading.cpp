@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "math/srgb.h"
 #include "reference/fog.h"
 #include "reference/texture_bounds.h"
 #include "reference/texture_environment.h"
@@ -16,6 +17,10 @@ Shading shading_of(const Draw& draw, const RenderOptions& options) {
     return draw.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud;
 }
 
+// `#pragma twinlight transfer(srgb)`: what is linear light up to here is coded as the display takes it; alpha is no light.
+double coded(double linear) { return srgb_coded(linear); }
+Interval coded(Interval linear) { return {srgb_coded(linear.low), srgb_coded(linear.high)}; }
+
 }  // namespace
 
 Shader::LitColors Shader::clamped_colors(const Colors& colors) {
@@ -27,6 +32,7 @@ Shader::Shader(const StagedDraw& staged, const RenderOptions& options)
       vertices_(staged.vertices),
       shading_(shading_of(*staged.draw, options)),
       lighting_(*staged.draw, options.lecture_variants),
+      srgb_coded_(options.lecture_variants && staged.draw->fragment.srgb_coded),
       arithmetic_(options.arithmetic) {
     if (!lights_pixels()) light_vertices();
 }
@@ -113,7 +119,10 @@ Channels<Real> Shader::finished(const LitColors& colors, const Channels<Real>* t
     if (texel) result = textured(draw_.texture, draw_.texture.texture->levels[0].base_format, result, *texel);
     for (int i = 0; i < 3; ++i) result[i] = result[i] + Real(colors.secondary[i]);
     for (Real& channel : result) channel = clamp01(channel);
-    return draw_.fog.enabled ? fogged(draw_.fog, fog, result) : result;
+    if (draw_.fog.enabled) result = fogged(draw_.fog, fog, result);
+    if (srgb_coded_)
+        for (int i = 0; i < 3; ++i) result[i] = coded(result[i]);
+    return result;
 }
 
 // Flat (2.14.7): one colour for the whole primitive. Gouraud: between those of the vertices.

@@ -74,6 +74,7 @@ class Shader {
     const std::vector<StageVertex>& vertices_;
     const Shading shading_;
     const DrawLighting lighting_;
+    const bool srgb_coded_;
     const Arithmetic arithmetic_;
     std::vector<LitFaces> lit_;  // by vertex, where those are what is lit
 };

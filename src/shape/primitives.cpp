@@ -1,6 +1,7 @@
 #include "shape/primitives.h"
 
 #include "shape/shape.h"
+#include "spectrum/commands.h"
 
 namespace twinlight {
 
@@ -9,6 +10,10 @@ CommandList with_pragmas_written_out(const CommandList& scene) {
     for (const Command& command : scene.commands) {
         if (command.id == CommandId::pragma_texture) {
             result.commands.push_back(texture_command(command));
+            continue;
+        }
+        if (const auto color = gl_command_of_spectrum(command)) {
+            result.commands.push_back(*color);
             continue;
         }
         if (command.id != CommandId::pragma_shape) {

@@ -74,10 +74,7 @@ std::vector<ShapePart> pragma_shape(const Command& command) {
             limit_shape("shape(sphere)", slices, stacks);
             return report_sphere(sizes.length(1, "radius"), slices, stacks);
         }
-        case Word::half_vector:
-        case Word::reflection:
-        case Word::attenuated:
-        case Word::unattenuated: break;
+        default: break;  // a word of other pragmas
     }
     refuse("{} is no shape; a shape is {}", word_name(command.word(0)), kKinds);
 }

@@ -18,6 +18,7 @@
 #include "command/command.h"
 #include "math/arithmetic.h"
 #include "shape/surface.h"
+#include "spectrum/samples.h"
 
 namespace twinlight {
 
@@ -34,6 +35,14 @@ struct Material {  // 2.14.2, table 2.10
     glm::dvec4 emission{0, 0, 0, 1};
     double shininess = 0;
     glm::dvec3 color_indexes{0, 1, 1};  // of color index mode: changes nothing here
+
+    // The reflectances whose colours these are, `#pragma twinlight reflectance(face, pname, name)`; null: just a colour. Not in GL.
+    struct Reflectances {
+        const Spectrum* ambient = nullptr;
+        const Spectrum* diffuse = nullptr;
+        const Spectrum* specular = nullptr;
+    };
+    Reflectances reflectances{};
 };
 
 struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and specular (LightingState sets it)
@@ -55,6 +64,13 @@ struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and spe
         double outer_deg = 0;
     };
     std::optional<SmoothCone> smooth_cone;
+
+    // The light whose colours these are, `#pragma twinlight illuminant(light, pname, name, scale)`: not in GL.
+    struct Illuminant {
+        const Spectrum* spectrum = nullptr;  // null: just a colour
+        double scale = 1;
+    };
+    Illuminant diffuse_illuminant, specular_illuminant;
 };
 
 // "GL_LIGHT3"; "light(8)" for one that GL does not have.
@@ -71,6 +87,8 @@ struct LightModel {  // 2.14.2, table 2.10
     // The lecture's variants: not in GL.
     Word specular = Word::half_vector;      // or Word::reflection: (r.v)^n
     Word light_ambient = Word::attenuated;  // or Word::unattenuated: ambient outside attenuation and spot
+    // `#pragma twinlight spectrum(n)`: what colours are multiplied in, and red, green and blue made from; null: in these.
+    std::shared_ptr<const SpectralSamples> spectrum;
 };
 
 struct ColorMaterial {  // 2.14.3
@@ -196,6 +214,8 @@ struct FragmentState {
     glm::dvec4 blend_color{0, 0, 0, 0};
     std::array<bool, 4> color_mask{true, true, true, true};  // 4.2.2
     bool color_sum = false;  // 3.9: without lighting; with it the secondary colour is always added
+    // `#pragma twinlight transfer(srgb)`, not in GL: a fragment's colour is linear light, and coded as sRGB behind the fog.
+    bool srgb_coded = false;
 };
 
 // ---- Draws ----
@@ -341,6 +361,9 @@ struct RenderOptions {
     // for who draws the same vertices again and again.
     bool patches = false;
     Tier tier = Tier::kUniform;  // of the programmable renderer
+    // Of the programmable renderer, where a scene has spectra: false lights every vertex or fragment in all samples, as if materials
+    // varied from point to point. The picture is the same: for who asks what samples cost (study/spectral.h).
+    bool fold_spectra = true;
     // Of the programmable renderer: lit per vertex in the order of operations of Mesa's fixed function, every sum in floats
     // (programmable/precise.h). Nothing of the lighting is left out then, whatever the budget.
     bool precise = false;

@@ -25,6 +25,22 @@ glm::dvec4* color_of(Material& material, Enum pname) {
     }
 }
 
+// Which of the reflectances; null where a material has none of that property.
+const Spectrum** reflectance_of(Material& material, Enum pname) {
+    switch (pname) {
+        case kGL_AMBIENT: return &material.reflectances.ambient;
+        case kGL_DIFFUSE: return &material.reflectances.diffuse;
+        case kGL_SPECULAR: return &material.reflectances.specular;
+        default: return nullptr;
+    }
+}
+
+// What has a colour of its own is no spectrum's any more.
+void set_color(Material& material, Enum pname, const glm::dvec4& color, const Spectrum* reflectance = nullptr) {
+    *color_of(material, pname) = color;
+    if (const Spectrum** of = reflectance_of(material, pname)) *of = reflectance;
+}
+
 // Which simple properties a pname or colour-material mode stands for.
 std::vector<Enum> properties(Enum pname) {
     if (pname == kGL_AMBIENT_AND_DIFFUSE) return {kGL_AMBIENT, kGL_DIFFUSE};
@@ -100,8 +116,14 @@ void State::light(const Command& c) {
 void State::set_light(LightSource& source, Enum pname, const std::vector<double>& values) const {
     switch (pname) {
         case kGL_AMBIENT: source.ambient = vec4(values); break;
-        case kGL_DIFFUSE: source.diffuse = vec4(values); break;
-        case kGL_SPECULAR: source.specular = vec4(values); break;
+        case kGL_DIFFUSE:
+            source.diffuse = vec4(values);
+            source.diffuse_illuminant = {};
+            break;
+        case kGL_SPECULAR:
+            source.specular = vec4(values);
+            source.specular_illuminant = {};
+            break;
         // 2.14.1: transformed by the modelview matrix in force at the call; a direction by its upper left 3x3.
         case kGL_POSITION: source.position_eye = modelview() * vec4(values); break;
         case kGL_SPOT_DIRECTION:
@@ -116,7 +138,9 @@ void State::set_light(LightSource& source, Enum pname, const std::vector<double>
     }
 }
 
-void State::material(const Command& c) {
+void State::material(const Command& c) { set_material(c, nullptr); }
+
+void State::set_material(const Command& c, const Spectrum* reflectance) {
     const Enum face = c.enumerant(0), pname = c.enumerant(1);
     if (!known(c, face, {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK})) return;
     const auto values = parameter_values(c, Owner::kMaterial, pname);
@@ -128,8 +152,8 @@ void State::material(const Command& c) {
         if (pname == kGL_COLOR_INDEXES) material.color_indexes = {(*values)[0], (*values)[1], (*values)[2]};
         for (Enum property : properties(pname)) {
             // 2.14.3: what tracks the current colour is not changed by glMaterial.
-            glm::dvec4* color = color_of(material, property);
-            if (color && !tracks(a_.lighting.color_material, one_face, property)) *color = vec4(*values);
+            if (color_of(material, property) && !tracks(a_.lighting.color_material, one_face, property))
+                set_color(material, property, vec4(*values), reflectance);
         }
     }
     if (!open_) return;
@@ -138,6 +162,14 @@ void State::material(const Command& c) {
         open_->lighting = a_.lighting;
         return;
     }
+    // Shaders take one reflectance for a whole Draw, and vertices' colours.
+    const auto has_reflectance = [](const Material& m) {
+        return m.reflectances.ambient || m.reflectances.diffuse || m.reflectances.specular;
+    };
+    if (a_.lighting.light_model.spectrum &&
+        (has_reflectance(open_->lighting.front) || has_reflectance(open_->lighting.back)))
+        note_unsupported("glMaterial between glBegin and glEnd, where the material has a reflectance", c.place,
+                         {"programmable"});
     std::vector<Materials>& materials = open_->materials;
     if (materials.empty()) materials.push_back({open_->lighting.front, open_->lighting.back});
     const Materials now{a_.lighting.front, a_.lighting.back};
@@ -188,7 +220,7 @@ void State::track_color() {
     for (Enum one_face : {kGL_FRONT, kGL_BACK}) {
         Material& material = one_face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
         for (Enum property : properties(a_.lighting.color_material.mode)) {
-            if (covers(a_.lighting.color_material.face, one_face)) *color_of(material, property) = a_.current.color;
+            if (covers(a_.lighting.color_material.face, one_face)) set_color(material, property, a_.current.color);
         }
     }
 }

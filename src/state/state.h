@@ -202,7 +202,13 @@ class State {
     void specular_model(const Command&);
     void ambient_model(const Command&);
     void spot_cone(const Command&);
+    void spectrum(const Command&);
+    void reflectance(const Command&);
+    void illuminant(const Command&);
+    void transfer(const Command&);
     void extra_light(const Command&);
+    // glMaterial; the colour is that of the reflectance where there is one.
+    void set_material(const Command&, const Spectrum* reflectance);
     void set_light(LightSource& source, Enum pname, const std::vector<double>& values) const;
 
     void carry_out(const Command& command);

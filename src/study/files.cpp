@@ -28,6 +28,8 @@ void write_study(const Study& study, const std::string& folder) {
     add("study.csv", csv);
     add("study.svg", svg);
     add("index.html", page);
+    const std::string samples_svg = study.spectral ? spectral_svg(*study.spectral) : "";
+    if (study.spectral) add("spectral.svg", samples_svg);
     write_files_atomically(files);
 }
 

@@ -132,6 +132,7 @@ std::string study_page(const Study& study) {
                            {"columns", head_row(study)},
                            {"time_column", study.series.size() > 1 ? "2" : "1"},
                            {"rows", rows},
+                           {"spectral", study.spectral ? spectral_section(*study.spectral) : ""},
                            {"data", page_data(study)},
                            {"chart", std::string(page_file("chart.js"))},
                            {"script", std::string(page_file("study.js"))}});

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "state/frame.h"
 #include "study/choice.h"
 #include "study/measure.h"
+#include "study/spectral.h"
 
 namespace twinlight::study {
 
@@ -61,6 +63,7 @@ struct Study {
     std::vector<Series> series;
     std::vector<Point> points;  // of one series together
     std::string truth_png;
+    std::optional<SpectralStudy> spectral;  // of scenes with spectra; as it is measured, not as it is read
 };
 
 // ---- How it is made ----

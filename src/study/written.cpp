@@ -76,6 +76,7 @@ std::string study_json(const Study& study) {
                  {"points", Json::array()}};
     for (const Series& series : study.series) json["series"].push_back(json_of(series));
     for (const Point& point : study.points) json["points"].push_back(json_of(study, point));
+    if (study.spectral) json["spectral"] = Json::parse(spectral_json(*study.spectral));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

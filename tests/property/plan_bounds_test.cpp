@@ -14,6 +14,7 @@
 
 #include "effect/plan.h"
 #include "fuzz/random.h"
+#include "random_spectra.h"
 #include "reference/draw_lighting.h"
 
 namespace twinlight {
@@ -51,6 +52,7 @@ class RandomScene {
         const int lights = 1 + random_.below(chance(0.1) ? 40 : 8);
         lighting.lights.resize(static_cast<std::size_t>(std::max(lights, kMaxLights)));
         for (int i = 0; i < lights; ++i) lighting.lights[static_cast<std::size_t>(i)] = light(draw);
+        randomise_spectra(random_, lighting, draw.materials.empty());
         return draw;
     }
 
@@ -166,8 +168,8 @@ Draw planned(const Draw& draw, const Plan& plan) {
         const LightEffects& effects = plan.effects.lights[i];
         light.enabled = true;
         if (!effects.ambient) light.ambient = glm::dvec4(0);
-        if (!effects.diffuse) light.diffuse = glm::dvec4(0);
-        if (!effects.specular) light.specular = glm::dvec4(0);
+        if (!effects.diffuse) light.diffuse = glm::dvec4(0), light.diffuse_illuminant = {};
+        if (!effects.specular) light.specular = glm::dvec4(0), light.specular_illuminant = {};
         if (!effects.directional && !effects.spot) light.spot_cutoff_deg = 180;
     }
     return rest;

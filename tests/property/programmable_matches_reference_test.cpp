@@ -12,6 +12,7 @@
 #include "effect/plan.h"
 #include "fuzz/random.h"
 #include "programmable/programmable.h"
+#include "random_spectra.h"
 #include "reference/reference.h"
 
 namespace twinlight {
@@ -58,6 +59,7 @@ class RandomDraw {
             draw.vertices.push_back({.position_object = glm::dvec4(vector(1), 1),
                                      .normal_object = glm::normalize(vector(1)),
                                      .color = color()});
+        randomise_spectra(random_, lighting, true);
         return draw;
     }
 

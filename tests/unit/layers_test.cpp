@@ -18,19 +18,21 @@ const std::map<std::string, Layers>& allowed() {
         {"math", {}},
         {"command", {"math"}},
         {"image", {"math"}},
-        {"shape", {"math", "command"}},
-        {"state", {"math", "command", "shape"}},
+        {"spectrum", {"math", "command"}},
+        {"shape", {"math", "command", "spectrum"}},
+        {"state", {"math", "command", "spectrum", "shape"}},
         {"lighting", {"math"}},
-        {"effect", {"math", "command", "shape", "state", "lighting"}},
+        {"effect", {"math", "command", "spectrum", "shape", "state", "lighting"}},
         {"context", {"math", "image"}},
         {"trace", {"math", "command"}},
         {"scenes", {"math", "command", "image", "trace"}},  // reads scene files and recordings
-        {"reference", {"math", "command", "state", "shape", "lighting", "image"}},
+        {"reference", {"math", "command", "spectrum", "state", "shape", "lighting", "image"}},
         {"stages", {"math", "command", "shape", "state", "effect", "context"}},
-        {"fixed", {"math", "command", "shape", "state", "effect", "stages", "context", "image"}},
-        {"programmable", {"math", "command", "state", "effect", "stages", "shape", "context", "image"}},
+        {"fixed", {"math", "command", "spectrum", "shape", "state", "effect", "stages", "context", "image"}},
+        {"programmable", {"math", "command", "spectrum", "state", "effect", "stages", "shape", "context", "image"}},
         {"report", {"math", "command", "state", "effect", "image"}},  // the renderers come as functions
-        {"study", {"math", "command", "shape", "state", "image", "report"}},  // the renderers come as functions
+        {"study",
+         {"math", "command", "spectrum", "shape", "state", "image", "report"}},  // the renderers come as functions
         {"fuzz",
          {"math", "command", "state", "shape", "lighting", "image", "context", "fixed", "programmable", "reference",
           "report"}},

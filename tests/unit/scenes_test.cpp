@@ -6,12 +6,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "command/text.h"
+#include "spectrum/spectrum.h"
 #include "state/state.h"
 
 namespace twinlight {
@@ -105,7 +108,7 @@ constexpr bool kDrawnByAll[] = {
 
 TEST(BuiltInScenes, UseEveryCommandThatAllRenderersCarryOut) {
     std::set<CommandId> used;
-    for (const char* scene : {"commands", "legacy"}) {
+    for (const char* scene : {"commands", "legacy", "spectral"}) {
         for (const Command& command : read(scene).commands) used.insert(command.id);
     }
     for (std::size_t i = 0; i < signatures().size(); ++i) {
@@ -122,7 +125,28 @@ TEST(SceneCommands, UsesEveryPrimitiveTypeAndEveryWord) {
         if (command.sig().parameters.front().kind == Kind::kWord) used.insert(command.word(0));
     }
     EXPECT_EQ(modes.size(), 10u);
-    for (const NamedValue& word : words()) EXPECT_TRUE(used.contains(static_cast<Word>(word.value))) << word.name;
+    for (const NamedValue& word : words()) {
+        if (find_illuminant(word.name) || find_reflectance(word.name) || word.name == "srgb") continue;  // below
+        EXPECT_TRUE(used.contains(static_cast<Word>(word.value))) << word.name;
+    }
+}
+
+TEST(SceneSpectral, HasEveryPatchOnceUnderOneKindOfLamp) {
+    std::map<std::string_view, int> patches;
+    std::set<std::string_view> lamps;
+    for (const Command& command : read("spectral").commands) {
+        if (command.id == CommandId::pragma_reflectance) ++patches[word_name(command.word(2))];
+        if (command.id == CommandId::pragma_illuminant) lamps.insert(word_name(command.word(2)));
+    }
+    EXPECT_EQ(patches.size(), 24U);
+    for (const auto& [name, count] : patches) EXPECT_EQ(count, 1) << name;
+    EXPECT_EQ(lamps, std::set<std::string_view>{"A"});
+    // Nothing is clamped at the bright end: white under both lamps at once stays within what a display shows.
+    const std::vector<Draw> all = draws(frame_of(read("spectral")));
+    double red = 0;
+    for (const LightSource& light : all.front().lighting.lights)
+        if (light.enabled) red += light.diffuse.r;
+    EXPECT_LT(red * rgb_of_reflectance(find_reflectance("white_9_5")->lines).x, 1);
 }
 
 void expect_reach_of_50(const LightSource& light) {

@@ -57,7 +57,8 @@ std::vector<const Draw*> draws_of(const Frame& frame) {
 bool has_variants(const Draw& draw) {
     const LightingState& state = draw.lighting;
     return state.light_model.specular != LightModel{}.specular ||
-           state.light_model.light_ambient != LightModel{}.light_ambient ||
+           state.light_model.light_ambient != LightModel{}.light_ambient || state.light_model.spectrum ||
+           draw.fragment.srgb_coded ||
            std::ranges::any_of(state.lights, [](const LightSource& light) { return light.smooth_cone.has_value(); });
 }
 
@@ -96,7 +97,10 @@ std::string text_of(const PixelFragment& fragment, const Draw& draw) {
     } else {
         text += "  GL_LIGHTING is disabled\n";
     }
-    return text + row("fragment", "after clamp, texture, colour sum and fog", vec3_cast<Vec>(fragment.color));
+    return text + row("fragment",
+                      draw.fragment.srgb_coded ? "after clamp, texture, sum, fog, sRGB's curve"
+                                               : "after clamp, texture, colour sum and fog",
+                      vec3_cast<Vec>(fragment.color));
 }
 
 // ---- As JSON ----

@@ -10,6 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/machine.h"
 #include "app/cli/progress.h"
+#include "app/cli/samples.h"
 #include "app/cli/study_renderers.h"
 #include "command/text.h"
 #include "image/file.h"
@@ -60,6 +61,7 @@ std::string summary(const study::Study& study, const std::string& folder) {
         text += "\n";
         for (const std::string& sentence : one.findings) text += sentence + "\n";
     }
+    if (study.spectral) text += "\n" + study::spectral_text(*study.spectral);
     return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
@@ -154,6 +156,7 @@ int run(Arguments arguments) {
     series.name = about.series[0].name;
     series.machine = about.series[0].machine;
     series.driver = about.series[0].driver;
+    result.spectral = study_samples(frame, arguments.quick);
     return write(arguments, result);
 }
 
@@ -193,9 +196,9 @@ Subcommand add_study(CLI::App& app) {
         ->type_name("A.json B.json");
     study->add_flag("--json", arguments->json, "print study.json's object instead of the table");
     study->footer(
-        "Truth is the reference with exact surfaces. Ctrl-C ends the study; what was measured is written, and "
-        "--resume\n"
-        "goes on with it.\n"
+        "Truth is the reference with exact surfaces. Of a scene with #pragma twinlight spectrum(n) the samples are\n"
+        "studied too: in study.json, the page and spectral.svg. Ctrl-C ends the study; what was measured is written,\n"
+        "and --resume goes on with it.\n"
         "Exit status: 0 fine, 2 bad input or use.");
     return {study, [arguments] { return run(*arguments); }};
 }

@@ -8,9 +8,9 @@ Lit light_FACE(SURFACE_PARAMETER) {
 #elif !EFFECT_FACE_VARIES_AMBIENT
     lit.primary.rgb = VERTEX_EMISSION.rgb + BASE_OF_FACE;  // e_cm is the vertex's
 #elif !EFFECT_FACE_VARIES_EMISSION
-    lit.primary.rgb = BASE_OF_FACE + VERTEX_AMBIENT.rgb * u_constant_ambient;  // e_cm + a_cm a_cs
+    lit.primary.rgb = BASE_OF_FACE + u_constant_ambient * VERTEX_AMBIENT.rgb;  // e_cm + a_cm a_cs
 #else
-    lit.primary.rgb = VERTEX_EMISSION.rgb + VERTEX_AMBIENT.rgb * u_constant_ambient;  // e_cm + a_cm a_cs
+    lit.primary.rgb = VERTEX_EMISSION.rgb + u_constant_ambient * VERTEX_AMBIENT.rgb;  // e_cm + a_cm a_cs
 #endif
 #if EFFECT_PRIMARY && EFFECT_FACE_VARIES_DIFFUSE
     lit.primary.a = VERTEX_DIFFUSE.a;  // of d_cm
@@ -32,7 +32,22 @@ Lit light_FACE(SURFACE_PARAMETER) {
 #if EFFECT_HALF_SUM
     float n_dot_vpe = dot(surface.normal_SPACE, vpe_dir);
 #endif
+#if EFFECT_SAMPLED
+    // Three samples of the spectrum a group, in the place of red, green and blue.
+    vec3 samples[GROUPS];
+    for (int g = 0; g < GROUPS; ++g) samples[g] = vec3(0.0);
+#endif
+#if EFFECT_SAMPLED && EFFECT_SEPARATE_SPECULAR
+    vec3 secondary_samples[GROUPS];
+    for (int g = 0; g < GROUPS; ++g) secondary_samples[g] = vec3(0.0);
+#endif
 #for_each_light "light.glsl"
+#if EFFECT_SAMPLED
+    for (int g = 0; g < GROUPS; ++g) lit.primary.rgb += u_rgb_from_samples[g] * samples[g];
+#endif
+#if EFFECT_SAMPLED && EFFECT_SEPARATE_SPECULAR
+    for (int g = 0; g < GROUPS; ++g) lit.secondary += u_rgb_from_samples[g] * secondary_samples[g];
+#endif
 #if EFFECT_CLAMP && EFFECT_PRIMARY
     lit.primary = clamp(lit.primary, 0.0, 1.0);  // section 2.14.6
 #elif EFFECT_PRIMARY

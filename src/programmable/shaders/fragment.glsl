@@ -135,5 +135,10 @@ void main() {
 #if EFFECT_FOG
 #include "fog.glsl"
 #endif
+#if EFFECT_SRGB_CODED
+    // Linear light as sRGB codes it (IEC 61966-2-1).
+    color.rgb = mix(12.92 * color.rgb, 1.055 * pow(max(color.rgb, 0.0031308), vec3(1.0 / 2.4)) - 0.055,
+        step(0.0031308, color.rgb));
+#endif
     fragment_color = color;
 }

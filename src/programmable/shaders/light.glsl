@@ -69,13 +69,18 @@
 #elif EFFECT_LIGHT_CONE
         float reach = spot;
 #endif
-#if EFFECT_LIGHT_AMBIENT && EFFECT_FACE_VARIES_AMBIENT
-        lit.primary.rgb += REACH_TIMES VERTEX_AMBIENT.rgb * u_LIGHTi_FACE_ambient;
+#if EFFECT_SAMPLED && EFFECT_LIGHT_AMBIENT
+        for (int g = 0; g < GROUPS; ++g) samples[g] += REACH_TIMES (AMBIENT_SAMPLES_OF_FACE * u_LIGHTi_ambient_samples[g]);
+#elif EFFECT_LIGHT_AMBIENT && EFFECT_FACE_VARIES_AMBIENT
+        lit.primary.rgb += REACH_TIMES (u_LIGHTi_FACE_ambient * VERTEX_AMBIENT.rgb);
 #elif EFFECT_LIGHT_AMBIENT
         lit.primary.rgb += REACH_TIMES u_LIGHTi_FACE_ambient;
 #endif
-#if EFFECT_LIGHT_DIFFUSE && EFFECT_FACE_VARIES_DIFFUSE
-        lit.primary.rgb += REACH_TIMES n_dot_vp * (VERTEX_DIFFUSE.rgb * u_LIGHTi_FACE_diffuse);
+#if EFFECT_SAMPLED && EFFECT_LIGHT_DIFFUSE
+        for (int g = 0; g < GROUPS; ++g)
+            samples[g] += REACH_TIMES n_dot_vp * (DIFFUSE_SAMPLES_OF_FACE * u_LIGHTi_diffuse_samples[g]);
+#elif EFFECT_LIGHT_DIFFUSE && EFFECT_FACE_VARIES_DIFFUSE
+        lit.primary.rgb += REACH_TIMES n_dot_vp * (u_LIGHTi_FACE_diffuse * VERTEX_DIFFUSE.rgb);
 #elif EFFECT_LIGHT_DIFFUSE
         lit.primary.rgb += REACH_TIMES n_dot_vp * u_LIGHTi_FACE_diffuse;
 #endif
@@ -103,8 +108,11 @@
 #if EFFECT_LIGHT_SPECULAR && EFFECT_HIGHLIGHT_BOUND
         highlight = min(highlight, 1e30);  // normals may be longer than 1; infinity times 0 is no number
 #endif
-#if EFFECT_LIGHT_SPECULAR && EFFECT_FACE_VARIES_SPECULAR
-        SPECULAR_SUM += REACH_TIMES highlight * (VERTEX_SPECULAR.rgb * u_LIGHTi_FACE_specular);
+#if EFFECT_SAMPLED && EFFECT_LIGHT_SPECULAR
+        for (int g = 0; g < GROUPS; ++g)
+            SPECULAR_SAMPLES[g] += REACH_TIMES highlight * (SPECULAR_SAMPLES_OF_FACE * u_LIGHTi_specular_samples[g]);
+#elif EFFECT_LIGHT_SPECULAR && EFFECT_FACE_VARIES_SPECULAR
+        SPECULAR_SUM += REACH_TIMES highlight * (u_LIGHTi_FACE_specular * VERTEX_SPECULAR.rgb);
 #elif EFFECT_LIGHT_SPECULAR
         SPECULAR_SUM += REACH_TIMES highlight * u_LIGHTi_FACE_specular;
 #endif

@@ -29,4 +29,13 @@ uniform float u_LIGHTi_cone_slope;  // 1 / (cos inner - cos outer)
 #if EFFECT_LIGHT_HALF_DIR
 uniform vec3 u_LIGHTi_half_dir;  // h_i, the same at every vertex
 #endif
+#if EFFECT_SAMPLED && EFFECT_LIGHT_AMBIENT
+uniform vec3 u_LIGHTi_ambient_samples[GROUPS];  // a_cli
+#endif
+#if EFFECT_SAMPLED && EFFECT_LIGHT_DIFFUSE
+uniform vec3 u_LIGHTi_diffuse_samples[GROUPS];  // d_cli
+#endif
+#if EFFECT_SAMPLED && EFFECT_LIGHT_SPECULAR
+uniform vec3 u_LIGHTi_specular_samples[GROUPS];  // s_cli
+#endif
 

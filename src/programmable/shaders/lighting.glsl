@@ -36,12 +36,15 @@ struct Lit {
 #include "power.glsl"
 #endif
 #if EFFECT_VARIES_AMBIENT
-uniform vec3 u_constant_ambient;  // light from everywhere: a_cs, and a_cli that nothing weakens on its way
+uniform PRODUCT_TYPE u_constant_ambient;  // light from everywhere: a_cs, and a_cli that nothing weakens on its way
 #endif
 #if EFFECT_OBJECT_SPACE && EFFECT_LOCAL_VIEWER
 uniform vec3 u_viewer_object;  // where the eye is
 #elif EFFECT_OBJECT_SPACE && EFFECT_VPE_DIR
 uniform vec3 u_viewer_dir;  // the direction to it
+#endif
+#if EFFECT_SAMPLED
+uniform mat3 u_rgb_from_samples[GROUPS];
 #endif
 #for_each_light "light_uniforms.glsl"
 #for_each_face "face_uniforms.glsl"
