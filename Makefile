@@ -26,6 +26,10 @@ endif
 # ---- What has to be installed: one line each, "apt package : how to ask for it" ---------------------------------
 # Ubuntu has chromium as a snap only: there the tests that open a page are skipped.
 
+# Whether clang has libFuzzer's runtime.
+try_fuzzer := echo 'extern "C" int LLVMFuzzerTestOneInput(char*, int) { return 0; }' | \
+    clang++ -x c++ -fsanitize=fuzzer,address - -o /dev/null
+
 define DEPENDENCIES
 g++                 command -v $(CXX)
 pkg-config          command -v pkg-config
@@ -38,6 +42,7 @@ libcli11-dev        pkg-config --exists CLI11
 nlohmann-json3-dev  pkg-config --exists nlohmann_json
 libfmt-dev          pkg-config --exists fmt
 libstb-dev          pkg-config --exists stb
+libxsimd-dev        pkg-config --exists xsimd
 libjs-chart.js      ls /usr/share/javascript/chart.js
 libgtest-dev        pkg-config --exists gtest_main
 xvfb                command -v Xvfb
@@ -45,6 +50,8 @@ xdotool             command -v xdotool
 apitrace            command -v apitrace
 mesa-utils          command -v glxgears
 $(if $(CI),valgrind            command -v valgrind)
+$(if $(CI),clang               command -v clang++)
+$(if $(CI),libclang-rt-dev     $(try_fuzzer))
 $(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-release)
 endef
 export DEPENDENCIES
@@ -57,6 +64,12 @@ WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(if $(CI),-Werror)
 CXXFLAGS_common := -std=c++20 -ffp-contract=off $(WARNINGS) -Isrc -DGL_GLEXT_PROTOTYPES
 CXXFLAGS_release := -O2
 CXXFLAGS_debug := -O0 -g
+# What the reference lights many points with, where the processor has it (src/lighting/points.h).
+INSTRUCTIONS_points_avx2 := -mavx2 -mfma
+# (g++ 12 takes what its own header leaves undefined on purpose for uninitialised.)
+INSTRUCTIONS_points_avx512 := -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -Wno-uninitialized -Wno-maybe-uninitialized
+INSTRUCTIONS = $(if $(filter x86_64%,$(MACHINE)),$(INSTRUCTIONS_$(basename $(@F))))
+MACHINE := $(shell $(CXX) -dumpmachine 2>/dev/null)
 # g++ 12 takes std::regex for uninitialised where the address sanitizer has rewritten it.
 CXXFLAGS_sanitize := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined \
     -Wno-maybe-uninitialized
@@ -140,14 +153,13 @@ bench: deps  ## measure: a table of medians, and ratios in build/bench.json (BEN
 	@$(MAKE) $(PROGRAMS)/twinlight-bench
 	@TWINLIGHT_BUILD=$(PROGRAMS) $(PROGRAMS)/twinlight-bench '$(or $(BENCH),.)'
 
-# Each target from where its corpus stands (build/fuzz/corpus, which grows) and from seeds; a finding is kept beside it.
+# Each target from seeds and from the corpus that earlier runs left. Warnings are the other compiler's, so CI is not said.
 TIME ?= 60
 fuzz_targets := $(patsubst tests/fuzz/%_fuzzer.cpp,%,$(SOURCES_fuzzers))
-fuzz:  ## look for crashes on random input (TIME=seconds a target, TARGET=scene|dump|png|state|picture for one)
-	@if ! echo 'extern "C" int LLVMFuzzerTestOneInput(char*, int) { return 0; }' | \
-	    clang++ -x c++ -fsanitize=fuzzer,address - -o /dev/null 2>/dev/null; then \
+fuzz: deps  ## look for crashes on random input (TIME=seconds a target, TARGET=scene|dump|png|state|picture for one)
+	@if ! { $(try_fuzzer); } 2>/dev/null; then \
 	    echo "fuzz: skipped, clang++ and its runtime are not installed (Debian's packages clang and libclang-rt-dev)"; exit 0; fi; \
-	$(MAKE) config=fuzz CXX=clang++ $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
+	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
 	for target in $(or $(TARGET),$(fuzz_targets)); do \
 	    tests/fuzz/run.sh $$target $(TIME) || exit 1; done
 
@@ -217,7 +229,7 @@ $(BUILD)/flags $(BUILD)/files:
 $(BUILD)/objects/%.o: %.cpp $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D)
-	@$(CXX) $(CXXFLAGS_all) -MMD -MP -c $< -o $@
+	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) -MMD -MP -c $< -o $@
 
 $(BUILD)/libtwinlight.a: $(OBJECTS_library) $(BUILD)/files
 	@rm -f $@

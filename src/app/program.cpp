@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <cstring>
 #include <new>
+#include <sstream>
 #include <vector>
 
 #include "command/names.h"
@@ -99,7 +102,9 @@ bool parse_command_line(CLI::App& app, int argc, char** argv) {
         return true;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {
-            app.exit(error);  // prints what was asked for
+            std::ostringstream text;  // what was asked for
+            app.exit(error, text, text);
+            write_result(text.str());
             return false;
         }
         const std::vector<CLI::App*> subcommands = app.get_subcommands();
@@ -108,6 +113,12 @@ bool parse_command_line(CLI::App& app, int argc, char** argv) {
         const bool of_a_value = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr;
         if (!of_a_value) check_option_names(command, name, argc, argv);
         throw UsageError(fmt::format("{}; see '{} --help'", told(command, error), name));
+    }
+}
+
+void write_result(std::string_view bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
+        throw FileError(std::string("standard output: ") + std::strerror(errno));
     }
 }
 

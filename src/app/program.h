@@ -41,6 +41,9 @@ CLI::Validator not_empty();
 // Whether the program is to go on; false once --help or --version has answered. Throws UsageError.
 bool parse_command_line(CLI::App& app, int argc, char** argv);
 
+// Standard output, whole; throws FileError when it cannot be written.
+void write_result(std::string_view bytes);
+
 // Names from outside may hold anything; a line of ours stays one line.
 std::string one_line(std::string_view text);
 

@@ -98,8 +98,11 @@ std::string primitive_name(Enum mode) {
 
 namespace {
 
-// The edit distance with transpositions (optimal string alignment), two rows and one more for the swaps.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
+// The edit distance with transpositions (optimal string alignment), two rows and one more for the swaps; `limit` where it is
+// that or more.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
+    if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= limit) return limit;
+    std::size_t least_of_last = 0;
     std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -111,8 +114,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
         }
         before.swap(last);
         last.swap(row);
+        // A row is made from the two before it, and no value is less than the one that it is made from.
+        const std::size_t least = *std::ranges::min_element(last);
+        if (std::min(least, least_of_last) >= limit) return limit;
+        least_of_last = least;
     }
-    return last[b.size()];
+    return std::min(last[b.size()], limit);
 }
 
 }  // namespace
@@ -125,7 +132,7 @@ std::optional<std::string_view> nearest(std::string_view name, const std::vector
     std::optional<std::string_view> best;
     std::size_t best_distance = limit + 1;
     for (std::string_view candidate : candidates) {
-        const std::size_t distance = edit_distance(name, candidate);
+        const std::size_t distance = edit_distance(name, candidate, best_distance);
         if (distance < best_distance) {
             best_distance = distance;
             best = candidate;

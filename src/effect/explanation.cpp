@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <map>
 
+#include "effect/surface_draw.h"
+
 namespace twinlight {
 namespace {
 
@@ -43,15 +45,25 @@ std::vector<ExplainedDraw> explain_shapes(const Frame& frame, const RenderOption
     for (const auto& item : frame.items) {
         const Draw* draw = std::get_if<Draw>(&item);
         if (!draw) continue;
-        if (!last || !are_one_shape(*last, *draw)) of_shape.clear();
+        ++number;
+        const bool is_first_part = !last || !are_one_shape(*last, *draw);
         last = draw;
-        Plan plan = plan_effects(*draw, options);
-        const auto [known, is_new] = of_shape.try_emplace(facts_of(plan), draws.size());
-        if (is_new)
-            draws.push_back({.numbers = {}, .place = draw->place, .plan = std::move(plan)});
-        else
-            widen(draws[known->second].plan, plan);
-        draws[known->second].numbers.push_back(++number);
+        if (is_first_part) of_shape.clear();
+        const auto add = [&](Plan plan) {
+            const auto [known, is_new] = of_shape.try_emplace(facts_of(plan), draws.size());
+            if (is_new)
+                draws.push_back({.numbers = {}, .place = draw->place, .plan = std::move(plan)});
+            else
+                widen(draws[known->second].plan, plan);
+            std::vector<int>& numbers = draws[known->second].numbers;
+            if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
+        };
+        if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
+            add(plan_effects(*draw, options));
+        } else if (is_first_part) {
+            for (const SurfaceDraw& surface : surface_draws(*draw))
+                add(plan_effects(surface.draw, options, surface.facts));
+        }
     }
     return draws;
 }

@@ -95,7 +95,8 @@ void check_shading(const RenderOptions& options) {
     if (options.shading == Shading::kPhong)
         throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
     if (options.shading == Shading::kExact)
-        throw std::invalid_argument("the fixed function draws meshes, no exact surfaces; use --with reference");
+        throw std::invalid_argument(
+            "the fixed function draws meshes, no exact surfaces; use --with programmable or reference");
 }
 
 Image render(const Frame& frame, const RenderOptions& options) {

@@ -36,6 +36,14 @@ namespace {
 
 constexpr int kRgba = 4;
 
+// The decoder's words, which may quote the file, and that may hold anything.
+std::string cannot_be_read() {
+    std::string reason = stbi_failure_reason();
+    std::ranges::replace_if(
+        reason, [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
+    return "the PNG cannot be read: " + reason;
+}
+
 // The compressed pixels: the data of all IDAT chunks (PNG, section 5.3: length, type, data, check sum).
 std::string packed_pixels(std::string_view bytes) {
     constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
@@ -60,9 +68,7 @@ PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
     const std::string packed = packed_pixels(bytes);
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
-    const auto refuse = [] {
-        throw std::runtime_error(std::string("the PNG cannot be read: ") + stbi_failure_reason() + "; save it anew");
-    };
+    const auto refuse = [] { throw std::runtime_error(cannot_be_read() + "; save it anew"); };
     PngPixels image;
     int channels_in_file = 0;
     if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels_in_file) == 0) refuse();
@@ -95,7 +101,7 @@ Image decode_png(std::string_view bytes) {
         stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()), &width,
                               &height, &channels_in_file, kChannels),
         stbi_image_free);
-    if (!codes) throw std::runtime_error(std::string("the PNG cannot be read: ") + stbi_failure_reason());
+    if (!codes) throw std::runtime_error(cannot_be_read());
 
     Image image(width, height);
     const stbi_uc* code = codes.get();

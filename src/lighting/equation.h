@@ -11,7 +11,7 @@
 //   a_cm     Material::ambient                a_cli    Light::ambient
 //   d_cm     Material::diffuse                d_cli    Light::diffuse
 //   s_cm     Material::specular               s_cli    Light::specular
-//   s_rm     Material::shininess              P_pli    Light::position_eye, position_w
+//   s_rm     Material::shininess              P_pli    Light::position_eye, directional: place()
 //   k_0i..2i Light::*_attenuation             s_dli    Light::spot_dir_eye
 //   c_rli    Light::cos_cutoff                s_rli    Light::spot_exponent
 //   v_bs     Model::local_viewer              c_es     Model::separate_specular
@@ -41,9 +41,8 @@ struct Material {
 template <class Real>
 struct Light {
     Vec3<Real> ambient{}, diffuse{}, specular{};
-    Vec3<Real> position_eye{0, 0, 1};
-    Real position_w{0};
-    bool directional = true;            // position_w is 0
+    Vec3<Real> position_eye{0, 0, 1};   // divided by its w; a unit vector towards a directional light
+    bool directional = true;            // w is 0
     Vec3<Real> spot_dir_eye{0, 0, -1};  // unit(spot direction)
     Real spot_exponent{0};
     bool is_spot = false;  // the cutoff is not 180 degrees
@@ -72,6 +71,16 @@ struct Surface {
     Vec3<Real> normal_eye;    // n as it is: the equation does not normalise it
 };
 
+// What a light and a material have in common: a_cm a_cli, d_cm d_cli, s_cm s_cli.
+template <class Real>
+struct Products {
+    Vec3<Real> ambient, diffuse, specular;
+};
+template <class Real>
+Products<Real> products(const Material<Real>& material, const Light<Real>& light) {
+    return {material.ambient * light.ambient, material.diffuse * light.diffuse, material.specular * light.specular};
+}
+
 // What one light adds, term by term.
 template <class Real>
 struct LightTerms {
@@ -89,19 +98,48 @@ struct Lit {
     Vec3<Real> magnitude;  // the sum of the magnitudes of c_pri's terms: what an error is held against
 };
 
+// The same in another number type.
+template <class To, class From>
+Model<To> real_cast(const Model<From>& m) {
+    return {.ambient = vec3_cast<Vec3<To>>(m.ambient),
+            .local_viewer = m.local_viewer,
+            .separate_specular = m.separate_specular,
+            .reflection = m.reflection,
+            .ambient_unattenuated = m.ambient_unattenuated};
+}
+template <class To, class From>
+Light<To> real_cast(const Light<From>& l) {
+    return {.ambient = vec3_cast<Vec3<To>>(l.ambient),
+            .diffuse = vec3_cast<Vec3<To>>(l.diffuse),
+            .specular = vec3_cast<Vec3<To>>(l.specular),
+            .position_eye = vec3_cast<Vec3<To>>(l.position_eye),
+            .directional = l.directional,
+            .spot_dir_eye = vec3_cast<Vec3<To>>(l.spot_dir_eye),
+            .spot_exponent = static_cast<To>(l.spot_exponent),
+            .is_spot = l.is_spot,
+            .cos_cutoff = static_cast<To>(l.cos_cutoff),
+            .constant_attenuation = static_cast<To>(l.constant_attenuation),
+            .linear_attenuation = static_cast<To>(l.linear_attenuation),
+            .quadratic_attenuation = static_cast<To>(l.quadratic_attenuation),
+            .has_smooth_cone = l.has_smooth_cone,
+            .cos_inner = static_cast<To>(l.cos_inner),
+            .cos_outer = static_cast<To>(l.cos_outer)};
+}
+
+// The light to (position_eye, w). Not for batches.
+template <class Real>
+void place(Light<Real>& light, Vec3<Real> position_eye, Real w) {
+    light.directional = w == 0;
+    light.position_eye = light.directional ? unit(position_eye) : divided(position_eye, w);
+}
+
 // ---- The terms ----
 
-// VP and |VP|. P / w - V is written (P - w V) / w, so that w = 0 is no special case: a direction. A negative
-// w flips it.
+// VP and |VP|.
 template <class Real>
 UnitAndLength<Real> toward_light(const Light<Real>& light, Vec3<Real> position_eye) {
-    if (light.directional) return {unit(light.position_eye), Limits<Real>::largest};
-    using std::abs;
-    const Real w = light.position_w;
-    const auto [dir, scaled_distance] = unit_and_length(light.position_eye - w * position_eye);
-    const Real distance = scaled_distance / abs(w);
-    return {dir * select(w < Real(0), Real(-1), Real(1)),
-            select(distance <= Limits<Real>::largest, distance, Limits<Real>::largest)};
+    if (light.directional) return {light.position_eye, Limits<Real>::largest};
+    return unit_and_length(light.position_eye - position_eye);
 }
 
 // att_i. RULING: where the denominator is not positive, 0 (k = 0, 0, 0; a light with k_0 = 0 at the vertex).
@@ -135,45 +173,47 @@ Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
     return select(cos_angle >= border, falloff, Real(0));
 }
 
-// f_i (n . h_i)^s_rm; h_i lies between VP and VPe, which is (0, 0, 1) for the infinite viewer.
+// f_i (n . h_i)^s_rm; h_i lies between VP and VPe, which is (0, 0, 1) for the infinite viewer: their sum, made a unit vector.
+// RULING: where they are opposite there is no highlight, as n . h_i of the vector 0 is 0.
 // The lecture's variant (r . VPe)^s_rm reflects VP about n and has no f_i: a light behind the surface may
 // shine through.
 template <class Real>
-Real highlight(const Model<Real>& model, const Material<Real>& material, const Surface<Real>& surface,
-               Vec3<Real> vp_dir, Vec3<Real> vpe_dir) {
-    const Vec3<Real> n = surface.normal_eye;
+Real highlight(const Model<Real>& model, Real shininess, Vec3<Real> n, Vec3<Real> vp_dir, Vec3<Real> vpe_dir) {
+    const Real n_dot_vp = dot(n, vp_dir), n_dot_vpe = dot(n, vpe_dir);
     if (model.reflection) {
-        const Vec3<Real> reflected = Real(2) * dot(n, vp_dir) * n - vp_dir;
-        return power(positive_dot(reflected, vpe_dir), material.shininess);
+        const Vec3<Real> reflected = Real(2) * n_dot_vp * n - vp_dir;
+        return power(positive_dot(reflected, vpe_dir), shininess);
     }
-    const Vec3<Real> half_dir = unit(vp_dir + vpe_dir);
-    const Real facing = select(positive_dot(n, vp_dir) > Real(0), Real(1), Real(0));
-    return facing * power(positive_dot(n, half_dir), material.shininess);
+    const Real between = length(vp_dir + vpe_dir);
+    const Real n_dot_h = (n_dot_vp + n_dot_vpe) / select(between > Real(0), between, Real(1));
+    return select(n_dot_vp > Real(0), power(larger(n_dot_h, Real(0)), shininess), Real(0));
 }
 
 // The sum's i-th summand: att_i spot_i [ a_cm a_cli + (n . VP) d_cm d_cli + f_i (n . h_i)^s_rm s_cm s_cli ].
 template <class Real>
-LightTerms<Real> light_terms(const Model<Real>& model, const Material<Real>& material, const Surface<Real>& surface,
-                             const Light<Real>& light, Vec3<Real> vpe_dir) {
+LightTerms<Real> light_terms(const Model<Real>& model, const Products<Real>& products, Real shininess,
+                             const Surface<Real>& surface, const Light<Real>& light, Vec3<Real> vpe_dir) {
     const auto [vp_dir, distance] = toward_light(light, surface.position_eye);
     LightTerms<Real> t;
     t.attenuation = attenuation(light, distance);
     t.spot = spot(light, vp_dir);
     t.n_dot_vp = positive_dot(surface.normal_eye, vp_dir);
-    t.highlight = highlight(model, material, surface, vp_dir, vpe_dir);
+    t.highlight = highlight(model, shininess, surface.normal_eye, vp_dir, vpe_dir);
 
     const Real reach = t.attenuation * t.spot;
     const Real ambient_reach = model.ambient_unattenuated ? Real(1) : reach;
-    t.ambient = representable(ambient_reach * (material.ambient * light.ambient));
-    t.diffuse = representable(reach * (t.n_dot_vp * (material.diffuse * light.diffuse)));
-    t.specular = representable(reach * (t.highlight * (material.specular * light.specular)));
+    t.ambient = representable(ambient_reach * products.ambient);
+    t.diffuse = representable((reach * t.n_dot_vp) * products.diffuse);
+    t.specular = representable((reach * t.highlight) * products.specular);
     return t;
 }
 
-// c_pri and c_sec, before the clamp of 2.14.6. `breakdown`, where it is not null, takes one LightTerms a light.
+// c_pri and c_sec, before the clamp of 2.14.6. `breakdown`, where it is not null, takes one LightTerms a light; `kept`
+// has the products of the material and each light, where they are known.
 template <class Real>
 Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material, const Surface<Real>& surface,
-                        std::span<const Light<Real>> lights, LightTerms<Real>* breakdown = nullptr) {
+                        std::span<const Light<Real>> lights, LightTerms<Real>* breakdown = nullptr,
+                        const Products<Real>* kept = nullptr) {
     const Vec3<Real> vpe_dir = model.local_viewer ? unit(-surface.position_eye) : Vec3<Real>{0, 0, 1};
     Lit<Real> lit;
     lit.alpha = material.diffuse_alpha;
@@ -181,7 +221,8 @@ Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material
     lit.primary = material.emission + scene_ambient;
     lit.magnitude = magnitudes(material.emission) + magnitudes(scene_ambient);
     for (const Light<Real>& light : lights) {
-        const LightTerms<Real> t = light_terms(model, material, surface, light, vpe_dir);
+        const Products<Real> of_light = kept ? *kept++ : products(material, light);
+        const LightTerms<Real> t = light_terms(model, of_light, material.shininess, surface, light, vpe_dir);
         if (breakdown) *breakdown++ = t;
         lit.primary += t.ambient + t.diffuse;
         lit.magnitude += magnitudes(t.ambient) + magnitudes(t.diffuse);

@@ -100,14 +100,24 @@ UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
     const Real scale = select(biggest > L::big, L::scale_down, select(biggest < L::small, L::scale_up, Real(1)));
     const Vec3<Real> scaled = v * scale;
     const Real scaled_length = length(scaled);
-    const Real divisor = select(scaled_length > Real(0), scaled_length, Real(1));
+    const Real inverse = Real(1) / select(scaled_length > Real(0), scaled_length, Real(1));
     const Real full_length = scaled_length / scale;
-    return {representable(scaled / divisor), select(full_length <= L::largest, full_length, L::largest)};
+    return {representable(scaled * inverse), select(full_length <= L::largest, full_length, L::largest)};
 }
 
 template <class Real>
 Vec3<Real> unit(Vec3<Real> v) {
     return unit_and_length(v).dir;
+}
+
+// (v, w) divided by w, where that is no further away than its square can be told. RULING: what lies at infinity (w = 0, or a
+// quotient that Real cannot hold) is very far away in that direction, which is the limit. Not for batches.
+template <class Real>
+Vec3<Real> divided(Vec3<Real> v, Real w) {
+    const Vec3<Real> quotient = v / w, size = magnitudes(quotient);
+    constexpr Real kFar = Limits<Real>::big;
+    if (size.x <= kFar && size.y <= kFar && size.z <= kFar) return quotient;
+    return unit(v) * (w < 0 ? -kFar : kFar);
 }
 
 }  // namespace twinlight::lighting

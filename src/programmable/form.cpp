@@ -21,14 +21,17 @@ bool ordinary_or_zero(const glm::dvec3& v) {
     return size == 0 || ordinary(size);
 }
 
-bool lit_in_object_space(const Draw& draw, const Plan& plan) {
+bool lit_in_object_space(const Draw& draw, const Plan& plan, bool is_surface) {
     const EffectSet& effects = plan.effects;
-    // A fragment is lit in eye coordinates: there the lights stand still where the object moves.
-    if (!effects.lighting || effects.vertex_w || effects.shading == Shading::kPhong) return false;
+    if (!effects.lighting || effects.vertex_w) return false;
+    // A mesh's fragment is lit in eye coordinates: there the lights stand still where the object moves. A surface's comes from
+    // its own space, with a normal that is made unit.
+    const bool by_fragment = effects.shading == Shading::kPhong;
+    if (by_fragment && !is_surface) return false;
     const double scale = similarity_scale(draw.eye_from_object);
     if (!ordinary(scale)) return false;
     // The inverse's transpose has the rotation and 1 / scale, of which GL_NORMALIZE and GL_RESCALE_NORMAL leave nothing.
-    const bool scales_normals = !effects.normalize && !plan.lighting.rescale_normal;
+    const bool scales_normals = !effects.normalize && !plan.lighting.rescale_normal && !by_fragment;
     if (effects.needs_normal() && scales_normals && std::abs(scale - 1) > kFloatRounding) return false;
     if (!effects.needs_position_eye()) return true;
     // In object coordinates a distance must be as exact as in eye coordinates: nothing far away moves in between.
@@ -53,11 +56,14 @@ double similarity_scale(const glm::dmat4& eye_from_object) {
     return std::sqrt(square);
 }
 
-Code code_for(const Draw& draw, const Plan& plan) {
-    Code code{
-        .effects = plan.effects,
-        .form = {.object_space = lit_in_object_space(draw, plan), .position_w = !plan.vertices.w_is_1, .loops = {}},
-        .lights = {}};
+Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {
+    const bool is_surface = surface.kind != SurfaceKind::kNone;
+    Code code{.effects = plan.effects,
+              .form = {.object_space = lit_in_object_space(draw, plan, is_surface),
+                       .position_w = !plan.vertices.w_is_1,
+                       .loops = {},
+                       .surface = surface},
+              .lights = {}};
     std::map<LightEffects, std::vector<std::size_t>> equal;
     for (std::size_t i = 0; i < plan.effects.lights.size(); ++i) equal[plan.effects.lights[i]].push_back(i);
     code.effects.lights.clear();

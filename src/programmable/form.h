@@ -16,7 +16,7 @@ struct SurfaceForm {
     bool inside = false;     // normals look inwards
     bool sector = false;     // a disk between two angles
     bool tex_coord = false;  // texture coordinates of its own are called for
-    bool near_far = false;   // the near or the far plane may cut it
+    bool near_far = false;   // the near or the far plane may cut it, or the eye be in it
     bool culls = false;
     bool depth = false;    // the depth test asks for it
     bool offset = false;   // glPolygonOffset
@@ -49,7 +49,7 @@ struct Code {
     std::vector<std::vector<std::size_t>> lights;  // for each of the effects', which of plan.lights
 };
 
-Code code_for(const Draw& draw, const Plan& plan);
+Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface = {});
 
 // Of lights with equal facts more than these are gone through in a loop: its text does not grow with them. On llvmpipe a
 // light in the loop takes four times as long as one that is written out, whose compilation takes some 4 ms instead.

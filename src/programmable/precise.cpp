@@ -121,9 +121,10 @@ double glsl_version() {
 }  // namespace
 
 RenderOptions precise_options(RenderOptions options) {
-    if (options.shading == Shading::kPhong)
+    if (options.shading == Shading::kPhong || options.shading == Shading::kExact)
         throw std::invalid_argument(
-            "--precise follows the fixed function, which lights vertices: it has no phong shading");
+            "--precise follows the fixed function, which lights vertices: it has no phong shading and no exact "
+            "surfaces; leave one of both out");
     if (options.tier != Tier::kUniform)
         throw std::invalid_argument(
             "--precise has a scene's numbers as uniforms: constants the compiler would fold, by an "

@@ -228,8 +228,7 @@ std::vector<SurfaceProgram> surface_programs(const Draw& draw, const RenderOptio
         if (!rectangle) continue;
         SurfaceProgram program;
         program.plan = plan_effects(surface.draw, options, surface.facts);
-        program.code = code_for(surface.draw, program.plan);
-        program.code.form.surface = form_of(surface, program.plan, corners);
+        program.code = code_for(surface.draw, program.plan, form_of(surface, program.plan, corners));
         // Fragments' normals are made unit in any case.
         if (program.code.effects.shading == Shading::kPhong) program.code.effects.normalize = false;
         Uniforms numbers = Builder(surface, uniforms(surface.draw, program.plan, program.code)).build(*rectangle);

@@ -15,9 +15,7 @@ lighting::Light<double> light_of(const LightSource& source, bool lecture_variant
     light.ambient = rgb(source.ambient);
     light.diffuse = rgb(source.diffuse);
     light.specular = rgb(source.specular);
-    light.position_eye = vec3_cast<Vec>(source.position_eye);
-    light.position_w = source.position_eye.w;
-    light.directional = source.position_eye.w == 0;
+    place(light, vec3_cast<Vec>(source.position_eye), source.position_eye.w);
     light.spot_dir_eye = lighting::unit(vec3_cast<Vec>(source.spot_direction_eye));
     light.spot_exponent = source.spot_exponent;
     light.is_spot = source.spot_cutoff_deg != 180;
@@ -43,15 +41,9 @@ bool tracks(const ColorMaterial& color_material, Face face, Enum property) {
 
 }  // namespace
 
-// V: the eye position divided by its w. RULING: what lies at infinity (w = 0, or a quotient that double
-// cannot hold) is lit as if it were very far away in that direction, which is the equation's limit.
-Vec lit_position(const glm::dvec4& position_eye) {
-    constexpr double kFar = 1e100;
-    const glm::dvec3 quotient = glm::dvec3(position_eye) / position_eye.w;
-    const glm::dvec3 size = glm::abs(quotient);
-    if (size.x <= kFar && size.y <= kFar && size.z <= kFar) return vec3_cast<Vec>(quotient);
-    const double sign = position_eye.w < 0 ? -1 : 1;
-    return lighting::unit(vec3_cast<Vec>(position_eye)) * (sign * kFar);
+lighting::Surface<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face) {
+    const Vec normal = vec3_cast<Vec>(normal_eye);
+    return {lighting::divided(vec3_cast<Vec>(position_eye), position_eye.w), face == Face::kFront ? normal : -normal};
 }
 
 DrawLighting::DrawLighting(const Draw& draw, bool lecture_variants)
@@ -86,10 +78,14 @@ LitMaterial DrawLighting::material(const StageVertex& v, Face face) const {
             .shininess = base.shininess};
 }
 
+bool DrawLighting::has_one_material(Face face) const {
+    const Enum other_face = face == Face::kFront ? kGL_BACK : kGL_FRONT;
+    return !has_vertex_materials() && (!color_material_.enabled || color_material_.face == other_face);
+}
+
 Colors DrawLighting::lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
                          Face face) const {
-    const Vec normal = vec3_cast<Vec>(normal_eye);
-    const lighting::Surface<double> surface{lit_position(position_eye), face == Face::kFront ? normal : -normal};
+    const lighting::Surface<double> surface = surface_of(position_eye, normal_eye, face);
     const lighting::Lit<double> lit = lighting::light_surface<double>(model_, material, surface, lights_);
     return {.primary = glm::dvec4(vec3_cast<glm::dvec3>(lit.primary), lit.alpha),
             .secondary = glm::dvec4(vec3_cast<glm::dvec3>(lit.secondary), 1),
@@ -99,6 +95,21 @@ Colors DrawLighting::lit(const glm::dvec4& position_eye, const glm::dvec3& norma
 Colors DrawLighting::colors(const StageVertex& v, Face face) const {
     if (!enabled_) return {.primary = v.color, .magnitude = glm::abs(v.color)};
     return lit(v.position_eye, v.normal_eye, material(v, face), face);
+}
+
+PointBatch::PointBatch(const DrawLighting& lighting, Normals normals) : lighting_(lighting) {
+    for (Side& side : sides_) side.points.makes_unit_normals = normals == Normals::kMadeUnit;
+}
+
+void PointBatch::add(const StageVertex& v, Face face, const std::function<LitMaterial()>& material) {
+    Side& side = sides_[face == Face::kFront ? 0 : 1];
+    if (side.places.empty() || !lighting_.has_one_material(face)) side.points.add(material());
+    side.points.add(surface_of(v.position_eye, v.normal_eye, face));
+    side.places.push_back(count_++);
+}
+
+lighting::Lit<lighting::Column> PointBatch::light(const Side& side, const Arithmetic& arithmetic) const {
+    return lighting::light_points(lighting_.model_, lighting_.lights_, side.points, arithmetic);
 }
 
 LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials) {

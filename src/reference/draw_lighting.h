@@ -5,9 +5,11 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "lighting/equation.h"
+#include "lighting/points.h"
 #include "reference/vertex_stage.h"
 #include "state/frame.h"
 
@@ -25,6 +27,9 @@ struct Colors {
 enum class Face : std::uint8_t { kFront, kBack };
 
 struct LitPoint;  // pixel.h
+
+// What the equation takes of a point: V, and the normal, reversed for the back face (2.14.1).
+lighting::Surface<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face);
 
 class DrawLighting {
   public:
@@ -45,10 +50,14 @@ class DrawLighting {
     bool enabled() const { return enabled_; }
     // Whether the back face has colours of its own; GL uses the front's where it has not.
     bool two_side() const { return enabled_ && two_side_; }
+    // Whether all points of a face have the same material, whatever their colour.
+    bool has_one_material(Face face) const;
     // Whether vertices may differ in more of their material than what follows the current colour.
     bool has_vertex_materials() const { return materials_.size() > 1; }
 
   private:
+    friend class PointBatch;
+
     bool enabled_ = false;
     bool two_side_ = false;
     lighting::Model<double> model_;
@@ -57,8 +66,38 @@ class DrawLighting {
     ColorMaterial color_material_;
 };
 
-// V: the eye position divided by its w. RULING: what lies at infinity is lit as if it were very far away.
-Vec lit_position(const glm::dvec4& position_eye);
+// Points of a lit Draw that are lit together, on all lanes that the processor has (lighting/points.h). The DrawLighting must
+// outlive it.
+class PointBatch {
+  public:
+    enum class Normals : std::uint8_t { kAsTheyAre, kMadeUnit };
+    PointBatch(const DrawLighting& lighting, Normals normals);
+
+    // The material is asked for only where points differ in it.
+    void add(const StageVertex& v, Face face, const std::function<LitMaterial()>& material);
+    std::size_t size() const { return count_; }
+    // Calls visit(i, primary, secondary) for each point, i as they were added: colours as DrawLighting::lit()'s.
+    template <class Visit>
+    void light(const Arithmetic& arithmetic, const Visit& visit) const {
+        for (const Side& side : sides_) {
+            const lighting::Lit<lighting::Column> lit = light(side, arithmetic);
+            for (std::size_t i = 0; i < side.places.size(); ++i)
+                visit(side.places[i], glm::dvec4(lit.primary.x[i], lit.primary.y[i], lit.primary.z[i], lit.alpha[i]),
+                      glm::dvec4(lit.secondary.x[i], lit.secondary.y[i], lit.secondary.z[i], 1));
+        }
+    }
+
+  private:
+    struct Side {  // of a face
+        lighting::Points points;
+        std::vector<std::size_t> places;  // among all
+    };
+    lighting::Lit<lighting::Column> light(const Side& side, const Arithmetic& arithmetic) const;
+
+    const DrawLighting& lighting_;
+    std::array<Side, 2> sides_;
+    std::size_t count_ = 0;
+};
 
 // The material between three, as far as `weights` says.
 LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials);

@@ -85,6 +85,34 @@ std::optional<StepId> Framebuffer::step(int x, int y) const {
     return id == kColor ? std::nullopt : std::optional(id);
 }
 
+// Those that wait are lit Draw by Draw, all at once.
+std::vector<glm::dvec4> Framebuffer::colors() const {
+    std::vector<glm::dvec4> colors(step_.size());
+    struct Waiting {
+        std::vector<Fragment> fragments;
+        std::vector<std::size_t> places;
+    };
+    std::vector<Waiting> by_draw(shaders_.size());
+    for (int y = y0_; y < y1_; ++y)
+        for (int x = 0; x < width_; ++x) {
+            const std::size_t at = index(x, y);
+            const StepId id = step_[at];
+            if (id == kColor || id < 0) {
+                colors[at] = color_at(x, y, at);
+                continue;
+            }
+            const Piece& piece = stages_.piece(id);
+            by_draw[piece.draw].fragments.push_back({&piece, pixel_centre(x, y)});
+            by_draw[piece.draw].places.push_back(at);
+        }
+    for (std::size_t draw = 0; draw < by_draw.size(); ++draw) {
+        const Waiting& waiting = by_draw[draw];
+        const std::vector<glm::dvec4> lit = shaders_[draw].colors(waiting.fragments);
+        for (std::size_t i = 0; i < lit.size(); ++i) colors[waiting.places[i]] = lit[i];
+    }
+    return colors;
+}
+
 glm::dvec4 Framebuffer::color_at(int x, int y, std::size_t at) const {
     const StepId id = step_[at];
     if (id == kColor) return colors_[at];

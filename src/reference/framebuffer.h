@@ -18,8 +18,9 @@ class Framebuffer {
     // The rows from y0 to y1 (excluded; y up), after all steps. Stages and shaders must outlive it.
     Framebuffer(const Stages& stages, const std::vector<Shader>& shaders, int width, int y0, int y1);
 
-    // The colour of a pixel, before it is rounded to the bits of the colour buffer for the last time.
-    glm::dvec4 color(int x, int y) const { return color_at(x, y, index(x, y)); }
+    // The colours of all pixels, row by row from y0 up, before they are rounded to the bits of the colour buffer for the last
+    // time.
+    std::vector<glm::dvec4> colors() const;
 
     // The step whose colour it has; nothing where colours were blended.
     std::optional<StepId> step(int x, int y) const;

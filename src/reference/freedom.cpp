@@ -15,6 +15,7 @@
 #include "reference/fragment_operations.h"
 #include "reference/framebuffer.h"
 #include "reference/reference.h"
+#include "reference/surface_edges.h"
 #include "reference/texture_place.h"
 
 namespace twinlight::reference {
@@ -374,7 +375,13 @@ void join(Freedom& freedom, const Freedom& other) {
 }  // namespace
 
 Freedom freedom(const Frame& frame, RenderOptions options) {
-    if (options.shading == Shading::kExact) options.shading = Shading::kPhong;
+    if (options.shading == Shading::kExact) {
+        options.shading = Shading::kPhong;
+        Freedom result = freedom(frame, options);
+        options.shading = Shading::kExact;
+        add_surface_edges(frame, options, result.edge);
+        return result;
+    }
     options.quad_cut = QuadCut::kFirstToThird;
     Freedom result = freedom_of_cut(frame, options);
     if (!has_quadrilaterals(frame)) return result;

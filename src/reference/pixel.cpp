@@ -64,8 +64,7 @@ void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec2& 
 }  // namespace
 
 LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, Face face) const {
-    const Vec normal = vec3_cast<Vec>(v.normal_eye);
-    const lighting::Surface<double> surface{lit_position(v.position_eye), face == Face::kFront ? normal : -normal};
+    const lighting::Surface<double> surface = surface_of(v.position_eye, v.normal_eye, face);
     LitPoint point{.material = material};
     point.terms.resize(lights_.size());
     const lighting::Lit<double> lit =

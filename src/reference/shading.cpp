@@ -18,30 +18,75 @@ Shading shading_of(const Draw& draw, const RenderOptions& options) {
 
 }  // namespace
 
+Shader::LitColors Shader::clamped_colors(const Colors& colors) {
+    return {clamped(colors.primary), clamped(colors.secondary)};
+}
+
 Shader::Shader(const StagedDraw& staged, const RenderOptions& options)
     : draw_(*staged.draw),
       vertices_(staged.vertices),
       shading_(shading_of(*staged.draw, options)),
-      lighting_(*staged.draw, options.lecture_variants) {
-    if (!lights_pixels()) lit_ = light_vertices(draw_, options, true);
+      lighting_(*staged.draw, options.lecture_variants),
+      arithmetic_(options.arithmetic) {
+    if (!lights_pixels()) light_vertices();
+}
+
+// 2.14.6: colours are clamped before they are interpolated.
+void Shader::light_vertices() {
+    lit_.resize(vertices_.size());
+    const auto light = [&](Face face, LitColors LitFaces::*place) {
+        if (!lighting_.enabled()) {
+            for (std::size_t i = 0; i < vertices_.size(); ++i)
+                lit_[i].*place = clamped_colors(lighting_.colors(vertices_[i], face));
+            return;
+        }
+        PointBatch batch(lighting_, PointBatch::Normals::kAsTheyAre);
+        for (const StageVertex& v : vertices_) batch.add(v, face, [&] { return lighting_.material(v, face); });
+        batch.light(arithmetic_, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
+            lit_[i].*place = {clamped(primary), clamped(secondary)};
+        });
+    };
+    light(Face::kFront, &LitFaces::front);
+    if (lighting_.two_side())
+        light(Face::kBack, &LitFaces::back);
+    else
+        for (LitFaces& vertex : lit_) vertex.back = vertex.front;
 }
 
 glm::dvec4 Shader::color(const Piece& piece, const glm::dvec2& position_window) const {
-    if (piece.rays) return exact_color(piece, position_window);
-    const LitColors colors = lit(piece, position_window);
+    const Fragment fragment{&piece, position_window};
+    if (lights_pixels(piece)) {
+        const LitPlace place = lit_place(fragment);
+        return color_of(finished(lit(fragment, place), place.texel ? &*place.texel : nullptr, place.fog));
+    }
+    const LitColors colors = vertex_colors(piece, position_window);
     const double fog = draw_.fog.enabled ? fog_at(piece, position_window) : 1;
     if (!draw_.texture.texture) return color_of(finished<double>(colors, nullptr, fog));
     const Channels<double> texel = channels<double>(sampled(texture_place(vertices_, piece, position_window)));
     return color_of(finished(colors, &texel, fog));
 }
 
-glm::dvec4 Shader::exact_color(const Piece& piece, const glm::dvec2& position_window) const {
-    const SurfacePoint point = piece.rays->point(position_window, piece.point).value();
-    const glm::dvec4& eye = point.vertex.position_eye;
-    const double fog = draw_.fog.enabled ? fog_factor(draw_.fog, std::abs(quotient(eye.z, eye.w))) : 1;
-    if (!draw_.texture.texture) return color_of(finished<double>(exact(point), nullptr, fog));
-    const Channels<double> texel = channels<double>(sampled(point.place));
-    return color_of(finished(exact(point), &texel, fog));
+std::vector<glm::dvec4> Shader::colors(const std::vector<Fragment>& fragments) const {
+    std::vector<glm::dvec4> result(fragments.size());
+    if (fragments.empty() || !lights_pixels()) {
+        for (std::size_t i = 0; i < fragments.size(); ++i)
+            result[i] = color(*fragments[i].piece, fragments[i].position_window);
+        return result;
+    }
+    const bool is_exact = fragments.front().piece->rays != nullptr;  // all of a Draw are, or none
+    PointBatch batch(lighting_, is_exact ? PointBatch::Normals::kAsTheyAre : PointBatch::Normals::kMadeUnit);
+    std::vector<LitPlace> places;
+    places.reserve(fragments.size());
+    for (const Fragment& fragment : fragments) {
+        const LitPlace& place = places.emplace_back(lit_place(fragment));
+        batch.add(place.vertex, place.face, [&] { return material(fragment, place); });
+    }
+    batch.light(arithmetic_, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
+        const LitPlace& place = places[i];
+        result[i] = color_of(
+            finished({clamped(primary), clamped(secondary)}, place.texel ? &*place.texel : nullptr, place.fog));
+    });
+    return result;
 }
 
 glm::dvec4 Shader::sampled(const TexturePlace& place) const {
@@ -50,7 +95,8 @@ glm::dvec4 Shader::sampled(const TexturePlace& place) const {
 }
 
 FragmentBounds Shader::bounds(const Piece& piece, const glm::dvec2& position_window) const {
-    const LitColors colors = lit(piece, position_window);
+    const LitColors colors = lights_pixels(piece) ? lit({&piece, position_window}, lit_place({&piece, position_window}))
+                                                  : vertex_colors(piece, position_window);
     const Interval fog = draw_.fog.enabled ? fog_at(piece, position_window) : 1;
     const TextureUnit& unit = draw_.texture;
     if (!unit.texture) return {finished<Interval>(colors, nullptr, fog), false};
@@ -70,54 +116,65 @@ Channels<Real> Shader::finished(const LitColors& colors, const Channels<Real>* t
     return draw_.fog.enabled ? fogged(draw_.fog, fog, result) : result;
 }
 
-Shader::LitColors Shader::lit(const Piece& piece, const glm::dvec2& position_window) const {
-    if (shading_ == Shading::kFlat) return flat(piece);
+// Flat (2.14.7): one colour for the whole primitive. Gouraud: between those of the vertices.
+Shader::LitColors Shader::vertex_colors(const Piece& piece, const glm::dvec2& position_window) const {
+    const auto of_vertex = [&](std::uint32_t number) -> const LitColors& {
+        return piece.face == Face::kFront ? lit_[number].front : lit_[number].back;
+    };
+    if (shading_ == Shading::kFlat) return of_vertex(piece.primitive.provoking);
     const glm::dvec3 weights = weights_at(piece, position_window);
-    return lights_pixels() ? phong(piece, weights) : gouraud(piece, weights);
-}
-
-// 2.14.7: one colour for the whole primitive.
-Shader::LitColors Shader::flat(const Piece& piece) const {
-    const LitVertex& v = lit_[piece.primitive.provoking];
-    if (piece.face == Face::kFront) return {v.front_primary, v.front_secondary};
-    return {v.back_primary, v.back_secondary};
-}
-
-Shader::LitColors Shader::gouraud(const Piece& piece, const glm::dvec3& weights) const {
     LitColors sum;
     for (int i = 0; i < 3; ++i) {
-        const LitVertex& v = lit_[piece.primitive.vertices[i]];
-        const bool front = piece.face == Face::kFront;
-        sum.primary += weights[i] * (front ? v.front_primary : v.back_primary);
-        sum.secondary += weights[i] * (front ? v.front_secondary : v.back_secondary);
+        const LitColors& v = of_vertex(piece.primitive.vertices[i]);
+        sum.primary += weights[i] * v.primary;
+        sum.secondary += weights[i] * v.secondary;
     }
     return sum;
 }
 
-// RULING (not GL's): the interpolated normal is made a unit vector; the material is interpolated as colours are, what of
-// it tracks the current colour with that colour; the clamp of 2.14.6 is the pixel's.
-Shader::LitColors Shader::phong(const Piece& piece, const glm::dvec3& weights) const {
-    const Face face = lighting_.two_side() ? piece.face : Face::kFront;
-    StageVertex pixel;
-    std::array<LitMaterial, 3> materials;
-    for (int i = 0; i < 3; ++i) {
-        const StageVertex& v = vertices_[piece.primitive.vertices[i]];
-        pixel.position_eye += weights[i] * v.position_eye;
-        pixel.normal_eye += weights[i] * v.normal_eye;
-        pixel.color += weights[i] * v.color;
-        if (lighting_.has_vertex_materials()) materials[i] = lighting_.material(v, face);
+// A point of a surface is a vertex of its own; of a mesh, what lies between its vertices.
+Shader::LitPlace Shader::lit_place(const Fragment& fragment) const {
+    const Piece& piece = *fragment.piece;
+    LitPlace place;
+    std::optional<TexturePlace> texture;
+    if (piece.rays) {
+        const SurfacePoint point = piece.rays->point(fragment.position_window, piece.point).value();
+        place.vertex = point.vertex;
+        if (lighting_.two_side()) place.face = point.face;
+        texture = point.place;
+    } else {
+        const glm::dvec3 weights = weights_at(piece, fragment.position_window);
+        for (int i = 0; i < 3; ++i) {
+            const StageVertex& v = vertices_[piece.primitive.vertices[i]];
+            place.vertex.position_eye += weights[i] * v.position_eye;
+            place.vertex.normal_eye += weights[i] * v.normal_eye;
+            place.vertex.color += weights[i] * v.color;
+        }
+        if (lighting_.two_side()) place.face = piece.face;
+        if (draw_.texture.texture) texture = texture_place(vertices_, piece, fragment.position_window);
     }
-    const LitMaterial material =
-        lighting_.has_vertex_materials() ? mixed(weights, materials) : lighting_.material(pixel, face);
-    const Vec normal_dir = lighting::unit(vec3_cast<Vec>(pixel.normal_eye));
-    const Colors colors = lighting_.lit(pixel.position_eye, vec3_cast<glm::dvec3>(normal_dir), material, face);
-    return {clamped(colors.primary), clamped(colors.secondary)};
+    const glm::dvec4& eye = place.vertex.position_eye;
+    if (draw_.fog.enabled) place.fog = fog_factor(draw_.fog, std::abs(quotient(eye.z, eye.w)));
+    if (draw_.texture.texture) place.texel = channels<double>(sampled(*texture));
+    return place;
 }
 
-// A point of a surface is lit as a vertex is; the clamp is the pixel's.
-Shader::LitColors Shader::exact(const SurfacePoint& point) const {
-    const Colors colors = lighting_.colors(point.vertex, lighting_.two_side() ? point.face : Face::kFront);
-    return {clamped(colors.primary), clamped(colors.secondary)};
+// RULING (not GL's): the material is interpolated as colours are, what of it tracks the current colour with that colour.
+LitMaterial Shader::material(const Fragment& fragment, const LitPlace& place) const {
+    const Piece& piece = *fragment.piece;
+    if (piece.rays || !lighting_.has_vertex_materials()) return lighting_.material(place.vertex, place.face);
+    std::array<LitMaterial, 3> materials;
+    for (int i = 0; i < 3; ++i) materials[i] = lighting_.material(vertices_[piece.primitive.vertices[i]], place.face);
+    return mixed(weights_at(piece, fragment.position_window), materials);
+}
+
+// RULING (not GL's): the interpolated normal is made a unit vector; the clamp of 2.14.6 is the pixel's.
+Shader::LitColors Shader::lit(const Fragment& fragment, const LitPlace& place) const {
+    const StageVertex& v = place.vertex;
+    if (!lighting_.enabled()) return clamped_colors(lighting_.colors(v, place.face));
+    const glm::dvec3 normal_eye =
+        fragment.piece->rays ? v.normal_eye : vec3_cast<glm::dvec3>(lighting::unit(vec3_cast<Vec>(v.normal_eye)));
+    return clamped_colors(lighting_.lit(v.position_eye, normal_eye, material(fragment, place), place.face));
 }
 
 double Shader::fog_at(const Piece& piece, const glm::dvec2& position_window) const {

@@ -3,6 +3,7 @@
 // colour sum (3.9) and fog (3.10).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "reference/interval.h"
@@ -24,28 +25,46 @@ struct FragmentBounds {
     bool has_choice = false;  // of texels: texture_bounds.h
 };
 
+struct Fragment {
+    const Piece* piece;
+    glm::dvec2 position_window;
+};
+
 // Colours one Draw's pieces. The StagedDraw must outlive it.
 class Shader {
   public:
     Shader(const StagedDraw& staged, const RenderOptions& options);
 
-    // In [0,1].
+    // In [0,1]. Of many the same as of each, to the last places of a double (lighting/points.h).
     glm::dvec4 color(const Piece& piece, const glm::dvec2& position_window) const;
+    std::vector<glm::dvec4> colors(const std::vector<Fragment>& fragments) const;
     FragmentBounds bounds(const Piece& piece, const glm::dvec2& position_window) const;
 
   private:
     struct LitColors {
         glm::dvec4 primary{0}, secondary{0};
     };
+    struct LitFaces {  // of a vertex
+        LitColors front, back;
+    };
+    // What phong and exact light at a pixel, and what its colour needs beside.
+    struct LitPlace {
+        StageVertex vertex;
+        Face face = Face::kFront;  // which is lit: the front where lighting has one side
+        double fog = 1;
+        std::optional<Channels<double>> texel;
+    };
+
+    bool lights_pixels(const Piece& piece) const { return piece.rays || lights_pixels(); }
     bool lights_pixels() const {
         return (shading_ == Shading::kPhong || shading_ == Shading::kExact) && lighting_.enabled();
     }
-    LitColors lit(const Piece& piece, const glm::dvec2& position_window) const;
-    LitColors flat(const Piece& piece) const;
-    LitColors gouraud(const Piece& piece, const glm::dvec3& weights) const;
-    LitColors phong(const Piece& piece, const glm::dvec3& weights) const;
-    LitColors exact(const SurfacePoint& point) const;
-    glm::dvec4 exact_color(const Piece& piece, const glm::dvec2& position_window) const;
+    static LitColors clamped_colors(const Colors& colors);
+    void light_vertices();
+    LitColors vertex_colors(const Piece& piece, const glm::dvec2& position_window) const;
+    LitPlace lit_place(const Fragment& fragment) const;
+    LitMaterial material(const Fragment& fragment, const LitPlace& place) const;
+    LitColors lit(const Fragment& fragment, const LitPlace& place) const;
     double fog_at(const Piece& piece, const glm::dvec2& position_window) const;
     glm::dvec4 sampled(const TexturePlace& place) const;
     template <class Real>
@@ -55,7 +74,8 @@ class Shader {
     const std::vector<StageVertex>& vertices_;
     const Shading shading_;
     const DrawLighting lighting_;
-    std::vector<LitVertex> lit_;
+    const Arithmetic arithmetic_;
+    std::vector<LitFaces> lit_;  // by vertex, where those are what is lit
 };
 
 }  // namespace twinlight::reference

@@ -34,6 +34,17 @@ const std::array kRenders = {
                   &Renderers::reference, kPerPixel, false},
 };
 
+// The same of exact surfaces.
+PlannedRender exact(PlannedRender planned) {
+    planned.name = planned.by_driver ? "programmable-exact" : "reference-exact";
+    planned.meaning =
+        planned.by_driver
+            ? "Shaders cast a ray through every pixel at the surfaces that curved shapes stand for."
+            : "The reference casts a ray through every pixel at the surfaces that curved shapes stand for.";
+    planned.options.shading = Shading::kExact;
+    return planned;
+}
+
 constexpr std::size_t kReference = 2, kReferencePhong = 4;
 
 struct PlannedPair {
@@ -144,7 +155,7 @@ Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
 
 namespace {
 
-// Whether a render leaves this out. Its name is its renderer's, "-phong" may follow.
+// Whether a render leaves this out. Its name is its renderer's, "-phong" or "-exact" may follow.
 bool lacks(const Render& render, const Unsupported& item) {
     return std::ranges::any_of(item.renderers, [&](const std::string& name) { return render.name.starts_with(name); });
 }
@@ -164,7 +175,7 @@ Verdict verdict_of(const Comparison& comparison, const Pair& pair) {
 
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
                          const Renderers& renderers, const Progress& progress, Pictures pictures, double budget,
-                         bool precise) {
+                         bool precise, Shading per_pixel) {
     constexpr int kSteps = static_cast<int>(kRenders.size()) + 2;
     int done = 0;
     const auto begin_step = [&](std::string_view name) {
@@ -186,12 +197,15 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
                 "Shaders light vertices by GL's model, in the order of operations of Mesa's fixed function.";
         }
         if (is_left_out(planned.options.shading == Shading::kPhong)) continue;
+        if (planned.options.shading == Shading::kPhong && per_pixel == Shading::kExact) planned = exact(planned);
         begin_step(planned.name);
         result.renders.push_back(render(planned, frame, renderers, pictures));
     }
     begin_step("edges");
     result.freedom = renderers.freedom(frame, kPerVertex);
-    Freedom of_phong = pictures == Pictures::kAll ? renderers.freedom(frame, kPerPixel) : result.freedom;
+    RenderOptions of_pixels = kPerPixel;
+    of_pixels.shading = per_pixel;
+    Freedom of_phong = pictures == Pictures::kAll ? renderers.freedom(frame, of_pixels) : result.freedom;
     for (std::size_t i = 0; i < result.freedom.edge.size(); ++i) {  // one mask for all pairs
         result.freedom.edge[i] = of_phong.edge[i] = result.freedom.edge[i] || of_phong.edge[i];
     }

@@ -30,7 +30,7 @@ struct Renderers {
 using Progress = std::function<void(int done, int total, std::string_view next)>;
 
 struct Render {
-    std::string name;     // "fixed", "programmable", "reference", "programmable-phong", "reference-phong"
+    std::string name;     // "fixed", "programmable", "reference", "programmable-phong", "reference-phong"; or -exact
     std::string meaning;  // a sentence for who sees the picture
     Image image;
     double ms = 0;  // one render, the picture read back
@@ -90,11 +90,13 @@ enum class Pictures : std::uint8_t { kAll, kPerVertex };  // the second: each dr
 
 // The per-vertex pictures follow GL's own model (the lecture's variants off), flat or gouraud as the scene
 // says, so that the three can be held against each other; the phong pictures follow the scene's variants.
+// `per_pixel`: kPhong, or kExact, whose pictures, "programmable-exact" and "reference-exact", take the place of phong's.
 // `precise`: the programmable one of them is drawn with RenderOptions::precise.
 // What the driver draws with is drawn twice and the second time is told, for in the first the driver compiles.
 Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
                          const Renderers& renderers, const Progress& progress = {}, Pictures pictures = Pictures::kAll,
-                         double budget = RenderOptions{}.budget, bool precise = false);
+                         double budget = RenderOptions{}.budget, bool precise = false,
+                         Shading per_pixel = Shading::kPhong);
 
 // ---- What is written of it ----
 

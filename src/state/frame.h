@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "command/command.h"
+#include "math/arithmetic.h"
 #include "shape/surface.h"
 
 namespace twinlight {
@@ -343,6 +344,7 @@ struct RenderOptions {
     // Of the programmable renderer: lit per vertex in the order of operations of Mesa's fixed function, every sum in floats
     // (programmable/precise.h). Nothing of the lighting is left out then, whatever the budget.
     bool precise = false;
+    Arithmetic arithmetic{};  // of the reference's lighting
     Sending sending = Sending::kBuffers;  // of fixed::PreparedFrame
 };
 

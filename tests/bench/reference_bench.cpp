@@ -1,7 +1,18 @@
-// What a plan saves whoever simulates: the reference, drawing all state and only what is called for.
+// The reference: what a plan saves whoever simulates, and how fast its doubles are beside the driver's floats.
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "context/context.h"
+#include "context/gl.h"
 #include "effect/scrubbed_state.h"
 #include "lit_spheres.h"
+#include "programmable/programmable.h"
 #include "ratios.h"
+#include "reference/draw_lighting.h"
 #include "reference/reference.h"
 
 namespace twinlight::bench {
@@ -21,7 +32,103 @@ void compare_references(Results& results) {
     results.ratio("reference_scrubbed_over_reference", geometric_mean(ratios));
 }
 
+// ---- Doubles beside floats ----
+
+constexpr int kSide = 512;
+
+RenderOptions phong(Tier tier) {
+    RenderOptions options;
+    options.shading = Shading::kPhong;
+    options.tier = tier;
+    options.lecture_variants = false;
+    return options;
+}
+
+// A point of the dome for each pixel, in as many batches as the reference makes of the picture.
+std::vector<reference::PointBatch> points_of(const Draw& dome, const reference::DrawLighting& lighting) {
+    constexpr int kRows = 16;
+    std::vector<reference::PointBatch> batches;
+    for (int y = 0; y < kSide; ++y) {
+        if (y % kRows == 0) batches.emplace_back(lighting, reference::PointBatch::Normals::kMadeUnit);
+        for (int x = 0; x < kSide; ++x) {
+            const double s = 2.0 * (x + 0.5) / kSide - 1, t = 2.0 * (y + 0.5) / kSide - 1;
+            reference::StageVertex v;
+            v.position_eye = dome.eye_from_object * glm::dvec4(s, t, -0.3 * (s * s + t * t), 1);
+            v.normal_eye = {0.6 * s, 0.6 * t, 1};
+            batches.back().add(v, reference::Face::kFront,
+                               [&] { return lighting.material(v, reference::Face::kFront); });
+        }
+    }
+    return batches;
+}
+
+volatile double kept = 0;  // so that nothing is left out
+void keep(double value) { kept = value; }
+
+double lit_sum(const std::vector<reference::PointBatch>& batches) {
+    double sum = 0;
+    for (const reference::PointBatch& batch : batches)
+        batch.light({}, [&](std::size_t, const glm::dvec4& primary, const glm::dvec4&) { sum += primary.g; });
+    return sum;
+}
+
+// The lighting of one pixel for each of the picture's, on one core; and the driver's picture of the same.
+void compare_with_driver(Results& results) {
+    const auto context = make_offscreen_context(kSide, kSide);
+    programmable::Renderer renderer;
+    const auto drawing = [&](std::string name, const Frame& frame, Tier tier) {
+        const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, phong(tier));
+        return Way{std::move(name), [&renderer, prepared] {
+                       renderer.draw(*prepared);
+                       glFinish();
+                   }};
+    };
+    std::vector<double> nanoseconds, uniform_over_reference, baked_over_reference;
+    for (const LitScene& scene : seven_scenes()) {
+        const Draw draw = on_dome(scene.draw, kSide);
+        const Frame frame = frame_of(draw, kSide);
+        const reference::DrawLighting lighting(draw, false);
+        const std::vector<reference::PointBatch> batches = points_of(draw, lighting);
+        const auto lights = static_cast<double>(std::ranges::count_if(draw.lighting.lights, &LightSource::enabled));
+        const auto timed = results.compare("doubles beside floats: " + scene.name,
+                                           {{.name = "reference, lighting", .run = [&] { keep(lit_sum(batches)); }},
+                                            drawing("llvmpipe, uniforms", frame, Tier::kUniform),
+                                            drawing("llvmpipe, baked", frame, Tier::kBaked)});
+        nanoseconds.push_back(timed[0].median() * 1e9 / (static_cast<double>(kSide) * kSide * lights));
+        uniform_over_reference.push_back(times_faster(timed[0], timed[1]));
+        baked_over_reference.push_back(times_faster(timed[0], timed[2]));
+        results.remark(fmt::format("reference: {:.2f} ns a pixel and light", nanoseconds.back()));
+    }
+    results.ratio("reference_ns_per_pixel_light", geometric_mean(nanoseconds), Bar{3, true});
+    results.ratio("llvmpipe_uniform_phong_over_reference", geometric_mean(uniform_over_reference), Bar{3});
+    results.ratio("llvmpipe_baked_phong_over_reference", geometric_mean(baked_over_reference), Bar{1});
+}
+
+// Pictures of the reference on one processor and on all, by the wall clock.
+void compare_processors(Results& results) {
+    cpu_set_t all, one;
+    if (sched_getaffinity(0, sizeof all, &all) != 0) return;
+    int first = 0;
+    while (!CPU_ISSET(first, &all)) ++first;
+    CPU_ZERO(&one);
+    CPU_SET(first, &one);
+    const Frame frame = frame_of(on_dome(seven_scenes()[3].draw, kSide), kSide);
+    const auto drawing = [&](const cpu_set_t& processors) {
+        sched_setaffinity(0, sizeof processors, &processors);
+        reference::render(frame, phong(Tier::kUniform));
+    };
+    const auto timed =
+        results.compare(fmt::format("reference: a picture on 1 and on {} processors", CPU_COUNT(&all)),
+                        {{.name = "one", .run = [&] { drawing(one); }}, {.name = "all", .run = [&] { drawing(all); }}},
+                        {.clock = Clock::kWall});
+    sched_setaffinity(0, sizeof all, &all);
+    results.ratio("reference_all_processors_over_one", times_faster(timed[1], timed[0]),
+                  CPU_COUNT(&all) == 2 ? std::optional(Bar{1.9}) : std::nullopt);
+}
+
 const bool added = add_part("reference", compare_references);
+const bool driver_added = add_part("reference_driver", compare_with_driver);
+const bool processors_added = add_part("reference_processors", compare_processors);
 
 }  // namespace
 }  // namespace twinlight::bench

@@ -14,7 +14,11 @@ namespace twinlight {
 
 namespace {
 
-constexpr std::size_t kMostCommands = 512;  // an input is a few kilobytes: so many are met by a list that calls itself
+// So that an input takes a millisecond; a teapot alone takes one. Lists that call lists come to 2^64 commands: Twinlight has
+// limits for that, which tests/property/hostile_commands_test.cpp tries, and which take seconds to reach.
+constexpr std::size_t kMostCommands = 512;
+constexpr int kMostShapes = 1;
+constexpr int kMostListCalls = 2, kMostListCallsInLists = 1;
 
 // One walk over a command's parameters both reads and writes, so that the two cannot disagree.
 class Bytes {
@@ -43,18 +47,19 @@ class Bytes {
             result |= std::uint32_t{byte(static_cast<std::uint8_t>(value >> shift))} << shift;
         return result;
     }
-    // Small numbers as they are, and those at which arithmetic goes wrong.
+    // Numbers that are small, so that their product is no day's work, and those at which arithmetic goes wrong.
     double whole(double value) {
-        constexpr std::array kHard = {2147483647.0, -2147483648.0, 4294967295.0, 65535.0, 65536.0, 1073741824.0, 255.0};
-        constexpr int kFirstHard = 128 + 64;
-        int code = static_cast<int>(std::clamp(value, -64.0, 127.0));
-        if (code < 0) code += kFirstHard;
-        const auto hard = std::ranges::find(kHard, value);
-        if (hard != kHard.end()) code = kFirstHard + static_cast<int>(hard - kHard.begin());
+        constexpr int kSmall = 40, kNegative = 160, kHard = 224;  // from which byte on; what is below is from 0 on
+        constexpr std::array kHardValues = {2147483647.0, -2147483648.0, 4294967295.0, 65535.0,
+                                            65536.0,      1073741824.0,  255.0,        32767.0};
+        const auto hard = std::ranges::find(kHardValues, value);
+        int code = static_cast<int>(std::clamp<double>(value, kNegative - kHard, kSmall - 1));
+        if (code < 0) code = kNegative - 1 - code;
+        if (hard != kHardValues.end()) code = kHard + static_cast<int>(hard - kHardValues.begin());
         code = byte(static_cast<std::uint8_t>(code));
-        if (code < 128) return code;
-        if (code < kFirstHard) return code - kFirstHard;
-        return kHard[static_cast<std::size_t>(code - kFirstHard) % kHard.size()];
+        if (code < kNegative) return code % kSmall;
+        if (code < kHard) return kNegative - 1 - code;
+        return kHardValues[static_cast<std::size_t>(code - kHard) % kHardValues.size()];
     }
 
   private:
@@ -205,17 +210,38 @@ class Walk {
     std::shared_ptr<const Memory> last_, said_;
 };
 
+// Leaves out what would make the commands so far a long work.
+class Restraint {
+  public:
+    bool allows(const Command& command) {
+        if (command.id == CommandId::glNewList) in_list_ = true;
+        if (command.id == CommandId::glEndList) in_list_ = false;
+        if (command.sig().family == Family::kShape) return ++shapes_ <= kMostShapes;
+        if (command.id == CommandId::glCallLists && in_list_) return false;
+        if (command.id != CommandId::glCallList && command.id != CommandId::glCallLists) return true;
+        return in_list_ ? ++calls_in_lists_ <= kMostListCallsInLists : ++calls_ <= kMostListCalls;
+    }
+
+  private:
+    bool in_list_ = false;
+    int shapes_ = 0, calls_ = 0, calls_in_lists_ = 0;
+};
+
 }  // namespace
 
 std::vector<Command> commands_from(std::span<const std::uint8_t> input) {
     Bytes bytes(input);
     Walk walk(bytes);
     std::vector<Command> commands;
-    while (!bytes.at_end() && commands.size() < kMostCommands) commands.push_back(walk.command({}));
+    Restraint restraint;
+    while (!bytes.at_end() && commands.size() < kMostCommands) {
+        Command command = walk.command({});
+        if (restraint.allows(command)) commands.push_back(std::move(command));
+    }
     return commands;
 }
 
-std::string bytes_from(const std::vector<Command>& commands) {
+std::string bytes_from(std::span<const Command> commands) {
     Bytes bytes;
     Walk walk(bytes);
     for (const Command& command : commands) walk.command(command);

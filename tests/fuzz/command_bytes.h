@@ -15,6 +15,6 @@ namespace twinlight {
 std::vector<Command> commands_from(std::span<const std::uint8_t> bytes);
 
 // Bytes that come to these commands, for seeds; what the bytes cannot say becomes the nearest that they can.
-std::string bytes_from(const std::vector<Command>& commands);
+std::string bytes_from(std::span<const Command> commands);
 
 }  // namespace twinlight

@@ -7,13 +7,14 @@ target=$1 seconds=$2 build=build/fuzz
 corpus=$build/corpus/$target seeds=$build/seeds/$target findings=$build/findings
 mkdir -p "$corpus" "$seeds" "$findings"
 
-# Small seeds: those that are kept for it, and the scenes and recordings that the tests draw.
+# Small seeds, for small inputs are tried faster: those that are kept for it, and pieces of the scenes and recordings that the
+# tests draw.
 if [ -d "tests/fuzz/seeds/$target" ]; then cp tests/fuzz/seeds/"$target"/* "$seeds"; fi
 case $target in
-scene) cp src/scenes/*.gl "$seeds" ;;
+scene) for scene in src/scenes/*.gl; do split -l 8 "$scene" "$seeds/$(basename "$scene")-"; done ;;
 state | picture) "$build/write-seeds" "$seeds" src/scenes/*.gl tests/fuzz/seeds/scene/*.gl ;;
 dump) for dump in tests/traces/*/dump.txt; do
-    head -n 60 "$dump" >"$seeds/$(basename "$(dirname "$dump")")"
+    head -n 200 "$dump" | split -l 8 - "$seeds/$(basename "$(dirname "$dump")")-"
     done ;;
 esac
 
@@ -23,7 +24,7 @@ sed -nE 's/^(GL|SHAPE|QUADRIC|PRAGMA)_COMMAND\((\w+),.*/"\2"/p; s/^ENUM\((\w+),.
 
 # A leak is told at the end; what a machine does in a second may take a sanitizer's build a minute.
 status=0
-"$build/$target-fuzzer" "$corpus" "$seeds" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=6144 -use_value_profile=1 \
+ASAN_OPTIONS=malloc_context_size=5 "$build/$target-fuzzer" "$corpus" "$seeds" -max_total_time="$seconds" -entropic=0 -max_len=768 -timeout=60 -rss_limit_mb=6144 \
     -dict="$build/names.dict" -artifact_prefix="$findings/$target-" -print_final_stats=1 -verbosity=0 \
     >"$build/$target.log" 2>&1 || status=$?
 executions=$(sed -nE 's/^stat::number_of_executed_units: *//p' "$build/$target.log")

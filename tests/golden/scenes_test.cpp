@@ -40,7 +40,7 @@ Frame frame_of(const std::string& name) {
     return make_frame(scene, {.width = kWidth, .height = kHeight});
 }
 
-report::Comparison comparison_of(const std::string& name) {
+report::Comparison comparison_of(const std::string& name, Shading per_pixel = Shading::kPhong) {
     const Frame frame = frame_of(name);
     const auto context = make_offscreen_context(kWidth, kHeight);
     programmable::Renderer shaders;
@@ -50,7 +50,8 @@ report::Comparison comparison_of(const std::string& name) {
         .reference = reference::render,
         .freedom = reference::freedom,
     };
-    return report::compare_scene(frame, name, driver_name(), renderers);
+    return report::compare_scene(frame, name, driver_name(), renderers, {}, report::Pictures::kAll,
+                                 RenderOptions{}.budget, false, per_pixel);
 }
 
 // Writes it instead where `make golden` asks for that.
@@ -75,10 +76,7 @@ void expect_golden(const std::string& scene, const std::string& file_name, const
 
 class GoldenScenes : public testing::TestWithParam<std::string> {};
 
-TEST_P(GoldenScenes, AgreeThreeWaysAndWithTheGoldenPictures) {
-    const std::string& name = GetParam();
-    const report::Comparison comparison = comparison_of(name);
-    EXPECT_TRUE(comparison.unsupported.empty());
+void expect_agreement(const report::Comparison& comparison) {
     for (const report::Pair& pair : comparison.pairs) {
         const RegionDifference& interior = pair.difference.interior;
         EXPECT_NE(pair.verdict, report::Verdict::kBeyond)
@@ -86,7 +84,13 @@ TEST_P(GoldenScenes, AgreeThreeWaysAndWithTheGoldenPictures) {
                            comparison.a(pair).name, comparison.b(pair).name, interior.differing, interior.pixels,
                            interior.max * 255, interior.worst_x, interior.worst_y);
     }
+}
 
+TEST_P(GoldenScenes, AgreeThreeWaysAndWithTheGoldenPictures) {
+    const std::string& name = GetParam();
+    const report::Comparison comparison = comparison_of(name);
+    EXPECT_TRUE(comparison.unsupported.empty());
+    expect_agreement(comparison);
     for (const report::Render& render : comparison.renders)
         expect_golden(name, report::picture_file(render), render.image, comparison.freedom);
 }
@@ -97,6 +101,9 @@ TEST_P(GoldenScenes, HaveTheGoldenPictureOfTheirExactSurfaces) {
     expect_golden(GetParam(), "reference-exact.png", image,
                   {.edge = PixelMask(image.pixels.size()), .slack = Image(image.width, image.height)});
 }
+
+// By shaders, to what two renderers are held to.
+TEST_P(GoldenScenes, AgreeInTheirExactSurfaces) { expect_agreement(comparison_of(GetParam(), Shading::kExact)); }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, GoldenScenes, testing::ValuesIn(scene_names()),
                          [](const testing::TestParamInfo<std::string>& scene) { return scene.param; });

@@ -536,14 +536,19 @@ TEST_F(Cli, StudiesEdgesByCoverage) {
     EXPECT_EQ(run({"study", scene(kScene), "-o", out_ / "study", "--coverage", "3"}).status, 2);
 }
 
-TEST_F(Cli, DrawsExactSurfacesByTheReferenceAlone) {
+TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
     const std::string file = scene(kScene);
     const auto render = [&](const char* renderer) {
         return run({"render", file, "--with", renderer, "--shading", "exact", "--size", "32x32", "-o", out_ / "p.png"});
     };
-    expect_refused(render("programmable"), "use --with reference");
-    expect_refused(render("fixed"), "use --with reference");
-    expect_refused(run({"export", file, "--as", "glsl", "--shading", "exact"}), "flat, gouraud, phong");
+    expect_refused(render("fixed"), "use --with programmable or --with reference");
+    EXPECT_EQ(render("programmable").status, 0);
+    expect_refused(
+        run({"render", file, "--with", "programmable", "--precise", "--shading", "exact", "-o", out_ / "p.png"}),
+        "no exact surfaces");
+    EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "exact"}).out.find("cast_ray()"), std::string::npos);
+    const ProgramResult explained = run({"explain", file, "--shading", "exact"});
+    EXPECT_EQ(explained.status, 0) << explained.err;
     expect_refused(
         run({"render", file, "--with", "reference", "--scrubbed", "--shading", "exact", "-o", out_ / "p.png"}),
         "leave one of both out");

@@ -359,7 +359,6 @@ Lit<Real> everything_on() {
                       .diffuse = {1, Real(0.75), Real(0.5)},
                       .specular = {1, 1, 1},
                       .position_eye = {2, 3, -1},
-                      .position_w = 1,
                       .directional = false};
     light.spot_dir_eye = unit(Vec3<Real>{-1, -1, -1});
     light.is_spot = true;

@@ -105,6 +105,16 @@ TEST(Png, SaysThatRubbishCannotBeRead) {
     EXPECT_ANY_THROW(decode_png(std::string_view(whole).substr(0, whole.size() / 2)));
 }
 
+// stb quotes the name of a chunk that it does not know (found by make fuzz).
+TEST(Png, SaysInOneLineWhatItHoldsBesides) {
+    constexpr std::size_t kSignatureAndHeader = 8 + 25;
+    std::string png = encode_png(Image(8, 8));
+    png.insert(kSignatureAndHeader, std::string("\0\0\0\0G\r\n\x1b\0\0\0\0", 12));
+    for (const std::string& message :
+         {message_of([&] { decode_png(png); }), message_of([&] { decode_png_pixels(png, 8); })})
+        EXPECT_TRUE(message.starts_with("the PNG cannot be read: G??? PNG chunk not known")) << message;
+}
+
 // ---- Files ----
 
 TEST_F(FileTest, IsWrittenWholeAndReadBack) {

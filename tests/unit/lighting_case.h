@@ -22,9 +22,7 @@ struct Case {
 
     Light<double>& light() { return lights[0]; }
     void place_light(D position, double w = 1) {
-        light().position_eye = position;
-        light().position_w = w;
-        light().directional = w == 0;
+        place(light(), position, w);
     }
     void aim_spot(D direction, double cutoff_deg) {
         light().spot_dir_eye = unit(direction);

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 
 #include "app/cli/progress.h"
@@ -20,14 +17,11 @@ namespace twinlight::cli {
 
 namespace {
 
-// All of them, or those of meshes.
-std::map<std::string, Shading> shadings(bool with_exact) {
+const std::map<std::string, Shading> kAllShadings = [] {
     std::map<std::string, Shading> named;
-    for (const ShadingName& name : kShadings)
-        if (with_exact || name.value != Shading::kExact) named.emplace(name.key, name.value);
+    for (const ShadingName& name : kShadings) named.emplace(name.key, name.value);
     return named;
-}
-const std::map<std::string, Shading> kAllShadings = shadings(true), kMeshShadings = shadings(false);
+}();
 
 }  // namespace
 
@@ -40,14 +34,12 @@ CLI::Option* add_scene_argument(CLI::App& app, std::string& scene) {
         ->check(not_empty());
 }
 
-void add_shading_option(CLI::App& app, std::optional<Shading>& shading, Exact exact) {
-    const bool has_exact = exact == Exact::kYes;
+void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {
     app.add_option_function<std::string>(
            "--shading", [&shading](const std::string& name) { shading = kAllShadings.at(name); },
-           std::string("what the scene's glShadeModel says, unless given") +
-               (has_exact ? "; exact: curved shapes by their equations, by the reference" : ""))
-        ->type_name(has_exact ? "flat|gouraud|phong|exact" : "flat|gouraud|phong")
-        ->check(one_of(has_exact ? kAllShadings : kMeshShadings));
+           "what the scene's glShadeModel says, unless given; exact: curved shapes by their equations, ray by ray")
+        ->type_name("flat|gouraud|phong|exact")
+        ->check(one_of(kAllShadings));
 }
 
 void add_precise_flag(CLI::App& app, bool& precise) {
@@ -119,12 +111,6 @@ Frame load_frame(const std::string& scene, std::optional<Size> size, std::option
     Frame made = make_frame(list, options);
     fixed::note_lights_beyond(made, {});
     return made;
-}
-
-void write_result(std::string_view bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
-        throw FileError(std::string("standard output: ") + std::strerror(errno));
-    }
 }
 
 bool result_in_color() {

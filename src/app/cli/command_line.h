@@ -40,9 +40,7 @@ CLI::Validator one_of(const Map& map) {
 }
 
 CLI::Option* add_scene_argument(CLI::App& app, std::string& scene);
-// Whether --shading exact may be asked for: only the reference has it.
-enum class Exact : std::uint8_t { kYes, kNo };
-void add_shading_option(CLI::App& app, std::optional<Shading>& shading, Exact exact = Exact::kYes);
+void add_shading_option(CLI::App& app, std::optional<Shading>& shading);
 
 // RenderOptions::budget.
 void add_budget_option(CLI::App& app, double& budget);
@@ -56,9 +54,6 @@ void add_frame_option(CLI::App& app, std::optional<int>& frame);
 // The picture that a scene comes to. What a recorded program says of itself, and what GL refuses of it, is told on
 // standard error.
 Frame load_frame(const std::string& scene, std::optional<Size> size, std::optional<int> frame = std::nullopt);
-
-// Standard output, whole; throws FileError when it cannot be written.
-void write_result(std::string_view bytes);
 
 // Whether escape sequences may colour what is printed: a terminal, and NO_COLOR (no-color.org) is not set.
 bool result_in_color();

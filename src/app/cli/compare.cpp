@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 
 #include "app/cli/command_line.h"
 #include "app/cli/progress.h"
@@ -21,7 +22,10 @@ struct Arguments {
     std::string folder;
     double budget = RenderOptions{}.budget;
     bool precise = false, json = false;
+    Shading per_pixel = Shading::kPhong;
 };
+
+const std::map<std::string, Shading> kPerPixel = {{"phong", Shading::kPhong}, {"exact", Shading::kExact}};
 
 std::string colored(const std::string& text, report::Verdict verdict) {
     if (!result_in_color()) return text;
@@ -80,7 +84,7 @@ int run(const Arguments& arguments) {
         comparison = report::compare_scene(
             frame, frame.commands->name, driver_name(), renderers.functions(),
             [&](int done, int total, std::string_view next) { bar.show(done, total, next); }, report::Pictures::kAll,
-            arguments.budget, arguments.precise);
+            arguments.budget, arguments.precise, arguments.per_pixel);
     }
     if (!comparison.within_tolerance()) {
         for (const fuzz::Departure* departure : fuzz::departures_in(frame))
@@ -105,6 +109,13 @@ Subcommand add_compare(CLI::App& app) {
     add_frame_option(*compare, arguments->frame);
     add_budget_option(*compare, arguments->budget);
     add_precise_flag(*compare, arguments->precise);
+    compare
+        ->add_option_function<std::string>(
+            "--shading", [arguments](const std::string& name) { arguments->per_pixel = kPerPixel.at(name); },
+            "how the pictures that are lit at every pixel are drawn; exact: curved shapes by their equations")
+        ->type_name("phong|exact")
+        ->check(one_of(kPerPixel))
+        ->default_str("phong");
     compare->add_flag("--json", arguments->json, "print comparison.json's object instead of the table");
     compare->footer("Exit status: 0 within the tolerance or partial, 1 beyond it, 2 bad input or use.");
     return {compare, [arguments] { return run(*arguments); }};

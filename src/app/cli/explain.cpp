@@ -136,10 +136,6 @@ int run(const Arguments& arguments) {
         write_result(explain_pixel(frame, options, pixel, arguments.json));
         return kFine;
     }
-    if (arguments.shading == Shading::kExact)
-        throw UsageError(
-            "only the reference draws curved shapes by their equations, and it leaves nothing out; --shading exact "
-            "explains one pixel, with --pixel");
     const std::vector<ExplainedDraw> draws = explain(frame, options);
     write_result(arguments.json ? json_text(frame, draws, arguments.budget) : summary(frame, draws, arguments.budget));
     return kFine;

@@ -35,15 +35,14 @@ struct Rendered {
     Rgba color;
 };
 
-// The fixed function has no phong shading; only the reference has exact surfaces.
+// The fixed function lights vertices alone.
 std::vector<Rendered> rendered(const Frame& frame, const RenderOptions& options, const Pixel& pixel) {
     const RendererSet set(frame.width, frame.height);
     const report::Renderers& functions = set.functions();
     std::vector<Rendered> result;
     const bool by_pixel = options.shading == Shading::kPhong || options.shading == Shading::kExact;
     if (!by_pixel) result.push_back({"fixed", functions.fixed(frame, options).at(pixel.x, pixel.y)});
-    if (options.shading != Shading::kExact)
-        result.push_back({"programmable", functions.programmable(frame, options).at(pixel.x, pixel.y)});
+    result.push_back({"programmable", functions.programmable(frame, options).at(pixel.x, pixel.y)});
     result.push_back({"reference", functions.reference(frame, options).at(pixel.x, pixel.y)});
     return result;
 }

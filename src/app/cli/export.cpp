@@ -70,7 +70,7 @@ Subcommand add_export(CLI::App& app) {
         ->required()
         ->type_name("c|glsl|scene")
         ->check(one_of(kForms));
-    add_shading_option(*exporting, arguments->shading, Exact::kNo);
+    add_shading_option(*exporting, arguments->shading);
     add_frame_option(*exporting, arguments->frame);
     add_precise_flag(*exporting, arguments->precise);
     return {exporting, [arguments] { return run(*arguments); }};

@@ -76,17 +76,17 @@ void main() {
 #if EFFECT_VERTEX_W
     surface.position_eye = divided_by_w(GIVEN_position_eye);
 #elif EFFECT_POSITION_EYE
-    surface.position_eye = GIVEN_position_eye;
+    surface.position_SPACE = GIVEN_position_SPACE;
 #endif
 #if EFFECT_NORMAL
-    surface.normal_eye = unit(GIVEN_normal_eye);
+    surface.normal_SPACE = unit(GIVEN_normal_SPACE);
 #endif
 #if EFFECT_COLOR
     surface.color = v_color;
 #endif
 #for_each_property     surface.PROPERTY = v_PROPERTY;
 #if EFFECT_SHOWN_FACE && EFFECT_NORMAL
-    surface.normal_eye = gl_FrontFacing ? surface.normal_eye : -surface.normal_eye;
+    surface.normal_SPACE = gl_FrontFacing ? surface.normal_SPACE : -surface.normal_SPACE;
 #endif
 #if EFFECT_SHOWN_FACE
     Lit lit = light_shown(SURFACE);
@@ -96,7 +96,7 @@ void main() {
         lit = light_front(SURFACE);
     } else {
 #if EFFECT_NORMAL
-        surface.normal_eye = -surface.normal_eye;
+        surface.normal_SPACE = -surface.normal_SPACE;
 #endif
         lit = light_back(SURFACE);
     }

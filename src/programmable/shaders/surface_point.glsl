@@ -27,10 +27,14 @@
 #endif
 #if EFFECT_PHONG && EFFECT_VERTEX_W
     vec4 position_eye = u_eye_from_object * place;
-#elif EFFECT_PHONG && EFFECT_POSITION_EYE
+#elif EFFECT_PHONG && EFFECT_POSITION_EYE && !EFFECT_OBJECT_SPACE
     vec3 position_eye = (u_eye_from_object * place).xyz;
 #endif
-#if EFFECT_PHONG && EFFECT_NORMAL && EFFECT_RAY_INSIDE
+#if EFFECT_PHONG && EFFECT_NORMAL && EFFECT_OBJECT_SPACE && EFFECT_RAY_INSIDE
+    vec3 normal_object = -outward;
+#elif EFFECT_PHONG && EFFECT_NORMAL && EFFECT_OBJECT_SPACE
+    vec3 normal_object = outward;
+#elif EFFECT_PHONG && EFFECT_NORMAL && EFFECT_RAY_INSIDE
     vec3 normal_eye = u_eye_from_object_normal * -outward;
 #elif EFFECT_PHONG && EFFECT_NORMAL
     vec3 normal_eye = u_eye_from_object_normal * outward;

@@ -7,7 +7,9 @@ uniform vec3 u_direction_per_y;
 uniform vec3 u_moment;
 uniform vec3 u_moment_per_x;
 uniform vec3 u_moment_per_y;
+#if EFFECT_RAY_NEAR_FAR || EFFECT_RAY_DEPTH || EFFECT_RAY_TEX_COORD
 uniform vec4 u_clip_w;  // clip coordinates of (position, 1): w
+#endif
 #if EFFECT_RAY_NEAR_FAR
 uniform vec4 u_to_near_plane;  // w + z
 #endif
@@ -55,10 +57,10 @@ uniform float u_ring;
 #if EFFECT_RAY_SECTOR
 uniform vec4 u_sector;  // the direction of its middle, and the sine and cosine of half of its angle
 #endif
-#if EFFECT_PHONG && EFFECT_POSITION_EYE
+#if EFFECT_PHONG && EFFECT_POSITION_EYE && !EFFECT_OBJECT_SPACE
 uniform mat4 u_eye_from_object;  // from the surface's space
 #endif
-#if EFFECT_PHONG && EFFECT_NORMAL
+#if EFFECT_PHONG && EFFECT_NORMAL && !EFFECT_OBJECT_SPACE
 uniform mat3 u_eye_from_object_normal;  // the transposed inverse of its upper 3x3 (section 2.11.3)
 #endif
 #if EFFECT_FOG

@@ -1,7 +1,12 @@
 #version VERSION
-// The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11)
 #if EFFECT_RAY
-// are the rays' affair: the rectangle of the window around an exact surface.
+// The vertex shader: the rectangle of the window around an exact surface.
+#else
+// The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11)
+#endif
+#if EFFECT_RAY && EFFECT_LIGHTING && !EFFECT_PHONG
+// All of the surface is lit alike: here (section 2.14).
+#elif EFFECT_RAY
 #elif EFFECT_PHONG
 // and to eye coordinates, in which the fragment shader lights.
 #elif EFFECT_LIGHTING && EFFECT_OBJECT_SPACE

@@ -1,0 +1,143 @@
+// Powers of lanes: base^exponent for bases that are not negative; of exponent 0 any number (real.h's power() knows).
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <xsimd/xsimd.hpp>
+
+#include "lighting/power_table.h"
+
+namespace twinlight::lighting {
+
+enum class PowerBy : std::uint8_t {
+    kLibrary,  // any exponent, lane by lane
+    // Where all lanes have the same exponent, and is_short_product(exponent):
+    kExactProducts,
+    kRoundedProducts,
+    kTable,  // where all lanes have the same one
+};
+
+// a b + c, rounded once, where the processor does so. (xsimd 8 rounds twice on some that need not.)
+template <class Arch>
+struct FusedProduct {
+    static constexpr bool kThere = false;
+};
+
+#if defined(__AVX512F__)
+template <>
+struct FusedProduct<xsimd::default_arch> {
+    static constexpr bool kThere = true;
+    using D = xsimd::batch<double, xsimd::default_arch>;
+    static D sum(D a, D b, D c) { return D(_mm512_fmadd_pd(a, b, c)); }
+    static D difference(D a, D b, D c) { return D(_mm512_fmsub_pd(a, b, c)); }
+};
+#elif defined(__FMA__)
+template <>
+struct FusedProduct<xsimd::default_arch> {
+    static constexpr bool kThere = true;
+    using D = xsimd::batch<double, xsimd::default_arch>;
+    static D sum(D a, D b, D c) { return D(_mm256_fmadd_pd(a, b, c)); }
+    static D difference(D a, D b, D c) { return D(_mm256_fmsub_pd(a, b, c)); }
+};
+#elif defined(__aarch64__)
+template <>
+struct FusedProduct<xsimd::default_arch> {
+    static constexpr bool kThere = true;
+    using D = xsimd::batch<double, xsimd::default_arch>;
+    static D sum(D a, D b, D c) { return D(vfmaq_f64(c, a, b)); }
+    static D difference(D a, D b, D c) { return D(vnegq_f64(vfmsq_f64(c, a, b))); }
+};
+#endif
+
+#if defined(__x86_64__) && defined(__GLIBC__)
+// libmvec's, by the names of the x86 vector function ABI; at most 4 units in the last place off, says glibc's manual.
+#if defined(__AVX512F__)
+extern "C" __m512d _ZGVeN8vv_pow(__m512d, __m512d);
+extern "C" __m512 _ZGVeN16vv_powf(__m512, __m512);
+inline auto library_pow(__m512d base, __m512d exponent) { return _ZGVeN8vv_pow(base, exponent); }
+inline auto library_pow(__m512 base, __m512 exponent) { return _ZGVeN16vv_powf(base, exponent); }
+#elif defined(__AVX2__)
+extern "C" __m256d _ZGVdN4vv_pow(__m256d, __m256d);
+extern "C" __m256 _ZGVdN8vv_powf(__m256, __m256);
+inline auto library_pow(__m256d base, __m256d exponent) { return _ZGVdN4vv_pow(base, exponent); }
+inline auto library_pow(__m256 base, __m256 exponent) { return _ZGVdN8vv_powf(base, exponent); }
+#else
+extern "C" __m128d _ZGVbN2vv_pow(__m128d, __m128d);
+extern "C" __m128 _ZGVbN4vv_powf(__m128, __m128);
+inline auto library_pow(__m128d base, __m128d exponent) { return _ZGVbN2vv_pow(base, exponent); }
+inline auto library_pow(__m128 base, __m128 exponent) { return _ZGVbN4vv_powf(base, exponent); }
+#endif
+template <class Scalar, class Arch>
+xsimd::batch<Scalar, Arch> library_power(xsimd::batch<Scalar, Arch> base, xsimd::batch<Scalar, Arch> exponent) {
+    return xsimd::batch<Scalar, Arch>(library_pow(base, exponent));
+}
+#else
+template <class Scalar, class Arch>
+xsimd::batch<Scalar, Arch> library_power(xsimd::batch<Scalar, Arch> base, xsimd::batch<Scalar, Arch> exponent) {
+    constexpr std::size_t kCount = xsimd::batch<Scalar, Arch>::size;
+    Scalar x[kCount], y[kCount];
+    base.store_unaligned(x);
+    exponent.store_unaligned(y);
+    for (std::size_t i = 0; i < kCount; ++i) x[i] = std::pow(x[i], y[i]);
+    return xsimd::batch<Scalar, Arch>::load_unaligned(x);
+}
+#endif
+
+// Whether products are quicker than pow(), and the exponent is whole: GL's own end at 128.
+inline constexpr double kMostProducts = 1024;
+[[gnu::always_inline]] inline bool is_short_product(double exponent) {
+    return exponent >= 0 && exponent <= kMostProducts && exponent == static_cast<double>(static_cast<int>(exponent));
+}
+
+// Products from the exponent's highest bit down: square, and times the base where the bit is set.
+template <class Square, class Multiply>
+void by_bits(unsigned exponent, const Square& square, const Multiply& multiply) {
+    for (int bit = 30 - __builtin_clz(exponent); bit >= 0; --bit) {
+        square();
+        if ((exponent >> bit & 1U) != 0) multiply();
+    }
+}
+
+template <class Scalar, class Arch>
+xsimd::batch<Scalar, Arch> rounded_product(xsimd::batch<Scalar, Arch> base, unsigned exponent) {
+    xsimd::batch<Scalar, Arch> product = base;
+    by_bits(
+        exponent, [&] { product = product * product; }, [&] { product = product * base; });
+    return product;
+}
+
+// high + low is the product to twice as many digits (Dekker, "A floating-point technique for extending the available
+// precision", 1971, with fused products): the sum is off by little more than its own rounding.
+template <class Arch>
+xsimd::batch<double, Arch> exact_product(xsimd::batch<double, Arch> base, unsigned exponent) {
+    using Batch = xsimd::batch<double, Arch>;
+    using Fused = FusedProduct<Arch>;
+    Batch high = base, low(0.0);
+    by_bits(
+        exponent,
+        [&] {
+            const Batch square = high * high;
+            low = Fused::sum(high + high, low, Fused::difference(high, high, square));
+            high = square;
+        },
+        [&] {
+            const Batch product = high * base;
+            low = Fused::sum(low, base, Fused::difference(high, base, product));
+            high = product;
+        });
+    return high + low;
+}
+
+template <PowerBy kBy, class Scalar, class Arch>
+xsimd::batch<Scalar, Arch> power_of(xsimd::batch<Scalar, Arch> base, xsimd::batch<Scalar, Arch> exponent) {
+    if constexpr (kBy == PowerBy::kLibrary) return library_power(base, exponent);
+    const Scalar common = exponent.get(0);
+    if constexpr (kBy == PowerBy::kTable) return between_entries(base, power_table(common));
+    const auto count = static_cast<unsigned>(common < 1 ? Scalar(1) : common);
+    if constexpr (kBy == PowerBy::kExactProducts) return exact_product(base, count);
+    if constexpr (kBy == PowerBy::kRoundedProducts) return rounded_product(base, count);
+}
+
+}  // namespace twinlight::lighting

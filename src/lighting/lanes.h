@@ -1,0 +1,81 @@
+// Lanes: a number type of several doubles or floats that one instruction works on, for the templates of equation.h.
+//
+// Its arithmetic is IEEE's, lane by lane, and nothing is contracted: only powers may round otherwise than the scalar ones do.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <xsimd/xsimd.hpp>
+
+#include "lighting/lane_powers.h"
+#include "lighting/real.h"
+
+namespace twinlight::lighting {
+
+enum class Range : std::uint8_t {
+    kAny,    // the rulings of real.h hold
+    kPlain,  // there are no guards: what they would be for gives NaN in the end, and is to be done again with kAny
+};
+
+// Scalar: float or double. Arch: one of xsimd's instruction sets, which this file's includer is compiled for.
+template <class Scalar, class Arch, Range kRange, PowerBy kPower>
+struct Lanes {
+    using Batch = xsimd::batch<Scalar, Arch>;
+    using Mask = xsimd::batch_bool<Scalar, Arch>;
+    static constexpr std::size_t kCount = Batch::size;
+
+    Lanes() : batch(Scalar(0)) {}
+    Lanes(Scalar all) : batch(all) {}
+    explicit Lanes(Batch lanes) : batch(lanes) {}
+
+    friend Lanes operator+(Lanes a, Lanes b) { return Lanes(a.batch + b.batch); }
+    friend Lanes operator-(Lanes a, Lanes b) { return Lanes(a.batch - b.batch); }
+    friend Lanes operator*(Lanes a, Lanes b) { return Lanes(a.batch * b.batch); }
+    friend Lanes operator/(Lanes a, Lanes b) { return Lanes(a.batch / b.batch); }
+    friend Lanes operator-(Lanes a) { return Lanes(-a.batch); }
+    friend Mask operator<(Lanes a, Lanes b) { return a.batch < b.batch; }
+    friend Mask operator<=(Lanes a, Lanes b) { return a.batch <= b.batch; }
+    friend Mask operator>(Lanes a, Lanes b) { return a.batch > b.batch; }
+    friend Mask operator>=(Lanes a, Lanes b) { return a.batch >= b.batch; }
+    friend Mask operator==(Lanes a, Lanes b) { return a.batch == b.batch; }
+
+    friend Lanes select(Mask mask, Lanes a, Lanes b) { return Lanes(xsimd::select(mask, a.batch, b.batch)); }
+    friend Lanes abs(Lanes a) { return Lanes(xsimd::abs(a.batch)); }
+    friend Lanes sqrt(Lanes a) { return Lanes(xsimd::sqrt(a.batch)); }
+    friend Lanes pow(Lanes base, Lanes exponent) { return Lanes(power_of<kPower>(base.batch, exponent.batch)); }
+
+    // NaN is never the larger one (real.h); but without guards it must not be lost.
+    friend Lanes larger(Lanes a, Lanes b) {
+        if constexpr (kRange == Range::kPlain) std::swap(a, b);
+#if defined(__x86_64__)
+        return Lanes(xsimd::max(a.batch, b.batch));  // the second of the two, where one is NaN
+#else
+        return select(a > b, a, b);
+#endif
+    }
+
+    Batch batch;
+};
+
+template <class Scalar, class Arch, Range kRange, PowerBy kPower>
+struct Limits<Lanes<Scalar, Arch, kRange, kPower>> : Limits<Scalar> {};
+
+template <class Scalar, class Arch, PowerBy kPower>
+Lanes<Scalar, Arch, Range::kPlain, kPower> representable(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
+    return x;
+}
+
+// The same numbers as real.h gives for lengths whose squares neither overflow nor underflow; NaN for others.
+template <class Scalar, class Arch, PowerBy kPower>
+UnitAndLength<Lanes<Scalar, Arch, Range::kPlain, kPower>> unit_and_length(
+    Vec3<Lanes<Scalar, Arch, Range::kPlain, kPower>> v) {
+    using Real = Lanes<Scalar, Arch, Range::kPlain, kPower>;
+    using L = Limits<Scalar>;
+    const Real square = dot(v, v), length = sqrt(square);
+    const auto in_range = (square.batch > (4 * L::small) * (4 * L::small)) & (square.batch < L::big * L::big / 16);
+    const Real inverse = Real(1) / select(in_range, length, Real(std::numeric_limits<Scalar>::quiet_NaN()));
+    return {v * inverse, length};
+}
+
+}  // namespace twinlight::lighting

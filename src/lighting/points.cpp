@@ -1,0 +1,151 @@
+#include "lighting/points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lighting/points_kernel.h"
+#include "lighting/power_table.h"
+
+namespace twinlight::lighting {
+
+#if defined(__x86_64__)
+void light_points_avx2(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
+                       const Arithmetic& arithmetic, Lit<Column>& lit);
+void light_points_avx512(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
+                         const Arithmetic& arithmetic, Lit<Column>& lit);
+#endif
+
+namespace {
+
+// No instruction set has more lanes.
+constexpr std::size_t kMostLanes = 16;
+
+template <class Visit>
+void for_each_column(Lit<Column>& lit, const Visit& visit) {
+    for (Vec3<Column>* color : {&lit.primary, &lit.secondary})
+        for (Column* column : {&color->x, &color->y, &color->z}) visit(*column);
+    visit(lit.alpha);
+}
+
+template <class Visit>
+void for_each_column(Points& points, const Visit& visit) {
+    Material<Column>& m = points.material;
+    for (Vec3<Column>* three :
+         {&points.surface.position_eye, &points.surface.normal_eye, &m.emission, &m.ambient, &m.diffuse, &m.specular})
+        for (Column* column : {&three->x, &three->y, &three->z}) visit(*column);
+    visit(m.diffuse_alpha);
+    visit(m.shininess);
+}
+
+// With the last point so often that there are as many as lanes.
+Points padded(Points points) {
+    for_each_column(points, [&](Column& column) {
+        if (column.size() != 1 || points.size() == 1) column.resize(kMostLanes, column.back());
+    });
+    return points;
+}
+
+// One point after the other, which is how it must be where no SIMD instruction has the number type.
+template <class Real>
+void light_each(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
+                Lit<Column>& lit) {
+    const Kernel<Real> kernel(model, lights, points);
+    for (std::size_t i = 0; i < points.size(); ++i) kernel.light(i, lit);
+}
+
+void push_back(Vec3<Column>& columns, const Vec3<double>& v) {
+    columns.x.push_back(v.x);
+    columns.y.push_back(v.y);
+    columns.z.push_back(v.z);
+}
+
+}  // namespace
+
+Points::Points() {
+    for_each_column(*this, [](Column& column) { column.clear(); });
+}
+
+void Points::add(const Surface<double>& point) {
+    push_back(surface.position_eye, point.position_eye);
+    push_back(surface.normal_eye, point.normal_eye);
+}
+
+void Points::add(const Material<double>& of_point) {
+    push_back(material.emission, of_point.emission);
+    push_back(material.ambient, of_point.ambient);
+    push_back(material.diffuse, of_point.diffuse);
+    push_back(material.specular, of_point.specular);
+    material.diffuse_alpha.push_back(of_point.diffuse_alpha);
+    material.shininess.push_back(of_point.shininess);
+}
+
+PowerBy power_by(Powers powers, const std::vector<Light<double>>& lights, const Points& points) {
+    const Column& shininess = points.material.shininess;
+    const bool is_same = std::all_of(shininess.begin(), shininess.end(), [&](double s) { return s == shininess[0]; });
+    if (!is_same) return PowerBy::kLibrary;
+    if (powers == Powers::kTable) return PowerBy::kTable;
+    const bool is_short =
+        is_short_product(shininess[0]) && std::all_of(lights.begin(), lights.end(), [](const Light<double>& light) {
+            return !light.is_spot || is_short_product(light.spot_exponent);
+        });
+    if (!is_short) return PowerBy::kLibrary;
+    return powers == Powers::kPow ? PowerBy::kExactProducts : PowerBy::kRoundedProducts;
+}
+
+const std::vector<InstructionSet>& instruction_sets() {
+    static const std::vector<InstructionSet> sets = [] {
+        std::vector<InstructionSet> there;
+#if defined(__x86_64__)
+        // The first two ask the operating system as well, whether it keeps the wide registers.
+        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+            __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+            there.push_back({"AVX-512", light_points_avx512});
+        if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+            there.push_back({"AVX2", light_points_avx2});
+        there.push_back({"SSE2", light_points_on<xsimd::default_arch>});
+#else
+        there.push_back({xsimd::default_arch::name(), light_points_on<xsimd::default_arch>});
+#endif
+        return there;
+    }();
+    return sets;
+}
+
+Lit<Column> light_points(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
+                         const Arithmetic& arithmetic) {
+    const std::size_t count = points.size();
+    Lit<Column> lit;
+    if (count == 0) return lit;
+    if (count < kMostLanes) {
+        lit = light_points(model, lights, padded(points), arithmetic);
+        for_each_column(lit, [&](Column& column) { column.resize(count); });
+        return lit;
+    }
+    for_each_column(lit, [&](Column& column) { column.resize(count); });
+    if (arithmetic.number == Number::kLongDouble)
+        light_each<long double>(model, lights, points, lit);
+    else
+        instruction_sets().front().light_points(model, lights, points, arithmetic, lit);
+    return lit;
+}
+
+// ---- Powers by table ----
+
+const double* power_table(double exponent) {
+    struct Kept {
+        double exponent = 0;
+        std::array<double, kPowerTableSteps + 2> entries{};
+    };
+    thread_local std::array<Kept, 16> kept;  // as many as a Draw has exponents: its lights' and its material's
+    thread_local std::size_t oldest = 0;
+    const auto* found = std::find_if(kept.begin(), kept.end(), [&](const Kept& k) { return k.exponent == exponent; });
+    if (found != kept.end()) return found->entries.data();
+    Kept& table = kept[oldest++ % kept.size()];
+    table.exponent = exponent;
+    for (std::size_t i = 0; i < table.entries.size(); ++i)
+        table.entries[i] = std::pow(static_cast<double>(i) / kPowerTableSteps, exponent);
+    return table.entries.data();
+}
+
+}  // namespace twinlight::lighting

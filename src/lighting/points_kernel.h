@@ -1,0 +1,150 @@
+// light_points over one number type: what each file that is compiled for an instruction set instantiates.
+//
+// Only templates over that type stand here and in what this includes. Anything else might be compiled for a wide set and
+// chosen by the linker for all processors (tests/unit/points_test.cpp looks at the symbols).
+#pragma once
+
+#include <span>
+#include <type_traits>
+
+#include "lighting/lanes.h"
+#include "lighting/points.h"
+
+namespace twinlight::lighting {
+
+// How many points a Real holds.
+template <class Real>
+inline constexpr std::size_t kPointsIn = 1;
+template <class Scalar, class Arch, Range kRange, PowerBy kPower>
+inline constexpr std::size_t kPointsIn<Lanes<Scalar, Arch, kRange, kPower>> = xsimd::batch<Scalar, Arch>::size;
+
+// The points from `first` on; of a column of one number, that.
+template <class Real>
+[[gnu::always_inline]] inline Real load(const Column& column, std::size_t first) {
+    const double* from = column.data();
+    if (column.size() == 1) return static_cast<Real>(*from);
+    from += first;
+    if constexpr (std::is_floating_point_v<Real>) {
+        return static_cast<Real>(*from);
+    } else {
+        using Scalar = typename Real::Batch::value_type;
+        if constexpr (std::is_same_v<Scalar, double>) return Real(Real::Batch::load_unaligned(from));
+        Scalar numbers[kPointsIn<Real>];
+        for (std::size_t i = 0; i < kPointsIn<Real>; ++i) numbers[i] = static_cast<Scalar>(from[i]);
+        return Real(Real::Batch::load_unaligned(numbers));
+    }
+}
+template <class Real>
+[[gnu::always_inline]] inline Vec3<Real> load(const Vec3<Column>& columns, std::size_t first) {
+    return {load<Real>(columns.x, first), load<Real>(columns.y, first), load<Real>(columns.z, first)};
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void store(const Real& points, Column& column, std::size_t first) {
+    double* to = column.data() + first;
+    if constexpr (std::is_floating_point_v<Real>) {
+        *to = static_cast<double>(points);
+    } else {
+        typename Real::Batch::value_type numbers[kPointsIn<Real>];
+        points.batch.store_unaligned(numbers);
+        for (std::size_t i = 0; i < kPointsIn<Real>; ++i) to[i] = static_cast<double>(numbers[i]);
+    }
+}
+template <class Real>
+[[gnu::always_inline]] inline void store(const Vec3<Real>& points, Vec3<Column>& columns, std::size_t first) {
+    store(points.x, columns.x, first);
+    store(points.y, columns.y, first);
+    store(points.z, columns.z, first);
+}
+
+template <class Real>
+[[gnu::always_inline]] inline Material<Real> load(const Material<Column>& columns, std::size_t first) {
+    return {.emission = load<Real>(columns.emission, first),
+            .ambient = load<Real>(columns.ambient, first),
+            .diffuse = load<Real>(columns.diffuse, first),
+            .specular = load<Real>(columns.specular, first),
+            .diffuse_alpha = load<Real>(columns.diffuse_alpha, first),
+            .shininess = load<Real>(columns.shininess, first)};
+}
+
+template <class Real>
+[[gnu::always_inline]] inline bool is_sound(const Lit<Real>& /*lit*/) {
+    return true;
+}
+template <class Scalar, class Arch, PowerBy kPower>
+[[gnu::always_inline]] inline bool is_sound(const Lit<Lanes<Scalar, Arch, Range::kPlain, kPower>>& lit) {
+    const auto sum =
+        lit.primary.x + lit.primary.y + lit.primary.z + lit.secondary.x + lit.secondary.y + lit.secondary.z;
+    return xsimd::all(abs(sum).batch <= Limits<Scalar>::largest);
+}
+
+// One lighting state. The points must outlive it.
+template <class Real>
+class Kernel {
+  public:
+    Kernel(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points)
+        : points_(points), model_(real_cast<Real>(model)) {
+        lights_.reserve(lights.size());
+        for (const Light<double>& light : lights) lights_.push_back(real_cast<Real>(light));
+        if (points.has_one_material())
+            for (const Light<Real>& light : lights_)
+                products_.push_back(products(load<Real>(points.material, 0), light));
+    }
+
+    // False, and nothing stored, where a lane needs what the guards of real.h are for and Real has none.
+    // flatten: what is a Real is to stay in registers from end to end.
+    [[gnu::flatten]] bool light(std::size_t first, Lit<Column>& columns) const {
+        const Vec3<Real> normal = load<Real>(points_.surface.normal_eye, first);
+        const Surface<Real> surface{load<Real>(points_.surface.position_eye, first),
+                                    points_.makes_unit_normals ? unit(normal) : normal};
+        const Lit<Real> lit = light_surface<Real>(model_, load<Real>(points_.material, first), surface,
+                                                  std::span<const Light<Real>>(lights_), nullptr,
+                                                  products_.empty() ? nullptr : products_.data());
+        if (!is_sound(lit)) return false;
+        store(lit.primary, columns.primary, first);
+        store(lit.secondary, columns.secondary, first);
+        store(lit.alpha, columns.alpha, first);
+        return true;
+    }
+
+  private:
+    const Points& points_;
+    Model<Real> model_;
+    std::vector<Light<Real>> lights_;
+    std::vector<Products<Real>> products_;  // where all points have one material
+};
+
+// There are as many points as lanes at least; the last lanes may be lit twice.
+template <class Scalar, class Arch, PowerBy kPower>
+void light_lanes(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
+                 Lit<Column>& lit) {
+    using Plain = Lanes<Scalar, Arch, Range::kPlain, kPower>;
+    const Kernel<Plain> plain(model, lights, points);
+    const Kernel<Lanes<Scalar, Arch, Range::kAny, PowerBy::kLibrary>> guarded(model, lights, points);
+    const std::size_t last = points.size() - kPointsIn<Plain>;
+    for (std::size_t i = 0; i < points.size(); i += kPointsIn<Plain>) {
+        const std::size_t first = i < last ? i : last;
+        if (!plain.light(first, lit)) guarded.light(first, lit);
+    }
+}
+
+// How these exponents may be taken, as far as `power` leaves it open.
+PowerBy power_by(Powers powers, const std::vector<Light<double>>& lights, const Points& points);
+
+template <class Arch>
+void light_points_on(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
+                     const Arithmetic& arithmetic, Lit<Column>& lit) {
+    if (arithmetic.number == Number::kFloat)
+        return light_lanes<float, Arch, PowerBy::kLibrary>(model, lights, points, lit);
+    // Without fused products the library is as quick.
+    constexpr PowerBy kExact = FusedProduct<Arch>::kThere ? PowerBy::kExactProducts : PowerBy::kLibrary;
+    switch (power_by(arithmetic.powers, lights, points)) {
+        case PowerBy::kLibrary: return light_lanes<double, Arch, PowerBy::kLibrary>(model, lights, points, lit);
+        case PowerBy::kExactProducts: return light_lanes<double, Arch, kExact>(model, lights, points, lit);
+        case PowerBy::kRoundedProducts:
+            return light_lanes<double, Arch, PowerBy::kRoundedProducts>(model, lights, points, lit);
+        case PowerBy::kTable: return light_lanes<double, Arch, PowerBy::kTable>(model, lights, points, lit);
+    }
+}
+
+}  // namespace twinlight::lighting
