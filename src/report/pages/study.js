@@ -24,8 +24,8 @@
     const groups = (by) => [...new Set(points.map((point) => group(point, by)))];
     const colour = (point) => palette()[groups(element("colour").value).indexOf(group(point, element("colour").value)) % kLight.length];
     // As the scene says, sent and drawn in the usual way.
-    const usual = (point) => ["model", "sending", "target", "samples", "number", "power", "budget"].every(
-        (axis) => !(axis in point.axes) || point.axes[axis] === study.points[0].axes[axis]);
+    const usual = (point) => Object.keys(point.axes).every((axis) =>
+        ["renderer", "shading", "slices"].includes(axis) || point.axes[axis] === study.points[0].axes[axis]);
 
     const numeral = (value) => value !== 0 && (value < 1e-3 || value >= 1e4) ? Number(value.toPrecision(2)).toExponential() : String(Number(value.toPrecision(3)));
     const milliseconds = (point) => 1000 * point.seconds.median;
