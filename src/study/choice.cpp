@@ -49,6 +49,17 @@ constexpr Named<Powers> kPowers[] = {
     {Powers::kTable, "table", "powers from a table"},
 };
 
+constexpr Named<Number> kNumbers[] = {
+    {Number::kDouble, "double", "doubles"},
+    {Number::kFloat, "floats", "floats"},
+    {Number::kLongDouble, "long-double", "long doubles"},
+};
+constexpr Named<Powers> kPowers[] = {
+    {Powers::kPow, "pow", "powers by pow"},
+    {Powers::kSquaring, "squaring", "powers by squaring"},
+    {Powers::kTable, "table", "powers by table"},
+};
+
 std::span<const Named<Renderer>> names(Renderer) { return kRenderers; }
 std::span<const ShadingName> names(Shading) { return kShadings; }
 std::span<const ModelRow> names(Model) { return models(); }
@@ -158,6 +169,8 @@ const std::vector<Axis>& axes() {
         of_names<&Choice::sending, Told::kUnlessUsual>("sending", "how vertices are sent"),
         of_names<&Choice::target, Told::kUnlessUsual>("target", "what is drawn into"),
         kSamples,
+        of_names<&Choice::number, Told::kUnlessUsual>("number", "numbers of the reference"),
+        of_names<&Choice::powers, Told::kUnlessUsual>("powers", "powers of the reference"),
         kBudget,
         of_names<&Choice::number, Told::kUnlessUsual>("number", "the reference's numbers"),
         of_names<&Choice::powers, Told::kUnlessUsual>("powers", "the reference's powers"),
@@ -186,6 +199,7 @@ RenderOptions Choice::options() const {
     options.tier = renderer == Renderer::kConstants ? Tier::kBaked : Tier::kUniform;
     options.precise = renderer == Renderer::kPrecise;
     options.sending = sending;
+    options.arithmetic = {number, powers};
     options.budget = budget;
     options.arithmetic = {number, powers};
     return options;

@@ -474,6 +474,10 @@ TEST_F(Cli, StudiesWhatAccuracyCosts) {
     for (const char* sending : {"client-arrays", "immediate", "display-list"})
         EXPECT_EQ(points.at(std::string("fixed-gouraud-32-") + sending)["error"],
                   points.at("fixed-gouraud-32")["error"]);
+    const auto largest = [&](const char* key) { return points.at(key)["error"]["whole"]["max"].get<double>(); };
+    EXPECT_GT(largest("reference-exact-floats"), 0);
+    EXPECT_LT(largest("reference-exact-floats"), 1e-4);
+    EXPECT_LT(largest("reference-exact-long-double"), largest("reference-exact-floats"));
     // Floats have nothing to round.
     EXPECT_LT(rms("programmable-phong-32-float"), rms("programmable-phong-32"));
     EXPECT_LT(std::filesystem::file_size(folder + "/pictures/reference-exact-difference.png"), 1000U);  // one grey
