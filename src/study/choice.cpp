@@ -38,16 +38,6 @@ constexpr Named<Target> kTargets[] = {
     {Target::kCodes, "8-bit", "8-bit target"},
     {Target::kFloats, "float", "float target"},
 };
-constexpr Named<Number> kNumbers[] = {
-    {Number::kDouble, "double", "in doubles"},
-    {Number::kFloat, "float", "in floats"},
-    {Number::kLongDouble, "long-double", "in long doubles"},
-};
-constexpr Named<Powers> kPowers[] = {
-    {Powers::kPow, "pow", "powers by pow()"},
-    {Powers::kSquaring, "squaring", "powers by squaring"},
-    {Powers::kTable, "table", "powers from a table"},
-};
 
 constexpr Named<Number> kNumbers[] = {
     {Number::kDouble, "double", "doubles"},
@@ -172,8 +162,6 @@ const std::vector<Axis>& axes() {
         of_names<&Choice::number, Told::kUnlessUsual>("number", "numbers of the reference"),
         of_names<&Choice::powers, Told::kUnlessUsual>("powers", "powers of the reference"),
         kBudget,
-        of_names<&Choice::number, Told::kUnlessUsual>("number", "the reference's numbers"),
-        of_names<&Choice::powers, Told::kUnlessUsual>("powers", "the reference's powers"),
     };
     return all;
 }
@@ -201,7 +189,6 @@ RenderOptions Choice::options() const {
     options.sending = sending;
     options.arithmetic = {number, powers};
     options.budget = budget;
-    options.arithmetic = {number, powers};
     return options;
 }
 

@@ -28,8 +28,6 @@ struct Choice {
     Number number = Number::kDouble;  // of the reference, as the next
     Powers powers = Powers::kPow;
     double budget = RenderOptions{}.budget;
-    Number number = Number::kDouble;  // of the reference's lighting, as the next
-    Powers powers = Powers::kPow;
 
     // "shaders with uniforms, gouraud, 32 slices": what is as usual is not told.
     std::string words() const;

@@ -22,15 +22,6 @@ bool any_draw(const Frame& frame, const Is& is) {
     });
 }
 
-// Whether highlights or spots take powers.
-bool has_powers(const Draw& draw) {
-    const LightingState& state = draw.lighting;
-    return state.enabled && (state.front.shininess > 0 || state.back.shininess > 0 || !draw.materials.empty() ||
-                             std::ranges::any_of(state.lights, [](const LightSource& light) {
-                                 return light.enabled && light.spot_cutoff_deg != 180 && light.spot_exponent > 0;
-                             }));
-}
-
 class Choices {
   public:
     void add(Choice choice) {
@@ -76,14 +67,8 @@ std::vector<Choice> choices(const Frame& frame, bool has_slices, Extent extent, 
         for (const Renderer renderer : {kUniforms, kConstants})
             result.add({.renderer = renderer, .shading = Shading::kExact});
 
-    if (any_draw(frame, [](const Draw& draw) { return draw.lighting.enabled; })) {
+    if (any_draw(frame, [](const Draw& draw) { return draw.lighting.enabled; }))
         result.add({.renderer = kPrecise}, is_full ? all_slices : some_slices);
-        for (const Number number : {Number::kFloat, Number::kLongDouble})
-            result.add({.renderer = kReference, .shading = Shading::kExact, .number = number});
-    }
-    if (any_draw(frame, has_powers))
-        for (const Powers powers : {Powers::kSquaring, Powers::kTable})
-            result.add({.renderer = kReference, .shading = Shading::kExact, .powers = powers});
     for (const ModelRow& model : models()) {
         if (model.value == Model::kWhole || !matters(frame, model.value)) continue;
         for (const Shading shading : {Shading::kGouraud, Shading::kPhong})
