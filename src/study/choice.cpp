@@ -39,11 +39,24 @@ constexpr Named<Target> kTargets[] = {
     {Target::kFloats, "float", "float target"},
 };
 
+constexpr Named<Number> kNumbers[] = {
+    {Number::kDouble, "double", "doubles"},
+    {Number::kFloat, "floats", "floats"},
+    {Number::kLongDouble, "long-double", "long doubles"},
+};
+constexpr Named<Powers> kPowers[] = {
+    {Powers::kPow, "pow", "powers by pow"},
+    {Powers::kSquaring, "squaring", "powers by squaring"},
+    {Powers::kTable, "table", "powers by table"},
+};
+
 std::span<const Named<Renderer>> names(Renderer) { return kRenderers; }
 std::span<const ShadingName> names(Shading) { return kShadings; }
 std::span<const ModelRow> names(Model) { return models(); }
 std::span<const Named<Sending>> names(Sending) { return kSendings; }
 std::span<const Named<Target>> names(Target) { return kTargets; }
+std::span<const Named<Number>> names(Number) { return kNumbers; }
+std::span<const Named<Powers>> names(Powers) { return kPowers; }
 
 enum class Told : std::uint8_t { kAlways, kUnlessUsual };
 
@@ -146,6 +159,8 @@ const std::vector<Axis>& axes() {
         of_names<&Choice::sending, Told::kUnlessUsual>("sending", "how vertices are sent"),
         of_names<&Choice::target, Told::kUnlessUsual>("target", "what is drawn into"),
         kSamples,
+        of_names<&Choice::number, Told::kUnlessUsual>("number", "numbers of the reference"),
+        of_names<&Choice::powers, Told::kUnlessUsual>("powers", "powers of the reference"),
         kBudget,
     };
     return all;
@@ -172,6 +187,7 @@ RenderOptions Choice::options() const {
     options.tier = renderer == Renderer::kConstants ? Tier::kBaked : Tier::kUniform;
     options.precise = renderer == Renderer::kPrecise;
     options.sending = sending;
+    options.arithmetic = {number, powers};
     options.budget = budget;
     return options;
 }

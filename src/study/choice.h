@@ -24,7 +24,9 @@ struct Choice {
     Model model = Model::kWhole;
     Sending sending = Sending::kBuffers;
     Target target = Target::kCodes;
-    int samples = 1;  // the side of a pixel's square of samples
+    int samples = 1;                  // the side of a pixel's square of samples
+    Number number = Number::kDouble;  // of the reference, as the next
+    Powers powers = Powers::kPow;
     double budget = RenderOptions{}.budget;
 
     // "shaders with uniforms, gouraud, 32 slices": what is as usual is not told.

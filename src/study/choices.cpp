@@ -88,6 +88,11 @@ std::vector<Choice> choices(const Frame& frame, bool has_slices, Extent extent, 
             if (has_surfaces || renderer == kReference)
                 result.add({.renderer = renderer, .shading = Shading::kExact, .samples = samples});
     }
+    for (const Number number : {Number::kFloat, Number::kLongDouble})
+        result.add({.renderer = kReference, .shading = Shading::kExact, .number = number});
+    if (matters(frame, Model::kNoSpecular))
+        for (const Powers powers : {Powers::kSquaring, Powers::kTable})
+            result.add({.renderer = kReference, .shading = Shading::kExact, .powers = powers});
     for (const double budget : {0.0, 4.0 / 255, 16.0 / 255})
         result.add({.renderer = kUniforms, .shading = Shading::kPhong, .slices = middle, .budget = budget});
     return result.take();

@@ -108,7 +108,7 @@ void find_fronts(Study& study) {
             double least = std::numeric_limits<double>::infinity();
             for (Point* point : by_time) {
                 const double error = error_of(*point, kMeasures[m]);
-                if (!(error < least)) continue;
+                if (!(error < kSameError * least)) continue;
                 least = error;
                 point->on_front[m] = true;
             }

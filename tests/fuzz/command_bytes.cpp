@@ -216,13 +216,21 @@ class Restraint {
     bool allows(const Command& command) {
         if (command.id == CommandId::glNewList) in_list_ = true;
         if (command.id == CommandId::glEndList) in_list_ = false;
-        if (command.sig().family == Family::kShape) return ++shapes_ <= kMostShapes;
+        if (command.sig().family == Family::kShape) return !is_fine(command) && ++shapes_ <= kMostShapes;
         if (command.id == CommandId::glCallLists && in_list_) return false;
         if (command.id != CommandId::glCallList && command.id != CommandId::glCallLists) return true;
         return in_list_ ? ++calls_in_lists_ <= kMostListCallsInLists : ++calls_ <= kMostListCalls;
     }
 
   private:
+    // Of many slices or stacks, but not of more than are refused.
+    static bool is_fine(const Command& command) {
+        constexpr double kMany = 100, kRefused = 1e8;
+        return std::ranges::any_of(command.arguments, [](double value) {
+            return value == std::floor(value) && value > kMany && value < kRefused;
+        });
+    }
+
     bool in_list_ = false;
     int shapes_ = 0, calls_ = 0, calls_in_lists_ = 0;
 };

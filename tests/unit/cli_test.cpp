@@ -474,6 +474,10 @@ TEST_F(Cli, StudiesWhatAccuracyCosts) {
     for (const char* sending : {"client-arrays", "immediate", "display-list"})
         EXPECT_EQ(points.at(std::string("fixed-gouraud-32-") + sending)["error"],
                   points.at("fixed-gouraud-32")["error"]);
+    const auto largest = [&](const char* key) { return points.at(key)["error"]["whole"]["max"].get<double>(); };
+    EXPECT_GT(largest("reference-exact-floats"), 0);
+    EXPECT_LT(largest("reference-exact-floats"), 1e-4);
+    EXPECT_LT(largest("reference-exact-long-double"), largest("reference-exact-floats"));
     // Floats have nothing to round.
     EXPECT_LT(rms("programmable-phong-32-float"), rms("programmable-phong-32"));
     EXPECT_LT(std::filesystem::file_size(folder + "/pictures/reference-exact-difference.png"), 1000U);  // one grey
@@ -542,7 +546,6 @@ TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
         return run({"render", file, "--with", renderer, "--shading", "exact", "--size", "32x32", "-o", out_ / "p.png"});
     };
     expect_refused(render("fixed"), "use --with programmable or --with reference");
-    EXPECT_EQ(render("programmable").status, 0);
     expect_refused(
         run({"render", file, "--with", "programmable", "--precise", "--shading", "exact", "-o", out_ / "p.png"}),
         "no exact surfaces");
@@ -552,7 +555,12 @@ TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
     expect_refused(
         run({"render", file, "--with", "reference", "--scrubbed", "--shading", "exact", "-o", out_ / "p.png"}),
         "leave one of both out");
+    expect_refused(run({"compare", file, "--shading", "flat", "-o", out_.str()}), "exact, phong");
+    EXPECT_EQ(render("programmable").status, 0);
     EXPECT_EQ(render("reference").status, 0);
+    const ProgramResult compared = run({"compare", file, "--shading", "exact", "--size", "32x32", "-o", out_.str()});
+    EXPECT_EQ(compared.status, 0) << compared.err;
+    EXPECT_NE(compared.out.find("programmable-exact"), std::string::npos);
 }
 
 TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
