@@ -104,12 +104,12 @@ SOURCES_bench := $(wildcard tests/bench/*.cpp)
 SOURCES_bench_library := src/app/cli/progress.cpp
 # What of it the tests link, which count the instructions of the same meshes.
 SOURCES_bench_meshes := tests/bench/lit_spheres.cpp
-# Fuzzers, a program each, and what they share; of the library the layers that untrusted input meets.
+# Fuzzers, a program each, and what they share; of the library what untrusted input meets, without drivers and reports.
 SOURCES_fuzzers := $(wildcard tests/fuzz/*_fuzzer.cpp)
 SOURCES_fuzz_common := tests/fuzz/command_bytes.cpp tests/fuzz/stb.cpp
 SOURCES_fuzz_seeds := tests/fuzz/write_seeds.cpp
 SOURCES_fuzz := $(SOURCES_fuzzers) $(SOURCES_fuzz_common) $(SOURCES_fuzz_seeds)
-SOURCES_fuzz_library := $(wildcard $(patsubst %,src/%/*.cpp,command image shape state effect lighting reference trace scenes))
+SOURCES_fuzz_library := $(filter-out $(patsubst %,src/%/%,context stages fixed programmable fuzz report study),$(SOURCES_library))
 SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz),$(wildcard tests/*/*.cpp))
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) \
