@@ -109,16 +109,17 @@ SOURCES_fuzzers := $(wildcard tests/fuzz/*_fuzzer.cpp)
 SOURCES_fuzz_common := tests/fuzz/command_bytes.cpp tests/fuzz/stb.cpp
 SOURCES_fuzz_seeds := tests/fuzz/write_seeds.cpp
 SOURCES_fuzz := $(SOURCES_fuzzers) $(SOURCES_fuzz_common) $(SOURCES_fuzz_seeds)
-SOURCES_fuzz_library := $(filter-out $(patsubst %,src/%/%,context stages fixed programmable fuzz report study),$(SOURCES_library))
+SOURCES_fuzz_library := $(filter-out $(patsubst %,src/%/%,check context stages fixed programmable fuzz report study),$(SOURCES_library))
 SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz),$(wildcard tests/*/*.cpp))
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
-EMBEDDED := $(BUILD)/embedded/scenes.cpp $(BUILD)/embedded/shaders.cpp $(BUILD)/embedded/pages.cpp
+EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes shaders pages cases)
 FILES_scenes := $(wildcard src/scenes/*.gl)
 FILES_shaders := $(wildcard src/programmable/shaders/*.glsl)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
+FILES_cases := $(wildcard golden/hard/*.gl)
 FILES_pages := $(wildcard src/report/pages/*) $(BUILD)/embedded/chart.js
 object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
@@ -219,7 +220,7 @@ help:  ## this list
 
 # Two files that are written when what they hold changes: how to compile, and which files there are.
 flags := $(CXX) $(CXXFLAGS_all) $(LDFLAGS_all)
-files := $(SOURCES_all) $(FILES_scenes) $(FILES_shaders) $(FILES_pages)
+files := $(SOURCES_all) $(FILES_scenes) $(FILES_shaders) $(FILES_pages) $(FILES_cases)
 changed = $(if $(subst |$($(1))|,,|$(file <$(BUILD)/$(1))|),force)
 $(BUILD)/flags: $(call changed,flags)
 $(BUILD)/files: $(call changed,files)
@@ -272,6 +273,8 @@ $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files Makefile
 	$(call embed,programmable/shader_files.h,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files Makefile
 	$(call embed,report/pages.h,kPageFiles,$(sort $(FILES_pages)))
+$(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files Makefile
+	$(call embed,check/case.h,kCaseFiles,$(sort $(FILES_cases)))
 
 $(BUILD)/embedded/chart.js: $(CHART)
 	@mkdir -p $(@D); cp $< $@

@@ -32,7 +32,8 @@ struct LitVertex {
     glm::dvec4 front_magnitude{0}, back_magnitude{0};
 };
 
-// The vertex stage of every vertex of the Draw (not of every index). `clamped`: 2.14.6, colours to [0,1].
+// The vertex stage of every vertex of the Draw (not of every index). `clamped`: 2.14.6, colours to [0,1]. Magnitudes are double
+// whatever the options' arithmetic.
 std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& options, bool clamped);
 
 }  // namespace twinlight::reference

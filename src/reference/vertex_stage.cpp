@@ -69,6 +69,22 @@ std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& opt
                           .front_magnitude = front.magnitude,
                           .back_magnitude = back.magnitude});
     }
+    if (options.arithmetic == Arithmetic{} || !lighting.enabled()) return result;
+    // In other numbers than double: as pictures are lit.
+    PointBatch fronts(lighting, PointBatch::Normals::kAsTheyAre), backs = fronts;
+    for (const StageVertex& v : vertex_stage(draw)) {
+        fronts.add(v, Face::kFront, [&] { return lighting.material(v, Face::kFront); });
+        const Face back = lighting.two_side() ? Face::kBack : Face::kFront;
+        backs.add(v, back, [&] { return lighting.material(v, back); });
+    }
+    fronts.light(options.arithmetic, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
+        result[i].front_primary = finish(primary);
+        result[i].front_secondary = finish(secondary);
+    });
+    backs.light(options.arithmetic, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
+        result[i].back_primary = finish(primary);
+        result[i].back_secondary = finish(secondary);
+    });
     return result;
 }
 

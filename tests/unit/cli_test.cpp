@@ -56,7 +56,7 @@ class Cli : public testing::Test {
 
 TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
     for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
-             {}, {"render"}, {"compare"}, {"explain"}, {"export"}, {"scenes"}, {"study"}, {"fuzz"}}) {
+             {}, {"render"}, {"compare"}, {"explain"}, {"export"}, {"scenes"}, {"study"}, {"fuzz"}, {"check"}}) {
         for (const char* flag : {"--help", "-h", "--version"}) {
             std::vector<std::string> arguments = command;
             arguments.emplace_back(flag);
@@ -71,7 +71,7 @@ TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
 
 TEST_F(Cli, RefusesBadUse) {
     const std::string file = scene(kScene);
-    expect_refused(run({}), "a command is missing: render, compare, explain, export, scenes, study or fuzz");
+    expect_refused(run({}), "a command is missing: render, compare, explain, export, scenes, study, fuzz or check");
     expect_refused(run({"rendr"}), "there is no command 'rendr'; did you mean 'render'?");
     expect_refused(run({"--bogus"}), "'--bogus'");
     expect_refused(run({"render"}), "SCENE is required; see 'twinlight render --help'");

@@ -36,6 +36,7 @@ const std::map<std::string, Layers>& allowed() {
         {"fuzz",
          {"math", "command", "state", "shape", "lighting", "image", "context", "fixed", "programmable", "reference",
           "report"}},
+        {"check", {"math", "command", "state", "image", "context", "fixed", "programmable", "reference", "fuzz"}},
         {"app", {}},  // all
     };
     return table;

@@ -52,7 +52,7 @@ int run(int argc, char** argv) {
         "'twinlight COMMAND --help' tells a command's options.\n"
         "Exit status: 0 fine, 1 a difference beyond the tolerance, 2 bad input or use.");
     const std::array subcommands = {add_render(app), add_compare(app), add_explain(app), add_export(app),
-                                    add_scenes(app), add_study(app),   add_fuzz(app)};
+                                    add_scenes(app), add_study(app),   add_fuzz(app),    add_check(app)};
     std::vector<std::string> names;
     for (const Subcommand& subcommand : subcommands) {
         names.push_back(subcommand.app->get_name());

@@ -1,0 +1,160 @@
+// twinlight check: the hard cases of golden/hard on this machine's driver.
+#include "check/check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command_line.h"
+
+namespace twinlight::cli {
+
+namespace {
+
+using namespace check;
+
+struct Arguments {
+    std::vector<std::string> names;
+    bool json = false;
+};
+
+std::string colored(const std::string& text, Verdict verdict) {
+    if (!result_in_color()) return text;
+    switch (verdict) {
+        case Verdict::kPass:
+        case Verdict::kRuling: return "\x1b[32m" + text + "\x1b[0m";
+        case Verdict::kDeparts: return "\x1b[33m" + text + "\x1b[0m";
+        case Verdict::kNew:
+        case Verdict::kVanished: return "\x1b[1;31m" + text + "\x1b[0m";
+    }
+    return text;
+}
+
+// What a reader should see of one: which value, which is right, and why.
+std::string finding_text(const Case& of, const Finding& finding) {
+    std::string text =
+        fmt::format("{}{}{}, {}: {}, ", kPathNames.at(static_cast<std::size_t>(finding.path)),
+                    finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), color_text(finding.value));
+    if (finding.verdict == Verdict::kVanished)
+        return text + "as the text says; the case lists another: " + finding.name;
+    text += (finding.verdict == Verdict::kRuling ? "ruled " : "expected ") + color_text(finding.expected);
+    if (finding.verdict != Verdict::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
+    return text;
+}
+
+struct Counts {
+    std::array<long, 5> fixed{};
+    long failing = 0, non_finite = 0;
+};
+
+Counts counted(const std::vector<Result>& results) {
+    Counts counts;
+    for (const Result& result : results) {
+        ++counts.fixed.at(static_cast<std::size_t>(result.verdicts[0]));
+        counts.failing += result.fails();
+        counts.non_finite += result.non_finite;
+    }
+    return counts;
+}
+
+std::string table(const std::vector<Case>& cases, const std::vector<Result>& results) {
+    std::size_t width = 4;
+    for (const Case& of : cases) width = std::max(width, of.name.size());
+    std::string text = fmt::format("{:<{}}  {:<9}  {:<12}  {}\n", "case", width, "fixed", "programmable", "reference");
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto word = [&](Path path, int columns) {
+            const Verdict verdict = results[i].verdicts.at(static_cast<std::size_t>(path));
+            return colored(fmt::format("{:<{}}", word_of(verdict), columns), verdict);
+        };
+        text += fmt::format("{:<{}}  {}  {}  {}\n", cases[i].name, width, word(Path::kFixed, 9),
+                            word(Path::kProgrammable, 12), word(Path::kReference, 9));
+        for (const Finding& finding : results[i].findings) text += "    " + finding_text(cases[i], finding) + "\n";
+        if (results[i].non_finite > 0)
+            text += fmt::format("    {} values of shaders or the reference are not finite\n", results[i].non_finite);
+        if (!results[i].error.empty()) text += "    refused: " + results[i].error + "\n";
+    }
+    return text;
+}
+
+std::string summary(const std::vector<Result>& results) {
+    const Counts counts = counted(results);
+    const auto fixed = [&](Verdict verdict) { return counts.fixed.at(static_cast<std::size_t>(verdict)); };
+    return fmt::format(
+        "\n{} cases. The driver's fixed function: {} pass, {} depart as listed, {} answer otherwise where the "
+        "specification is open,\n{} depart and are in no list, {} listed and gone. Values that are not finite, of "
+        "shaders "
+        "and the reference: {}.\n{}\n",
+        results.size(), fixed(Verdict::kPass), fixed(Verdict::kDeparts), fixed(Verdict::kRuling), fixed(Verdict::kNew),
+        fixed(Verdict::kVanished), counts.non_finite,
+        counts.failing == 0 ? "Nothing is unexpected." : fmt::format("{} cases fail.", counts.failing));
+}
+
+nlohmann::ordered_json color_json(const std::optional<glm::dvec4>& color) {
+    if (!color) return nullptr;
+    auto list = nlohmann::ordered_json::array();
+    for (int i = 0; i < 4; ++i) {  // JSON has no NaN
+        if (std::isfinite((*color)[i]))
+            list.push_back((*color)[i]);
+        else
+            list.push_back(nullptr);
+    }
+    return list;
+}
+
+std::string json_of(const std::string& driver, const std::vector<Case>& cases, const std::vector<Result>& results) {
+    nlohmann::ordered_json json = {{"driver", driver}};
+    auto& list = json["cases"] = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        nlohmann::ordered_json one = {{"name", cases[i].name},
+                                      {"what", cases[i].what},
+                                      {"text", cases[i].text},
+                                      {"status", cases[i].is_ruling ? "ruling" : "defined"}};
+        for (std::size_t path = 0; path < kPaths; ++path)
+            one[std::string(kPathNames.at(path))] = word_of(results[i].verdicts.at(path));
+        one["non_finite"] = results[i].non_finite;
+        if (!results[i].error.empty()) one["refused"] = results[i].error;
+        auto& findings = one["findings"] = nlohmann::ordered_json::array();
+        for (const Finding& finding : results[i].findings) {
+            findings.push_back({{"path", kPathNames.at(static_cast<std::size_t>(finding.path))},
+                                {"variant", finding.variant},
+                                {"verdict", word_of(finding.verdict)},
+                                {"at", finding.spot.str()},
+                                {"value", color_json(finding.value)},
+                                {"expected", color_json(finding.expected)},
+                                {"departure", finding.name}});
+        }
+        list.push_back(one);
+    }
+    const Counts counts = counted(results);
+    json["failing"] = counts.failing;
+    json["non_finite"] = counts.non_finite;
+    return json.dump(2) + "\n";
+}
+
+int run(const Arguments& arguments) {
+    const std::vector<Case> cases = load_cases(arguments.names);
+    Suite suite;
+    const std::vector<Result> results = suite.run(cases);
+    write_result(arguments.json ? json_of(suite.driver(), cases, results)
+                                : suite.driver() + "\n\n" + table(cases, results) + summary(results));
+    return counted(results).failing == 0 ? kFine : kDifferent;
+}
+
+}  // namespace
+
+Subcommand add_check(CLI::App& app) {
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* check = app.add_subcommand("check", "Hold this machine's driver against the hard cases of lighting");
+    check->add_option("CASE", arguments->names, "names of cases, or files of that form; all where none is given")
+        ->type_name("");
+    check->add_flag("--json", arguments->json, "print one JSON object instead of the table");
+    check->footer(
+        "Of the driver's fixed function: 'pass'; 'departs', as the case lists for this driver; 'ruling', where the\n"
+        "specification leaves the answer open; 'NEW', a departure that no list has; 'VANISHED', one that is gone.\n"
+        "Shaders and the reference have to pass. GALLIUM_DRIVER=softpipe asks Mesa's other driver.\n"
+        "Exit status: 0 nothing unexpected, 1 NEW or VANISHED, 2 bad input or use.");
+    return {check, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace twinlight::cli

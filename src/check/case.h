@@ -1,0 +1,74 @@
+// A hard case: a scene whose head comment says what is hard about it and which colours are right (docs/hard-cases.md).
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "command/command.h"
+#include "math/embedded_file.h"
+#include "state/frame.h"
+
+namespace twinlight {
+
+// The files of golden/hard, by name.
+extern const std::vector<EmbeddedFile> kCaseFiles;
+
+}  // namespace twinlight
+
+namespace twinlight::check {
+
+// How far a right answer may be off where a case says nothing else, relative to the larger of 1 and the value. Of floats: forty
+// operations of a last place each, and a power's exponent; of double and more: what seven digits in a file leave.
+inline constexpr double kTolerance = 3e-5, kWrittenTolerance = 1e-6;
+// Of a case's picture.
+inline constexpr int kSide = 64;
+
+// Where a colour is named: at a vertex of the last Draw, or at a pixel of the picture, x and y from its top left.
+struct Spot {
+    bool is_vertex = true;
+    int vertex = 0;
+    int x = 0, y = 0;
+    std::optional<Shading> shading;  // kPhong or kExact; nothing: GL's own, which all renderers have
+
+    std::string str() const;  // "vertex 0", "pixel 32,32 phong"
+    friend bool operator==(const Spot&, const Spot&) = default;
+};
+
+struct Expectation {
+    Spot spot;
+    glm::dvec4 primary{0};    // of a vertex before the clamp (2.14.6); of a pixel what is seen
+    glm::dvec3 secondary{0};  // of a vertex, where the specular colour is separate
+};
+
+// What a driver's fixed function is known to give instead.
+struct Differs {
+    std::string driver;  // a pattern of the shell, anywhere in driver_name()
+    Spot spot;
+    glm::dvec4 color{0};  // may be NaN
+    std::string name;     // in golden/known_differences
+};
+
+struct Case {
+    std::string name;
+    std::string what, why, text, derived;
+    bool is_ruling = false;           // the specification leaves the answer open, and the text is Twinlight's ruling
+    std::optional<double> tolerance;  // in the place of kTolerance
+    std::string tolerance_causes;
+    std::vector<Expectation> expectations;
+    std::vector<Differs> differs;
+    std::string scene_text;
+    std::shared_ptr<const CommandList> scene;
+};
+
+// Throws SceneError, with the line, for a head that is not of the form of docs/hard-cases.md, or a scene that is none.
+Case read_case(std::string_view text, const std::string& file, const std::string& name);
+
+// All of golden/hard; or those of these names, and of files of one's own. Throws SceneError and FileError.
+std::vector<Case> load_cases(const std::vector<std::string>& names = {});
+
+}  // namespace twinlight::check
