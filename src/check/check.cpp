@@ -11,6 +11,7 @@
 #include "command/text.h"
 #include "fixed/fixed.h"
 #include "fuzz/vertex_colors.h"
+#include "programmable/precise.h"
 #include "reference/reference.h"
 #include "state/state.h"
 
@@ -33,9 +34,9 @@ RenderOptions with(const std::function<void(RenderOptions&)>& change) {
     return options;
 }
 
-// The shaders' tiers and shadings. At a vertex all shadings give the same.
-const std::vector<Variant>& shader_variants() {
-    static const std::vector<Variant> variants = {
+// The shaders' tiers and shadings, as far as the current context has them. At a vertex all shadings give the same.
+std::vector<Variant> shader_variants() {
+    std::vector<Variant> variants = {
         {"uniform", with([](RenderOptions&) {})},
         {"baked", with([](RenderOptions& o) { o.tier = Tier::kBaked; })},
         {"precise", with([](RenderOptions& o) { o.precise = true; })},
@@ -46,6 +47,7 @@ const std::vector<Variant>& shader_variants() {
              o.shading = Shading::kPhong;
          })},
     };
+    if (!programmable::has_precise()) std::erase_if(variants, [](const Variant& v) { return v.options.precise; });
     return variants;
 }
 

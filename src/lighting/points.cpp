@@ -112,11 +112,42 @@ const std::vector<InstructionSet>& instruction_sets() {
     return sets;
 }
 
+namespace {
+
+// RULING (divided() of real.h): what floats cannot hold is very far away in its direction.
+Vec3<double> within_floats(Vec3<double> v) {
+    constexpr double kFar = Limits<float>::big;
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return largest <= kFar ? v : v * (kFar / largest);
+}
+
+bool is_within_floats(const Points& points) {
+    const Vec3<Column>& at = points.surface.position_eye;
+    const auto is_within = [](double x) { return std::abs(x) <= Limits<float>::big; };
+    return std::ranges::all_of(at.x, is_within) && std::ranges::all_of(at.y, is_within) &&
+           std::ranges::all_of(at.z, is_within);
+}
+
+Points within_floats(Points points) {
+    Vec3<Column>& at = points.surface.position_eye;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3<double> v = within_floats(Vec3<double>{at.x[i], at.y[i], at.z[i]});
+        at.x[i] = v.x;
+        at.y[i] = v.y;
+        at.z[i] = v.z;
+    }
+    return points;
+}
+
+}  // namespace
+
 Lit<Column> light_points(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                          const Arithmetic& arithmetic) {
     const std::size_t count = points.size();
     Lit<Column> lit;
     if (count == 0) return lit;
+    if (arithmetic.number == Number::kFloat && !is_within_floats(points))
+        return light_points(model, lights, within_floats(points), arithmetic);
     if (count < kMostLanes) {
         lit = light_points(model, lights, padded(points), arithmetic);
         for_each_column(lit, [&](Column& column) { column.resize(count); });

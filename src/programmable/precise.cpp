@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <stdexcept>
 
 #include "context/gl.h"
@@ -134,11 +136,30 @@ RenderOptions precise_options(RenderOptions options) {
     return options;
 }
 
+bool has_precise() { return glsl_version() >= 4.0; }
+
 void check_has_precise() {
-    constexpr double kHasPrecise = 4.0;
-    if (const double version = glsl_version(); version < kHasPrecise)
+    if (!has_precise())
         throw std::runtime_error(
-            fmt::format("--precise needs GLSL 4.00, which has `precise`; this driver has {:.2f}", version));
+            fmt::format("--precise needs GLSL 4.00, which has `precise`; this driver has {:.2f}", glsl_version()));
+}
+
+bool floats_suffice(const Draw& draw) {
+    if (!draw.lighting.enabled) return true;
+    // Of vectors the square, of matrices the determinant: 1e-45 to 3e38 are floats.
+    const auto fits = [](const glm::dvec3& v, double most) {
+        const double length = glm::length(v);
+        return length == 0 || (length > 1 / most && length < most);
+    };
+    const glm::dmat3 m(draw.eye_from_object);
+    for (int column = 0; column < 3; ++column)
+        if (!fits(m[column], 1e12)) return false;
+    if (glm::determinant(m) == 0) return false;
+    return std::ranges::all_of(draw.lighting.lights, [&](const LightSource& light) {
+        const double w = light.position_eye.w == 0 ? 1 : light.position_eye.w;
+        return !light.enabled ||
+               (fits(glm::dvec3(light.position_eye) / w, 1e18) && fits(light.spot_direction_eye, 1e18));
+    });
 }
 
 Code precise_code(const Draw& draw, const Plan& plan) {

@@ -13,8 +13,13 @@ namespace twinlight::programmable {
 // --precise does not go with.
 RenderOptions precise_options(RenderOptions options);
 
-// Throws std::runtime_error where the GLSL of the current context has no `precise`.
+// Whether the GLSL of the current context has `precise`; the second throws std::runtime_error where it has not.
+bool has_precise();
 void check_has_precise();
+
+// Whether Mesa's floats keep to the text for a Draw: they do not under a matrix without an inverse, nor where the squares of a
+// light's place, of its spot direction or of the modelview matrix leave them. Such Draws have the ordinary programs.
+bool floats_suffice(const Draw& draw);
 
 // In the place of code_for() and uniforms(). Throws std::runtime_error for a Draw with lights that GL does not have.
 Code precise_code(const Draw& draw, const Plan& plan);

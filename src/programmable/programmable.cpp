@@ -10,6 +10,7 @@
 #include "programmable/draw_values.h"
 #include "programmable/kept_meshes.h"
 #include "programmable/mesh.h"
+#include "programmable/origin.h"
 #include "programmable/precise.h"
 #include "programmable/programs.h"
 #include "programmable/surface_values.h"
@@ -24,8 +25,8 @@ struct PreparedDraw {
     // mesh_of: gives the mesh for an EffectSet.
     template <class MeshOf>
     PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options, const MeshOf& mesh_of)
-        : code(options.precise ? precise_code(draw, plan) : code_for(draw, plan)),
-          numbers(options.precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code)),
+        : code(options.precise && floats_suffice(draw) ? precise_code(draw, plan) : code_for(draw, plan)),
+          numbers(code.form.precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code)),
           mesh(mesh_of(code.effects)) {
         keep_state(draw);
     }
@@ -76,13 +77,19 @@ struct PreparedFrame::Impl {
             const Draw& draw = std::get<Draw>(item);
             if (draw.count() == 0) continue;
             if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
-                items.emplace_back(kept ? prepared(draw, options, *kept) : prepared(draw, options));
+                add_mesh(draw, options, kept);
             else if (!last || !are_one_shape(*last, draw))  // the first part stands for all of the shape
                 add_surfaces(draw, options);
             last = &draw;
         }
         glBindVertexArray(0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
+    }
+
+    void add_mesh(const Draw& draw, const RenderOptions& options, KeptMeshes* kept) {
+        const std::optional<Draw> moved = moved_to_origin(draw);
+        const Draw& here = moved ? *moved : draw;
+        items.emplace_back(kept ? prepared(here, options, *kept) : prepared(here, options));
     }
 
     void add_surfaces(const Draw& draw, const RenderOptions& options) {

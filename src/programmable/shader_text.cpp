@@ -120,9 +120,10 @@ std::string shader_source(const Frame& frame, const RenderOptions& asked) {
         ++number;
         if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
             const Plan plan = plan_effects(*draw, options);
-            const Code code = options.precise ? precise_code(*draw, plan) : code_for(*draw, plan);
+            const Code code =
+                options.precise && floats_suffice(*draw) ? precise_code(*draw, plan) : code_for(*draw, plan);
             add(*draw, plan, code,
-                [&] { return options.precise ? precise_uniforms(*draw, plan, code) : uniforms(*draw, plan, code); });
+                [&] { return code.form.precise ? precise_uniforms(*draw, plan, code) : uniforms(*draw, plan, code); });
         } else if (!last || !are_one_shape(*last, *draw)) {
             for (const SurfaceProgram& surface : surface_programs(*draw, options))
                 add(surface.draw, surface.plan, surface.code, [&] { return surface.passes.front(); });
