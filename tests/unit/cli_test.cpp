@@ -352,6 +352,42 @@ TEST_F(Cli, ExportsTheShadersOfEachShading) {
     EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "phong"}).out, result.out);
 }
 
+// ---- check ----
+
+TEST_F(Cli, CheckTellsOfEachCase) {
+    const ProgramResult result = run({"check", "--json", "light-at-vertex", "spot-180-behind"});
+    EXPECT_EQ(result.status, 0) << result.out;
+    EXPECT_EQ(result.err, "");
+    const json found = json::parse(result.out);
+    ASSERT_EQ(found["cases"].size(), 2u);
+    EXPECT_EQ(found["cases"][0]["name"], "light-at-vertex");
+    EXPECT_EQ(found["cases"][0]["status"], "ruling");
+    for (const char* path : {"fixed", "programmable", "reference"}) EXPECT_EQ(found["cases"][1][path], "pass");
+    EXPECT_EQ(found["failing"], 0);
+    const ProgramResult table = run({"check", "light-at-vertex"});
+    EXPECT_NE(table.out.find("1 cases."), std::string::npos) << table.out;
+}
+
+TEST_F(Cli, CheckFailsWhereAnAnswerIsUnexpected) {
+    const std::string file = scene(
+        "// what: a point that emits 0.5\n// why: it does not\n// text: 2.14.1\n// status: defined\n// derived: "
+        "wrongly\n"
+        "// expect: vertex 0: 0.25 0.5 0.5 1\n"
+        "glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (GLfloat[]){0, 0, 0, 1});\n"
+        "glMaterialfv(GL_FRONT, GL_EMISSION, (GLfloat[]){0.5, 0.5, 0.5, 1});\n"
+        "glEnable(GL_LIGHTING); glBegin(GL_POINTS); glVertex3f(-0.75, -0.75, 0); glEnd();\n");
+    const ProgramResult result = run({"check", file});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.out.find("fixed, vertex 0: (0.5, 0.5, 0.5, 1), expected (0.25, 0.5, 0.5, 1) (2.14.1)"),
+              std::string::npos)
+        << result.out;
+}
+
+TEST_F(Cli, CheckRefusesBadUse) {
+    expect_refused(run({"check", "light-at-vertx"}), "did you mean 'light-at-vertex'?");
+    expect_refused(run({"check", scene(kScene)}), "docs/hard-cases.md");
+}
+
 // ---- fuzz ----
 
 TEST_F(Cli, FuzzTellsWhatItCompared) {

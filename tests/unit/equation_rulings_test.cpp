@@ -1,5 +1,5 @@
 // What the specification leaves open, and Twinlight rules: no answer is ever NaN or infinite; a value is the
-// limit of the equation where there is one, otherwise the term contributes 0 (docs/lighting.md).
+// limit of the equation where there is one, otherwise the term contributes 0 (docs/hard-cases.md).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,0 +1,139 @@
+// The hard cases of golden/hard: every renderer on every one of them, and the fixed function's departures exactly as listed.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+
+#include "../unit/run_program.h"
+#include "check/check.h"
+#include "command/text.h"
+#include "listed_driver.h"
+
+namespace twinlight::check {
+
+namespace {
+
+std::string text_of(const std::vector<Finding>& findings) {
+    std::string text;
+    for (const Finding& finding : findings)
+        text += std::string(kPathNames.at(static_cast<std::size_t>(finding.path))) + " " + finding.variant + ", " +
+                finding.spot.str() + ": " + color_text(finding.value) + ", expected " + color_text(finding.expected) +
+                " (" + std::string(word_of(finding.verdict)) + ")\n";
+    return text;
+}
+
+TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
+    const std::vector<Case> cases = load_cases();
+    EXPECT_GE(cases.size(), 100u);
+    Suite suite;
+    const bool is_listed = is_listed_driver();
+    const std::vector<Result> results = suite.run(cases);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        SCOPED_TRACE(cases[i].name + "\n" + text_of(results[i].findings));
+        EXPECT_EQ(results[i].error, "");
+        EXPECT_EQ(results[i].non_finite, 0);
+        for (const Path path : {Path::kProgrammable, Path::kReference})
+            EXPECT_EQ(results[i].verdicts[static_cast<std::size_t>(path)], Verdict::kPass);
+        // Of another driver than the listed one nobody has looked at the departures.
+        EXPECT_TRUE(!is_listed || !is_failure(results[i].verdicts[0]));
+    }
+}
+
+// A driver is chosen when a process makes its first context.
+TEST(HardCases, HoldOnSoftpipe) {
+    ASSERT_EQ(::setenv("GALLIUM_DRIVER", "softpipe", 1), 0);
+    const ProgramResult result = run_program("twinlight", {"check"});
+    ::unsetenv("GALLIUM_DRIVER");
+    EXPECT_EQ(result.status, 0) << result.out;
+}
+
+TEST(HardCases, NameDeparturesOfTheList) {
+    std::set<std::string> listed;
+    std::ifstream file("golden/known_differences");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with('[')) listed.insert(line.substr(1, line.size() - 2));
+    for (const Case& of : load_cases())
+        for (const Differs& differs : of.differs)
+            EXPECT_TRUE(listed.contains(differs.name)) << of.name << ": " << differs.name;
+}
+
+// docs/hard-cases.md has a row for each case that the listed driver departs from, and for no other: "| `case` | ...".
+TEST(HardCases, StandInTheDocumentWhereADriverDeparts) {
+    std::set<std::string> told, departing;
+    std::ifstream file("docs/hard-cases.md");
+    bool is_table = false;
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("## ")) is_table = line == "## Departures";
+        if (is_table && line.starts_with("| `")) told.insert(line.substr(3, line.find('`', 3) - 3));
+    }
+    for (const Case& of : load_cases())
+        if (!of.differs.empty()) departing.insert(of.name);
+    EXPECT_EQ(told, departing);
+}
+
+// ---- What the suite finds ----
+
+// A point that emits 0.5, with these lines at the end of its head: the sixth and on.
+std::string small_case(const std::string& expectation) {
+    return "// what: w\n// why: w\n// text: 2.14.1\n// status: defined\n// derived: d\n" + expectation +
+           "glMatrixMode(GL_PROJECTION); glTranslatef(-0.75, -0.75, 0); glMatrixMode(GL_MODELVIEW);\n"
+           "GLfloat ambient[] = {0, 0, 0, 1}, emission[] = {0.5, 0.5, 0.5, 1};\n"
+           "glLightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient); glMaterialfv(GL_FRONT, GL_EMISSION, emission);\n"
+           "glEnable(GL_LIGHTING); glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();\n";
+}
+
+Result result_of(const std::string& expectation) {
+    const std::vector<Case> cases = {read_case(small_case(expectation), "small.gl", "small")};
+    return Suite().run(cases).front();
+}
+
+TEST(HardCases, FailWhereAnyRendererGivesSomethingElse) {
+    EXPECT_FALSE(result_of("// expect: vertex 0: 0.5 0.5 0.5 1\n").fails());
+    const Result wrong = result_of("// expect: vertex 0: 0.5 0.50004 0.5 1\n");
+    for (const Verdict verdict : wrong.verdicts) EXPECT_EQ(verdict, Verdict::kNew);
+}
+
+TEST(HardCases, FailWhereAListedDepartureIsGone) {
+    const Result gone = result_of("// expect: vertex 0: 0.5 0.5 0.5 1\n// differs: *: vertex 0: 0 0 0 1; some name\n");
+    EXPECT_EQ(gone.verdicts[0], Verdict::kVanished);
+    EXPECT_TRUE(gone.fails());
+    const Result elsewhere =
+        result_of("// expect: vertex 0: 0.5 0.5 0.5 1\n// differs: another driver: vertex 0: 0 0 0 1; some name\n");
+    EXPECT_EQ(elsewhere.verdicts[0], Verdict::kPass);
+}
+
+TEST(HardCases, AreRefusedWithTheLineWhereTheHeadIsWrong) {
+    const auto refusal = [](const std::string& lines) -> std::string {
+        try {
+            read_case(small_case(lines), "small.gl", "small");
+        } catch (const SceneError& refused) {
+            return refused.what();
+        }
+        return "";
+    };
+    const std::string expectation = "// expect: vertex 0: 0 0 0 1\n";
+    EXPECT_EQ(refusal(expectation), "");
+    EXPECT_NE(refusal("").find("lacks 'expect'"), std::string::npos);
+    const std::pair<const char*, const char*> wrong[] = {
+        {"// expects: vertex 0: 0 0 0 1\n", "no key 'expects'"},
+        {"// expect: vertex 7: 0 0 0 1\n", "neither 'vertex N'"},
+        {"// expect: pixel 64,0: 0 0 0 1\n", "64 pixels"},
+        {"// expect: vertex 0: 0 0 1\n", "is not 4 numbers"},
+        {"// expect: vertex 0: 0 0 0 one\n", "not a list of numbers"},
+        {"// tolerance: 1e-3\n", "lacks a ','"},
+        {"// differs: Mesa: vertex 0: 0 0 0 1\n", "lacks a ';'"},
+        {"// what: again\n", "stands here twice"},
+        {"//what\n", "a head's line is"},
+    };
+    for (const auto& [line, why] : wrong) {
+        const std::string told = refusal(line);
+        EXPECT_TRUE(told.starts_with("small.gl:6:") && told.find(why) != std::string::npos) << line << told;
+    }
+    EXPECT_NE(refusal(expectation + "// expect: pixel 1,1: 0 0 0 1\n").find("not about both"), std::string::npos);
+    EXPECT_NE(refusal(expectation + "// differs: Mesa: vertex 1: 0 0 0 1; name\n").find("nothing is expected"),
+              std::string::npos);
+}
+
+}  // namespace
+
+}  // namespace twinlight::check
