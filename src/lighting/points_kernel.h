@@ -4,6 +4,7 @@
 // chosen by the linker for all processors (tests/unit/points_test.cpp looks at the symbols).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <type_traits>
 
@@ -119,12 +120,15 @@ template <class Scalar, class Arch, PowerBy kPower>
 void light_lanes(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                  Lit<Column>& lit) {
     using Plain = Lanes<Scalar, Arch, Range::kPlain, kPower>;
+    using Guarded = Lanes<Scalar, Arch, Range::kAny, PowerBy::kLibrary>;
     const Kernel<Plain> plain(model, lights, points);
-    const Kernel<Lanes<Scalar, Arch, Range::kAny, PowerBy::kLibrary>> guarded(model, lights, points);
+    std::optional<Kernel<Guarded>> guarded;  // most states never need it
     const std::size_t last = points.size() - kPointsIn<Plain>;
     for (std::size_t i = 0; i < points.size(); i += kPointsIn<Plain>) {
         const std::size_t first = i < last ? i : last;
-        if (!plain.light(first, lit)) guarded.light(first, lit);
+        if (plain.light(first, lit)) continue;
+        if (!guarded) guarded.emplace(model, lights, points);
+        guarded->light(first, lit);
     }
 }
 
