@@ -19,35 +19,34 @@ enum class PowerBy : std::uint8_t {
     kTable,  // where all lanes have the same one
 };
 
-// a b + c, rounded once, where the processor does so. (xsimd 8 rounds twice on some that need not.)
+// a b + c and a b - c, rounded once, where the processor does so. (xsimd 8 rounds twice on some that need not.)
 template <class Arch>
 struct FusedProduct {
     static constexpr bool kThere = false;
 };
 
+#if defined(__AVX512F__) || defined(__FMA__) || defined(__aarch64__)
+template <>
+struct FusedProduct<xsimd::default_arch> {
+    static constexpr bool kThere = true;
+    using D = xsimd::batch<double, xsimd::default_arch>;
+    using F = xsimd::batch<float, xsimd::default_arch>;
 #if defined(__AVX512F__)
-template <>
-struct FusedProduct<xsimd::default_arch> {
-    static constexpr bool kThere = true;
-    using D = xsimd::batch<double, xsimd::default_arch>;
     static D sum(D a, D b, D c) { return D(_mm512_fmadd_pd(a, b, c)); }
+    static F sum(F a, F b, F c) { return F(_mm512_fmadd_ps(a, b, c)); }
     static D difference(D a, D b, D c) { return D(_mm512_fmsub_pd(a, b, c)); }
-};
+    static F difference(F a, F b, F c) { return F(_mm512_fmsub_ps(a, b, c)); }
 #elif defined(__FMA__)
-template <>
-struct FusedProduct<xsimd::default_arch> {
-    static constexpr bool kThere = true;
-    using D = xsimd::batch<double, xsimd::default_arch>;
     static D sum(D a, D b, D c) { return D(_mm256_fmadd_pd(a, b, c)); }
+    static F sum(F a, F b, F c) { return F(_mm256_fmadd_ps(a, b, c)); }
     static D difference(D a, D b, D c) { return D(_mm256_fmsub_pd(a, b, c)); }
-};
-#elif defined(__aarch64__)
-template <>
-struct FusedProduct<xsimd::default_arch> {
-    static constexpr bool kThere = true;
-    using D = xsimd::batch<double, xsimd::default_arch>;
+    static F difference(F a, F b, F c) { return F(_mm256_fmsub_ps(a, b, c)); }
+#else
     static D sum(D a, D b, D c) { return D(vfmaq_f64(c, a, b)); }
-    static D difference(D a, D b, D c) { return D(vnegq_f64(vfmsq_f64(c, a, b))); }
+    static F sum(F a, F b, F c) { return F(vfmaq_f32(c, a, b)); }
+    static D difference(D a, D b, D c) { return -D(vfmsq_f64(c, a, b)); }
+    static F difference(F a, F b, F c) { return -F(vfmsq_f32(c, a, b)); }
+#endif
 };
 #endif
 
@@ -110,11 +109,11 @@ xsimd::batch<Scalar, Arch> rounded_product(xsimd::batch<Scalar, Arch> base, unsi
 
 // high + low is the product to twice as many digits (Dekker, "A floating-point technique for extending the available
 // precision", 1971, with fused products): the sum is off by little more than its own rounding.
-template <class Arch>
-xsimd::batch<double, Arch> exact_product(xsimd::batch<double, Arch> base, unsigned exponent) {
-    using Batch = xsimd::batch<double, Arch>;
+template <class Scalar, class Arch>
+xsimd::batch<Scalar, Arch> exact_product(xsimd::batch<Scalar, Arch> base, unsigned exponent) {
+    using Batch = xsimd::batch<Scalar, Arch>;
     using Fused = FusedProduct<Arch>;
-    Batch high = base, low(0.0);
+    Batch high = base, low(Scalar(0));
     by_bits(
         exponent,
         [&] {

@@ -27,7 +27,7 @@ struct Points {
     void add(const Material<double>& of_point);  // one for each point, or one
 };
 
-// c_pri, c_sec and the alpha of each point; magnitudes are left out. Powers other than kPow are of doubles.
+// c_pri, c_sec and the alpha of each point; magnitudes are left out. Long doubles are lit one by one, with pow().
 Lit<Column> light_points(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                          const Arithmetic& arithmetic = {});
 

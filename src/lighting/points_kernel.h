@@ -4,6 +4,7 @@
 // chosen by the linker for all processors (tests/unit/points_test.cpp looks at the symbols).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <type_traits>
 
@@ -119,32 +120,42 @@ template <class Scalar, class Arch, PowerBy kPower>
 void light_lanes(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                  Lit<Column>& lit) {
     using Plain = Lanes<Scalar, Arch, Range::kPlain, kPower>;
+    using Guarded = Lanes<Scalar, Arch, Range::kAny, PowerBy::kLibrary>;
     const Kernel<Plain> plain(model, lights, points);
-    const Kernel<Lanes<Scalar, Arch, Range::kAny, PowerBy::kLibrary>> guarded(model, lights, points);
+    std::optional<Kernel<Guarded>> guarded;  // most states never need it
     const std::size_t last = points.size() - kPointsIn<Plain>;
     for (std::size_t i = 0; i < points.size(); i += kPointsIn<Plain>) {
         const std::size_t first = i < last ? i : last;
-        if (!plain.light(first, lit)) guarded.light(first, lit);
+        if (plain.light(first, lit)) continue;
+        if (!guarded) guarded.emplace(model, lights, points);
+        guarded->light(first, lit);
     }
 }
 
 // How these exponents may be taken, as far as `power` leaves it open.
 PowerBy power_by(Powers powers, const std::vector<Light<double>>& lights, const Points& points);
 
+template <class Scalar, class Arch>
+void light_points_in(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
+                     Powers powers, Lit<Column>& lit) {
+    // Without fused products the library is as quick.
+    constexpr PowerBy kExact = FusedProduct<Arch>::kThere ? PowerBy::kExactProducts : PowerBy::kLibrary;
+    switch (power_by(powers, lights, points)) {
+        case PowerBy::kLibrary: return light_lanes<Scalar, Arch, PowerBy::kLibrary>(model, lights, points, lit);
+        case PowerBy::kExactProducts: return light_lanes<Scalar, Arch, kExact>(model, lights, points, lit);
+        case PowerBy::kRoundedProducts:
+            return light_lanes<Scalar, Arch, PowerBy::kRoundedProducts>(model, lights, points, lit);
+        case PowerBy::kTable: return light_lanes<Scalar, Arch, PowerBy::kTable>(model, lights, points, lit);
+    }
+}
+
 template <class Arch>
 void light_points_on(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                      const Arithmetic& arithmetic, Lit<Column>& lit) {
     if (arithmetic.number == Number::kFloat)
-        return light_lanes<float, Arch, PowerBy::kLibrary>(model, lights, points, lit);
-    // Without fused products the library is as quick.
-    constexpr PowerBy kExact = FusedProduct<Arch>::kThere ? PowerBy::kExactProducts : PowerBy::kLibrary;
-    switch (power_by(arithmetic.powers, lights, points)) {
-        case PowerBy::kLibrary: return light_lanes<double, Arch, PowerBy::kLibrary>(model, lights, points, lit);
-        case PowerBy::kExactProducts: return light_lanes<double, Arch, kExact>(model, lights, points, lit);
-        case PowerBy::kRoundedProducts:
-            return light_lanes<double, Arch, PowerBy::kRoundedProducts>(model, lights, points, lit);
-        case PowerBy::kTable: return light_lanes<double, Arch, PowerBy::kTable>(model, lights, points, lit);
-    }
+        light_points_in<float, Arch>(model, lights, points, arithmetic.powers, lit);
+    else
+        light_points_in<double, Arch>(model, lights, points, arithmetic.powers, lit);
 }
 
 }  // namespace twinlight::lighting

@@ -44,20 +44,28 @@ RenderOptions phong(Tier tier) {
     return options;
 }
 
-// A point of the dome for each pixel, in as many batches as the reference makes of the picture.
-std::vector<reference::PointBatch> points_of(const Draw& dome, const reference::DrawLighting& lighting) {
-    constexpr int kRows = 16;
-    std::vector<reference::PointBatch> batches;
-    for (int y = 0; y < kSide; ++y) {
-        if (y % kRows == 0) batches.emplace_back(lighting, reference::PointBatch::Normals::kMadeUnit);
+// A point of the dome for each pixel.
+std::vector<reference::StageVertex> dome_points(const Draw& dome) {
+    std::vector<reference::StageVertex> points;
+    for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
             const double s = 2.0 * (x + 0.5) / kSide - 1, t = 2.0 * (y + 0.5) / kSide - 1;
-            reference::StageVertex v;
+            reference::StageVertex& v = points.emplace_back();
             v.position_eye = dome.eye_from_object * glm::dvec4(s, t, -0.3 * (s * s + t * t), 1);
             v.normal_eye = {0.6 * s, 0.6 * t, 1};
-            batches.back().add(v, reference::Face::kFront,
-                               [&] { return lighting.material(v, reference::Face::kFront); });
         }
+    return points;
+}
+
+// In as many batches as the reference makes of the picture.
+std::vector<reference::PointBatch> points_of(const Draw& dome, const reference::DrawLighting& lighting) {
+    constexpr std::size_t kPointsPerBatch = 16 * kSide;
+    std::vector<reference::PointBatch> batches;
+    const std::vector<reference::StageVertex> points = dome_points(dome);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i % kPointsPerBatch == 0) batches.emplace_back(lighting, reference::PointBatch::Normals::kMadeUnit);
+        batches.back().add(points[i], reference::Face::kFront,
+                           [&] { return lighting.material(points[i], reference::Face::kFront); });
     }
     return batches;
 }
@@ -65,10 +73,10 @@ std::vector<reference::PointBatch> points_of(const Draw& dome, const reference::
 volatile double kept = 0;  // so that nothing is left out
 void keep(double value) { kept = value; }
 
-double lit_sum(const std::vector<reference::PointBatch>& batches) {
+double lit_sum(const std::vector<reference::PointBatch>& batches, const Arithmetic& arithmetic = {}) {
     double sum = 0;
     for (const reference::PointBatch& batch : batches)
-        batch.light({}, [&](std::size_t, const glm::dvec4& primary, const glm::dvec4&) { sum += primary.g; });
+        batch.light(arithmetic, [&](std::size_t, const glm::dvec4& primary, const glm::dvec4&) { sum += primary.g; });
     return sum;
 }
 
@@ -104,6 +112,33 @@ void compare_with_driver(Results& results) {
     results.ratio("llvmpipe_baked_phong_over_reference", geometric_mean(baked_over_reference), Bar{1});
 }
 
+// The same lighting in other numbers, and point by point.
+void compare_numbers(Results& results) {
+    const LitScene scene = seven_scenes()[3];
+    const Draw draw = on_dome(scene.draw, kSide);
+    const reference::DrawLighting lighting(draw, false);
+    const std::vector<reference::PointBatch> batches = points_of(draw, lighting);
+    const double items = static_cast<double>(kSide) * kSide * kMaxLights;
+    const auto in = [&](const char* name, const Arithmetic& arithmetic) {
+        return Way{name, [&batches, arithmetic] { keep(lit_sum(batches, arithmetic)); }, items};
+    };
+    const auto one_by_one = [&] {
+        const std::vector<reference::StageVertex> vertices = dome_points(draw);
+        double sum = 0;
+        for (const reference::StageVertex& v : vertices) sum += lighting.colors(v, reference::Face::kFront).primary.g;
+        keep(sum);
+    };
+    results.compare(fmt::format("the reference's numbers, a pixel and light ({}): {}",
+                                lighting::instruction_sets().front().name, scene.name),
+                    {in("doubles", {}),
+                     in("doubles, powers by squaring", {.powers = Powers::kSquaring}),
+                     in("doubles, powers by table", {.powers = Powers::kTable}),
+                     in("floats", {.number = Number::kFloat}),
+                     in("long doubles", {.number = Number::kLongDouble}),
+                     {.name = "doubles, one point after the other", .run = one_by_one, .items = items}},
+                    {.count = 5});
+}
+
 // Pictures of the reference on one processor and on all, by the wall clock.
 void compare_processors(Results& results) {
     cpu_set_t all, one;
@@ -128,6 +163,7 @@ void compare_processors(Results& results) {
 
 const bool added = add_part("reference", compare_references);
 const bool driver_added = add_part("reference_driver", compare_with_driver);
+const bool numbers_added = add_part("reference_numbers", compare_numbers);
 const bool processors_added = add_part("reference_processors", compare_processors);
 
 }  // namespace
