@@ -378,12 +378,18 @@ TEST_F(Cli, CheckFailsWhereAnAnswerIsUnexpected) {
         "glEnable(GL_LIGHTING); glBegin(GL_POINTS); glVertex3f(-0.75, -0.75, 0); glEnd();\n");
     const ProgramResult result = run({"check", file});
     EXPECT_EQ(result.status, 1);
-    EXPECT_NE(result.out.find("fixed, vertex 0: (0.5, 0.5, 0.5, 1), expected (0.25, 0.5, 0.5, 1) (2.14.1)"),
-              std::string::npos)
-        << result.out;
+    const std::string found = "fixed, vertex 0: (0.5, 0.5, 0.5, 1), expected (0.25, 0.5, 0.5, 1) (2.14.1)";
+    EXPECT_NE(result.out.find(found), std::string::npos) << result.out;
+    EXPECT_EQ(run({"check", file, "light-behind", "--write-reproducers", out_.str()}).status, 1);
+    const std::vector<std::string> names = out_.names();
+    ASSERT_EQ(names.size(), 1u);  // the other case is answered right
+    const std::string program = read_file(out_ / names[0]);
+    EXPECT_NE(program.find("// " + found), std::string::npos);
+    EXPECT_EQ(run_shell("twinlight", "cc -fsyntax-only -x c " + quoted(out_ / names[0])).status, 0);
 }
 
 TEST_F(Cli, CheckRefusesBadUse) {
+    expect_refused(run({"check", "light-at-vertex", "--write-reproducers", ""}), "--write-reproducers");
     expect_refused(run({"check", "light-at-vertx"}), "did you mean 'light-at-vertex'?");
     expect_refused(run({"check", scene(kScene)}), "docs/hard-cases.md");
 }

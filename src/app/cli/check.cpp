@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command_line.h"
+#include "command/text.h"
+#include "image/file.h"
+#include "shape/primitives.h"
 
 namespace twinlight::cli {
 
@@ -16,6 +20,7 @@ using namespace check;
 
 struct Arguments {
     std::vector<std::string> names;
+    std::string reproducers;  // a folder; empty: none
     bool json = false;
 };
 
@@ -132,10 +137,34 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
     return json.dump(2) + "\n";
 }
 
+// For each case that the fixed function departs from, NAME.c: a program that shows it, and what is wrong, for a report.
+void write_reproducers(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
+                       const std::vector<Result>& results) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw FileError(folder + ": " + error.message());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        std::string head;
+        for (const Finding& finding : results[i].findings) {
+            if (finding.path != Path::kFixed || finding.verdict == Verdict::kRuling) continue;
+            head += "// " + finding_text(cases[i], finding) + "\n";
+        }
+        if (head.empty()) continue;
+        head = fmt::format("// {}\n// OpenGL 2.1, section {}\n// {}\n{}", cases[i].what, cases[i].text, driver, head);
+        if (cases[i].expectations.front().spot.is_vertex)
+            head +=
+                "// Vertices in the order of the last glBegin; colours ahead of the clamp, by "
+                "glRenderMode(GL_FEEDBACK).\n";
+        write_file_atomically((std::filesystem::path(folder) / (cases[i].name + ".c")).string(),
+                              head + print_c_program(with_pragmas_written_out(*cases[i].scene)));
+    }
+}
+
 int run(const Arguments& arguments) {
     const std::vector<Case> cases = load_cases(arguments.names);
     Suite suite;
     const std::vector<Result> results = suite.run(cases);
+    if (!arguments.reproducers.empty()) write_reproducers(arguments.reproducers, suite.driver(), cases, results);
     write_result(arguments.json ? json_of(suite.driver(), cases, results)
                                 : suite.driver() + "\n\n" + table(cases, results) + summary(results));
     return counted(results).failing == 0 ? kFine : kDifferent;
@@ -148,6 +177,11 @@ Subcommand add_check(CLI::App& app) {
     CLI::App* check = app.add_subcommand("check", "Hold this machine's driver against the hard cases of lighting");
     check->add_option("CASE", arguments->names, "names of cases, or files of that form; all where none is given")
         ->type_name("");
+    check
+        ->add_option("--write-reproducers", arguments->reproducers,
+                     "a C program for each departure of the fixed function into this folder, made if it is not there")
+        ->type_name("DIR")
+        ->check(not_empty());
     check->add_flag("--json", arguments->json, "print one JSON object instead of the table");
     check->footer(
         "Of the driver's fixed function: 'pass'; 'departs', as the case lists for this driver; 'ruling', where the\n"
