@@ -1,5 +1,6 @@
 #include "reference/shading.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/srgb.h"
@@ -79,6 +80,15 @@ std::vector<glm::dvec4> Shader::colors(const std::vector<Fragment>& fragments) c
             result[i] = color(*fragments[i].piece, fragments[i].position_window);
         return result;
     }
+    // So many that what is kept of them stays in the processor's cache.
+    constexpr std::size_t kTogether = 1024;
+    for (std::size_t first = 0; first < fragments.size(); first += kTogether)
+        light_together(std::span(fragments).subspan(first, std::min(kTogether, fragments.size() - first)),
+                       result.data() + first);
+    return result;
+}
+
+void Shader::light_together(std::span<const Fragment> fragments, glm::dvec4* colors) const {
     const bool is_exact = fragments.front().piece->rays != nullptr;  // all of a Draw are, or none
     PointBatch batch(lighting_, is_exact ? PointBatch::Normals::kAsTheyAre : PointBatch::Normals::kMadeUnit);
     std::vector<LitPlace> places;
@@ -89,10 +99,9 @@ std::vector<glm::dvec4> Shader::colors(const std::vector<Fragment>& fragments) c
     }
     batch.light(arithmetic_, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
         const LitPlace& place = places[i];
-        result[i] = color_of(
+        colors[i] = color_of(
             finished({clamped(primary), clamped(secondary)}, place.texel ? &*place.texel : nullptr, place.fog));
     });
-    return result;
 }
 
 glm::dvec4 Shader::sampled(const TexturePlace& place) const {
