@@ -24,7 +24,7 @@ using fuzz::Color;
 // ---- What is asked ----
 
 struct Variant {
-    std::string_view name;
+    std::string name;
     RenderOptions options;
 };
 
@@ -127,8 +127,8 @@ void judge_reference(const Case& of, const fuzz::VertexScene& scene, Result& res
             judge_own(Path::kReference, variant.name, expected.spot, expected.primary,
                       back ? vertex.back_primary : vertex.front_primary, tolerance, result);
             const glm::dvec4 secondary = back ? vertex.back_secondary : vertex.front_secondary;
-            judge_own(Path::kReference, std::string(variant.name) + " secondary", expected.spot,
-                      glm::dvec4(expected.secondary, 1), glm::dvec4(glm::dvec3(secondary), 1), tolerance, result);
+            judge_own(Path::kReference, variant.name + " secondary", expected.spot, glm::dvec4(expected.secondary, 1),
+                      glm::dvec4(glm::dvec3(secondary), 1), tolerance, result);
         }
     }
 }
@@ -166,6 +166,7 @@ std::vector<Variant> variants_of(const Case& of, Path path) {
         for (Variant variant : path == Path::kReference ? reference_variants() : shader_variants()) {
             if (variant.options.shading || (variant.options.precise && shading)) continue;
             variant.options.shading = shading;
+            if (shading) variant.name += *shading == Shading::kPhong ? " phong" : " exact";
             result.push_back(variant);
         }
     }
@@ -187,7 +188,10 @@ std::string_view word_of(Verdict verdict) {
 
 std::string color_text(const std::optional<glm::dvec4>& color) {
     if (!color) return "nothing";
-    return fmt::format("({:.7g}, {:.7g}, {:.7g}, {:.7g})", color->r, color->g, color->b, color->a);
+    glm::dvec4 c = *color;
+    for (int i = 0; i < 4; ++i)
+        if (std::isnan(c[i])) c[i] = std::abs(c[i]);  // whatever its sign bit
+    return fmt::format("({:.7g}, {:.7g}, {:.7g}, {:.7g})", c.r, c.g, c.b, c.a);
 }
 
 bool Result::fails() const { return !error.empty() || non_finite > 0 || std::ranges::any_of(verdicts, is_failure); }
@@ -250,16 +254,20 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
         try {
             const Frame frame = make_frame(cases[i].scene, {.width = kSide, .height = kSide});
             const Image fixed = fixed::render(frame, {});
+            results[i].pictures.emplace_back("fixed", fixed);
             for (const Expectation& expected : cases[i].expectations) {
                 if (!expected.spot.shading)
                     judge_fixed(cases[i], driver_, expected, color_at(fixed, expected.spot), results[i]);
             }
+            const auto judge = [&](Path path, const Variant& variant, Image image) {
+                judge_picture(cases[i], path, variant, image, results[i]);
+                const std::string_view of = kPathNames.at(static_cast<std::size_t>(path));
+                results[i].pictures.emplace_back(fmt::format("{} {}", of, variant.name), std::move(image));
+            };
             for (const Variant& variant : variants_of(cases[i], Path::kProgrammable))
-                judge_picture(cases[i], Path::kProgrammable, variant, renderer_->render(frame, variant.options),
-                              results[i]);
+                judge(Path::kProgrammable, variant, renderer_->render(frame, variant.options));
             for (const Variant& variant : variants_of(cases[i], Path::kReference))
-                judge_picture(cases[i], Path::kReference, variant, reference::render(frame, variant.options),
-                              results[i]);
+                judge(Path::kReference, variant, reference::render(frame, variant.options));
         } catch (const SceneError& refused) {
             results[i].error = refused.what();
         }

@@ -42,8 +42,9 @@ struct Finding {
 struct Result {
     std::array<Verdict, kPaths> verdicts{};
     std::vector<Finding> findings;
-    long non_finite = 0;  // of programmable and reference
-    std::string error;    // of a scene that GL or a renderer refuses
+    long non_finite = 0;                                    // of programmable and reference
+    std::string error;                                      // of a scene that GL or a renderer refuses
+    std::vector<std::pair<std::string, Image>> pictures{};  // of a case about pixels, by who drew them
 
     bool fails() const;
 };

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/check_page.h"
 #include "app/cli/command_line.h"
 #include "command/text.h"
 #include "image/file.h"
@@ -20,7 +21,7 @@ using namespace check;
 
 struct Arguments {
     std::vector<std::string> names;
-    std::string reproducers;  // a folder; empty: none
+    std::string reproducers, page;  // folders; empty: none
     bool json = false;
 };
 
@@ -33,18 +34,6 @@ std::string colored(const std::string& text, Verdict verdict) {
         case Verdict::kNew:
         case Verdict::kVanished: return "\x1b[1;31m" + text + "\x1b[0m";
     }
-    return text;
-}
-
-// What a reader should see of one: which value, which is right, and why.
-std::string finding_text(const Case& of, const Finding& finding) {
-    std::string text =
-        fmt::format("{}{}{}, {}: {}, ", kPathNames.at(static_cast<std::size_t>(finding.path)),
-                    finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), color_text(finding.value));
-    if (finding.verdict == Verdict::kVanished)
-        return text + "as the text says; the case lists another: " + finding.name;
-    text += (finding.verdict == Verdict::kRuling ? "ruled " : "expected ") + color_text(finding.expected);
-    if (finding.verdict != Verdict::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
     return text;
 }
 
@@ -137,12 +126,16 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
     return json.dump(2) + "\n";
 }
 
-// For each case that the fixed function departs from, NAME.c: a program that shows it, and what is wrong, for a report.
-void write_reproducers(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
-                       const std::vector<Result>& results) {
+void make_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw FileError(folder + ": " + error.message());
+}
+
+// For each case that the fixed function departs from, NAME.c: a program that shows it, and what is wrong, for a report.
+void write_reproducers(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
+                       const std::vector<Result>& results) {
+    make_folder(folder);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         std::string head;
         for (const Finding& finding : results[i].findings) {
@@ -165,6 +158,11 @@ int run(const Arguments& arguments) {
     Suite suite;
     const std::vector<Result> results = suite.run(cases);
     if (!arguments.reproducers.empty()) write_reproducers(arguments.reproducers, suite.driver(), cases, results);
+    if (!arguments.page.empty()) {
+        make_folder(arguments.page);
+        write_file_atomically((std::filesystem::path(arguments.page) / "index.html").string(),
+                              check_page(suite.driver(), cases, results));
+    }
     write_result(arguments.json ? json_of(suite.driver(), cases, results)
                                 : suite.driver() + "\n\n" + table(cases, results) + summary(results));
     return counted(results).failing == 0 ? kFine : kDifferent;
@@ -180,6 +178,11 @@ Subcommand add_check(CLI::App& app) {
     check
         ->add_option("--write-reproducers", arguments->reproducers,
                      "a C program for each departure of the fixed function into this folder, made if it is not there")
+        ->type_name("DIR")
+        ->check(not_empty());
+    check
+        ->add_option("--html", arguments->page,
+                     "a page of all cases, by what is tested, into this folder, made if it is not there: index.html")
         ->type_name("DIR")
         ->check(not_empty());
     check->add_flag("--json", arguments->json, "print one JSON object instead of the table");
