@@ -76,6 +76,9 @@ class DrawLighting {
 class PointBatch {
   public:
     enum class Normals : std::uint8_t { kAsTheyAre, kMadeUnit };
+    // Of many points so many at a time: enough to be worth a batch, and few enough to stay in the processor's cache.
+    static constexpr std::size_t kPoints = 4096;
+
     PointBatch(const DrawLighting& lighting, Normals normals);
 
     // The material is asked for only where points differ in it.

@@ -64,7 +64,7 @@ glm::dvec4 Shader::color(const Piece& piece, const glm::dvec2& position_window) 
     const Fragment fragment{&piece, position_window};
     if (lights_pixels(piece)) {
         const LitPlace place = lit_place(fragment);
-        return color_of(finished(lit(fragment, place), place.texel ? &*place.texel : nullptr, place.fog));
+        return finished(lit(fragment, place), place.finish);
     }
     const LitColors colors = vertex_colors(piece, position_window);
     const double fog = draw_.fog.enabled ? fog_at(piece, position_window) : 1;
@@ -80,10 +80,8 @@ std::vector<glm::dvec4> Shader::colors(const std::vector<Fragment>& fragments) c
             result[i] = color(*fragments[i].piece, fragments[i].position_window);
         return result;
     }
-    // So many that what is kept of them stays in the processor's cache.
-    constexpr std::size_t kTogether = 1024;
-    for (std::size_t first = 0; first < fragments.size(); first += kTogether)
-        light_together(std::span(fragments).subspan(first, std::min(kTogether, fragments.size() - first)),
+    for (std::size_t first = 0; first < fragments.size(); first += PointBatch::kPoints)
+        light_together(std::span(fragments).subspan(first, std::min(PointBatch::kPoints, fragments.size() - first)),
                        result.data() + first);
     return result;
 }
@@ -91,17 +89,20 @@ std::vector<glm::dvec4> Shader::colors(const std::vector<Fragment>& fragments) c
 void Shader::light_together(std::span<const Fragment> fragments, glm::dvec4* colors) const {
     const bool is_exact = fragments.front().piece->rays != nullptr;  // all of a Draw are, or none
     PointBatch batch(lighting_, is_exact ? PointBatch::Normals::kAsTheyAre : PointBatch::Normals::kMadeUnit);
-    std::vector<LitPlace> places;
-    places.reserve(fragments.size());
+    std::vector<Finish> finishes;
+    finishes.reserve(fragments.size());
     for (const Fragment& fragment : fragments) {
-        const LitPlace& place = places.emplace_back(lit_place(fragment));
+        const LitPlace place = lit_place(fragment);
         batch.add(place.vertex, place.face, [&] { return material(fragment, place); });
+        finishes.push_back(place.finish);
     }
     batch.light(arithmetic_, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
-        const LitPlace& place = places[i];
-        colors[i] = color_of(
-            finished({clamped(primary), clamped(secondary)}, place.texel ? &*place.texel : nullptr, place.fog));
+        colors[i] = finished({clamped(primary), clamped(secondary)}, finishes[i]);
     });
+}
+
+glm::dvec4 Shader::finished(const LitColors& colors, const Finish& finish) const {
+    return color_of(finished(colors, finish.texel ? &*finish.texel : nullptr, finish.fog));
 }
 
 glm::dvec4 Shader::sampled(const TexturePlace& place) const {
@@ -172,8 +173,8 @@ Shader::LitPlace Shader::lit_place(const Fragment& fragment) const {
         if (draw_.texture.texture) texture = texture_place(vertices_, piece, fragment.position_window);
     }
     const glm::dvec4& eye = place.vertex.position_eye;
-    if (draw_.fog.enabled) place.fog = fog_factor(draw_.fog, std::abs(quotient(eye.z, eye.w)));
-    if (draw_.texture.texture) place.texel = channels<double>(sampled(*texture));
+    if (draw_.fog.enabled) place.finish.fog = fog_factor(draw_.fog, std::abs(quotient(eye.z, eye.w)));
+    if (draw_.texture.texture) place.finish.texel = channels<double>(sampled(*texture));
     return place;
 }
 

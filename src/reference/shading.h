@@ -48,12 +48,16 @@ class Shader {
     struct LitFaces {  // of a vertex
         LitColors front, back;
     };
-    // What phong and exact light at a pixel, and what its colour needs beside.
+    // What the colour of a pixel needs beside its lighting.
+    struct Finish {
+        double fog = 1;
+        std::optional<Channels<double>> texel;
+    };
+    // What phong and exact light at a pixel.
     struct LitPlace {
         StageVertex vertex;
         Face face = Face::kFront;  // which is lit: the front where lighting has one side
-        double fog = 1;
-        std::optional<Channels<double>> texel;
+        Finish finish;
     };
 
     bool lights_pixels(const Piece& piece) const { return piece.rays || lights_pixels(); }
@@ -69,6 +73,7 @@ class Shader {
     LitColors lit(const Fragment& fragment, const LitPlace& place) const;
     double fog_at(const Piece& piece, const glm::dvec2& position_window) const;
     glm::dvec4 sampled(const TexturePlace& place) const;
+    glm::dvec4 finished(const LitColors& colors, const Finish& finish) const;
     template <class Real>
     Channels<Real> finished(const LitColors& colors, const Channels<Real>* texel, Real fog) const;
 

@@ -59,11 +59,11 @@ std::vector<reference::StageVertex> dome_points(const Draw& dome) {
 
 // In as many batches as the reference makes of the picture.
 std::vector<reference::PointBatch> points_of(const Draw& dome, const reference::DrawLighting& lighting) {
-    constexpr std::size_t kPointsPerBatch = 16 * kSide;
     std::vector<reference::PointBatch> batches;
     const std::vector<reference::StageVertex> points = dome_points(dome);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i % kPointsPerBatch == 0) batches.emplace_back(lighting, reference::PointBatch::Normals::kMadeUnit);
+        if (i % reference::PointBatch::kPoints == 0)
+            batches.emplace_back(lighting, reference::PointBatch::Normals::kMadeUnit);
         batches.back().add(points[i], reference::Face::kFront,
                            [&] { return lighting.material(points[i], reference::Face::kFront); });
     }
