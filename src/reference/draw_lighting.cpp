@@ -1,7 +1,9 @@
 #include "reference/draw_lighting.h"
 
+#include <algorithm>
 #include <cassert>
 #include <glm/common.hpp>
+#include <iterator>
 
 namespace twinlight::reference {
 
@@ -58,13 +60,12 @@ DrawLighting::DrawLighting(const Draw& draw, bool lecture_variants)
     model_.separate_specular = light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
     model_.reflection = lecture_variants && light_model.specular == Word::reflection;
     model_.ambient_unattenuated = lecture_variants && light_model.light_ambient == Word::unattenuated;
-    std::vector<LightSource> sources;
-    for (const LightSource& source : draw.lighting.lights) {
-        if (!source.enabled) continue;
-        lights_.push_back(light_of(source, lecture_variants));
-        sources.push_back(source);
-    }
-    if (lecture_variants && light_model.spectrum) spectral_.emplace(light_model.spectrum, model_, lights_, sources);
+    for (const LightSource& source : draw.lighting.lights)
+        if (source.enabled) lights_.push_back(light_of(source, lecture_variants));
+    if (!lecture_variants || !light_model.spectrum) return;
+    std::vector<LightSource> enabled;
+    std::ranges::copy_if(draw.lighting.lights, std::back_inserter(enabled), &LightSource::enabled);
+    spectral_.emplace(light_model.spectrum, model_, lights_, enabled);
 }
 
 LitMaterial DrawLighting::material(const StageVertex& v, Face face) const {
@@ -118,28 +119,26 @@ Colors DrawLighting::colors(const StageVertex& v, Face face) const {
 }
 
 PointBatch::PointBatch(const DrawLighting& lighting, Normals normals) : lighting_(lighting) {
-    for (Side& side : sides_) {
-        side.points.makes_unit_normals = normals == Normals::kMadeUnit;
-        if (lighting.spectral_) side.samples.assign(lighting.spectral_->group_count(), side.points);
-    }
+    lighting::Points none;
+    none.makes_unit_normals = normals == Normals::kMadeUnit;
+    for (Side& side : sides_) side.points.assign(lighting.spectral_ ? lighting.spectral_->group_count() : 1, none);
 }
 
 void PointBatch::add(const StageVertex& v, Face face, const std::function<LitMaterial()>& material) {
     Side& side = sides_[face == Face::kFront ? 0 : 1];
-    const lighting::Surface<double> surface = surface_of(v.position_eye, v.normal_eye, face);
     if (side.places.empty() || !lighting_.has_one_material(face)) {
         const LitMaterial own = material();
-        if (side.samples.empty()) side.points.add(own);
-        for (std::size_t g = 0; g < side.samples.size(); ++g) side.samples[g].add(own.samples[g]);
+        for (std::size_t g = 0; g < side.points.size(); ++g)
+            side.points[g].add(lighting_.spectral_ ? own.samples[g] : own);
     }
-    if (side.samples.empty()) side.points.add(surface);
-    for (lighting::Points& group : side.samples) group.add(surface);
+    const lighting::Surface<double> surface = surface_of(v.position_eye, v.normal_eye, face);
+    for (lighting::Points& points : side.points) points.add(surface);
     side.places.push_back(count_++);
 }
 
 lighting::Lit<lighting::Column> PointBatch::light(const Side& side, const Arithmetic& arithmetic) const {
-    if (lighting_.spectral_) return lighting_.spectral_->light_points(side.samples, arithmetic);
-    return lighting::light_points(lighting_.model_, lighting_.lights_, side.points, arithmetic);
+    if (lighting_.spectral_) return lighting_.spectral_->light_points(side.points, arithmetic);
+    return lighting::light_points(lighting_.model_, lighting_.lights_, side.points.front(), arithmetic);
 }
 
 LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials) {

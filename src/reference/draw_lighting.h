@@ -83,7 +83,6 @@ class PointBatch {
 
     // The material is asked for only where points differ in it.
     void add(const StageVertex& v, Face face, const std::function<LitMaterial()>& material);
-    std::size_t size() const { return count_; }
     // Calls visit(i, primary, secondary) for each point, i as they were added: colours as DrawLighting::lit()'s.
     template <class Visit>
     void light(const Arithmetic& arithmetic, const Visit& visit) const {
@@ -96,10 +95,9 @@ class PointBatch {
     }
 
   private:
-    struct Side {  // of a face
-        lighting::Points points;
-        std::vector<lighting::Points> samples;  // in the place of points: of each group (spectral_lighting.h)
-        std::vector<std::size_t> places;        // among all
+    struct Side {                              // of a face
+        std::vector<lighting::Points> points;  // one; or one for each group of samples (spectral_lighting.h)
+        std::vector<std::size_t> places;       // among all
     };
     lighting::Lit<lighting::Column> light(const Side& side, const Arithmetic& arithmetic) const;
 

@@ -57,8 +57,9 @@ std::vector<StageVertex> vertex_stage(const Draw& draw) {
 std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& options, bool clamp) {
     const DrawLighting lighting(draw, options.lecture_variants);
     const auto finish = [&](const glm::dvec4& color) { return clamp ? clamped(color) : color; };
+    const std::vector<StageVertex> vertices = vertex_stage(draw);
     std::vector<LitVertex> result;
-    for (const StageVertex& v : vertex_stage(draw)) {
+    for (const StageVertex& v : vertices) {
         const Colors front = lighting.colors(v, Face::kFront);
         const Colors back = lighting.two_side() ? lighting.colors(v, Face::kBack) : front;
         result.push_back({.position_clip = v.position_clip,
@@ -72,7 +73,7 @@ std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& opt
     if (options.arithmetic == Arithmetic{} || !lighting.enabled()) return result;
     // In other numbers than double: as pictures are lit.
     PointBatch fronts(lighting, PointBatch::Normals::kAsTheyAre), backs = fronts;
-    for (const StageVertex& v : vertex_stage(draw)) {
+    for (const StageVertex& v : vertices) {
         fronts.add(v, Face::kFront, [&] { return lighting.material(v, Face::kFront); });
         const Face back = lighting.two_side() ? Face::kBack : Face::kFront;
         backs.add(v, back, [&] { return lighting.material(v, back); });
