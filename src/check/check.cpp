@@ -77,12 +77,15 @@ bool agree(const Color& value, const glm::dvec4& expected, double tolerance) {
 
 void worsen(Verdict& verdict, Verdict by) { verdict = std::max(verdict, by); }
 
+// Of what is calculated, or kept, in floats.
+double float_tolerance(const Case& of) { return of.tolerance.value_or(kTolerance); }
+
 void judge_fixed(const Case& of, const std::string& driver, const Expectation& expected, const Color& value,
                  Result& result) {
     const auto listed = std::ranges::find_if(of.differs, [&](const Differs& differs) {
         return differs.spot == expected.spot && ::fnmatch(("*" + differs.driver + "*").c_str(), driver.c_str(), 0) == 0;
     });
-    const double tolerance = of.tolerance.value_or(kTolerance);
+    const double tolerance = float_tolerance(of);
     const bool agrees = agree(value, expected.primary, tolerance);
     Verdict verdict = Verdict::kPass;
     std::string name;
@@ -108,12 +111,9 @@ void judge_own(Path path, std::string_view variant, const Spot& spot, const glm:
 }
 
 double reference_tolerance(const Case& of, const RenderOptions& options) {
-    const double floats = of.tolerance.value_or(kTolerance);
+    const double floats = float_tolerance(of);
     return options.arithmetic.number == Number::kFloat ? floats : std::min(floats, kWrittenTolerance);
 }
-
-// Pictures are of floats.
-double picture_tolerance(const Case& of) { return of.tolerance.value_or(kTolerance); }
 
 bool is_of_vertices(const Case& of) { return of.expectations.front().spot.is_vertex; }
 
@@ -150,7 +150,7 @@ void judge_picture(const Case& of, Path path, const Variant& variant, const Imag
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.shading != variant.options.shading) continue;
         judge_own(path, variant.name, expected.spot, expected.primary, color_at(image, expected.spot),
-                  picture_tolerance(of), result);
+                  float_tolerance(of), result);
     }
 }
 
@@ -242,8 +242,8 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
             for (const Expectation& expected : cases[i].expectations)
                 judge_own(Path::kProgrammable, variant.name, expected.spot,
                           fuzz::color_sum(expected.primary, glm::dvec4(expected.secondary, 0)),
-                          colors[i].at(static_cast<std::size_t>(expected.spot.vertex)),
-                          cases[i].tolerance.value_or(kTolerance), results[i]);
+                          colors[i].at(static_cast<std::size_t>(expected.spot.vertex)), float_tolerance(cases[i]),
+                          results[i]);
         }
     }
 }
