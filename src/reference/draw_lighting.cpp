@@ -148,7 +148,7 @@ void PointBatch::light(const Side& side, const Arithmetic& arithmetic) {
     if (lighting_.spectral_)
         lighting_.spectral_->light_points(side.points, arithmetic, lit_);
     else
-        lighting::light_points(lighting_.model_, lighting_.lights_, side.points.front(), arithmetic, lit_);
+        lighting::light_points(lighting_.model(), lighting_.lights(), side.points.front(), arithmetic, lit_);
 }
 
 LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials) {
