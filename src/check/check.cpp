@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "command/text.h"
+#include "context/gl.h"
 #include "fixed/fixed.h"
 #include "fuzz/vertex_colors.h"
 #include "programmable/precise.h"
@@ -28,8 +29,10 @@ struct Variant {
     RenderOptions options;
 };
 
+// Whole, a lecture's variants included.
 RenderOptions with(const std::function<void(RenderOptions&)>& change) {
-    RenderOptions options = fuzz::gls_own_model();
+    RenderOptions options;
+    options.budget = 0;
     change(options);
     return options;
 }
@@ -53,11 +56,46 @@ std::vector<Variant> shader_variants() {
 
 const std::vector<Variant>& reference_variants() {
     static const std::vector<Variant> variants = {
+        {"long double", with([](RenderOptions& o) { o.arithmetic.number = Number::kLongDouble; })},
         {"double", with([](RenderOptions&) {})},
         {"float", with([](RenderOptions& o) { o.arithmetic.number = Number::kFloat; })},
-        {"long double", with([](RenderOptions& o) { o.arithmetic.number = Number::kLongDouble; })},
     };
     return variants;
+}
+
+bool is_exact(const Variant& variant) { return variant.options.arithmetic.number == Number::kLongDouble; }
+// --precise follows GL's own model alone.
+bool is_asked(const Variant& variant, const Case& of) { return !(variant.options.precise && of.has_variants()); }
+
+// The commands that GL carries out, for one that raises an error is ignored (2.5); and the first error.
+struct CarriedOut {
+    std::shared_ptr<const CommandList> commands;
+    Enum error = kGL_NO_ERROR;
+};
+
+// Of a case that expects no error all commands: whoever makes a frame of them refuses what GL does.
+CarriedOut carried_out(const Case& of) {
+    const auto is_error = [](const Expectation& e) { return e.spot.kind == Spot::Kind::kError; };
+    if (std::ranges::none_of(of.expectations, is_error)) return {of.scene};
+    CarriedOut result;
+    CommandList commands(*of.scene);
+    commands.commands.clear();
+    State state({.width = kSide, .height = kSide});
+    for (const Command& command : of.scene->commands) {
+        const std::size_t errors = state.error_count();
+        state.apply(command);
+        if (state.error_count() == errors) commands.commands.push_back(command);
+    }
+    if (!state.errors().empty()) result.error = state.errors().front().code;
+    result.commands = std::make_shared<const CommandList>(std::move(commands));
+    return result;
+}
+
+Enum driver_error() {
+    const Enum first = glGetError();
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    return first;
 }
 
 // ---- Judging ----
@@ -66,48 +104,68 @@ bool is_finite(const glm::dvec4& color) {
     return std::isfinite(color.r) && std::isfinite(color.g) && std::isfinite(color.b) && std::isfinite(color.a);
 }
 
-bool agree(const Color& value, const glm::dvec4& expected, double tolerance) {
-    if (!value) return false;
+bool agree(const std::optional<Seen>& value, const Seen& expected, double tolerance) {
+    if (!value || value->index() != expected.index()) return false;
+    if (const Enum* error = std::get_if<Enum>(&expected)) return std::get<Enum>(*value) == *error;
+    const glm::dvec4 &a = std::get<glm::dvec4>(*value), &b = std::get<glm::dvec4>(expected);
     for (int i = 0; i < 4; ++i) {
-        if (std::isnan(expected[i]) && std::isnan((*value)[i])) continue;
-        if (!(std::abs((*value)[i] - expected[i]) <= tolerance * std::max(1.0, std::abs(expected[i])))) return false;
+        if (std::isnan(a[i]) && std::isnan(b[i])) continue;
+        if (!(std::abs(a[i] - b[i]) <= tolerance * std::max(1.0, std::abs(b[i])))) return false;
     }
     return true;
 }
+
+std::optional<Seen> seen(const Color& color) { return color ? std::optional<Seen>(*color) : std::nullopt; }
 
 void worsen(Verdict& verdict, Verdict by) { verdict = std::max(verdict, by); }
 
 // Of what is calculated, or kept, in floats.
 double float_tolerance(const Case& of) { return of.tolerance.value_or(kTolerance); }
 
-void judge_fixed(const Case& of, const std::string& driver, const Expectation& expected, const Color& value,
-                 Result& result) {
-    const auto listed = std::ranges::find_if(of.differs, [&](const Differs& differs) {
-        return differs.spot == expected.spot && ::fnmatch(("*" + differs.driver + "*").c_str(), driver.c_str(), 0) == 0;
-    });
+// What a renderer shows at each place of a case.
+using Shown = std::function<std::optional<Seen>(const Expectation&)>;
+
+void judge_fixed(const Case& of, const std::string& driver, const Shown& shown, Result& result) {
+    if (of.has_variants()) return;
     const double tolerance = float_tolerance(of);
-    const bool agrees = agree(value, expected.primary, tolerance);
-    Verdict verdict = Verdict::kPass;
-    std::string name;
-    if (listed != of.differs.end()) {
-        name = listed->name;
-        verdict = agrees                                    ? Verdict::kVanished
-                  : agree(value, listed->color, kTolerance) ? Verdict::kDeparts
-                                                            : Verdict::kNew;
-    } else if (!agrees) {
-        verdict = of.is_ruling ? Verdict::kRuling : Verdict::kNew;
+    for (const Expectation& expected : of.expectations) {
+        if (expected.spot.shading) continue;
+        const std::optional<Seen> value = shown(expected);
+        const auto listed = std::ranges::find_if(of.differs, [&](const Differs& differs) {
+            return differs.spot == expected.spot &&
+                   ::fnmatch(("*" + differs.driver + "*").c_str(), driver.c_str(), 0) == 0;
+        });
+        const bool agrees = agree(value, expected.value, tolerance);
+        Verdict verdict = Verdict::kPass;
+        std::string name;
+        if (listed != of.differs.end()) {
+            name = listed->name;
+            verdict = agrees                                    ? Verdict::kVanished
+                      : agree(value, listed->value, kTolerance) ? Verdict::kDeparts
+                                                                : Verdict::kNew;
+        } else if (!agrees) {
+            verdict = of.is_ruling ? Verdict::kRuling : Verdict::kNew;
+        }
+        worsen(result.verdicts[static_cast<std::size_t>(Path::kFixed)], verdict);
+        if (verdict != Verdict::kPass)
+            result.findings.push_back({Path::kFixed, "", verdict, expected.spot, value, expected.value, name});
     }
-    worsen(result.verdicts[static_cast<std::size_t>(Path::kFixed)], verdict);
-    if (verdict != Verdict::kPass)
-        result.findings.push_back({Path::kFixed, "", verdict, expected.spot, value, expected.primary, name});
 }
 
-void judge_own(Path path, std::string_view variant, const Spot& spot, const glm::dvec4& expected, const Color& value,
-               double tolerance, Result& result) {
-    if (value && !is_finite(*value)) ++result.non_finite;
-    if (agree(value, expected, tolerance)) return;
-    worsen(result.verdicts[static_cast<std::size_t>(path)], Verdict::kNew);
+void judge_own(Path path, std::string_view variant, const Spot& spot, const Seen& expected,
+               const std::optional<Seen>& value, double tolerance, Result& result) {
+    const glm::dvec4* color = value ? std::get_if<glm::dvec4>(&*value) : nullptr;
+    if (color && !is_finite(*color)) ++result.non_finite;
+    Verdict& verdict = result.verdicts[static_cast<std::size_t>(path)];
+    if (agree(value, expected, tolerance)) return worsen(verdict, Verdict::kPass);
+    worsen(verdict, Verdict::kNew);
     result.findings.push_back({path, std::string(variant), Verdict::kNew, spot, value, expected, ""});
+}
+
+// The bar that holds whatever a case says of its tolerance.
+void hold_to_long_double(const Color& value, const glm::dvec4& exact, Result& result) {
+    for (int i = 0; i < 4 && value; ++i)
+        result.from_long_double = std::max(result.from_long_double, std::abs((*value)[i] - exact[i]));
 }
 
 double reference_tolerance(const Case& of, const RenderOptions& options) {
@@ -115,22 +173,28 @@ double reference_tolerance(const Case& of, const RenderOptions& options) {
     return options.arithmetic.number == Number::kFloat ? floats : std::min(floats, kWrittenTolerance);
 }
 
-bool is_of_vertices(const Case& of) { return of.expectations.front().spot.is_vertex; }
-
-void judge_reference(const Case& of, const fuzz::VertexScene& scene, Result& result) {
+// Returns what the vertices have in long double, as fragments have it.
+std::vector<glm::dvec4> judge_reference(const Case& of, const fuzz::VertexScene& scene, Result& result) {
     const bool back = scene.shows_back();
+    std::vector<glm::dvec4> exact;
     for (const Variant& variant : reference_variants()) {
         const std::vector<reference::LitVertex> lit = reference::light_vertices(scene.draw(), variant.options, false);
         const double tolerance = reference_tolerance(of, variant.options);
         for (const Expectation& expected : of.expectations) {
+            if (expected.spot.kind != Spot::Kind::kVertex) continue;
             const reference::LitVertex& vertex = lit.at(static_cast<std::size_t>(expected.spot.vertex));
-            judge_own(Path::kReference, variant.name, expected.spot, expected.primary,
-                      back ? vertex.back_primary : vertex.front_primary, tolerance, result);
+            const glm::dvec4 primary = back ? vertex.back_primary : vertex.front_primary;
             const glm::dvec4 secondary = back ? vertex.back_secondary : vertex.front_secondary;
+            judge_own(Path::kReference, variant.name, expected.spot, expected.value, primary, tolerance, result);
             judge_own(Path::kReference, variant.name + " secondary", expected.spot, glm::dvec4(expected.secondary, 1),
                       glm::dvec4(glm::dvec3(secondary), 1), tolerance, result);
         }
+        if (!is_exact(variant)) continue;
+        for (const reference::LitVertex& vertex : lit)
+            exact.push_back(fuzz::color_sum(back ? vertex.back_primary : vertex.front_primary,
+                                            back ? vertex.back_secondary : vertex.front_secondary));
     }
+    return exact;
 }
 
 long non_finite_pixels(const Image& image) {
@@ -145,12 +209,12 @@ glm::dvec4 color_at(const Image& image, const Spot& spot) {
 }
 
 // What a picture shows where the case expects something of this shading.
-void judge_picture(const Case& of, Path path, const Variant& variant, const Image& image, Result& result) {
+void judge_picture(const Case& of, Path path, const Variant& variant, const Image& image, double tolerance,
+                   Result& result) {
     result.non_finite += non_finite_pixels(image);
     for (const Expectation& expected : of.expectations) {
-        if (expected.spot.shading != variant.options.shading) continue;
-        judge_own(path, variant.name, expected.spot, expected.primary, color_at(image, expected.spot),
-                  float_tolerance(of), result);
+        if (expected.spot.kind != Spot::Kind::kPixel || expected.spot.shading != variant.options.shading) continue;
+        judge_own(path, variant.name, expected.spot, expected.value, color_at(image, expected.spot), tolerance, result);
     }
 }
 
@@ -159,12 +223,13 @@ std::vector<Variant> variants_of(const Case& of, Path path) {
     std::vector<Variant> result;
     std::vector<std::optional<Shading>> shadings;
     for (const Expectation& expected : of.expectations) {
-        if (std::ranges::find(shadings, expected.spot.shading) == shadings.end())
+        if (expected.spot.kind == Spot::Kind::kPixel &&
+            std::ranges::find(shadings, expected.spot.shading) == shadings.end())
             shadings.push_back(expected.spot.shading);
     }
     for (const std::optional<Shading>& shading : shadings) {
         for (Variant variant : path == Path::kReference ? reference_variants() : shader_variants()) {
-            if (variant.options.shading || (variant.options.precise && shading)) continue;
+            if (variant.options.shading || (variant.options.precise && shading) || !is_asked(variant, of)) continue;
             variant.options.shading = shading;
             if (shading) variant.name += *shading == Shading::kPhong ? " phong" : " exact";
             result.push_back(variant);
@@ -177,6 +242,7 @@ std::vector<Variant> variants_of(const Case& of, Path path) {
 
 std::string_view word_of(Verdict verdict) {
     switch (verdict) {
+        case Verdict::kNotAsked: return "not asked";
         case Verdict::kPass: return "pass";
         case Verdict::kRuling: return "ruling";
         case Verdict::kDeparts: return "departs";
@@ -186,15 +252,10 @@ std::string_view word_of(Verdict verdict) {
     return "";
 }
 
-std::string color_text(const std::optional<glm::dvec4>& color) {
-    if (!color) return "nothing";
-    glm::dvec4 c = *color;
-    for (int i = 0; i < 4; ++i)
-        if (std::isnan(c[i])) c[i] = std::abs(c[i]);  // whatever its sign bit
-    return fmt::format("({:.7g}, {:.7g}, {:.7g}, {:.7g})", c.r, c.g, c.b, c.a);
+bool Result::fails() const {
+    return !error.empty() || non_finite > 0 || from_long_double > kTolerance ||
+           std::ranges::any_of(verdicts, is_failure);
 }
-
-bool Result::fails() const { return !error.empty() || non_finite > 0 || std::ranges::any_of(verdicts, is_failure); }
 
 Suite::Suite()
     : context_(make_offscreen_context(fuzz::kShaderPicture, fuzz::kShaderPicture, ColorBuffer::kFloat)),
@@ -217,61 +278,110 @@ std::vector<Result> Suite::run(std::span<const Case> cases) {
 
 void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& results) {
     std::vector<std::optional<fuzz::VertexScene>> scenes(cases.size());
+    std::vector<std::vector<glm::dvec4>> exact(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        if (!is_of_vertices(cases[i])) continue;
-        scenes[i] = fuzz::make_vertex_scene(cases[i].scene, results[i].error);
+        const Case& of = cases[i];
+        if (!of.is_of_vertices()) continue;
+        const CarriedOut given = carried_out(of);
+        scenes[i] = fuzz::make_vertex_scene(given.commands, results[i].error);
         if (!scenes[i]) continue;
-        for (const Expectation& expected : cases[i].expectations) {
+        for (const Expectation& expected : of.expectations) {
             if (static_cast<std::size_t>(expected.spot.vertex) >= scenes[i]->lit.size())
                 results[i].error = "the last primitive has no " + expected.spot.str();
+            if (expected.spot.kind == Spot::Kind::kError)
+                judge_own(Path::kReference, "", expected.spot, expected.value, given.error, 0, results[i]);
         }
         if (!results[i].error.empty()) {
             scenes[i].reset();
             continue;
         }
+        scenes[i]->commands = of.scene;  // the driver is sent all of them
+        driver_error();
         const std::vector<Color> fixed = fuzz::fixed_colors(*scenes[i]);
-        for (const Expectation& expected : cases[i].expectations)
-            judge_fixed(cases[i], driver_, expected, fixed.at(static_cast<std::size_t>(expected.spot.vertex)),
-                        results[i]);
-        judge_reference(cases[i], *scenes[i], results[i]);
+        const Enum error = driver_error();
+        judge_fixed(
+            of, driver_,
+            [&](const Expectation& expected) {
+                return expected.spot.kind == Spot::Kind::kError
+                           ? std::optional<Seen>(error)
+                           : seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex)));
+            },
+            results[i]);
+        exact[i] = judge_reference(of, *scenes[i], results[i]);
     }
     for (const Variant& variant : shader_variants()) {
         const auto colors = fuzz::shader_colors(scenes, *renderer_, variant.options);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             if (!scenes[i] || (scenes[i]->shows_back() && !fuzz::knows_faces_of_corners())) continue;
-            for (const Expectation& expected : cases[i].expectations)
+            if (!is_asked(variant, cases[i])) continue;
+            for (const Expectation& expected : cases[i].expectations) {
+                if (expected.spot.kind != Spot::Kind::kVertex) continue;
+                const auto vertex = static_cast<std::size_t>(expected.spot.vertex);
                 judge_own(Path::kProgrammable, variant.name, expected.spot,
-                          fuzz::color_sum(expected.primary, glm::dvec4(expected.secondary, 0)),
-                          colors[i].at(static_cast<std::size_t>(expected.spot.vertex)), float_tolerance(cases[i]),
-                          results[i]);
+                          fuzz::color_sum(expected.color(), glm::dvec4(expected.secondary, 0)),
+                          seen(colors[i].at(vertex)), float_tolerance(cases[i]), results[i]);
+                hold_to_long_double(colors[i].at(vertex), exact[i].at(vertex), results[i]);
+            }
         }
     }
 }
 
 void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& results) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        if (is_of_vertices(cases[i])) continue;
+        const Case& of = cases[i];
+        Result& result = results[i];
+        if (of.is_of_vertices()) continue;
         try {
-            const Frame frame = make_frame(cases[i].scene, {.width = kSide, .height = kSide});
+            const CarriedOut given = carried_out(of);
+            Frame frame = make_frame(given.commands, {.width = kSide, .height = kSide});
+            frame.commands = of.scene;
+            driver_error();
             const Image fixed = fixed::render(frame, {});
-            results[i].pictures.emplace_back("fixed", fixed);
-            for (const Expectation& expected : cases[i].expectations) {
-                if (!expected.spot.shading)
-                    judge_fixed(cases[i], driver_, expected, color_at(fixed, expected.spot), results[i]);
-            }
-            const auto judge = [&](Path path, const Variant& variant, Image image) {
-                judge_picture(cases[i], path, variant, image, results[i]);
-                const std::string_view of = kPathNames.at(static_cast<std::size_t>(path));
-                results[i].pictures.emplace_back(fmt::format("{} {}", of, variant.name), std::move(image));
+            const Enum error = driver_error();
+            result.pictures.emplace_back("fixed", fixed);
+            judge_fixed(
+                of, driver_,
+                [&](const Expectation& expected) {
+                    return expected.spot.kind == Spot::Kind::kError ? Seen(error)
+                                                                    : Seen(color_at(fixed, expected.spot));
+                },
+                result);
+            std::vector<std::pair<Variant, Image>> exact;
+            const auto keep = [&](Path path, const Variant& variant, Image image) {
+                const std::string_view name = kPathNames.at(static_cast<std::size_t>(path));
+                result.pictures.emplace_back(fmt::format("{} {}", name, variant.name), std::move(image));
             };
-            for (const Variant& variant : variants_of(cases[i], Path::kProgrammable))
-                judge(Path::kProgrammable, variant, renderer_->render(frame, variant.options));
-            for (const Variant& variant : variants_of(cases[i], Path::kReference))
-                judge(Path::kReference, variant, reference::render(frame, variant.options));
+            for (const Variant& variant : variants_of(of, Path::kReference)) {
+                Image image = reference::render(frame, variant.options);
+                judge_picture(of, Path::kReference, variant, image, reference_tolerance(of, variant.options), result);
+                if (is_exact(variant)) exact.emplace_back(variant, image);
+                keep(Path::kReference, variant, std::move(image));
+            }
+            for (const Variant& variant : variants_of(of, Path::kProgrammable)) {
+                Image image = renderer_->render(frame, variant.options);
+                judge_picture(of, Path::kProgrammable, variant, image, float_tolerance(of), result);
+                for (const auto& [as, picture] : exact) {
+                    if (as.options.shading != variant.options.shading) continue;
+                    for (const Expectation& e : of.expectations)
+                        if (e.spot.kind == Spot::Kind::kPixel && e.spot.shading == variant.options.shading)
+                            hold_to_long_double(color_at(image, e.spot), color_at(picture, e.spot), result);
+                }
+                keep(Path::kProgrammable, variant, std::move(image));
+            }
         } catch (const SceneError& refused) {
-            results[i].error = refused.what();
+            result.error = refused.what();
         }
     }
+}
+
+void Suite::draw_vertices(const Case& of, Result& result) {
+    if (!of.is_of_vertices() || !result.error.empty()) return;
+    context_->make_current();
+    Frame frame = make_frame(carried_out(of).commands, {.width = kVertexSide, .height = kVertexSide});
+    frame.commands = of.scene;
+    if (!of.has_variants()) result.pictures.emplace_back("fixed", fixed::render(frame, {}));
+    result.pictures.emplace_back("programmable", renderer_->render(frame, with([](RenderOptions&) {})));
+    result.pictures.emplace_back("reference", reference::render(frame, with([](RenderOptions&) {})));
 }
 
 }  // namespace twinlight::check

@@ -30,7 +30,9 @@ figure { display: inline-block; margin-right: 1rem; }
 .swatch { display: inline-block; width: 1.1em; height: 1.1em; vertical-align: -.2em; margin-right: .4em; border: 1px solid #8888; }
 )";
 
-std::string swatch(const glm::dvec4& color) {
+std::string swatch(const std::optional<Seen>& seen) {
+    if (!seen || !std::holds_alternative<glm::dvec4>(*seen)) return "";
+    const auto& color = std::get<glm::dvec4>(*seen);
     const auto code = [&](int i) {
         return std::isnan(color[i]) ? 0 : channel_code(static_cast<float>(std::clamp(color[i], 0.0, 1.0)));
     };
@@ -46,11 +48,10 @@ std::string section_of(const Case& of, const Result& result) {
     html += fmt::format("</p>\n<p><b>{}</b>: {}.</p>\n<p>{}</p>\n<p>Derived: {}</p>\n<ul>", escaped(of.what),
                         escaped(of.why), escaped(of.text), escaped(of.derived));
     for (const Expectation& expected : of.expectations)
-        html += fmt::format("<li>{}{}: {}</li>\n", swatch(expected.primary), expected.spot.str(),
-                            color_text(expected.primary));
+        html +=
+            fmt::format("<li>{}{}: {}</li>\n", swatch(expected.value), expected.spot.str(), text_of(expected.value));
     for (const Finding& finding : result.findings)
-        html += fmt::format("<li>{}{}</li>\n", swatch(finding.value.value_or(glm::dvec4(0))),
-                            escaped(finding_text(of, finding)));
+        html += fmt::format("<li>{}{}</li>\n", swatch(finding.value), escaped(finding_text(of, finding)));
     if (!result.error.empty()) html += "<li>refused: " + escaped(result.error) + "</li>\n";
     html += "</ul>\n";
     for (const auto& [name, image] : result.pictures)
@@ -68,10 +69,10 @@ std::string group_of(const Case& of) { return of.name.substr(0, of.name.find('-'
 std::string finding_text(const Case& of, const Finding& finding) {
     std::string text =
         fmt::format("{}{}{}, {}: {}, ", kPathNames.at(static_cast<std::size_t>(finding.path)),
-                    finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), color_text(finding.value));
+                    finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), text_of(finding.value));
     if (finding.verdict == Verdict::kVanished)
         return text + "as the text says; the case lists another: " + finding.name;
-    text += (finding.verdict == Verdict::kRuling ? "ruled " : "expected ") + color_text(finding.expected);
+    text += (finding.verdict == Verdict::kRuling ? "ruled " : "expected ") + text_of(finding.expected);
     if (finding.verdict != Verdict::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
     return text;
 }
