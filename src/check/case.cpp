@@ -114,9 +114,13 @@ std::pair<std::string, std::string> split(const Head& head, const Entry& entry, 
 
 Expectation expectation(const Head& head, const Entry& entry) {
     const auto [spot, value] = split(head, entry, entry.value, ": ");
-    Expectation result{.spot = head.spot(entry, spot), .value = {}};
+    Expectation result{.spot = head.spot(entry, spot), .value = {}, .other = {}};
     const std::size_t plus = value.find(" + ");
-    result.value = head.seen(entry, result.spot, value.substr(0, plus));
+    // "1|0": 1, of floats 0 too.
+    static const std::regex kOther("[|][^ ]*"), kFirst("[^ ]*[|]");
+    const std::string primary = value.substr(0, plus);
+    result.value = head.seen(entry, result.spot, std::regex_replace(primary, kOther, ""));
+    result.other = head.seen(entry, result.spot, std::regex_replace(primary, kFirst, ""));
     if (plus != std::string::npos) {
         const std::vector<double> v = head.numbers(entry, value.substr(plus + 3), 3);
         result.secondary = {v[0], v[1], v[2]};

@@ -49,9 +49,9 @@ std::string text_of(const std::optional<Seen>& seen);  // "(0.25, 0, 0, 1)", "GL
 struct Expectation {
     Spot spot;
     Seen value;
+    // What may be given as well, channel by channel, where rounding decides on a jump; by the reference in long double not.
+    Seen other;
     glm::dvec3 secondary{0};  // of a vertex, where the specular colour is separate
-
-    const glm::dvec4& color() const { return std::get<glm::dvec4>(value); }
 };
 
 // What a driver's fixed function is known to give instead.

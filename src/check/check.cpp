@@ -104,14 +104,22 @@ bool is_finite(const glm::dvec4& color) {
     return std::isfinite(color.r) && std::isfinite(color.g) && std::isfinite(color.b) && std::isfinite(color.a);
 }
 
-bool agree(const std::optional<Seen>& value, const Seen& expected, double tolerance) {
-    if (!value || value->index() != expected.index()) return false;
-    if (const Enum* error = std::get_if<Enum>(&expected)) return std::get<Enum>(*value) == *error;
-    const glm::dvec4 &a = std::get<glm::dvec4>(*value), &b = std::get<glm::dvec4>(expected);
-    for (int i = 0; i < 4; ++i) {
-        if (std::isnan(a[i]) && std::isnan(b[i])) continue;
-        if (!(std::abs(a[i] - b[i]) <= tolerance * std::max(1.0, std::abs(b[i])))) return false;
-    }
+// What is right, and how nearly.
+struct Right {
+    Seen value, other;  // either
+    double tolerance = 0;
+};
+
+bool agree(const std::optional<Seen>& value, const Right& right) {
+    if (!value || value->index() != right.value.index()) return false;
+    if (const Enum* error = std::get_if<Enum>(&*value)) return *error == std::get<Enum>(right.value);
+    const auto near = [&](double a, double b) {
+        return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= right.tolerance * std::max(1.0, std::abs(b));
+    };
+    const auto &a = std::get<glm::dvec4>(*value), &b = std::get<glm::dvec4>(right.value),
+               &other = std::get<glm::dvec4>(right.other);
+    for (int i = 0; i < 4; ++i)
+        if (!near(a[i], b[i]) && !near(a[i], other[i])) return false;
     return true;
 }
 
@@ -119,15 +127,26 @@ std::optional<Seen> seen(const Color& color) { return color ? std::optional<Seen
 
 void worsen(Verdict& verdict, Verdict by) { verdict = std::max(verdict, by); }
 
-// Of what is calculated, or kept, in floats.
 double float_tolerance(const Case& of) { return of.tolerance.value_or(kTolerance); }
+
+// Of what is calculated, or kept, in floats.
+Right of_floats(const Case& of, const Expectation& expected) {
+    return {expected.value, expected.other, float_tolerance(of)};
+}
+
+// Of what the reference calculates. Long double has one answer.
+Right of_reference(const Case& of, const Expectation& expected, const RenderOptions& options) {
+    const Number number = options.arithmetic.number;
+    const double floats = float_tolerance(of);
+    return {expected.value, number == Number::kLongDouble ? expected.value : expected.other,
+            number == Number::kFloat ? floats : std::min(floats, kWrittenTolerance)};
+}
 
 // What a renderer shows at each place of a case.
 using Shown = std::function<std::optional<Seen>(const Expectation&)>;
 
 void judge_fixed(const Case& of, const std::string& driver, const Shown& shown, Result& result) {
     if (of.has_variants()) return;
-    const double tolerance = float_tolerance(of);
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.shading) continue;
         const std::optional<Seen> value = shown(expected);
@@ -135,14 +154,14 @@ void judge_fixed(const Case& of, const std::string& driver, const Shown& shown, 
             return differs.spot == expected.spot &&
                    ::fnmatch(("*" + differs.driver + "*").c_str(), driver.c_str(), 0) == 0;
         });
-        const bool agrees = agree(value, expected.value, tolerance);
+        const bool agrees = agree(value, of_floats(of, expected));
         Verdict verdict = Verdict::kPass;
         std::string name;
         if (listed != of.differs.end()) {
             name = listed->name;
-            verdict = agrees                                    ? Verdict::kVanished
-                      : agree(value, listed->value, kTolerance) ? Verdict::kDeparts
-                                                                : Verdict::kNew;
+            verdict = agrees                                                     ? Verdict::kVanished
+                      : agree(value, {listed->value, listed->value, kTolerance}) ? Verdict::kDeparts
+                                                                                 : Verdict::kNew;
         } else if (!agrees) {
             verdict = of.is_ruling ? Verdict::kRuling : Verdict::kNew;
         }
@@ -152,25 +171,29 @@ void judge_fixed(const Case& of, const std::string& driver, const Shown& shown, 
     }
 }
 
-void judge_own(Path path, std::string_view variant, const Spot& spot, const Seen& expected,
-               const std::optional<Seen>& value, double tolerance, Result& result) {
+void judge_own(Path path, std::string_view variant, const Spot& spot, const Right& right,
+               const std::optional<Seen>& value, Result& result) {
     const glm::dvec4* color = value ? std::get_if<glm::dvec4>(&*value) : nullptr;
     if (color && !is_finite(*color)) ++result.non_finite;
     Verdict& verdict = result.verdicts[static_cast<std::size_t>(path)];
-    if (agree(value, expected, tolerance)) return worsen(verdict, Verdict::kPass);
+    if (agree(value, right)) return worsen(verdict, Verdict::kPass);
     worsen(verdict, Verdict::kNew);
-    result.findings.push_back({path, std::string(variant), Verdict::kNew, spot, value, expected, ""});
+    result.findings.push_back({path, std::string(variant), Verdict::kNew, spot, value, right.value, ""});
 }
 
-// The bar that holds whatever a case says of its tolerance.
-void hold_to_long_double(const Color& value, const glm::dvec4& exact, Result& result) {
-    for (int i = 0; i < 4 && value; ++i)
+// The bar that holds whatever a case says of its tolerance. Not where floats may jump.
+void hold_to_long_double(const Expectation& expected, const Color& value, const glm::dvec4& exact, Result& result) {
+    for (int i = 0; i < 4 && value; ++i) {
+        if (std::get<glm::dvec4>(expected.value)[i] != std::get<glm::dvec4>(expected.other)[i]) continue;
         result.from_long_double = std::max(result.from_long_double, std::abs((*value)[i] - exact[i]));
+    }
 }
 
-double reference_tolerance(const Case& of, const RenderOptions& options) {
-    const double floats = float_tolerance(of);
-    return options.arithmetic.number == Number::kFloat ? floats : std::min(floats, kWrittenTolerance);
+// As fragments have it.
+Right as_sum(Right right, const glm::dvec3& secondary) {
+    for (Seen* color : {&right.value, &right.other})
+        *color = fuzz::color_sum(std::get<glm::dvec4>(*color), glm::dvec4(secondary, 0));
+    return right;
 }
 
 // Returns what the vertices have in long double, as fragments have it.
@@ -179,15 +202,17 @@ std::vector<glm::dvec4> judge_reference(const Case& of, const fuzz::VertexScene&
     std::vector<glm::dvec4> exact;
     for (const Variant& variant : reference_variants()) {
         const std::vector<reference::LitVertex> lit = reference::light_vertices(scene.draw(), variant.options, false);
-        const double tolerance = reference_tolerance(of, variant.options);
         for (const Expectation& expected : of.expectations) {
             if (expected.spot.kind != Spot::Kind::kVertex) continue;
             const reference::LitVertex& vertex = lit.at(static_cast<std::size_t>(expected.spot.vertex));
             const glm::dvec4 primary = back ? vertex.back_primary : vertex.front_primary;
             const glm::dvec4 secondary = back ? vertex.back_secondary : vertex.front_secondary;
-            judge_own(Path::kReference, variant.name, expected.spot, expected.value, primary, tolerance, result);
-            judge_own(Path::kReference, variant.name + " secondary", expected.spot, glm::dvec4(expected.secondary, 1),
-                      glm::dvec4(glm::dvec3(secondary), 1), tolerance, result);
+            const Right right = of_reference(of, expected, variant.options);
+            const glm::dvec4 right_secondary(expected.secondary, 1);
+            judge_own(Path::kReference, variant.name, expected.spot, right, primary, result);
+            judge_own(Path::kReference, variant.name + " secondary", expected.spot,
+                      {right_secondary, right_secondary, right.tolerance}, glm::dvec4(glm::dvec3(secondary), 1),
+                      result);
         }
         if (!is_exact(variant)) continue;
         for (const reference::LitVertex& vertex : lit)
@@ -209,12 +234,13 @@ glm::dvec4 color_at(const Image& image, const Spot& spot) {
 }
 
 // What a picture shows where the case expects something of this shading.
-void judge_picture(const Case& of, Path path, const Variant& variant, const Image& image, double tolerance,
-                   Result& result) {
+void judge_picture(const Case& of, Path path, const Variant& variant, const Image& image, Result& result) {
     result.non_finite += non_finite_pixels(image);
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.kind != Spot::Kind::kPixel || expected.spot.shading != variant.options.shading) continue;
-        judge_own(path, variant.name, expected.spot, expected.value, color_at(image, expected.spot), tolerance, result);
+        const Right right =
+            path == Path::kReference ? of_reference(of, expected, variant.options) : of_floats(of, expected);
+        judge_own(path, variant.name, expected.spot, right, color_at(image, expected.spot), result);
     }
 }
 
@@ -289,7 +315,7 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
             if (static_cast<std::size_t>(expected.spot.vertex) >= scenes[i]->lit.size())
                 results[i].error = "the last primitive has no " + expected.spot.str();
             if (expected.spot.kind == Spot::Kind::kError)
-                judge_own(Path::kReference, "", expected.spot, expected.value, given.error, 0, results[i]);
+                judge_own(Path::kReference, "", expected.spot, of_floats(of, expected), given.error, results[i]);
         }
         if (!results[i].error.empty()) {
             scenes[i].reset();
@@ -318,9 +344,9 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
                 if (expected.spot.kind != Spot::Kind::kVertex) continue;
                 const auto vertex = static_cast<std::size_t>(expected.spot.vertex);
                 judge_own(Path::kProgrammable, variant.name, expected.spot,
-                          fuzz::color_sum(expected.color(), glm::dvec4(expected.secondary, 0)),
-                          seen(colors[i].at(vertex)), float_tolerance(cases[i]), results[i]);
-                hold_to_long_double(colors[i].at(vertex), exact[i].at(vertex), results[i]);
+                          as_sum(of_floats(cases[i], expected), expected.secondary), seen(colors[i].at(vertex)),
+                          results[i]);
+                hold_to_long_double(expected, colors[i].at(vertex), exact[i].at(vertex), results[i]);
             }
         }
     }
@@ -353,18 +379,18 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
             };
             for (const Variant& variant : variants_of(of, Path::kReference)) {
                 Image image = reference::render(frame, variant.options);
-                judge_picture(of, Path::kReference, variant, image, reference_tolerance(of, variant.options), result);
+                judge_picture(of, Path::kReference, variant, image, result);
                 if (is_exact(variant)) exact.emplace_back(variant, image);
                 keep(Path::kReference, variant, std::move(image));
             }
             for (const Variant& variant : variants_of(of, Path::kProgrammable)) {
                 Image image = renderer_->render(frame, variant.options);
-                judge_picture(of, Path::kProgrammable, variant, image, float_tolerance(of), result);
+                judge_picture(of, Path::kProgrammable, variant, image, result);
                 for (const auto& [as, picture] : exact) {
                     if (as.options.shading != variant.options.shading) continue;
                     for (const Expectation& e : of.expectations)
                         if (e.spot.kind == Spot::Kind::kPixel && e.spot.shading == variant.options.shading)
-                            hold_to_long_double(color_at(image, e.spot), color_at(picture, e.spot), result);
+                            hold_to_long_double(e, color_at(image, e.spot), color_at(picture, e.spot), result);
                 }
                 keep(Path::kProgrammable, variant, std::move(image));
             }

@@ -137,6 +137,14 @@ TEST(HardCases, ExpectErrors) {
     for (const Finding& finding : wrong.findings) EXPECT_EQ(text_of(finding.value), "GL_INVALID_ENUM");
 }
 
+TEST(HardCases, HoldLongDoubleToTheFirstOfTwoAnswers) {
+    EXPECT_FALSE(result_of("// expect: vertex 0: 0.5|0 0.5 0.5 1\n").fails());
+    const Result second = result_of("// expect: vertex 0: 0|0.5 0.5 0.5 1\n");
+    EXPECT_EQ(second.verdicts, (std::array{Verdict::kPass, Verdict::kPass, Verdict::kNew}));
+    ASSERT_EQ(second.findings.size(), 1u);
+    EXPECT_EQ(second.findings[0].variant, "long double");
+}
+
 TEST(HardCases, DoNotAskTheFixedFunctionOfVariants) {
     const std::vector<Case> cases = {
         read_case(small_case("// expect: vertex 0: 0.5 0.5 0.5 1\n#pragma twinlight specular(reflection)\n"),
