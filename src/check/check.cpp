@@ -7,12 +7,13 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <glm/geometric.hpp>
 
+#include "check/variants.h"
 #include "command/text.h"
 #include "context/gl.h"
 #include "fixed/fixed.h"
 #include "fuzz/vertex_colors.h"
-#include "programmable/precise.h"
 #include "reference/reference.h"
 #include "state/state.h"
 
@@ -23,45 +24,6 @@ namespace {
 using fuzz::Color;
 
 // ---- What is asked ----
-
-struct Variant {
-    std::string name;
-    RenderOptions options;
-};
-
-// Whole, a lecture's variants included.
-RenderOptions with(const std::function<void(RenderOptions&)>& change) {
-    RenderOptions options;
-    options.budget = 0;
-    change(options);
-    return options;
-}
-
-// The shaders' tiers and shadings, as far as the current context has them. At a vertex all shadings give the same.
-std::vector<Variant> shader_variants() {
-    std::vector<Variant> variants = {
-        {"uniform", with([](RenderOptions&) {})},
-        {"baked", with([](RenderOptions& o) { o.tier = Tier::kBaked; })},
-        {"precise", with([](RenderOptions& o) { o.precise = true; })},
-        {"flat", with([](RenderOptions& o) { o.shading = Shading::kFlat; })},
-        {"phong", with([](RenderOptions& o) { o.shading = Shading::kPhong; })},
-        {"baked phong", with([](RenderOptions& o) {
-             o.tier = Tier::kBaked;
-             o.shading = Shading::kPhong;
-         })},
-    };
-    if (!programmable::has_precise()) std::erase_if(variants, [](const Variant& v) { return v.options.precise; });
-    return variants;
-}
-
-const std::vector<Variant>& reference_variants() {
-    static const std::vector<Variant> variants = {
-        {"long double", with([](RenderOptions& o) { o.arithmetic.number = Number::kLongDouble; })},
-        {"double", with([](RenderOptions&) {})},
-        {"float", with([](RenderOptions& o) { o.arithmetic.number = Number::kFloat; })},
-    };
-    return variants;
-}
 
 bool is_exact(const Variant& variant) { return variant.options.arithmetic.number == Number::kLongDouble; }
 // --precise follows GL's own model alone.
@@ -196,10 +158,28 @@ Right as_sum(Right right, const glm::dvec3& secondary) {
     return right;
 }
 
-// Returns what the vertices have in long double, as fragments have it.
-std::vector<glm::dvec4> judge_reference(const Case& of, const fuzz::VertexScene& scene, Result& result) {
+// What the vertices of a Draw have in long double, as fragments have it.
+std::vector<glm::dvec4> sums_in_long_double(const Draw& draw, bool back) {
+    std::vector<glm::dvec4> sums;
+    for (const reference::LitVertex& vertex : reference::light_vertices(draw, long_double().options, false))
+        sums.push_back(back ? fuzz::color_sum(vertex.back_primary, vertex.back_secondary)
+                            : fuzz::color_sum(vertex.front_primary, vertex.front_secondary));
+    return sums;
+}
+
+// The same as a shading shows them, which need not be what GL's own does. Phong makes each fragment's normal unit; flat shading shows
+// the provoking vertex of a polygon (2.14.7, table 2.12).
+std::vector<glm::dvec4> sums_in_long_double(const fuzz::VertexScene& scene, std::optional<Shading> shading) {
+    Draw draw = scene.draw();
+    draw.lighting.normalize |= shading == Shading::kPhong;
+    std::vector<glm::dvec4> sums = sums_in_long_double(draw, scene.shows_back());
+    if (shading == Shading::kFlat && draws_polygons(draw.mode))
+        std::ranges::fill(sums, glm::dvec4(draw.mode == kGL_POLYGON ? sums.front() : sums.back()));
+    return sums;
+}
+
+void judge_reference(const Case& of, const fuzz::VertexScene& scene, Result& result) {
     const bool back = scene.shows_back();
-    std::vector<glm::dvec4> exact;
     for (const Variant& variant : reference_variants()) {
         const std::vector<reference::LitVertex> lit = reference::light_vertices(scene.draw(), variant.options, false);
         for (const Expectation& expected : of.expectations) {
@@ -214,12 +194,21 @@ std::vector<glm::dvec4> judge_reference(const Case& of, const fuzz::VertexScene&
                       {right_secondary, right_secondary, right.tolerance}, glm::dvec4(glm::dvec3(secondary), 1),
                       result);
         }
-        if (!is_exact(variant)) continue;
-        for (const reference::LitVertex& vertex : lit)
-            exact.push_back(fuzz::color_sum(back ? vertex.back_primary : vertex.front_primary,
-                                            back ? vertex.back_secondary : vertex.front_secondary));
     }
-    return exact;
+}
+
+void judge_shaders(const Case& of, const fuzz::VertexScene& scene, const Variant& variant,
+                   const std::vector<Color>& colors, Result& result) {
+    const std::vector<glm::dvec4> of_gl = sums_in_long_double(scene, {});
+    const std::vector<glm::dvec4> exact = sums_in_long_double(scene, variant.options.shading);
+    for (const Expectation& expected : of.expectations) {
+        if (expected.spot.kind != Spot::Kind::kVertex) continue;
+        const auto vertex = static_cast<std::size_t>(expected.spot.vertex);
+        hold_to_long_double(expected, colors.at(vertex), exact.at(vertex), result);
+        if (glm::length(exact[vertex] - of_gl[vertex]) > kWrittenTolerance) continue;  // not what GL has there
+        judge_own(Path::kProgrammable, variant.name, expected.spot, as_sum(of_floats(of, expected), expected.secondary),
+                  seen(colors[vertex]), result);
+    }
 }
 
 long non_finite_pixels(const Image& image) {
@@ -304,7 +293,6 @@ std::vector<Result> Suite::run(std::span<const Case> cases) {
 
 void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& results) {
     std::vector<std::optional<fuzz::VertexScene>> scenes(cases.size());
-    std::vector<std::vector<glm::dvec4>> exact(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& of = cases[i];
         if (!of.is_of_vertices()) continue;
@@ -333,21 +321,13 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
                            : seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex)));
             },
             results[i]);
-        exact[i] = judge_reference(of, *scenes[i], results[i]);
+        judge_reference(of, *scenes[i], results[i]);
     }
     for (const Variant& variant : shader_variants()) {
         const auto colors = fuzz::shader_colors(scenes, *renderer_, variant.options);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             if (!scenes[i] || (scenes[i]->shows_back() && !fuzz::knows_faces_of_corners())) continue;
-            if (!is_asked(variant, cases[i])) continue;
-            for (const Expectation& expected : cases[i].expectations) {
-                if (expected.spot.kind != Spot::Kind::kVertex) continue;
-                const auto vertex = static_cast<std::size_t>(expected.spot.vertex);
-                judge_own(Path::kProgrammable, variant.name, expected.spot,
-                          as_sum(of_floats(cases[i], expected), expected.secondary), seen(colors[i].at(vertex)),
-                          results[i]);
-                hold_to_long_double(expected, colors[i].at(vertex), exact[i].at(vertex), results[i]);
-            }
+            if (is_asked(variant, cases[i])) judge_shaders(cases[i], *scenes[i], variant, colors[i], results[i]);
         }
     }
 }
@@ -406,8 +386,8 @@ void Suite::draw_vertices(const Case& of, Result& result) {
     Frame frame = make_frame(carried_out(of).commands, {.width = kVertexSide, .height = kVertexSide});
     frame.commands = of.scene;
     if (!of.has_variants()) result.pictures.emplace_back("fixed", fixed::render(frame, {}));
-    result.pictures.emplace_back("programmable", renderer_->render(frame, with([](RenderOptions&) {})));
-    result.pictures.emplace_back("reference", reference::render(frame, with([](RenderOptions&) {})));
+    result.pictures.emplace_back("programmable", renderer_->render(frame, plain().options));
+    result.pictures.emplace_back("reference", reference::render(frame, plain().options));
 }
 
 }  // namespace twinlight::check
