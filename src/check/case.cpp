@@ -10,6 +10,7 @@
 
 #include "command/text.h"
 #include "image/file.h"
+#include "state/state.h"
 
 namespace twinlight::check {
 
@@ -197,6 +198,23 @@ std::string text_of(const std::optional<Seen>& seen) {
 
 bool Case::is_of_vertices() const {
     return std::ranges::any_of(expectations, [](const Expectation& e) { return e.spot.kind == Spot::Kind::kVertex; });
+}
+
+CarriedOut Case::carried_out() const {
+    const auto is_error = [](const Expectation& e) { return e.spot.kind == Spot::Kind::kError; };
+    if (std::ranges::none_of(expectations, is_error)) return {scene};
+    CarriedOut result;
+    CommandList commands(*scene);
+    commands.commands.clear();
+    State state({.width = kSide, .height = kSide});
+    for (const Command& command : scene->commands) {
+        const std::size_t errors = state.error_count();
+        state.apply(command);
+        if (state.error_count() == errors) commands.commands.push_back(command);
+    }
+    if (!state.errors().empty()) result.error = state.errors().front().code;
+    result.commands = std::make_shared<const CommandList>(std::move(commands));
+    return result;
 }
 
 bool Case::has_variants() const {

@@ -62,6 +62,12 @@ struct Differs {
     std::string name;  // in golden/known_differences
 };
 
+// The commands that GL carries out, for one that raises an error is ignored (2.5); and the first error.
+struct CarriedOut {
+    std::shared_ptr<const CommandList> commands;
+    Enum error = kGL_NO_ERROR;
+};
+
 struct Case {
     std::string name;
     std::string what, why, text, derived;
@@ -74,6 +80,8 @@ struct Case {
     std::shared_ptr<const CommandList> scene;
 
     bool is_of_vertices() const;
+    // Of a case that expects no error all commands: whoever makes a frame of them refuses what GL does.
+    CarriedOut carried_out() const;
     // Whether it has a lecture's variant (#pragma twinlight specular, ambient, spot_cone ...), of which the fixed function is not
     // asked.
     bool has_variants() const;

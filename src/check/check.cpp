@@ -25,33 +25,8 @@ using fuzz::Color;
 
 // ---- What is asked ----
 
-bool is_exact(const Variant& variant) { return variant.options.arithmetic.number == Number::kLongDouble; }
 // --precise follows GL's own model alone.
 bool is_asked(const Variant& variant, const Case& of) { return !(variant.options.precise && of.has_variants()); }
-
-// The commands that GL carries out, for one that raises an error is ignored (2.5); and the first error.
-struct CarriedOut {
-    std::shared_ptr<const CommandList> commands;
-    Enum error = kGL_NO_ERROR;
-};
-
-// Of a case that expects no error all commands: whoever makes a frame of them refuses what GL does.
-CarriedOut carried_out(const Case& of) {
-    const auto is_error = [](const Expectation& e) { return e.spot.kind == Spot::Kind::kError; };
-    if (std::ranges::none_of(of.expectations, is_error)) return {of.scene};
-    CarriedOut result;
-    CommandList commands(*of.scene);
-    commands.commands.clear();
-    State state({.width = kSide, .height = kSide});
-    for (const Command& command : of.scene->commands) {
-        const std::size_t errors = state.error_count();
-        state.apply(command);
-        if (state.error_count() == errors) commands.commands.push_back(command);
-    }
-    if (!state.errors().empty()) result.error = state.errors().front().code;
-    result.commands = std::make_shared<const CommandList>(std::move(commands));
-    return result;
-}
 
 Enum driver_error() {
     const Enum first = glGetError();
@@ -222,14 +197,37 @@ glm::dvec4 color_at(const Image& image, const Spot& spot) {
     return {pixel[0], pixel[1], pixel[2], pixel[3]};
 }
 
+struct Picture {
+    Path path;
+    Variant variant;
+    Image image;
+};
+
+bool is_of(const Spot& spot, const Picture& picture) {
+    return spot.kind == Spot::Kind::kPixel && spot.shading == picture.variant.options.shading;
+}
+
 // What a picture shows where the case expects something of this shading.
-void judge_picture(const Case& of, Path path, const Variant& variant, const Image& image, Result& result) {
-    result.non_finite += non_finite_pixels(image);
+void judge_picture(const Case& of, const Picture& picture, Result& result) {
+    result.non_finite += non_finite_pixels(picture.image);
     for (const Expectation& expected : of.expectations) {
-        if (expected.spot.kind != Spot::Kind::kPixel || expected.spot.shading != variant.options.shading) continue;
-        const Right right =
-            path == Path::kReference ? of_reference(of, expected, variant.options) : of_floats(of, expected);
-        judge_own(path, variant.name, expected.spot, right, color_at(image, expected.spot), result);
+        if (!is_of(expected.spot, picture)) continue;
+        const Right right = picture.path == Path::kReference ? of_reference(of, expected, picture.variant.options)
+                                                             : of_floats(of, expected);
+        judge_own(picture.path, picture.variant.name, expected.spot, right, color_at(picture.image, expected.spot),
+                  result);
+    }
+}
+
+void hold_to_long_double(const Case& of, const std::vector<Picture>& pictures, Result& result) {
+    for (const Picture& exact : pictures) {
+        if (exact.variant.options.arithmetic.number != Number::kLongDouble) continue;
+        for (const Picture& picture : pictures) {
+            if (picture.path != Path::kProgrammable) continue;
+            for (const Expectation& e : of.expectations)
+                if (is_of(e.spot, exact) && is_of(e.spot, picture))
+                    hold_to_long_double(e, color_at(picture.image, e.spot), color_at(exact.image, e.spot), result);
+        }
     }
 }
 
@@ -296,7 +294,7 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& of = cases[i];
         if (!of.is_of_vertices()) continue;
-        const CarriedOut given = carried_out(of);
+        const CarriedOut given = of.carried_out();
         scenes[i] = fuzz::make_vertex_scene(given.commands, results[i].error);
         if (!scenes[i]) continue;
         for (const Expectation& expected : of.expectations) {
@@ -338,7 +336,7 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
         Result& result = results[i];
         if (of.is_of_vertices()) continue;
         try {
-            const CarriedOut given = carried_out(of);
+            const CarriedOut given = of.carried_out();
             Frame frame = make_frame(given.commands, {.width = kSide, .height = kSide});
             frame.commands = of.scene;
             driver_error();
@@ -352,28 +350,17 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
                                                                     : Seen(color_at(fixed, expected.spot));
                 },
                 result);
-            std::vector<std::pair<Variant, Image>> exact;
-            const auto keep = [&](Path path, const Variant& variant, Image image) {
-                const std::string_view name = kPathNames.at(static_cast<std::size_t>(path));
-                result.pictures.emplace_back(fmt::format("{} {}", name, variant.name), std::move(image));
-            };
-            for (const Variant& variant : variants_of(of, Path::kReference)) {
-                Image image = reference::render(frame, variant.options);
-                judge_picture(of, Path::kReference, variant, image, result);
-                if (is_exact(variant)) exact.emplace_back(variant, image);
-                keep(Path::kReference, variant, std::move(image));
-            }
-            for (const Variant& variant : variants_of(of, Path::kProgrammable)) {
-                Image image = renderer_->render(frame, variant.options);
-                judge_picture(of, Path::kProgrammable, variant, image, result);
-                for (const auto& [as, picture] : exact) {
-                    if (as.options.shading != variant.options.shading) continue;
-                    for (const Expectation& e : of.expectations)
-                        if (e.spot.kind == Spot::Kind::kPixel && e.spot.shading == variant.options.shading)
-                            hold_to_long_double(e, color_at(image, e.spot), color_at(picture, e.spot), result);
-                }
-                keep(Path::kProgrammable, variant, std::move(image));
-            }
+            std::vector<Picture> pictures;
+            for (const Variant& variant : variants_of(of, Path::kProgrammable))
+                pictures.push_back({Path::kProgrammable, variant, renderer_->render(frame, variant.options)});
+            for (const Variant& variant : variants_of(of, Path::kReference))
+                pictures.push_back({Path::kReference, variant, reference::render(frame, variant.options)});
+            for (const Picture& picture : pictures) judge_picture(of, picture, result);
+            hold_to_long_double(of, pictures, result);
+            for (Picture& picture : pictures)
+                result.pictures.emplace_back(
+                    fmt::format("{} {}", kPathNames.at(static_cast<std::size_t>(picture.path)), picture.variant.name),
+                    std::move(picture.image));
         } catch (const SceneError& refused) {
             result.error = refused.what();
         }
@@ -383,7 +370,7 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
 void Suite::draw_vertices(const Case& of, Result& result) {
     if (!of.is_of_vertices() || !result.error.empty()) return;
     context_->make_current();
-    Frame frame = make_frame(carried_out(of).commands, {.width = kVertexSide, .height = kVertexSide});
+    Frame frame = make_frame(of.carried_out().commands, {.width = kVertexSide, .height = kVertexSide});
     frame.commands = of.scene;
     if (!of.has_variants()) result.pictures.emplace_back("fixed", fixed::render(frame, {}));
     result.pictures.emplace_back("programmable", renderer_->render(frame, plain().options));
