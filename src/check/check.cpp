@@ -51,7 +51,8 @@ bool agree(const std::optional<Seen>& value, const Right& right) {
     if (!value || value->index() != right.value.index()) return false;
     if (const Enum* error = std::get_if<Enum>(&*value)) return *error == std::get<Enum>(right.value);
     const auto near = [&](double a, double b) {
-        return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= right.tolerance * std::max(1.0, std::abs(b));
+        if (a == b || (std::isnan(a) && std::isnan(b))) return true;  // infinite ones too
+        return std::abs(a - b) <= right.tolerance * std::max(1.0, std::abs(b));
     };
     const auto &a = std::get<glm::dvec4>(*value), &b = std::get<glm::dvec4>(right.value),
                &other = std::get<glm::dvec4>(right.other);
@@ -118,11 +119,19 @@ void judge_own(Path path, std::string_view variant, const Spot& spot, const Righ
     result.findings.push_back({path, std::string(variant), Verdict::kNew, spot, value, right.value, ""});
 }
 
+// Twinlight's own, which shaders and the reference are spared.
+void judge_error(const Case& of, Enum error, Result& result) {
+    for (const Expectation& expected : of.expectations)
+        if (expected.spot.kind == Spot::Kind::kError)
+            judge_own(Path::kReference, "", expected.spot, of_floats(of, expected), error, result);
+}
+
 // The bar that holds whatever a case says of its tolerance. Not where floats may jump.
 void hold_to_long_double(const Expectation& expected, const Color& value, const glm::dvec4& exact, Result& result) {
     for (int i = 0; i < 4 && value; ++i) {
         if (std::get<glm::dvec4>(expected.value)[i] != std::get<glm::dvec4>(expected.other)[i]) continue;
-        result.from_long_double = std::max(result.from_long_double, std::abs((*value)[i] - exact[i]));
+        const double off = std::abs((*value)[i] - exact[i]);
+        result.from_long_double = std::isnan(off) ? HUGE_VAL : std::max(result.from_long_double, off);
     }
 }
 
@@ -142,8 +151,8 @@ std::vector<glm::dvec4> sums_in_long_double(const Draw& draw, bool back) {
     return sums;
 }
 
-// The same as a shading shows them, which need not be what GL's own does. Phong makes each fragment's normal unit; flat shading shows
-// the provoking vertex of a polygon (2.14.7, table 2.12).
+// The same as a shading shows them, which need not be what GL's own does. Phong makes each fragment's normal unit; flat
+// shading shows the provoking vertex of a polygon (2.14.7, table 2.12).
 std::vector<glm::dvec4> sums_in_long_double(const fuzz::VertexScene& scene, std::optional<Shading> shading) {
     Draw draw = scene.draw();
     draw.lighting.normalize |= shading == Shading::kPhong;
@@ -295,13 +304,12 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
         const Case& of = cases[i];
         if (!of.is_of_vertices()) continue;
         const CarriedOut given = of.carried_out();
+        judge_error(of, given.error, results[i]);
         scenes[i] = fuzz::make_vertex_scene(given.commands, results[i].error);
         if (!scenes[i]) continue;
         for (const Expectation& expected : of.expectations) {
             if (static_cast<std::size_t>(expected.spot.vertex) >= scenes[i]->lit.size())
                 results[i].error = "the last primitive has no " + expected.spot.str();
-            if (expected.spot.kind == Spot::Kind::kError)
-                judge_own(Path::kReference, "", expected.spot, of_floats(of, expected), given.error, results[i]);
         }
         if (!results[i].error.empty()) {
             scenes[i].reset();
@@ -337,6 +345,7 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
         if (of.is_of_vertices()) continue;
         try {
             const CarriedOut given = of.carried_out();
+            judge_error(of, given.error, result);
             Frame frame = make_frame(given.commands, {.width = kSide, .height = kSide});
             frame.commands = of.scene;
             driver_error();

@@ -55,7 +55,8 @@ std::string section_of(const Case& of, const Result& result) {
                         escaped(of.why), escaped(of.text), escaped(of.derived));
     for (const Expectation& expected : of.expectations)
         html +=
-            fmt::format("<li>{}{}: {}</li>\n", swatch(expected.value), expected.spot.str(), text_of(expected.value));
+            fmt::format("<li>{}{}: {}{}</li>\n", swatch(expected.value), expected.spot.str(), text_of(expected.value),
+                        expected.other == expected.value ? "" : " or " + text_of(expected.other));
     for (const Finding& finding : result.findings)
         html += fmt::format("<li>{}{}</li>\n", swatch(finding.value), escaped(finding_text(of, finding)));
     if (!result.error.empty()) html += "<li>refused: " + escaped(result.error) + "</li>\n";
