@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <glm/common.hpp>
 #include <iterator>
 
@@ -10,6 +11,13 @@ namespace twinlight::reference {
 namespace {
 
 Vec rgb(const glm::dvec4& color) { return vec3_cast<Vec>(color); }
+
+// The cosine of GL_SPOT_CUTOFF, in no number above what it is: 2.14.1 lights the border, and arithmetic of more digits than
+// double gives back less than double's rounding took.
+double cos_cutoff(double cutoff_deg) {
+    const double cosine = lighting::cos_deg<double>(cutoff_deg);
+    return cosine == 0 || cosine == 1 ? cosine : std::nextafter(cosine, -1.0);
+}
 
 // Table 2.10's parameters of one light. Cosines and the spot's unit vector are taken here, once.
 lighting::Light<double> light_of(const LightSource& source, bool lecture_variants) {
@@ -21,7 +29,7 @@ lighting::Light<double> light_of(const LightSource& source, bool lecture_variant
     light.spot_dir_eye = lighting::unit(vec3_cast<Vec>(source.spot_direction_eye));
     light.spot_exponent = source.spot_exponent;
     light.is_spot = source.spot_cutoff_deg != 180;
-    light.cos_cutoff = lighting::cos_deg<double>(source.spot_cutoff_deg);
+    light.cos_cutoff = cos_cutoff(source.spot_cutoff_deg);
     light.constant_attenuation = source.constant_attenuation;
     light.linear_attenuation = source.linear_attenuation;
     light.quadratic_attenuation = source.quadratic_attenuation;
