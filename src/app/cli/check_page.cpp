@@ -39,10 +39,15 @@ std::string swatch(const std::optional<Seen>& seen) {
                        code(2));
 }
 
-// Black that is drawn is not what is left of glClear.
-Image with_grey_ground(Image image) {
-    for (Rgba& pixel : image.pixels)
-        if (pixel == Rgba{0, 0, 0, 0}) pixel = {0.5F, 0.5F, 0.5F, 1};
+// Squares of two greys where nothing is drawn: no colour that is drawn looks like that.
+Image with_ground(Image image) {
+    const int square = std::max(1, image.width / 8);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            Rgba& pixel = image.at(x, y);
+            const float grey = (x / square + y / square) % 2 == 0 ? 0.35F : 0.65F;
+            if (pixel == Rgba{0, 0, 0, 0}) pixel = {grey, grey, grey, 1};
+        }
     return image;
 }
 
@@ -64,7 +69,7 @@ std::string section_of(const Case& of, const Result& result) {
     if (of.tolerance) html += fmt::format("<p>Tolerance: {}, {}</p>\n", *of.tolerance, escaped(of.tolerance_causes));
     for (const auto& [name, image] : result.pictures)
         html += fmt::format("<figure><img alt=\"{0}\" src=\"{1}\"><figcaption>{0}</figcaption></figure>\n",
-                            escaped(name), report::data_uri(encode_png(with_grey_ground(image))));
+                            escaped(name), report::data_uri(encode_png(with_ground(image))));
     return html + "<details><summary>the scene</summary><pre>" + escaped(of.scene_text) +
            "</pre></details></section>\n";
 }
@@ -92,7 +97,7 @@ std::string check_page(const std::string& driver, const std::vector<Case>& cases
                        escaped(driver) + "</p>\n<p>";
     for (const auto& [name, sections] : groups) html += fmt::format("<a href=\"#of-{0}\">{0}</a> ", escaped(name));
     html += fmt::format(
-        "</p>\n<p>Pictures of cases about vertices have {0} by {0} pixels, those about pixels {1} by {1}; grey is "
+        "</p>\n<p>Pictures of cases about vertices have {0} by {0} pixels, those about pixels {1} by {1}; chequered is "
         "where nothing is drawn.</p>\n",
         kVertexSide, kSide);
     for (const auto& [name, sections] : groups)
