@@ -108,6 +108,15 @@ Model<To> real_cast(const Model<From>& m) {
             .ambient_unattenuated = m.ambient_unattenuated};
 }
 template <class To, class From>
+Material<To> real_cast(const Material<From>& m) {
+    return {.emission = vec3_cast<Vec3<To>>(m.emission),
+            .ambient = vec3_cast<Vec3<To>>(m.ambient),
+            .diffuse = vec3_cast<Vec3<To>>(m.diffuse),
+            .specular = vec3_cast<Vec3<To>>(m.specular),
+            .diffuse_alpha = static_cast<To>(m.diffuse_alpha),
+            .shininess = static_cast<To>(m.shininess)};
+}
+template <class To, class From>
 Light<To> real_cast(const Light<From>& l) {
     return {.ambient = vec3_cast<Vec3<To>>(l.ambient),
             .diffuse = vec3_cast<Vec3<To>>(l.diffuse),

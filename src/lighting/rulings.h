@@ -54,7 +54,8 @@ inline constexpr RulingText kRulings[] = {
     {Ruling::kZeroSpotDirection, "a spot direction of length 0",
      "it has a cosine of 0 with everything: cones narrower than 90 degrees are dark"},
     {Ruling::kVertexAtEye, "a vertex at the eye, local viewer", "VPe is 0, so the half vector is VP"},
-    {Ruling::kFarFromOrigin, "object and camera far from the origin (2.1.1 leaves a driver 1e-5 of their distance from it)",
+    {Ruling::kFarFromOrigin,
+     "object and camera far from the origin (2.1.1 leaves a driver 1e-5 of their distance from it)",
      "coordinates cancel in double; what is left is as exact as near the origin"},
     {Ruling::kFogWithoutDepth, "linear fog that ends where it starts", "none before, all fog from there on"},
     {Ruling::kDecal, "DECAL of a format without red, green, blue (3.8.13)", "the fragment stays as it is"},
@@ -67,6 +68,7 @@ constexpr bool stand_in_their_order() {
     return true;
 }
 static_assert(stand_in_their_order());
+constexpr const RulingText& text_of(Ruling ruling) { return kRulings[static_cast<std::size_t>(ruling)]; }
 
 class RulingSet {
   public:
