@@ -16,7 +16,7 @@
 //   c_rli    Light::cos_cutoff                s_rli    Light::spot_exponent
 //   v_bs     Model::local_viewer              c_es     Model::separate_specular
 //   P_e      the origin                       VP       the unit vector from V to P_pli: vp_dir
-//   att_i    attenuation()                    h_i      half_dir
+//   att_i    attenuation()                    h_i      highlight()
 //   spot_i   spot()                           f_i      facing
 //
 // RULING (the specification leaves these open): no answer is ever NaN or infinite. A value is the limit of
@@ -43,6 +43,7 @@ struct Light {
     Vec3<Real> ambient{}, diffuse{}, specular{};
     Vec3<Real> position_eye{0, 0, 1};   // divided by its w; a unit vector towards a directional light
     bool directional = true;            // w is 0
+    Vec3<Real> half_dir_eye{0, 0, 1};   // h_i of a directional light for the infinite viewer; 0 where they are opposite
     Vec3<Real> spot_dir_eye{0, 0, -1};  // unit(spot direction)
     Real spot_exponent{0};
     bool is_spot = false;  // the cutoff is not 180 degrees
@@ -75,6 +76,7 @@ struct Surface {
 template <class Real>
 struct Products {
     Vec3<Real> ambient, diffuse, specular;
+    bool has_specular = true;  // false only where `specular` is known to be 0
 };
 template <class Real>
 Products<Real> products(const Material<Real>& material, const Light<Real>& light) {
@@ -100,14 +102,6 @@ struct Lit {
 
 // The same in another number type.
 template <class To, class From>
-Model<To> real_cast(const Model<From>& m) {
-    return {.ambient = vec3_cast<Vec3<To>>(m.ambient),
-            .local_viewer = m.local_viewer,
-            .separate_specular = m.separate_specular,
-            .reflection = m.reflection,
-            .ambient_unattenuated = m.ambient_unattenuated};
-}
-template <class To, class From>
 Material<To> real_cast(const Material<From>& m) {
     return {.emission = vec3_cast<Vec3<To>>(m.emission),
             .ambient = vec3_cast<Vec3<To>>(m.ambient),
@@ -117,12 +111,21 @@ Material<To> real_cast(const Material<From>& m) {
             .shininess = static_cast<To>(m.shininess)};
 }
 template <class To, class From>
+Model<To> real_cast(const Model<From>& m) {
+    return {.ambient = vec3_cast<Vec3<To>>(m.ambient),
+            .local_viewer = m.local_viewer,
+            .separate_specular = m.separate_specular,
+            .reflection = m.reflection,
+            .ambient_unattenuated = m.ambient_unattenuated};
+}
+template <class To, class From>
 Light<To> real_cast(const Light<From>& l) {
     return {.ambient = vec3_cast<Vec3<To>>(l.ambient),
             .diffuse = vec3_cast<Vec3<To>>(l.diffuse),
             .specular = vec3_cast<Vec3<To>>(l.specular),
             .position_eye = vec3_cast<Vec3<To>>(l.position_eye),
             .directional = l.directional,
+            .half_dir_eye = vec3_cast<Vec3<To>>(l.half_dir_eye),
             .spot_dir_eye = vec3_cast<Vec3<To>>(l.spot_dir_eye),
             .spot_exponent = static_cast<To>(l.spot_exponent),
             .is_spot = l.is_spot,
@@ -140,6 +143,10 @@ template <class Real>
 void place(Light<Real>& light, Vec3<Real> position_eye, Real w) {
     light.directional = w == Real(0);
     light.position_eye = light.directional ? unit(position_eye) : divided(position_eye, w);
+    if (!light.directional) return;
+    const Vec3<Real> half_dir_eye = unit(light.position_eye + Vec3<Real>{0, 0, 1});
+    const Real square = dot(half_dir_eye, half_dir_eye);  // 1 or 0
+    light.half_dir_eye = ruled(Ruling::kOppositeHalfVector, square <= Real(0), half_dir_eye);
 }
 
 // ---- The terms ----
@@ -188,20 +195,28 @@ Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
     return select(cos_angle >= border, within, Real(0));
 }
 
+// n . h for h = hat(a + b), without h itself; 0 where a + b is 0.
+template <class Real>
+Real cosine_between(Vec3<Real> n, Vec3<Real> a, Vec3<Real> b) {
+    const Real size = length(a + b);
+    return ruled(Ruling::kOppositeHalfVector, size <= Real(0),
+                 (dot(n, a) + dot(n, b)) / select(size > Real(0), size, Real(1)));
+}
+
 // f_i (n . h_i)^s_rm; h_i lies between VP and VPe, which is (0, 0, 1) for the infinite viewer: their sum, made a unit vector.
 // RULING: where they are opposite there is no highlight, as n . h_i of the vector 0 is 0.
 // The lecture's variant (r . VPe)^s_rm reflects VP about n and has no f_i: a light behind the surface may
 // shine through.
 template <class Real>
-Real highlight(const Model<Real>& model, Real shininess, Vec3<Real> n, Vec3<Real> vp_dir, Vec3<Real> vpe_dir) {
-    const Real n_dot_vp = dot(n, vp_dir), n_dot_vpe = dot(n, vpe_dir);
+Real highlight(const Model<Real>& model, const Light<Real>& light, Real shininess, Vec3<Real> n, Vec3<Real> vp_dir,
+               Vec3<Real> vpe_dir) {
+    const Real n_dot_vp = dot(n, vp_dir);
     if (model.reflection) {
         const Vec3<Real> reflected = Real(2) * n_dot_vp * n - vp_dir;
         return power(positive_dot(reflected, vpe_dir), shininess);
     }
-    const Real between = length(vp_dir + vpe_dir);
-    const Real n_dot_h = ruled(Ruling::kOppositeHalfVector, between <= Real(0),
-                               (n_dot_vp + n_dot_vpe) / select(between > Real(0), between, Real(1)));
+    const Real n_dot_h =
+        light.directional && !model.local_viewer ? dot(n, light.half_dir_eye) : cosine_between(n, vp_dir, vpe_dir);
     return select(n_dot_vp > Real(0), power(larger(n_dot_h, Real(0)), shininess), Real(0));
 }
 
@@ -214,7 +229,7 @@ LightTerms<Real> light_terms(const Model<Real>& model, const Products<Real>& pro
     t.attenuation = attenuation(light, distance);
     t.spot = spot(light, vp_dir);
     t.n_dot_vp = positive_dot(surface.normal_eye, vp_dir);
-    t.highlight = highlight(model, shininess, surface.normal_eye, vp_dir, vpe_dir);
+    if (products.has_specular) t.highlight = highlight(model, light, shininess, surface.normal_eye, vp_dir, vpe_dir);
 
     const Real reach = t.attenuation * t.spot;
     const Real ambient_reach = model.ambient_unattenuated ? Real(1) : reach;
@@ -238,13 +253,17 @@ Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material
     lit.primary = material.emission + scene_ambient;
     lit.magnitude = magnitudes(material.emission) + magnitudes(scene_ambient);
     for (const Light<Real>& light : lights) {
-        const Products<Real> of_light = kept ? *kept++ : products(material, light);
-        const LightTerms<Real> t = light_terms(model, of_light, material.shininess, surface, light, vpe_dir);
+        const LightTerms<Real> t =
+            light_terms(model, kept ? *kept++ : products(material, light), material.shininess, surface, light, vpe_dir);
         if (breakdown) *breakdown++ = t;
         lit.primary += t.ambient + t.diffuse;
         lit.magnitude += magnitudes(t.ambient) + magnitudes(t.diffuse);
-        (model.separate_specular ? lit.secondary : lit.primary) += t.specular;
-        if (!model.separate_specular) lit.magnitude += magnitudes(t.specular);
+        if (model.separate_specular) {
+            lit.secondary += t.specular;
+        } else {
+            lit.primary += t.specular;
+            lit.magnitude += magnitudes(t.specular);
+        }
     }
     return {representable(lit.primary), representable(lit.secondary), lit.alpha, representable(lit.magnitude)};
 }

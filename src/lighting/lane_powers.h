@@ -1,4 +1,4 @@
-// Powers of lanes: base^exponent for bases that are not negative; of exponent 0 any number (real.h's power() knows).
+// Powers of lanes: base^exponent for bases that are not negative; of exponent 0, by the library or a table, any number (real.h's power() knows).
 #pragma once
 
 #include <cmath>
@@ -91,50 +91,51 @@ inline constexpr double kMostProducts = 1024;
 }
 
 // Products from the exponent's highest bit down: square, and times the base where the bit is set.
-template <class Square, class Multiply>
-void by_bits(unsigned exponent, const Square& square, const Multiply& multiply) {
-    for (int bit = 30 - __builtin_clz(exponent); bit >= 0; --bit) {
-        square();
-        if ((exponent >> bit & 1U) != 0) multiply();
-    }
-}
-
 template <class Scalar, class Arch>
 xsimd::batch<Scalar, Arch> rounded_product(xsimd::batch<Scalar, Arch> base, unsigned exponent) {
     xsimd::batch<Scalar, Arch> product = base;
-    by_bits(
-        exponent, [&] { product = product * product; }, [&] { product = product * base; });
+    for (int bit = 30 - __builtin_clz(exponent); bit >= 0; --bit) {
+        product = product * product;
+        if ((exponent >> bit & 1U) != 0) product = product * base;
+    }
     return product;
 }
 
 // high + low is the product to twice as many digits (Dekker, "A floating-point technique for extending the available
-// precision", 1971, with fused products): the sum is off by little more than its own rounding.
+// precision", 1971, with fused products); only the last one rounds.
 template <class Scalar, class Arch>
 xsimd::batch<Scalar, Arch> exact_product(xsimd::batch<Scalar, Arch> base, unsigned exponent) {
     using Batch = xsimd::batch<Scalar, Arch>;
     using Fused = FusedProduct<Arch>;
     Batch high = base, low(Scalar(0));
-    by_bits(
-        exponent,
-        [&] {
-            const Batch square = high * high;
-            low = Fused::sum(high + high, low, Fused::difference(high, high, square));
-            high = square;
-        },
-        [&] {
-            const Batch product = high * base;
-            low = Fused::sum(low, base, Fused::difference(high, base, product));
-            high = product;
-        });
-    return high + low;
+    const auto square = [&] {
+        const Batch product = high * high;
+        low = Fused::sum(high + high, low, Fused::difference(high, high, product));
+        high = product;
+    };
+    // The odd factor of the exponent; then the squarings that are left.
+    int squarings = __builtin_ctz(exponent);
+    const unsigned odd = exponent >> squarings;
+    for (int bit = 30 - __builtin_clz(odd); bit >= 0; --bit) {
+        square();
+        if ((odd >> bit & 1U) == 0) continue;
+        const Batch product = high * base;
+        low = Fused::sum(low, base, Fused::difference(high, base, product));
+        high = product;
+    }
+    if (squarings == 0) return high + low;
+    while (--squarings > 0) square();
+    return Fused::sum(high + high, low, high * high);
 }
 
+// Where exponents are equal: to the first one's.
 template <PowerBy kBy, class Scalar, class Arch>
 xsimd::batch<Scalar, Arch> power_of(xsimd::batch<Scalar, Arch> base, xsimd::batch<Scalar, Arch> exponent) {
     if constexpr (kBy == PowerBy::kLibrary) return library_power(base, exponent);
     const Scalar common = exponent.get(0);
     if constexpr (kBy == PowerBy::kTable) return between_entries(base, power_table(common));
-    const auto count = static_cast<unsigned>(common < 1 ? Scalar(1) : common);
+    const auto count = static_cast<unsigned>(common);
+    if (count == 0) return xsimd::batch<Scalar, Arch>(Scalar(1));
     if constexpr (kBy == PowerBy::kExactProducts) return exact_product(base, count);
     if constexpr (kBy == PowerBy::kRoundedProducts) return rounded_product(base, count);
 }

@@ -28,6 +28,12 @@ struct Lanes {
     Lanes() : batch(Scalar(0)) {}
     Lanes(Scalar all) : batch(all) {}
     explicit Lanes(Batch lanes) : batch(lanes) {}
+    // Copied as one batch: as bytes, gcc 12 takes it in pieces and waits for them to be put together.
+    Lanes(const Lanes& other) : batch(other.batch) {}
+    Lanes& operator=(const Lanes& other) {
+        batch = other.batch;
+        return *this;
+    }
 
     friend Lanes operator+(Lanes a, Lanes b) { return Lanes(a.batch + b.batch); }
     friend Lanes operator-(Lanes a, Lanes b) { return Lanes(a.batch - b.batch); }
@@ -44,6 +50,12 @@ struct Lanes {
     friend Lanes abs(Lanes a) { return Lanes(xsimd::abs(a.batch)); }
     friend Lanes sqrt(Lanes a) { return Lanes(xsimd::sqrt(a.batch)); }
     friend Lanes pow(Lanes base, Lanes exponent) { return Lanes(power_of<kPower>(base.batch, exponent.batch)); }
+
+    friend Lanes power(Lanes base, Lanes exponent) {
+        if constexpr (kPower == PowerBy::kExactProducts || kPower == PowerBy::kRoundedProducts)
+            return pow(base, exponent);
+        return select(exponent == Lanes(Scalar(0)), Lanes(Scalar(1)), pow(base, exponent));  // as in real.h
+    }
 
     // NaN is never the larger one (real.h); but without guards it must not be lost.
     friend Lanes larger(Lanes a, Lanes b) {

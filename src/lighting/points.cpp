@@ -22,13 +22,6 @@ namespace {
 constexpr std::size_t kMostLanes = 16;
 
 template <class Visit>
-void for_each_column(Lit<Column>& lit, const Visit& visit) {
-    for (Vec3<Column>* color : {&lit.primary, &lit.secondary})
-        for (Column* column : {&color->x, &color->y, &color->z}) visit(*column);
-    visit(lit.alpha);
-}
-
-template <class Visit>
 void for_each_column(Points& points, const Visit& visit) {
     Material<Column>& m = points.material;
     for (Vec3<Column>* three :
@@ -62,7 +55,7 @@ void push_back(Vec3<Column>& columns, const Vec3<double>& v) {
 
 }  // namespace
 
-Points::Points() {
+void Points::clear() {
     for_each_column(*this, [](Column& column) { column.clear(); });
 }
 
@@ -139,26 +132,31 @@ Points within_floats(Points points) {
     return points;
 }
 
+void resize(Vec3<Column>& columns, std::size_t count) {
+    for (Column* column : {&columns.x, &columns.y, &columns.z}) column->resize(count);
+}
+
 }  // namespace
 
-Lit<Column> light_points(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
-                         const Arithmetic& arithmetic) {
+void light_points(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
+                  const Arithmetic& arithmetic, Lit<Column>& lit) {
     const std::size_t count = points.size();
-    Lit<Column> lit;
-    if (count == 0) return lit;
-    if (arithmetic.number == Number::kFloat && !is_within_floats(points))
-        return light_points(model, lights, within_floats(points), arithmetic);
-    if (count < kMostLanes) {
-        lit = light_points(model, lights, padded(points), arithmetic);
-        for_each_column(lit, [&](Column& column) { column.resize(count); });
-        return lit;
+    if (count > 0 && count < kMostLanes) {
+        light_points(model, lights, padded(points), arithmetic, lit);
+    } else if (arithmetic.number == Number::kFloat && !is_within_floats(points)) {
+        light_points(model, lights, within_floats(points), arithmetic, lit);
+    } else {
+        resize(lit.primary, count);
+        lit.secondary = {{0}, {0}, {0}};
+        if (model.separate_specular) resize(lit.secondary, count);
+        if (arithmetic.number == Number::kLongDouble)
+            light_each<long double>(model, lights, points, lit);
+        else if (count > 0)
+            instruction_sets().front().light_points(model, lights, points, arithmetic, lit);
     }
-    for_each_column(lit, [&](Column& column) { column.resize(count); });
-    if (arithmetic.number == Number::kLongDouble)
-        light_each<long double>(model, lights, points, lit);
-    else
-        instruction_sets().front().light_points(model, lights, points, arithmetic, lit);
-    return lit;
+    resize(lit.primary, count);
+    if (model.separate_specular) resize(lit.secondary, count);
+    lit.alpha = points.material.diffuse_alpha;
 }
 
 // ---- Powers by table ----

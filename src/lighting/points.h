@@ -6,33 +6,51 @@
 
 #include <cstddef>
 #include <vector>
+#include <xsimd/memory/xsimd_aligned_allocator.hpp>
 
 #include "lighting/equation.h"
 #include "math/arithmetic.h"
 
 namespace twinlight::lighting {
 
-// A number for each point, or one for all of them. All of a material's columns are of one length.
-using Column = std::vector<double>;
+// A number for each point, or one for all of them. They begin where a line of the cache does.
+using Column = std::vector<double, xsimd::aligned_allocator<double, 64>>;
+// Its number for any point.
+class Each {
+  public:
+    explicit Each(const Column& column) : first_(column.data()), step_(column.size() == 1 ? 0 : 1) {}
+    double operator[](std::size_t point) const { return first_[point * step_]; }
+
+  private:
+    const double* first_;
+    std::size_t step_;
+};
+inline Vec3<Each> each(const Vec3<Column>& columns) { return {Each(columns.x), Each(columns.y), Each(columns.z)}; }
+inline Vec3<double> at(const Vec3<Each>& columns, std::size_t point) {
+    return {columns.x[point], columns.y[point], columns.z[point]};
+}
 
 struct Points {
     Surface<Column> surface;
-    Material<Column> material;
+    Material<Column> material;        // whose columns are all of one length
     bool makes_unit_normals = false;  // the normals are made unit vectors first
 
-    Points();  // none
+    Points() { clear(); }
+    void clear();  // all points, and the material
     bool has_one_material() const { return material.shininess.size() == 1; }
     std::size_t size() const { return surface.position_eye.x.size(); }
     void add(const Surface<double>& point);
     void add(const Material<double>& of_point);  // one for each point, or one
 };
 
-// c_pri, c_sec and the alpha of each point; magnitudes are left out. Long doubles are lit one by one, with pow().
-Lit<Column> light_points(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
-                         const Arithmetic& arithmetic = {});
+// c_pri, c_sec and the alpha of each point, in the place of what `lit` has; magnitudes are left out. c_sec is one for all
+// where it is not separate, alpha where the material is. Long doubles are lit one by one, with pow().
+void light_points(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
+                  const Arithmetic& arithmetic, Lit<Column>& lit);
 
 // ---- The instruction sets ----
 
+// Into columns that have their length; of c_sec, where it is separate. Alphas are left out.
 using LightPoints = void (*)(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                              const Arithmetic& arithmetic, Lit<Column>& lit);
 struct InstructionSet {

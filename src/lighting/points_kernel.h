@@ -19,25 +19,33 @@ inline constexpr std::size_t kPointsIn = 1;
 template <class Scalar, class Arch, Range kRange, PowerBy kPower>
 inline constexpr std::size_t kPointsIn<Lanes<Scalar, Arch, kRange, kPower>> = xsimd::batch<Scalar, Arch>::size;
 
-// The points from `first` on; of a column of one number, that.
+// The points from `first` on.
 template <class Real>
-[[gnu::always_inline]] inline Real load(const Column& column, std::size_t first) {
-    const double* from = column.data();
-    if (column.size() == 1) return static_cast<Real>(*from);
-    from += first;
+[[gnu::always_inline]] inline Real load(const double* column, std::size_t first) {
+    const double* from = column + first;
     if constexpr (std::is_floating_point_v<Real>) {
         return static_cast<Real>(*from);
+    } else if constexpr (std::is_same_v<typename Real::Batch::value_type, double>) {
+        return Real(Real::Batch::load_unaligned(from));
     } else {
-        using Scalar = typename Real::Batch::value_type;
-        if constexpr (std::is_same_v<Scalar, double>) return Real(Real::Batch::load_unaligned(from));
-        Scalar numbers[kPointsIn<Real>];
-        for (std::size_t i = 0; i < kPointsIn<Real>; ++i) numbers[i] = static_cast<Scalar>(from[i]);
+        typename Real::Batch::value_type numbers[kPointsIn<Real>];
+        for (std::size_t i = 0; i < kPointsIn<Real>; ++i)
+            numbers[i] = static_cast<typename Real::Batch::value_type>(from[i]);
         return Real(Real::Batch::load_unaligned(numbers));
     }
 }
 template <class Real>
 [[gnu::always_inline]] inline Vec3<Real> load(const Vec3<Column>& columns, std::size_t first) {
-    return {load<Real>(columns.x, first), load<Real>(columns.y, first), load<Real>(columns.z, first)};
+    return {load<Real>(columns.x.data(), first), load<Real>(columns.y.data(), first),
+            load<Real>(columns.z.data(), first)};
+}
+template <class Real>
+[[gnu::always_inline]] inline Material<Real> load(const Material<Column>& columns, std::size_t first) {
+    return {.emission = load<Real>(columns.emission, first),
+            .ambient = load<Real>(columns.ambient, first),
+            .diffuse = load<Real>(columns.diffuse, first),
+            .specular = load<Real>(columns.specular, first),
+            .shininess = load<Real>(columns.shininess.data(), first)};
 }
 
 template <class Real>
@@ -45,6 +53,8 @@ template <class Real>
     double* to = column.data() + first;
     if constexpr (std::is_floating_point_v<Real>) {
         *to = static_cast<double>(points);
+    } else if constexpr (std::is_same_v<typename Real::Batch::value_type, double>) {
+        points.batch.store_unaligned(to);
     } else {
         typename Real::Batch::value_type numbers[kPointsIn<Real>];
         points.batch.store_unaligned(numbers);
@@ -56,16 +66,6 @@ template <class Real>
     store(points.x, columns.x, first);
     store(points.y, columns.y, first);
     store(points.z, columns.z, first);
-}
-
-template <class Real>
-[[gnu::always_inline]] inline Material<Real> load(const Material<Column>& columns, std::size_t first) {
-    return {.emission = load<Real>(columns.emission, first),
-            .ambient = load<Real>(columns.ambient, first),
-            .diffuse = load<Real>(columns.diffuse, first),
-            .specular = load<Real>(columns.specular, first),
-            .diffuse_alpha = load<Real>(columns.diffuse_alpha, first),
-            .shininess = load<Real>(columns.shininess, first)};
 }
 
 template <class Real>
@@ -87,9 +87,14 @@ class Kernel {
         : points_(points), model_(real_cast<Real>(model)) {
         lights_.reserve(lights.size());
         for (const Light<double>& light : lights) lights_.push_back(real_cast<Real>(light));
-        if (points.has_one_material())
-            for (const Light<Real>& light : lights_)
-                products_.push_back(products(load<Real>(points.material, 0), light));
+        if (!points.has_one_material()) return;
+        const Material<double> material = load<double>(points.material, 0);
+        material_ = real_cast<Real>(material);
+        products_.reserve(lights.size());
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            products_.push_back(products(material_, lights_[i]));
+            products_.back().has_specular = material.specular * lights[i].specular != Vec3<double>{};
+        }
     }
 
     // False, and nothing stored, where a lane needs what the guards of real.h are for and Real has none.
@@ -98,13 +103,13 @@ class Kernel {
         const Vec3<Real> normal = load<Real>(points_.surface.normal_eye, first);
         const Surface<Real> surface{load<Real>(points_.surface.position_eye, first),
                                     points_.makes_unit_normals ? unit(normal) : normal};
-        const Lit<Real> lit = light_surface<Real>(model_, load<Real>(points_.material, first), surface,
-                                                  std::span<const Light<Real>>(lights_), nullptr,
-                                                  products_.empty() ? nullptr : products_.data());
+        const std::span<const Light<Real>> lights(lights_);
+        const Lit<Real> lit = points_.has_one_material()
+                                  ? light_surface<Real>(model_, material_, surface, lights, nullptr, products_.data())
+                                  : light_surface<Real>(model_, load<Real>(points_.material, first), surface, lights);
         if (!is_sound(lit)) return false;
         store(lit.primary, columns.primary, first);
-        store(lit.secondary, columns.secondary, first);
-        store(lit.alpha, columns.alpha, first);
+        if (model_.separate_specular) store(lit.secondary, columns.secondary, first);
         return true;
     }
 
@@ -112,7 +117,9 @@ class Kernel {
     const Points& points_;
     Model<Real> model_;
     std::vector<Light<Real>> lights_;
-    std::vector<Products<Real>> products_;  // where all points have one material
+    // Where all points have one material:
+    Material<Real> material_;
+    std::vector<Products<Real>> products_;  // with each light
 };
 
 // There are as many points as lanes at least; the last lanes may be lit twice.

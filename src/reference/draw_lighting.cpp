@@ -149,9 +149,19 @@ void PointBatch::add(const StageVertex& v, Face face, const std::function<LitMat
     side.places.push_back(count_++);
 }
 
-lighting::Lit<lighting::Column> PointBatch::light(const Side& side, const Arithmetic& arithmetic) const {
-    if (lighting_.spectral_) return lighting_.spectral_->light_points(side.points, arithmetic);
-    return lighting::light_points(lighting_.model_, lighting_.lights_, side.points.front(), arithmetic);
+void PointBatch::clear() {
+    for (Side& side : sides_) {
+        for (lighting::Points& points : side.points) points.clear();
+        side.places.clear();
+    }
+    count_ = 0;
+}
+
+void PointBatch::light(const Side& side, const Arithmetic& arithmetic) {
+    if (lighting_.spectral_)
+        lighting_.spectral_->light_points(side.points, arithmetic, lit_);
+    else
+        lighting::light_points(lighting_.model_, lighting_.lights_, side.points.front(), arithmetic, lit_);
 }
 
 LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials) {

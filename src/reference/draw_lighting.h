@@ -82,7 +82,7 @@ class PointBatch {
   public:
     enum class Normals : std::uint8_t { kAsTheyAre, kMadeUnit };
     // Of many points so many at a time: enough to be worth a batch, and few enough to stay in the processor's cache.
-    static constexpr std::size_t kPoints = 4096;
+    static constexpr std::size_t kPoints = 1024;
 
     PointBatch(const DrawLighting& lighting, Normals normals);
 
@@ -90,24 +90,30 @@ class PointBatch {
     void add(const StageVertex& v, Face face, const std::function<LitMaterial()>& material);
     // Calls visit(i, primary, secondary) for each point, i as they were added: colours as DrawLighting::lit()'s.
     template <class Visit>
-    void light(const Arithmetic& arithmetic, const Visit& visit) const {
+    void light(const Arithmetic& arithmetic, const Visit& visit) {
         for (const Side& side : sides_) {
-            const lighting::Lit<lighting::Column> lit = light(side, arithmetic);
+            light(side, arithmetic);
+            const Vec3<lighting::Each> primary = lighting::each(lit_.primary),
+                                       secondary = lighting::each(lit_.secondary);
+            const lighting::Each alpha(lit_.alpha);
             for (std::size_t i = 0; i < side.places.size(); ++i)
-                visit(side.places[i], glm::dvec4(lit.primary.x[i], lit.primary.y[i], lit.primary.z[i], lit.alpha[i]),
-                      glm::dvec4(lit.secondary.x[i], lit.secondary.y[i], lit.secondary.z[i], 1));
+                visit(side.places[i], glm::dvec4(primary.x[i], primary.y[i], primary.z[i], alpha[i]),
+                      glm::dvec4(secondary.x[i], secondary.y[i], secondary.z[i], 1));
         }
     }
+    // For other points in the same memory.
+    void clear();
 
   private:
     struct Side {                              // of a face
         std::vector<lighting::Points> points;  // one; or one for each group of samples (spectral_lighting.h)
         std::vector<std::size_t> places;       // among all
     };
-    lighting::Lit<lighting::Column> light(const Side& side, const Arithmetic& arithmetic) const;
+    void light(const Side& side, const Arithmetic& arithmetic);
 
     const DrawLighting& lighting_;
     std::array<Side, 2> sides_;
+    lighting::Lit<lighting::Column> lit_;
     std::size_t count_ = 0;
 };
 

@@ -83,15 +83,18 @@ std::vector<glm::dvec4> Shader::colors(const std::vector<Fragment>& fragments) c
             result[i] = color(*fragments[i].piece, fragments[i].position_window);
         return result;
     }
-    for (std::size_t first = 0; first < fragments.size(); first += PointBatch::kPoints)
-        light_together(std::span(fragments).subspan(first, std::min(PointBatch::kPoints, fragments.size() - first)),
+    const bool is_exact = fragments.front().piece->rays != nullptr;  // all of a Draw are, or none
+    PointBatch batch(lighting_, is_exact ? PointBatch::Normals::kAsTheyAre : PointBatch::Normals::kMadeUnit);
+    const std::span all(fragments);
+    for (std::size_t first = 0; first < all.size(); first += PointBatch::kPoints) {
+        light_together(batch, all.subspan(first, std::min(PointBatch::kPoints, all.size() - first)),
                        result.data() + first);
+        batch.clear();
+    }
     return result;
 }
 
-void Shader::light_together(std::span<const Fragment> fragments, glm::dvec4* colors) const {
-    const bool is_exact = fragments.front().piece->rays != nullptr;  // all of a Draw are, or none
-    PointBatch batch(lighting_, is_exact ? PointBatch::Normals::kAsTheyAre : PointBatch::Normals::kMadeUnit);
+void Shader::light_together(PointBatch& batch, std::span<const Fragment> fragments, glm::dvec4* colors) const {
     std::vector<Finish> finishes;
     finishes.reserve(fragments.size());
     for (const Fragment& fragment : fragments) {

@@ -73,7 +73,7 @@ class Shader {
     }
     static LitColors clamped_colors(const Colors& colors);
     void light_vertices();
-    void light_together(std::span<const Fragment> fragments, glm::dvec4* colors) const;
+    void light_together(PointBatch& batch, std::span<const Fragment> fragments, glm::dvec4* colors) const;
     LitColors vertex_colors(const Piece& piece, const glm::dvec2& position_window) const;
     LitPlace lit_place(const Fragment& fragment) const;
     LitMaterial material(const Fragment& fragment, const LitPlace& place) const;

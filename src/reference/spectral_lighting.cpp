@@ -101,31 +101,27 @@ lighting::Lit<double> SpectralLighting::light_surface(const LitMaterial& materia
     return sum;
 }
 
-lighting::Lit<lighting::Column> SpectralLighting::light_points(const std::vector<lighting::Points>& groups,
-                                                               const Arithmetic& arithmetic) const {
-    lighting::Lit<lighting::Column> sum;
+void SpectralLighting::light_points(const std::vector<lighting::Points>& groups, const Arithmetic& arithmetic,
+                                    lighting::Lit<lighting::Column>& lit) const {
     const std::size_t count = groups.front().size();
-    for (lighting::Column* column :
-         {&sum.primary.x, &sum.primary.y, &sum.primary.z, &sum.secondary.x, &sum.secondary.y, &sum.secondary.z})
-        column->assign(count, 0);
+    for (Vec3<lighting::Column>* sum : {&lit.primary, &lit.secondary})
+        for (lighting::Column* column : {&sum->x, &sum->y, &sum->z}) column->assign(count, 0);
     const auto add = [](Vec3<lighting::Column>& columns, std::size_t i, Vec c) {
         columns.x[i] += c.x;
         columns.y[i] += c.y;
         columns.z[i] += c.z;
     };
-    const auto at = [](const Vec3<lighting::Column>& columns, std::size_t i) {
-        return Vec{columns.x[i], columns.y[i], columns.z[i]};
-    };
+    lighting::Lit<lighting::Column> of_group;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-        const lighting::Lit<lighting::Column> lit =
-            lighting::light_points(groups_[g].model, groups_[g].lights, groups[g], arithmetic);
+        lighting::light_points(groups_[g].model, groups_[g].lights, groups[g], arithmetic, of_group);
+        const Vec3<lighting::Each> primary = lighting::each(of_group.primary);
+        const Vec3<lighting::Each> secondary = lighting::each(of_group.secondary);
         for (std::size_t i = 0; i < count; ++i) {
-            add(sum.primary, i, color(groups_[g], at(lit.primary, i)));
-            add(sum.secondary, i, color(groups_[g], at(lit.secondary, i)));
+            add(lit.primary, i, color(groups_[g], at(primary, i)));
+            add(lit.secondary, i, color(groups_[g], at(secondary, i)));
         }
-        sum.alpha = lit.alpha;
     }
-    return sum;
+    lit.alpha = of_group.alpha;
 }
 
 Vec3<double> SpectralLighting::scene_ambient(const LitMaterial& material) const {

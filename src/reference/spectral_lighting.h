@@ -34,8 +34,8 @@ class SpectralLighting {
     lighting::Lit<double> light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
                                         lighting::LightTerms<double>* breakdown) const;
     // As lighting::light_points(): of points of equal places, of each group of samples.
-    lighting::Lit<lighting::Column> light_points(const std::vector<lighting::Points>& groups,
-                                                 const Arithmetic& arithmetic) const;
+    void light_points(const std::vector<lighting::Points>& groups, const Arithmetic& arithmetic,
+                      lighting::Lit<lighting::Column>& lit) const;
     std::size_t group_count() const { return groups_.size(); }
     Vec3<double> scene_ambient(const LitMaterial& material) const;
 

@@ -64,6 +64,7 @@ double geometric_mean(const std::vector<double>& values) {
 }
 
 double Timed::median() const { return bench::median(seconds); }
+double Timed::least() const { return std::ranges::min(seconds); }
 double Timed::spread() const { return (quantile(seconds, 0.75) - quantile(seconds, 0.25)) / 2 / median(); }
 
 double times_faster(const Timed& fast, const Timed& slow) {

