@@ -134,7 +134,6 @@ void make_folder(const std::string& folder) {
 // For each case that the fixed function departs from, NAME.c.
 void write_reproducers(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
                        const std::vector<Result>& results) {
-    make_folder(folder);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const std::string program = reproducer(driver, cases[i], results[i]);
         if (!program.empty())
@@ -144,14 +143,14 @@ void write_reproducers(const std::string& folder, const std::string& driver, con
 
 int run(const Arguments& arguments) {
     const std::vector<Case> cases = load_cases(arguments.names);
+    for (const std::string& folder : {arguments.reproducers, arguments.page})  // before the work, not after it
+        if (!folder.empty()) make_folder(folder);
     Suite suite;
     const std::vector<Result> results = suite.run(cases);
     if (!arguments.reproducers.empty()) write_reproducers(arguments.reproducers, suite.driver(), cases, results);
-    if (!arguments.page.empty()) {
-        make_folder(arguments.page);
+    if (!arguments.page.empty())
         write_file_atomically((std::filesystem::path(arguments.page) / "index.html").string(),
                               check_page(suite.driver(), cases, results));
-    }
     write_result(arguments.json ? json_of(suite.driver(), cases, results)
                                 : suite.driver() + "\n\n" + table(cases, results) + summary(results));
     return counted(results).failing == 0 ? kFine : kDifferent;
