@@ -10,10 +10,20 @@
 
 #include "command/text.h"
 #include "image/file.h"
+#include "state/state.h"
 
 namespace twinlight::check {
 
 namespace {
+
+struct NamedError {
+    Enum code;
+    std::string_view name;
+};
+constexpr NamedError kErrors[] = {{kGL_NO_ERROR, "GL_NO_ERROR"},
+                                  {kGL_INVALID_ENUM, "GL_INVALID_ENUM"},
+                                  {kGL_INVALID_VALUE, "GL_INVALID_VALUE"},
+                                  {kGL_INVALID_OPERATION, "GL_INVALID_OPERATION"}};
 
 // One entry of the head: "// key: value", and what lines indented below it add.
 struct Entry {
@@ -65,18 +75,25 @@ class Head {
         return values;
     }
 
-    glm::dvec4 color(const Entry& entry, const std::string& text) const {
+    Seen seen(const Entry& entry, const Spot& spot, const std::string& text) const {
+        if (spot.kind == Spot::Kind::kError) {
+            const auto error = std::ranges::find(kErrors, text, &NamedError::name);
+            if (error == std::end(kErrors)) refuse(entry.line, "'" + text + "' is none of GL's errors");
+            return error->code;
+        }
         const std::vector<double> v = numbers(entry, text, 4);
-        return {v[0], v[1], v[2], v[3]};
+        return glm::dvec4(v[0], v[1], v[2], v[3]);
     }
 
     Spot spot(const Entry& entry, const std::string& text) const {
         static const std::regex kVertex("vertex ([0-2])"), kPixel("pixel ([0-9]+),([0-9]+)( phong| exact)?");
         std::smatch found;
+        if (text == "error") return {.kind = Spot::Kind::kError, .shading = {}};
         if (std::regex_match(text, found, kVertex)) return {.vertex = std::stoi(found[1]), .shading = {}};
         if (!std::regex_match(text, found, kPixel))
-            refuse(entry.line, "'" + text + "' is neither 'vertex N' nor 'pixel X,Y', 'pixel X,Y phong' or 'exact'");
-        Spot spot{.is_vertex = false, .x = std::stoi(found[1]), .y = std::stoi(found[2]), .shading = {}};
+            refuse(entry.line,
+                   "'" + text + "' is neither 'vertex N' nor 'error' nor 'pixel X,Y', 'pixel X,Y phong' or 'exact'");
+        Spot spot{.kind = Spot::Kind::kPixel, .x = std::stoi(found[1]), .y = std::stoi(found[2]), .shading = {}};
         if (std::max(spot.x, spot.y) >= kSide) refuse(entry.line, fmt::format("a picture has {} pixels a side", kSide));
         if (found[3].matched) spot.shading = found[3] == " phong" ? Shading::kPhong : Shading::kExact;
         return spot;
@@ -97,12 +114,16 @@ std::pair<std::string, std::string> split(const Head& head, const Entry& entry, 
 }
 
 Expectation expectation(const Head& head, const Entry& entry) {
-    const auto [spot, colors] = split(head, entry, entry.value, ": ");
-    Expectation result{.spot = head.spot(entry, spot)};
-    const std::size_t plus = colors.find(" + ");
-    result.primary = head.color(entry, colors.substr(0, plus));
+    const auto [spot, value] = split(head, entry, entry.value, ": ");
+    Expectation result{.spot = head.spot(entry, spot), .value = {}, .other = {}};
+    const std::size_t plus = value.find(" + ");
+    // "1|0": 1, of floats 0 too.
+    static const std::regex kOther("[|][^ ]*"), kFirst("[^ ]*[|]");
+    const std::string primary = value.substr(0, plus);
+    result.value = head.seen(entry, result.spot, std::regex_replace(primary, kOther, ""));
+    result.other = head.seen(entry, result.spot, std::regex_replace(primary, kFirst, ""));
     if (plus != std::string::npos) {
-        const std::vector<double> v = head.numbers(entry, colors.substr(plus + 3), 3);
+        const std::vector<double> v = head.numbers(entry, value.substr(plus + 3), 3);
         result.secondary = {v[0], v[1], v[2]};
     }
     return result;
@@ -110,9 +131,10 @@ Expectation expectation(const Head& head, const Entry& entry) {
 
 Differs difference(const Head& head, const Entry& entry) {
     const auto [driver, rest] = split(head, entry, entry.value, ": ");
-    const auto [spot, rest_of_it] = split(head, entry, rest, ": ");
-    const auto [color, name] = split(head, entry, rest_of_it, "; ");
-    return {.driver = driver, .spot = head.spot(entry, spot), .color = head.color(entry, color), .name = name};
+    const auto [place, rest_of_it] = split(head, entry, rest, ": ");
+    const auto [value, name] = split(head, entry, rest_of_it, "; ");
+    const Spot spot = head.spot(entry, place);
+    return {.driver = driver, .spot = spot, .value = head.seen(entry, spot, value), .name = name};
 }
 
 void take(Case& into, const Head& head, const Entry& entry) {
@@ -150,8 +172,63 @@ void take(Case& into, const Head& head, const Entry& entry) {
 }  // namespace
 
 std::string Spot::str() const {
-    if (is_vertex) return fmt::format("vertex {}", vertex);
-    return fmt::format("pixel {},{}{}", x, y, !shading ? "" : *shading == Shading::kPhong ? " phong" : " exact");
+    switch (kind) {
+        case Kind::kVertex: return fmt::format("vertex {}", vertex);
+        case Kind::kPixel:
+            return fmt::format("pixel {},{}{}", x, y,
+                               !shading                      ? ""
+                               : *shading == Shading::kPhong ? " phong"
+                                                             : " exact");
+        case Kind::kError: break;
+    }
+    return "error";
+}
+
+std::string text_of(const std::optional<Seen>& seen) {
+    if (!seen) return "nothing";
+    if (const Enum* error = std::get_if<Enum>(&*seen)) {
+        const auto* const named = std::ranges::find(kErrors, *error, &NamedError::code);
+        return named == std::end(kErrors) ? fmt::format("the error {:#x}", *error) : std::string(named->name);
+    }
+    glm::dvec4 c = std::get<glm::dvec4>(*seen);
+    for (int i = 0; i < 4; ++i)
+        if (std::isnan(c[i])) c[i] = std::abs(c[i]);  // whatever its sign bit
+    return fmt::format("({:.7g}, {:.7g}, {:.7g}, {:.7g})", c.r, c.g, c.b, c.a);
+}
+
+bool Case::is_of_vertices() const {
+    return std::ranges::any_of(expectations, [](const Expectation& e) { return e.spot.kind == Spot::Kind::kVertex; });
+}
+
+CarriedOut Case::carried_out() const {
+    const auto is_error = [](const Expectation& e) { return e.spot.kind == Spot::Kind::kError; };
+    if (std::ranges::none_of(expectations, is_error)) return {scene};
+    CarriedOut result;
+    CommandList commands(*scene);
+    commands.commands.clear();
+    State state({.width = kSide, .height = kSide});
+    for (const Command& command : scene->commands) {
+        const std::size_t errors = state.error_count();
+        state.apply(command);
+        if (state.error_count() == errors) commands.commands.push_back(command);
+    }
+    if (!state.errors().empty()) result.error = state.errors().front().code;
+    result.commands = std::make_shared<const CommandList>(std::move(commands));
+    return result;
+}
+
+bool Case::has_variants() const {
+    return std::ranges::any_of(scene->commands, [](const Command& command) {
+        switch (command.id) {
+            case CommandId::pragma_specular:
+            case CommandId::pragma_ambient:
+            case CommandId::pragma_spot_cone:
+            case CommandId::pragma_spectrum:
+            case CommandId::pragma_transfer:
+            case CommandId::pragma_light: return true;
+            default: return false;
+        }
+    });
 }
 
 Case read_case(std::string_view text, const std::string& file, const std::string& name) {
@@ -169,11 +246,11 @@ Case read_case(std::string_view text, const std::string& file, const std::string
         if (std::ranges::find(result.expectations, differs.spot, &Expectation::spot) == result.expectations.end())
             head.refuse(1, "'differs' names " + differs.spot.str() + ", of which nothing is expected");
     }
-    const bool of_vertices = result.expectations.front().spot.is_vertex;
-    for (const Expectation& expected : result.expectations) {
-        if (expected.spot.is_vertex != of_vertices)
-            head.refuse(1, "a case is about vertices or about pixels, not about both");
-    }
+    const auto is_about = [&](Spot::Kind kind) {
+        return std::ranges::any_of(result.expectations, [&](const Expectation& e) { return e.spot.kind == kind; });
+    };
+    if (is_about(Spot::Kind::kVertex) == is_about(Spot::Kind::kPixel))
+        head.refuse(1, "a case is about vertices or about pixels, and not about both");
     result.scene = std::make_shared<CommandList>(read_scene(text, file, name));
     return result;
 }

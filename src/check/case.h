@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "command/command.h"
@@ -25,23 +26,31 @@ namespace twinlight::check {
 // How far a right answer may be off where a case says nothing else, relative to the larger of 1 and the value. Of floats: forty
 // operations of a last place each, and a power's exponent; of double and more: what seven digits in a file leave.
 inline constexpr double kTolerance = 3e-5, kWrittenTolerance = 1e-6;
-// Of a case's picture.
-inline constexpr int kSide = 64;
+// Of a case's picture; of one about vertices, so that a point can be seen.
+inline constexpr int kSide = 64, kVertexSide = 8;
 
-// Where a colour is named: at a vertex of the last Draw, or at a pixel of the picture, x and y from its top left.
+// Where something is seen: a vertex of the last Draw; a pixel of the picture, x and y from its top left; or what glGetError
+// tells when all commands are sent.
 struct Spot {
-    bool is_vertex = true;
+    enum class Kind : std::uint8_t { kVertex, kPixel, kError };
+    Kind kind = Kind::kVertex;
     int vertex = 0;
     int x = 0, y = 0;
     std::optional<Shading> shading;  // kPhong or kExact; nothing: GL's own, which all renderers have
 
-    std::string str() const;  // "vertex 0", "pixel 32,32 phong"
+    std::string str() const;  // "vertex 0", "pixel 32,32 phong", "error"
     friend bool operator==(const Spot&, const Spot&) = default;
 };
 
+// What is seen there: a colour, of a vertex before the clamp (2.14.6); or an error's code.
+using Seen = std::variant<glm::dvec4, Enum>;
+std::string text_of(const std::optional<Seen>& seen);  // "(0.25, 0, 0, 1)", "GL_INVALID_VALUE", "nothing"
+
 struct Expectation {
     Spot spot;
-    glm::dvec4 primary{0};    // of a vertex before the clamp (2.14.6); of a pixel what is seen
+    Seen value;
+    // What may be given as well, channel by channel, where rounding decides on a jump; by the reference in long double not.
+    Seen other;
     glm::dvec3 secondary{0};  // of a vertex, where the specular colour is separate
 };
 
@@ -49,8 +58,14 @@ struct Expectation {
 struct Differs {
     std::string driver;  // a pattern of the shell, anywhere in driver_name()
     Spot spot;
-    glm::dvec4 color{0};  // may be NaN
-    std::string name;     // in golden/known_differences
+    Seen value;        // may be NaN
+    std::string name;  // in golden/known_differences
+};
+
+// The commands that GL carries out, for one that raises an error is ignored (2.5); and the first error.
+struct CarriedOut {
+    std::shared_ptr<const CommandList> commands;
+    Enum error = kGL_NO_ERROR;
 };
 
 struct Case {
@@ -63,6 +78,13 @@ struct Case {
     std::vector<Differs> differs;
     std::string scene_text;
     std::shared_ptr<const CommandList> scene;
+
+    bool is_of_vertices() const;
+    // Of a case that expects no error all commands: whoever makes a frame of them refuses what GL does.
+    CarriedOut carried_out() const;
+    // Whether it has a lecture's variant (#pragma twinlight specular, ambient, spot_cone ...), of which the fixed function is not
+    // asked.
+    bool has_variants() const;
 };
 
 // Throws SceneError, with the line, for a head that is not of the form of docs/hard-cases.md, or a scene that is none.

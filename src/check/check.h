@@ -19,38 +19,40 @@ inline constexpr std::size_t kPaths = 3;
 inline constexpr std::array<std::string_view, kPaths> kPathNames = {"fixed", "programmable", "reference"};
 
 enum class Verdict : std::uint8_t {
+    kNotAsked,  // the fixed function, where all is about what GL does not have
     kPass,
     kRuling,  // the specification leaves the answer open: programmable and reference give what Twinlight rules, fixed something
     kDeparts,   // as the case lists for this driver
     kNew,       // a departure that no list knows
     kVanished,  // one that the list has and the driver no longer shows
 };
-std::string_view word_of(Verdict verdict);  // "pass", "ruling", "departs", "NEW", "VANISHED"
+inline constexpr std::size_t kVerdicts = 6;
+std::string_view word_of(Verdict verdict);  // "not asked", "pass", "ruling", "departs", "NEW", "VANISHED"
 inline bool is_failure(Verdict verdict) { return verdict == Verdict::kNew || verdict == Verdict::kVanished; }
 
-// A colour that is not the expected one, or a departure that is gone.
+// What is not as expected, or a departure that is gone.
 struct Finding {
     Path path{};
     std::string variant;  // "baked", "float"; empty for fixed
     Verdict verdict{};
     Spot spot;
-    std::optional<glm::dvec4> value;  // nothing where it is not shown
-    glm::dvec4 expected{0};
+    std::optional<Seen> value;  // nothing where it is not shown
+    Seen expected;
     std::string name;  // of a known departure
 };
 
 struct Result {
     std::array<Verdict, kPaths> verdicts{};
     std::vector<Finding> findings;
-    long non_finite = 0;                                    // of programmable and reference
-    std::string error;                                      // of a scene that GL or a renderer refuses
-    std::vector<std::pair<std::string, Image>> pictures{};  // of a case about pixels, by who drew them
+    long non_finite = 0;  // of programmable and reference
+    // How far the shaders are from the reference in long double, at the places that the case names.
+    double from_long_double = 0;
+    std::string error;  // of a scene that GL or a renderer refuses
+    std::vector<std::pair<std::string, Image>>
+        pictures{};  // by who drew them; of a case about vertices see draw_vertices()
 
     bool fails() const;
 };
-
-// "(0.25, 0, 0, 1)", "nothing"
-std::string color_text(const std::optional<glm::dvec4>& color);
 
 class Suite {
   public:
@@ -63,6 +65,8 @@ class Suite {
     const std::string& driver() const { return driver_; }
     // In the order of the cases.
     std::vector<Result> run(std::span<const Case> cases);
+    // Pictures of a case about vertices: fixed, programmable and reference, of so few pixels that a point can be seen.
+    void draw_vertices(const Case& of, Result& result);
 
   private:
     void run_vertices(std::span<const Case> cases, std::vector<Result>& results);

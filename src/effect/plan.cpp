@@ -143,20 +143,22 @@ class Planner {
         plan_specular();
         drop_idle_colors();
         plan_spectral_products();
-        plan_geometry(lights.bounds);
         plan_shading_per_fragment();
+        plan_geometry(lights.bounds);
     }
 
     void plan_shading_per_fragment() {
         if (facts().shading != Shading::kPhong || facts().needs_position_eye() || facts().needs_color() ||
             facts().front.varies() || facts().back.varies())
             return;
-        if (!facts().needs_normal())
+        if (!facts().needs_normal()) {
             leave_out("lighting per fragment", "nothing that it depends on varies over the primitive");
-        else if (vertices_.normals_equal)
+        } else if (vertices_.normals_equal) {
             leave_out("lighting per fragment", "all normals are equal, the lights directional, the viewer is distant");
-        else
+            state().normalize = true;  // as a fragment's normal would have been made unit
+        } else {
             return;
+        }
         facts().shading = Shading::kGouraud;
     }
 

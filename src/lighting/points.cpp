@@ -33,8 +33,9 @@ void for_each_column(Points& points, const Visit& visit) {
 
 // With the last point so often that there are as many as lanes.
 Points padded(Points points) {
+    const bool is_one = points.size() == 1;  // not any more once the first column is longer
     for_each_column(points, [&](Column& column) {
-        if (column.size() != 1 || points.size() == 1) column.resize(kMostLanes, column.back());
+        if (column.size() != 1 || is_one) column.resize(kMostLanes, column.back());
     });
     return points;
 }

@@ -48,7 +48,8 @@ inline constexpr RulingText kRulings[] = {
     {Ruling::kSquares, "coordinates whose squares overflow or underflow", "scaled by a power of two, which is exact"},
     {Ruling::kNoNumber, "a colour beyond the largest number", "that term contributes 0"},
     {Ruling::kSpotBorder, "a cosine that equals the spot's cutoff",
-     "lit (2.14.1 says >=); 4 epsilon are given back to rounding"},
+     "lit (2.14.1 says >=); 4 epsilon are given back to rounding, so that in floats a cone of 0 degrees is one of "
+     "0.056"},
     {Ruling::kRescaled, "RESCALE_NORMAL: rescale or normalise",
      "rescale by 2.11.3's factor; with NORMALIZE as well, normalise"},
     {Ruling::kZeroSpotDirection, "a spot direction of length 0",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <glm/common.hpp>
 #include <iterator>
 
@@ -10,6 +11,13 @@ namespace twinlight::reference {
 namespace {
 
 Vec rgb(const glm::dvec4& color) { return vec3_cast<Vec>(color); }
+
+// The cosine of GL_SPOT_CUTOFF, in no number above what it is: 2.14.1 lights the border, and arithmetic of more digits than
+// double gives back less than double's rounding took.
+double cos_cutoff(double cutoff_deg) {
+    const double cosine = lighting::cos_deg<double>(cutoff_deg);
+    return cosine == 0 || cosine == 1 ? cosine : std::nextafter(cosine, -1.0);
+}
 
 // Table 2.10's parameters of one light. Cosines and the spot's unit vector are taken here, once.
 template <class Real>
@@ -23,7 +31,7 @@ lighting::Light<Real> light_of(const LightSource& source, bool lecture_variants)
     light.spot_dir_eye = lighting::unit(vec3_cast<Vec>(source.spot_direction_eye));
     light.spot_exponent = source.spot_exponent;
     light.is_spot = source.spot_cutoff_deg != 180;
-    light.cos_cutoff = lighting::cos_deg<Real>(source.spot_cutoff_deg);
+    light.cos_cutoff = cos_cutoff(source.spot_cutoff_deg);
     light.constant_attenuation = source.constant_attenuation;
     light.linear_attenuation = source.linear_attenuation;
     light.quadratic_attenuation = source.quadratic_attenuation;
@@ -161,7 +169,7 @@ void PointBatch::light(const Side& side, const Arithmetic& arithmetic) {
     if (lighting_.spectral_)
         lighting_.spectral_->light_points(side.points, arithmetic, lit_);
     else
-        lighting::light_points(lighting_.model_, lighting_.lights_, side.points.front(), arithmetic, lit_);
+        lighting::light_points(lighting_.model(), lighting_.lights(), side.points.front(), arithmetic, lit_);
 }
 
 LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials) {

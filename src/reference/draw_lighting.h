@@ -53,6 +53,8 @@ class DrawLighting {
     // What the vertex is lit with: its own material, with its colour where the material follows it (2.14.3).
     LitMaterial material(const StageVertex& v, Face face) const;
 
+    const lighting::Model<double>& model() const { return model_; }
+    const std::vector<lighting::Light<double>>& lights() const { return lights_; }  // the enabled ones
     bool enabled() const { return enabled_; }
     // Whether the back face has colours of its own; GL uses the front's where it has not.
     bool two_side() const { return enabled_ && two_side_; }
@@ -70,8 +72,8 @@ class DrawLighting {
     bool enabled_ = false;
     bool two_side_ = false;
     lighting::Model<double> model_;
-    std::vector<lighting::Light<double>> lights_;  // the enabled ones
-    std::vector<Materials> materials_;             // at least one
+    std::vector<lighting::Light<double>> lights_;
+    std::vector<Materials> materials_;  // at least one
     ColorMaterial color_material_;
     std::optional<SpectralLighting> spectral_;
 };

@@ -63,27 +63,28 @@ constexpr int kTimes = kSide * kSide / static_cast<int>(reference::PointBatch::k
 volatile double kept = 0;  // so that nothing is left out
 void keep(double value) { kept = value; }
 
-// These points' lighting, as often as makes a picture. In a picture, too, the points have just been found and lie in the
-// cache. What a picture does with the colours is left out, but that one channel is read.
+// These points' lighting, as often as makes a picture. In a picture, too, points have just been found and lie in the cache;
+// finding them, and what becomes of their colours, is left out.
 class LitPoints {
   public:
-    explicit LitPoints(const Draw& dome)
-        : lighting_(dome, false), batch_(lighting_, reference::PointBatch::Normals::kMadeUnit) {
-        for (const reference::StageVertex& v : dome_points(dome))
-            batch_.add(v, reference::Face::kFront, [&] { return lighting_.material(v, reference::Face::kFront); });
+    explicit LitPoints(const Draw& dome) : lighting_(dome, false) {
+        points_.makes_unit_normals = true;
+        const std::vector<reference::StageVertex> vertices = dome_points(dome);
+        for (const reference::StageVertex& v : vertices)
+            points_.add(reference::surface_of(v.position_eye, v.normal_eye, reference::Face::kFront));
+        points_.add(lighting_.material(vertices.front(), reference::Face::kFront));
     }
     void light(const Arithmetic& arithmetic) {
-        for (int i = 0; i < kTimes; ++i)
-            batch_.light(arithmetic, [&](std::size_t point, const glm::dvec4& primary, const glm::dvec4&) {
-                green_[point] = primary.g;
-            });
-        keep(green_.back());
+        for (int i = 0; i < kTimes; ++i) {
+            lighting::light_points(lighting_.model(), lighting_.lights(), points_, arithmetic, lit_);
+            keep(lit_.primary.y.front());
+        }
     }
 
   private:
     reference::DrawLighting lighting_;
-    reference::PointBatch batch_;
-    std::vector<double> green_ = std::vector<double>(reference::PointBatch::kPoints);
+    lighting::Points points_;
+    lighting::Lit<lighting::Column> lit_;
 };
 
 // The lighting of one pixel for each of the picture's, on one core; and the driver's picture of the same.

@@ -18,12 +18,12 @@ namespace twinlight::check {
 
 namespace {
 
-std::string text_of(const std::vector<Finding>& findings) {
+std::string words_of(const std::vector<Finding>& findings) {
     std::string text;
     for (const Finding& finding : findings)
         text += std::string(kPathNames.at(static_cast<std::size_t>(finding.path))) + " " + finding.variant + ", " +
-                finding.spot.str() + ": " + color_text(finding.value) + ", expected " + color_text(finding.expected) +
-                " (" + std::string(word_of(finding.verdict)) + ")\n";
+                finding.spot.str() + ": " + text_of(finding.value) + ", expected " + text_of(finding.expected) + " (" +
+                std::string(word_of(finding.verdict)) + ")\n";
     return text;
 }
 
@@ -34,9 +34,10 @@ TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
     const bool is_listed = is_listed_driver();
     const std::vector<Result> results = suite.run(cases);
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        SCOPED_TRACE(cases[i].name + "\n" + text_of(results[i].findings));
+        SCOPED_TRACE(cases[i].name + "\n" + words_of(results[i].findings));
         EXPECT_EQ(results[i].error, "");
         EXPECT_EQ(results[i].non_finite, 0);
+        EXPECT_LE(results[i].from_long_double, 3e-5);  // whatever tolerance the case itself has
         for (const Path path : {Path::kProgrammable, Path::kReference})
             EXPECT_EQ(results[i].verdicts[static_cast<std::size_t>(path)], Verdict::kPass);
         // Of another driver than the listed one nobody has looked at the departures.
@@ -48,7 +49,7 @@ TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
 TEST(HardCasesOfTheReference, AreFinite) {
     for (const Case& of : load_cases()) {
         SCOPED_TRACE(of.name);
-        const Frame frame = make_frame(of.scene, {.width = kSide, .height = kSide});
+        const Frame frame = make_frame(of.carried_out().commands, {.width = kSide, .height = kSide});
         for (const Number number : {Number::kFloat, Number::kDouble, Number::kLongDouble}) {
             RenderOptions options = fuzz::gls_own_model();
             options.arithmetic.number = number;
@@ -144,6 +145,56 @@ TEST(HardCases, FailWhereAListedDepartureIsGone) {
     EXPECT_EQ(elsewhere.verdicts[0], Verdict::kPass);
 }
 
+TEST(HardCases, FailWhereADepartureIsAnotherThanListedOrInNoList) {
+    for (const char* differs : {"", "// differs: *: vertex 0: 0.25 0.5 0.5 1; some name\n"}) {
+        const Result result = result_of(std::string("// expect: vertex 0: 0 0.5 0.5 1\n") + differs);
+        EXPECT_EQ(result.verdicts[0], Verdict::kNew) << differs;
+        EXPECT_TRUE(result.fails());
+    }
+    const Result listed =
+        result_of("// expect: vertex 0: 0 0.5 0.5 1\n// differs: *: vertex 0: 0.5 0.5 0.5 1; some name\n");
+    EXPECT_EQ(listed.verdicts[0], Verdict::kDeparts);
+}
+
+TEST(HardCases, FailFarFromLongDouble) {
+    Result result;
+    result.from_long_double = 2.9e-5;
+    EXPECT_FALSE(result.fails());
+    result.from_long_double = 3.1e-5;
+    EXPECT_TRUE(result.fails());
+}
+
+// A command with an error changes nothing (2.5); which error, driver and Twinlight are both asked.
+TEST(HardCases, ExpectErrors) {
+    const auto with = [](const std::string& error) {
+        const std::vector<Case> cases = {read_case(small_case("// expect: vertex 0: 0.5 0.5 0.5 1\n// expect: error: " +
+                                                              error + "\nglShadeModel(GL_LINES);\n"),
+                                                   "small.gl", "small")};
+        return Suite().run(cases).front();
+    };
+    EXPECT_FALSE(with("GL_INVALID_ENUM").fails());
+    const Result wrong = with("GL_INVALID_VALUE");
+    EXPECT_EQ(wrong.verdicts, (std::array{Verdict::kNew, Verdict::kPass, Verdict::kNew}));
+    for (const Finding& finding : wrong.findings) EXPECT_EQ(text_of(finding.value), "GL_INVALID_ENUM");
+}
+
+TEST(HardCases, HoldLongDoubleToTheFirstOfTwoAnswers) {
+    EXPECT_FALSE(result_of("// expect: vertex 0: 0.5|0 0.5 0.5 1\n").fails());
+    const Result second = result_of("// expect: vertex 0: 0|0.5 0.5 0.5 1\n");
+    EXPECT_EQ(second.verdicts, (std::array{Verdict::kPass, Verdict::kPass, Verdict::kNew}));
+    ASSERT_EQ(second.findings.size(), 1u);
+    EXPECT_EQ(second.findings[0].variant, "long double");
+}
+
+TEST(HardCases, DoNotAskTheFixedFunctionOfVariants) {
+    const std::vector<Case> cases = {
+        read_case(small_case("// expect: vertex 0: 0.5 0.5 0.5 1\n#pragma twinlight specular(reflection)\n"),
+                  "small.gl", "small")};
+    const Result result = Suite().run(cases).front();
+    EXPECT_EQ(result.verdicts, (std::array{Verdict::kNotAsked, Verdict::kPass, Verdict::kPass}));
+    EXPECT_FALSE(result.fails());
+}
+
 TEST(HardCases, AreRefusedWithTheLineWhereTheHeadIsWrong) {
     const auto refusal = [](const std::string& lines) -> std::string {
         try {
@@ -164,6 +215,7 @@ TEST(HardCases, AreRefusedWithTheLineWhereTheHeadIsWrong) {
         {"// expect: vertex 0: 0 0 0 one\n", "not a list of numbers"},
         {"// tolerance: 1e-3\n", "lacks a ','"},
         {"// differs: Mesa: vertex 0: 0 0 0 1\n", "lacks a ';'"},
+        {"// expect: error: GL_INVALID\n", "none of GL's errors"},
         {"// what: again\n", "stands here twice"},
         {"//what\n", "a head's line is"},
     };

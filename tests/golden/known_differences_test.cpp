@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "check/case.h"
 #include "command/text.h"
 #include "context/context.h"
 #include "context/gl.h"
@@ -238,7 +239,8 @@ TEST(Departures, OfTheStateMachineAreStillThere) {
     }
 }
 
-// The fuzzer's tests show that each of those it leaves out still differs, fragment_departures_test.cpp its scenes.
+// The fuzzer's tests show that each of those it leaves out still differs, fragment_departures_test.cpp its scenes,
+// hard_cases_test.cpp those of golden/hard.
 TEST(Departures, AreTheOnesOfTheList) {
     std::set<std::string> shown;
     for (const Departure& departure : kDepartures) shown.insert(departure.name);
@@ -246,6 +248,8 @@ TEST(Departures, AreTheOnesOfTheList) {
         if (departure.leaves != fuzz::Leaves::kOpen && departure.only_on.empty()) shown.emplace(departure.name);
     }
     for (const FragmentCase& fragment_case : fragment_cases()) shown.emplace(fragment_case.name);
+    for (const check::Case& hard_case : check::load_cases())
+        for (const check::Differs& differs : hard_case.differs) shown.insert(differs.name);
     EXPECT_EQ(shown, listed_names());
 }
 

@@ -52,7 +52,7 @@ TEST(DecidingRulings, AreToldOfHardCases) {
     };
     for (const auto& [ruling, names] : expected)
         for (const check::Case& of : check::load_cases(names)) {
-            const Rulings rulings = rulings_at(frame_of(of.scene), 8, 8);
+            const Rulings rulings = rulings_at(frame_of(of.carried_out().commands), 8, 8);
             EXPECT_TRUE(rulings.contains(ruling)) << of.name << ": " << told(rulings);
         }
 }

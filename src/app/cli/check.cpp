@@ -27,6 +27,7 @@ struct Arguments {
 std::string colored(const std::string& text, Verdict verdict) {
     if (!result_in_color()) return text;
     switch (verdict) {
+        case Verdict::kNotAsked: return text;
         case Verdict::kPass:
         case Verdict::kRuling: return "\x1b[32m" + text + "\x1b[0m";
         case Verdict::kDeparts: return "\x1b[33m" + text + "\x1b[0m";
@@ -37,8 +38,9 @@ std::string colored(const std::string& text, Verdict verdict) {
 }
 
 struct Counts {
-    std::array<long, 5> fixed{};
+    std::array<long, kVerdicts> fixed{};
     long failing = 0, non_finite = 0;
+    double from_long_double = 0;
 };
 
 Counts counted(const std::vector<Result>& results) {
@@ -47,6 +49,7 @@ Counts counted(const std::vector<Result>& results) {
         ++counts.fixed.at(static_cast<std::size_t>(result.verdicts[0]));
         counts.failing += result.fails();
         counts.non_finite += result.non_finite;
+        counts.from_long_double = std::max(counts.from_long_double, result.from_long_double);
     }
     return counts;
 }
@@ -75,20 +78,23 @@ std::string summary(const std::vector<Result>& results) {
     const auto fixed = [&](Verdict verdict) { return counts.fixed.at(static_cast<std::size_t>(verdict)); };
     return fmt::format(
         "\n{} cases. The driver's fixed function: {} pass, {} depart as listed, {} answer otherwise where the "
-        "specification is open,\n{} depart and are in no list, {} listed and gone. Values that are not finite, of "
-        "shaders "
-        "and the reference: {}.\n{}\n",
+        "specification is open,\n{} depart and are in no list, {} listed and gone, {} not asked. Values that are not "
+        "finite, of shaders and the reference: {}.\nShaders are at most {:.1e} from the reference in long "
+        "double.\n{}\n",
         results.size(), fixed(Verdict::kPass), fixed(Verdict::kDeparts), fixed(Verdict::kRuling), fixed(Verdict::kNew),
-        fixed(Verdict::kVanished), counts.non_finite,
+        fixed(Verdict::kVanished), fixed(Verdict::kNotAsked), counts.non_finite, counts.from_long_double,
         counts.failing == 0 ? "Nothing is unexpected." : fmt::format("{} cases fail.", counts.failing));
 }
 
-nlohmann::ordered_json color_json(const std::optional<glm::dvec4>& color) {
-    if (!color) return nullptr;
+// A colour's numbers, or an error's name.
+nlohmann::ordered_json json_of(const std::optional<Seen>& seen) {
+    if (!seen) return nullptr;
+    if (std::holds_alternative<Enum>(*seen)) return text_of(seen);
     auto list = nlohmann::ordered_json::array();
+    const auto& color = std::get<glm::dvec4>(*seen);
     for (int i = 0; i < 4; ++i) {  // JSON has no NaN
-        if (std::isfinite((*color)[i]))
-            list.push_back((*color)[i]);
+        if (std::isfinite(color[i]))
+            list.push_back(color[i]);
         else
             list.push_back(nullptr);
     }
@@ -106,6 +112,7 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
         for (std::size_t path = 0; path < kPaths; ++path)
             one[std::string(kPathNames.at(path))] = word_of(results[i].verdicts.at(path));
         one["non_finite"] = results[i].non_finite;
+        one["from_long_double"] = results[i].from_long_double;
         if (!results[i].error.empty()) one["refused"] = results[i].error;
         auto& findings = one["findings"] = nlohmann::ordered_json::array();
         for (const Finding& finding : results[i].findings) {
@@ -113,8 +120,8 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
                                 {"variant", finding.variant},
                                 {"verdict", word_of(finding.verdict)},
                                 {"at", finding.spot.str()},
-                                {"value", color_json(finding.value)},
-                                {"expected", color_json(finding.expected)},
+                                {"value", json_of(finding.value)},
+                                {"expected", json_of(finding.expected)},
                                 {"departure", finding.name}});
         }
         list.push_back(one);
@@ -146,11 +153,13 @@ int run(const Arguments& arguments) {
     for (const std::string& folder : {arguments.reproducers, arguments.page})  // before the work, not after it
         if (!folder.empty()) make_folder(folder);
     Suite suite;
-    const std::vector<Result> results = suite.run(cases);
+    std::vector<Result> results = suite.run(cases);
     if (!arguments.reproducers.empty()) write_reproducers(arguments.reproducers, suite.driver(), cases, results);
-    if (!arguments.page.empty())
+    if (!arguments.page.empty()) {
+        for (std::size_t i = 0; i < cases.size(); ++i) suite.draw_vertices(cases[i], results[i]);
         write_file_atomically((std::filesystem::path(arguments.page) / "index.html").string(),
                               check_page(suite.driver(), cases, results));
+    }
     write_result(arguments.json ? json_of(suite.driver(), cases, results)
                                 : suite.driver() + "\n\n" + table(cases, results) + summary(results));
     return counted(results).failing == 0 ? kFine : kDifferent;
@@ -178,7 +187,8 @@ Subcommand add_check(CLI::App& app) {
     check->add_flag("--json", arguments->json, "print one JSON object instead of the table");
     check->footer(
         "Of the driver's fixed function: 'pass'; 'departs', as the case lists for this driver; 'ruling', where the\n"
-        "specification leaves the answer open; 'NEW', a departure that no list has; 'VANISHED', one that is gone.\n"
+        "specification leaves the answer open; 'NEW', a departure that no list has; 'VANISHED', one that is gone;\n"
+        "'not asked', where a case is about what GL does not have.\n"
         "Shaders and the reference have to pass. GALLIUM_DRIVER=softpipe asks Mesa's other driver.\n"
         "Exit status: 0 nothing unexpected, 1 NEW or VANISHED, 2 bad input or use.");
     return {check, [arguments] { return run(*arguments); }};

@@ -22,20 +22,28 @@ section { border-top: 1px solid #8886; padding: .4rem 0; }
 h3 { font: 600 1rem ui-monospace, monospace; margin: .4rem 0; }
 p, ul, figure { margin: .2rem 0; }
 pre { overflow-x: auto; padding: .5rem; background: #8882; }
-img { width: 128px; height: 128px; image-rendering: pixelated; background: #000; }
+img { width: 128px; height: 128px; image-rendering: pixelated; }
 figure { display: inline-block; margin-right: 1rem; }
 .verdict { display: inline-block; padding: 0 .5em; border-radius: .3em; margin-right: .5em; background: #8883; }
 .departs { background: #e8a3; outline: 1px solid #c80; }
 .NEW, .VANISHED { background: #d33; color: #fff; }
-.swatch { display: inline-block; width: 1.1em; height: 1.1em; vertical-align: -.2em; margin-right: .4em; border: 1px solid #8888; }
+.swatch { display: inline-block; width: 1.1em; height: 1.1em; line-height: 1.1em; text-align: center; vertical-align: -.2em; margin-right: .4em; border: 1px solid #8888; }
 )";
 
-std::string swatch(const glm::dvec4& color) {
-    const auto code = [&](int i) {
-        return std::isnan(color[i]) ? 0 : channel_code(static_cast<float>(std::clamp(color[i], 0.0, 1.0)));
-    };
+std::string swatch(const std::optional<Seen>& seen) {
+    if (!seen || !std::holds_alternative<glm::dvec4>(*seen)) return "";
+    const auto& color = std::get<glm::dvec4>(*seen);
+    if (std::isnan(color.r + color.g + color.b)) return "<span class=\"swatch\">?</span>";
+    const auto code = [&](int i) { return channel_code(static_cast<float>(std::clamp(color[i], 0.0, 1.0))); };
     return fmt::format("<span class=\"swatch\" style=\"background: rgb({}, {}, {})\"></span>", code(0), code(1),
                        code(2));
+}
+
+// Black that is drawn is not what is left of glClear.
+Image with_grey_ground(Image image) {
+    for (Rgba& pixel : image.pixels)
+        if (pixel == Rgba{0, 0, 0, 0}) pixel = {0.5F, 0.5F, 0.5F, 1};
+    return image;
 }
 
 std::string section_of(const Case& of, const Result& result) {
@@ -46,16 +54,17 @@ std::string section_of(const Case& of, const Result& result) {
     html += fmt::format("</p>\n<p><b>{}</b>: {}.</p>\n<p>{}</p>\n<p>Derived: {}</p>\n<ul>", escaped(of.what),
                         escaped(of.why), escaped(of.text), escaped(of.derived));
     for (const Expectation& expected : of.expectations)
-        html += fmt::format("<li>{}{}: {}</li>\n", swatch(expected.primary), expected.spot.str(),
-                            color_text(expected.primary));
+        html +=
+            fmt::format("<li>{}{}: {}{}</li>\n", swatch(expected.value), expected.spot.str(), text_of(expected.value),
+                        expected.other == expected.value ? "" : " or " + text_of(expected.other));
     for (const Finding& finding : result.findings)
-        html += fmt::format("<li>{}{}</li>\n", swatch(finding.value.value_or(glm::dvec4(0))),
-                            escaped(finding_text(of, finding)));
+        html += fmt::format("<li>{}{}</li>\n", swatch(finding.value), escaped(finding_text(of, finding)));
     if (!result.error.empty()) html += "<li>refused: " + escaped(result.error) + "</li>\n";
     html += "</ul>\n";
+    if (of.tolerance) html += fmt::format("<p>Tolerance: {}, {}</p>\n", *of.tolerance, escaped(of.tolerance_causes));
     for (const auto& [name, image] : result.pictures)
         html += fmt::format("<figure><img alt=\"{0}\" src=\"{1}\"><figcaption>{0}</figcaption></figure>\n",
-                            escaped(name), report::data_uri(encode_png(image)));
+                            escaped(name), report::data_uri(encode_png(with_grey_ground(image))));
     return html + "<details><summary>the scene</summary><pre>" + escaped(of.scene_text) +
            "</pre></details></section>\n";
 }
@@ -68,10 +77,10 @@ std::string group_of(const Case& of) { return of.name.substr(0, of.name.find('-'
 std::string finding_text(const Case& of, const Finding& finding) {
     std::string text =
         fmt::format("{}{}{}, {}: {}, ", kPathNames.at(static_cast<std::size_t>(finding.path)),
-                    finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), color_text(finding.value));
+                    finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), text_of(finding.value));
     if (finding.verdict == Verdict::kVanished)
         return text + "as the text says; the case lists another: " + finding.name;
-    text += (finding.verdict == Verdict::kRuling ? "ruled " : "expected ") + color_text(finding.expected);
+    text += (finding.verdict == Verdict::kRuling ? "ruled " : "expected ") + text_of(finding.expected);
     if (finding.verdict != Verdict::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
     return text;
 }
@@ -82,7 +91,10 @@ std::string check_page(const std::string& driver, const std::vector<Case>& cases
     std::string html = report::page_head("twinlight check", kStyle) + "<body>\n<h1>Hard cases</h1>\n<p>" +
                        escaped(driver) + "</p>\n<p>";
     for (const auto& [name, sections] : groups) html += fmt::format("<a href=\"#of-{0}\">{0}</a> ", escaped(name));
-    html += "</p>\n";
+    html += fmt::format(
+        "</p>\n<p>Pictures of cases about vertices have {0} by {0} pixels, those about pixels {1} by {1}; grey is "
+        "where nothing is drawn.</p>\n",
+        kVertexSide, kSide);
     for (const auto& [name, sections] : groups)
         html += fmt::format("<h2 id=\"of-{0}\">{0}</h2>\n{1}", escaped(name), sections);
     return html + "</body>\n</html>\n";

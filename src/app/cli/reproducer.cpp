@@ -21,9 +21,12 @@ using namespace check;
 constexpr const char* kJudge = R"c(
 static int departures = 0;
 
-static void judge(const char* place, const float* right, const float* value) {
+static int agree(float value, float right) { return fabs(value - right) <= kTolerance * fmax(1, fabs(right)); }
+
+/* `other` is right as well, channel by channel: where rounding decides on a jump. */
+static void judge(const char* place, const float* right, const float* other, const float* value) {
     int differs = value == 0, i;
-    for (i = 0; i < 4 && !differs; ++i) differs = !(fabs(value[i] - right[i]) <= kTolerance * fmax(1, fabs(right[i])));
+    for (i = 0; i < 4 && !differs; ++i) differs = !agree(value[i], right[i]) && !agree(value[i], other[i]);
     printf("%s: expected (%.7g, %.7g, %.7g, %.7g)", place, right[0], right[1], right[2], right[3]);
     if (value) printf(", the driver gives (%.7g, %.7g, %.7g, %.7g)", value[0], value[1], value[2], value[3]);
     else printf(", the driver shows nothing");
@@ -58,7 +61,8 @@ static void show(void) {
     draw_scene();
     count = glRenderMode(GL_RENDER);
     for (i = 0; i < (int)(sizeof kExpected / sizeof kExpected[0]); ++i)
-        judge(kExpected[i].place, kExpected[i].color, vertex_at(buffer, count, kExpected[i].x, kExpected[i].y));
+        judge(kExpected[i].place, kExpected[i].color, kExpected[i].other,
+              vertex_at(buffer, count, kExpected[i].x, kExpected[i].y));
 }
 )c";
 
@@ -71,15 +75,26 @@ static void show(void) {
         float color[4];
         glReadPixels((int)kExpected[i].x, (int)kExpected[i].y, 1, 1, GL_RGBA, GL_FLOAT, color);
         color[3] = kExpected[i].color[3];  /* a window need not have alpha */
-        judge(kExpected[i].place, kExpected[i].color, color);
+        judge(kExpected[i].place, kExpected[i].color, kExpected[i].other, color);
     }
 }
+)c";
+
+constexpr const char* kShowNothing = R"c(
+static void show(void) { draw_scene(); }
+)c";
+
+constexpr const char* kJudgeError = R"c(
+static void judge_error(GLenum error) {{
+    printf("glGetError: expected 0x%04X ({0}), the driver gives 0x%04X%s\n", {0}, error, error == {0} ? "" : ": DIFFERS");
+    departures += error != {0};
+}}
 )c";
 
 constexpr const char* kMain = R"c(
 static void display(void) {{
     printf("%s, %s\n%s\n", glGetString(GL_RENDERER), glGetString(GL_VERSION), kText);
-    show();
+    show();{1}
     printf(departures ? "The driver departs from the specification.\n" : "As the specification says.\n");
     fflush(stdout);
     exit(departures ? 1 : 0);
@@ -103,11 +118,16 @@ std::string quoted(const std::string& text) {
     return literal + "\"";
 }
 
+std::string c_array(const Seen& color) {
+    const glm::dvec4& c = std::get<glm::dvec4>(color);
+    return fmt::format("{{{:.9g}, {:.9g}, {:.9g}, {:.9g}}}", c.r, c.g, c.b, c.a);
+}
+
 // Where the window of kSide by kSide pixels shows what is expected; the origin is the lower left.
 glm::dvec2 window_place(const Case& of, const Spot& spot) {
-    if (!spot.is_vertex) return {spot.x, kSide - 1 - spot.y};
+    if (spot.kind == Spot::Kind::kPixel) return {spot.x, kSide - 1 - spot.y};
     std::string error;
-    const std::optional<fuzz::VertexScene> scene = fuzz::make_vertex_scene(of.scene, error);
+    const std::optional<fuzz::VertexScene> scene = fuzz::make_vertex_scene(of.carried_out().commands, error);
     const glm::dvec4& clip = scene.value().lit.at(static_cast<std::size_t>(spot.vertex)).position_clip;
     return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * static_cast<double>(kSide);
 }
@@ -129,21 +149,30 @@ std::string reproducer(const std::string& driver, const Case& of, const Result& 
         of.what, of.why, of.text, driver, found, of.name);
     text += print_c_function(with_pragmas_written_out(*of.scene));
     text += fmt::format("\nstatic const char* kText = {};\n", quoted("OpenGL 2.1, section " + of.text));
-    text += fmt::format(
-        "static const double kTolerance = {:g};  /* {} */\n", of.tolerance.value_or(kTolerance),
-        of.tolerance ? of.tolerance_causes : "of float arithmetic; relative to the larger of 1 and the value");
-    text += "static const struct { const char* place; float x, y; float color[4]; } kExpected[] = {\n";
+    std::string colors, error;
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.shading) continue;  // not GL's
+        if (expected.spot.kind == Spot::Kind::kError) {
+            error = text_of(expected.value);
+            continue;
+        }
         const glm::dvec2 place = window_place(of, expected.spot);
-        const glm::dvec4& c = expected.primary;
-        text += fmt::format("    {{{}, {:.9g}, {:.9g}, {{{:.9g}, {:.9g}, {:.9g}, {:.9g}}}}},\n",
-                            quoted(expected.spot.str()), place.x, place.y, c.r, c.g, c.b, c.a);
+        colors += fmt::format("    {{{}, {:.9g}, {:.9g}, {}, {}}},\n", quoted(expected.spot.str()), place.x, place.y,
+                              c_array(expected.value), c_array(expected.other));
     }
-    text += "};\n";
-    text += kJudge;
-    text += of.expectations.front().spot.is_vertex ? kShowVertices : kShowPixels;
-    return text + fmt::format(kMain, kSide);
+    if (colors.empty()) {
+        text += "\nstatic int departures = 0;\n";
+    } else {
+        text += fmt::format(
+            "static const double kTolerance = {:g};  /* {} */\n"
+            "static const struct {{ const char* place; float x, y; float color[4], other[4]; }} kExpected[] = {{\n{}}};\n{}",
+            of.tolerance.value_or(kTolerance),
+            of.tolerance ? of.tolerance_causes : "of float arithmetic; relative to the larger of 1 and the value", colors,
+            kJudge);
+    }
+    if (!error.empty()) text += fmt::format(kJudgeError, error);
+    text += colors.empty() ? kShowNothing : of.is_of_vertices() ? kShowVertices : kShowPixels;
+    return text + fmt::format(kMain, kSide, error.empty() ? "" : "\n    judge_error(glGetError());");
 }
 
 }  // namespace twinlight::cli
