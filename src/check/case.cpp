@@ -279,7 +279,11 @@ std::vector<Case> load_cases(const std::vector<std::string>& names) {
                 fmt::format("{}: there is no case and no file of this name; {}", name,
                             near ? fmt::format("did you mean '{}'?", *near) : "'twinlight check' lists the cases"));
         }
-        cases.push_back(read_case(read_file(name, kMaxSceneBytes), name, path.stem().string()));
+        constexpr std::size_t kMaxCaseBytes = 1u << 20;
+        const std::string text = read_file(name, kMaxCaseBytes + 1);
+        if (text.size() > kMaxCaseBytes)
+            throw SceneError(name + ": is larger than 1 MiB; a case is a head of comment lines and a small scene");
+        cases.push_back(read_case(text, name, path.stem().string()));
     }
     return cases;
 }

@@ -243,6 +243,10 @@ std::string print_command(const Command& command) {
 
 std::string print_scene(const CommandList& scene) { return print_lines(scene, ""); }
 
+std::string print_c_function(const CommandList& scene) {
+    return "static void draw_scene(void) {\n" + print_lines(scene, "    ") + "}\n";
+}
+
 std::string print_c_program(const CommandList& scene) {
     std::string title;  // a name must not end the comment
     for (char c : scene.name) title += (c >= 0x20 && c < 0x7F && c != '*') ? c : '_';
@@ -250,12 +254,11 @@ std::string print_c_program(const CommandList& scene) {
         "/* {}: a scene of Twinlight as a C program.\n"
         "   Build it with: cc -std=c99 FILE.c -lglut -lGLU -lGL -lm */\n"
         "#define GL_GLEXT_PROTOTYPES\n"
-        "#include <GL/freeglut.h>\n#include <math.h>\n\n"
-        "static void draw_scene(void) {{\n",
+        "#include <GL/freeglut.h>\n#include <math.h>\n\n",
         title);
-    text += print_lines(scene, "    ");
+    text += print_c_function(scene);
     text +=
-        "}\n\n"
+        "\n"
         "static void display(void) {\n"
         "    /* The scene sets all its state itself, so start each picture from GL's own. */\n"
         "    glPushAttrib(GL_ALL_ATTRIB_BITS);\n"

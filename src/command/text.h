@@ -40,6 +40,7 @@ CommandList read_scene(std::string_view text, const std::string& file, const std
 
 std::string print_command(const Command& command);      // "glEnable(GL_LIGHT0);", no newline
 std::string print_scene(const CommandList& scene);      // a line a command
+std::string print_c_function(const CommandList& scene);  // "static void draw_scene(void) { ... }"
 std::string print_c_program(const CommandList& scene);  // a freeglut program that draws the scene
 
 }  // namespace twinlight

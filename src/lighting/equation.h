@@ -1,8 +1,8 @@
 // The lighting equation of GL 2.1, section 2.14.1 (GL 4.6 compatibility profile, section 12.2.1), written once.
 //
-// Real may be float, double, long double or a batch of SIMD lanes: nothing below branches on a Real. Choices
-// between values go through select(mask, a, b); `if` and `?:` test only facts that hold for every lane (bool
-// members). All positions and directions are in eye coordinates.
+// Real may be float, double, long double, a batch of SIMD lanes or a number that knows which rulings it comes from
+// (marked.h): nothing below branches on a Real. Choices between values go through select(mask, a, b); `if` and `?:`
+// test only facts that hold for every lane (bool members). All positions and directions are in eye coordinates.
 //
 // The specification's letters, and what they are called here:
 //
@@ -21,7 +21,7 @@
 //
 // RULING (the specification leaves these open): no answer is ever NaN or infinite. A value is the limit of
 // the equation where there is one; otherwise the term contributes 0. unit_and_length() and representable()
-// see to it.
+// see to it; ruled() names what a ruling gave.
 #pragma once
 
 #include <span>
@@ -141,9 +141,12 @@ Light<To> real_cast(const Light<From>& l) {
 // The light to (position_eye, w). Not for batches.
 template <class Real>
 void place(Light<Real>& light, Vec3<Real> position_eye, Real w) {
-    light.directional = w == 0;
+    light.directional = w == Real(0);
     light.position_eye = light.directional ? unit(position_eye) : divided(position_eye, w);
-    if (light.directional) light.half_dir_eye = unit(light.position_eye + Vec3<Real>{0, 0, 1});
+    if (!light.directional) return;
+    const Vec3<Real> half_dir_eye = unit(light.position_eye + Vec3<Real>{0, 0, 1});
+    const Real square = dot(half_dir_eye, half_dir_eye);  // 1 or 0
+    light.half_dir_eye = ruled(Ruling::kOppositeHalfVector, square <= Real(0), half_dir_eye);
 }
 
 // ---- The terms ----
@@ -151,8 +154,10 @@ void place(Light<Real>& light, Vec3<Real> position_eye, Real w) {
 // VP and |VP|.
 template <class Real>
 UnitAndLength<Real> toward_light(const Light<Real>& light, Vec3<Real> position_eye) {
-    if (light.directional) return {light.position_eye, Limits<Real>::largest};
-    return unit_and_length(light.position_eye - position_eye);
+    const UnitAndLength<Real> toward = light.directional
+                                           ? UnitAndLength<Real>{light.position_eye, Limits<Real>::largest}
+                                           : unit_and_length(light.position_eye - position_eye);
+    return {ruled(Ruling::kLightAtVertex, dot(toward.dir, toward.dir) <= Real(0), toward.dir), toward.length};
 }
 
 // att_i. RULING: where the denominator is not positive, 0 (k = 0, 0, 0; a light with k_0 = 0 at the vertex).
@@ -162,7 +167,7 @@ Real attenuation(const Light<Real>& light, Real d) {
     if (light.directional) return Real(1);
     const Real k0 = light.constant_attenuation, k1 = light.linear_attenuation, k2 = light.quadratic_attenuation;
     const Real denominator = k0 + d * (k1 + k2 * d);
-    return select(denominator > Real(0), representable(Real(1) / denominator), Real(0));
+    return select(denominator > Real(0), representable(Real(1) / denominator), ruled(Ruling::kAttenuation, Real(0)));
 }
 
 // The lecture's cone: clamp((cos t - cos outer) / (cos inner - cos outer), 0, 1).
@@ -171,26 +176,31 @@ template <class Real>
 Real smooth_cone(const Light<Real>& light, Real cos_angle) {
     const Real span = light.cos_inner - light.cos_outer;
     const Real slope = clamp01((cos_angle - light.cos_outer) / select(span > Real(0), span, Real(1)));
-    return select(span > Real(0), slope, select(cos_angle >= light.cos_outer, Real(1), Real(0)));
+    const Real step = select(cos_angle >= light.cos_outer, Real(1), Real(0));
+    return select(span > Real(0), slope, ruled(Ruling::kEqualCones, step));
 }
 
 // spot_i; of directional lights too. The comparison includes its border: what rounding can take from a cosine
-// of two unit vectors (some units in the last place) is given back.
+// of two unit vectors (some units in the last place) is given back. RULING: of a spot direction of length 0 the cosine is 0.
 template <class Real>
 Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
     if (!light.is_spot && !light.has_smooth_cone) return Real(1);
-    const Real cos_angle = dot(-vp_dir, light.spot_dir_eye);  // PV . s_dli
+    const Vec3<Real> s_dir = light.spot_dir_eye;
+    const Real cos_angle =  // PV . s_dli
+        ruled(Ruling::kZeroSpotDirection, dot(s_dir, s_dir) <= Real(0), dot(-vp_dir, s_dir));
     if (light.has_smooth_cone) return smooth_cone(light, cos_angle);
-    const Real border = light.cos_cutoff - Real(4) * Limits<Real>::epsilon;
+    const Real rounding = Real(4) * Limits<Real>::epsilon, border = light.cos_cutoff - rounding;
     const Real falloff = power(larger(cos_angle, Real(0)), light.spot_exponent);
-    return select(cos_angle >= border, falloff, Real(0));
+    const Real within = ruled(Ruling::kSpotBorder, cos_angle <= light.cos_cutoff + rounding, falloff);
+    return select(cos_angle >= border, within, Real(0));
 }
 
 // n . h for h = hat(a + b), without h itself; 0 where a + b is 0.
 template <class Real>
 Real cosine_between(Vec3<Real> n, Vec3<Real> a, Vec3<Real> b) {
     const Real size = length(a + b);
-    return (dot(n, a) + dot(n, b)) / select(size > Real(0), size, Real(1));
+    return ruled(Ruling::kOppositeHalfVector, size <= Real(0),
+                 (dot(n, a) + dot(n, b)) / select(size > Real(0), size, Real(1)));
 }
 
 // f_i (n . h_i)^s_rm; h_i lies between VP and VPe, which is (0, 0, 1) for the infinite viewer: their sum, made a unit vector.
@@ -235,7 +245,8 @@ template <class Real>
 Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material, const Surface<Real>& surface,
                         std::span<const Light<Real>> lights, LightTerms<Real>* breakdown = nullptr,
                         const Products<Real>* kept = nullptr) {
-    const Vec3<Real> vpe_dir = model.local_viewer ? unit(-surface.position_eye) : Vec3<Real>{0, 0, 1};
+    const Vec3<Real> eye_dir = model.local_viewer ? unit(-surface.position_eye) : Vec3<Real>{0, 0, 1};
+    const Vec3<Real> vpe_dir = ruled(Ruling::kVertexAtEye, dot(eye_dir, eye_dir) <= Real(0), eye_dir);
     Lit<Real> lit;
     lit.alpha = material.diffuse_alpha;
     const Vec3<Real> scene_ambient = representable(material.ambient * model.ambient);

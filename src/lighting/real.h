@@ -1,13 +1,14 @@
 // What an equation over any number type needs: choices without branches, and arithmetic that stays finite.
 //
-// Real may be float, double, long double or a batch of SIMD lanes; a batch type brings its own select(),
-// abs(), pow() and sqrt() by argument-dependent lookup, and specialises Limits.
+// Real may be float, double, long double, a batch of SIMD lanes or a number that knows which rulings it comes from (marked.h);
+// such types bring their own select(), abs(), pow() and sqrt() by argument-dependent lookup, and specialise Limits.
 #pragma once
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "lighting/rulings.h"
 #include "math/vec3.h"
 
 namespace twinlight::lighting {
@@ -37,6 +38,16 @@ Real select(bool mask, Real a, Real b) {
     return mask ? a : b;
 }
 
+// `value`, which a ruling gave; with `where`: where that holds. Nothing is done but for numbers that know where they come from.
+template <class Value>
+Value ruled(Ruling /*ruling*/, Value value) {
+    return value;
+}
+template <class Mask, class Value>
+Value ruled(Ruling /*ruling*/, Mask /*where*/, Value value) {
+    return value;
+}
+
 template <class Real>
 Real larger(Real a, Real b) {
     return select(a > b, a, b);
@@ -58,7 +69,7 @@ Real clamp01(Real x) {
 template <class Real>
 Real representable(Real x) {
     using std::abs;
-    return select(abs(x) <= Limits<Real>::largest, x, Real(0));
+    return select(abs(x) <= Limits<Real>::largest, x, ruled(Ruling::kNoNumber, Real(0)));
 }
 template <class Real>
 Vec3<Real> representable(Vec3<Real> c) {
@@ -91,7 +102,8 @@ struct UnitAndLength {
 };
 
 // hat(v) and |v|. RULING: the zero vector, and one with an infinite component, has the direction 0.
-// Vectors whose squares would overflow or underflow are scaled by a power of two first, which is exact.
+// Vectors whose squares would overflow or underflow are scaled by a power of two first, which is exact. (Told of what floats'
+// squares would do, for shaders and drivers work in those.)
 template <class Real>
 UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
     using L = Limits<Real>;
@@ -102,7 +114,10 @@ UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
     const Real scaled_length = length(scaled);
     const Real inverse = Real(1) / select(scaled_length > Real(0), scaled_length, Real(1));
     const Real full_length = scaled_length / scale;
-    return {representable(scaled * inverse), select(full_length <= L::largest, full_length, L::largest)};
+    const Vec3<Real> dir = ruled(Ruling::kSquares, biggest > Real(Limits<float>::big), representable(scaled * inverse));
+    const Real not_zero = select(biggest > Real(0), biggest, Real(1));
+    return {ruled(Ruling::kSquares, not_zero < Real(Limits<float>::small), dir),
+            select(full_length <= L::largest, full_length, L::largest)};
 }
 
 template <class Real>
@@ -117,7 +132,7 @@ Vec3<Real> divided(Vec3<Real> v, Real w) {
     const Vec3<Real> quotient = v / w, size = magnitudes(quotient);
     constexpr Real kFar = Limits<Real>::big;
     if (size.x <= kFar && size.y <= kFar && size.z <= kFar) return quotient;
-    return unit(v) * (w < 0 ? -kFar : kFar);
+    return ruled(Ruling::kAtInfinity, unit(v) * (w < 0 ? -kFar : kFar));
 }
 
 }  // namespace twinlight::lighting

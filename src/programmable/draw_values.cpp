@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "effect/color_products.h"
 #include "programmable/attributes.h"
+#include "programmable/origin.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -49,12 +52,11 @@ double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std
 
 bool ordinary(double size) { return size > 1e-12 && size < 1e12; }
 
-double eye_unit(const Draw& draw, const Plan& plan) {
-    const glm::dvec4& reach = plan.vertices.position_reach;
+double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, const Plan& plan) {
     double size = 0;
     for (int row = 0; row < 3; ++row) {
         double sum = 0;
-        for (int column = 0; column < 4; ++column) sum += std::abs(draw.eye_from_object[column][row]) * reach[column];
+        for (int column = 0; column < 4; ++column) sum += std::abs(eye_from_object[column][row]) * reach[column];
         size = std::max(size, sum);
     }
     for (const PlannedLight& planned : plan.lights) {
@@ -86,10 +88,17 @@ glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
 class Builder {
   public:
     Builder(const Draw& draw, const Plan& plan, const Code& code)
-        : draw_(draw), plan_(plan), effects_(code.effects), form_(code.form), lights_(code.lights) {}
+        : draw_(draw),
+          plan_(plan),
+          effects_(code.effects),
+          form_(code.form),
+          lights_(code.lights),
+          origin_object_(upload_origin(draw, plan.vertices)) {
+        if (origin_object_) eye_from_object_ = glm::translate(draw.eye_from_object, *origin_object_);
+    }
 
     Uniforms build() {
-        matrix("u_clip_from_object", draw_.clip_from_eye * draw_.eye_from_object);
+        matrix("u_clip_from_object", draw_.clip_from_eye * eye_from_object_);
         clip_planes();
         fragments();
         if (!effects_.lighting) return std::move(uniforms_);
@@ -128,8 +137,10 @@ class Builder {
     }
 
     void eye_space() {
-        unit_ = effects_.needs_position_eye() ? eye_unit(draw_, plan_) : 1;
-        glm::dmat4 eye_from_object = draw_.eye_from_object;
+        const VertexFacts& facts = plan_.vertices;
+        const glm::dvec4 reach = origin_object_ ? glm::dvec4(glm::dvec3(facts.radius_object), 1) : facts.position_reach;
+        unit_ = effects_.needs_position_eye() ? eye_unit(eye_from_object_, reach, plan_) : 1;
+        glm::dmat4 eye_from_object = eye_from_object_;
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
         matrix("u_eye_from_object", eye_from_object);
@@ -138,8 +149,8 @@ class Builder {
 
     // The viewer and the lights come to the vertices.
     void object_space() {
-        unit_ = similarity_scale(draw_.eye_from_object);
-        object_from_eye_ = glm::inverse(draw_.eye_from_object);
+        unit_ = similarity_scale(eye_from_object_);
+        object_from_eye_ = glm::inverse(eye_from_object_);
         vector("u_viewer_object", point(glm::dvec3(0)));
         vector("u_viewer_dir", direction(glm::dvec3(0, 0, 1)));
     }
@@ -156,14 +167,14 @@ class Builder {
     void clip_planes() {
         int count = 0;
         for (const auto& plane_eye : draw_.raster.clip_planes_eye)
-            if (plane_eye) vector(fmt::format("u_clip_plane{}_object", count++), *plane_eye * draw_.eye_from_object);
+            if (plane_eye) vector(fmt::format("u_clip_plane{}_object", count++), *plane_eye * eye_from_object_);
     }
 
     void fragments() {
         if (effects_.texture.matrix) matrix("u_texture_matrix", draw_.texture.texture_matrix);
         vector("u_texture_env_color", draw_.texture.env_color);
         if (!effects_.has_fog()) return;
-        const glm::dmat4 rows = glm::transpose(draw_.eye_from_object);
+        const glm::dmat4 rows = glm::transpose(eye_from_object_);
         vector("u_eye_z_from_object", rows[2]);
         vector("u_eye_w_from_object", rows[3]);
         const Fog& fog = draw_.fog;
@@ -280,8 +291,10 @@ class Builder {
     const EffectSet& effects_;
     const Form& form_;
     const std::vector<std::vector<std::size_t>>& lights_;
-    double unit_ = 1;                // of length where the shader lights, in eye coordinates
-    glm::dmat4 object_from_eye_{1};  // form_.object_space
+    const std::optional<glm::dvec3> origin_object_;
+    glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to that
+    double unit_ = 1;                                     // of length where the shader lights, in eye coordinates
+    glm::dmat4 object_from_eye_{1};                       // form_.object_space
     Uniforms uniforms_;
 };
 
@@ -289,8 +302,8 @@ class Builder {
 
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) { return Builder(draw, plan, code).build(); }
 
-std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects,
-                                const std::vector<std::uint32_t>& vertices) {
+std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, const std::vector<std::uint32_t>& vertices,
+                                const glm::dvec3& origin_object) {
     const bool normals_made_unit = makes_normals_unit(effects);
     const std::vector<VertexProperty> properties = vertex_properties(effects);
     std::size_t floats_per_vertex = 0;
@@ -302,7 +315,7 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects,
         for (int i = 0; i < size; ++i) values.push_back(to_float(v[i]));
     };
     for_each_vertex(draw, vertices, [&](const Vertex& vertex) {
-        add(vertex.position_object, 4);
+        add(vertex.position_object - glm::dvec4(origin_object * vertex.position_object.w, 0), 4);
         if (effects.needs_normal()) {
             const double size = largest_component(vertex.normal_object);
             const bool rescaled = normals_made_unit && !ordinary(size);

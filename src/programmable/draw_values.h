@@ -16,10 +16,13 @@ namespace twinlight::programmable {
 // By the uniform's name: its floats, matrices by columns, the elements of an array one after the other.
 using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
 
-// Every uniform that the program made from this code has, but for the texture's sampler.
+// Every uniform that the program made from this code has, but for the texture's sampler. For positions relative to
+// upload_origin().
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code);
 
-// The attributes of the vertices, one vertex after the other, as attributes(effects) lists them.
-std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, const std::vector<std::uint32_t>& vertices);
+// The attributes of the vertices, one vertex after the other, as attributes(effects) lists them; positions are relative to
+// `origin_object`, which is upload_origin()'s (origin.h) where it gives one.
+std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, const std::vector<std::uint32_t>& vertices,
+                                const glm::dvec3& origin_object = glm::dvec3(0));
 
 }  // namespace twinlight::programmable

@@ -8,17 +8,20 @@
 
 namespace twinlight::programmable {
 
-MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptions& options) {
+MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptions& options,
+                   const glm::dvec3& origin_object) {
     return {.attributes = attributes(effects),
             .unit_normals = makes_normals_unit(effects),
             .borders = draw.draws_borders(),
-            .patches = may_be_patched(draw, options)};
+            .patches = may_be_patched(draw, options),
+            .origin_object = origin_object};
 }
 
-Mesh::Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options) : elements_(draw, options) {
+Mesh::Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options, const glm::dvec3& origin_object)
+    : elements_(draw, options) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
-    const std::vector<float> values = vertex_array(draw, effects, elements_.vertices());
+    const std::vector<float> values = vertex_array(draw, effects, elements_.vertices(), origin_object);
     vertices_ = filled_buffer(GL_ARRAY_BUFFER, values);
     bytes_ = values.size() * sizeof(float);
     const std::vector<Attribute> list = attributes(effects);

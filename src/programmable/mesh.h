@@ -1,6 +1,7 @@
 // Mesh: a Draw's vertices and indices in buffers of the current context.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "effect/effect_set.h"
@@ -16,16 +17,19 @@ struct MeshForm {
     bool unit_normals = false;
     bool borders = false;  // edge flags count
     bool patches = false;
+    glm::dvec3 origin_object{0};  // that positions are relative to (draw_values.h)
 
     friend bool operator==(const MeshForm&, const MeshForm&) = default;
 };
-MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptions& options);
+MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptions& options,
+                   const glm::dvec3& origin_object);
 
 // Dies before its context does.
 class Mesh {
   public:
     // The attributes that the program of these effects takes.
-    Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options = {});
+    Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options = {},
+         const glm::dvec3& origin_object = glm::dvec3(0));
     ~Mesh();
     Mesh(const Mesh&) = delete;
     Mesh& operator=(const Mesh&) = delete;

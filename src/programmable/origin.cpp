@@ -1,28 +1,24 @@
 #include "programmable/origin.h"
 
-#include <glm/ext/matrix_transform.hpp>
+#include <cmath>
 #include <glm/geometric.hpp>
+
+#include "state/origin.h"
 
 namespace twinlight::programmable {
 
-bool is_far_from_origin(const Draw& draw) {
-    if (draw.vertices.empty()) return false;
-    // Of 24 bits, eight are lost: what is left is 1e-5 of the distance from the eye, 2.1.1's measure.
-    constexpr double kCancels = 256;
-    const glm::dvec4& place = draw.vertices.front().position_object;
-    const glm::dvec3 turned = glm::dmat3(draw.eye_from_object) * glm::dvec3(place);
-    const glm::dvec3 moved = glm::dvec3(draw.eye_from_object[3]) * place.w;
-    return place.w != 0 && glm::length(turned) + glm::length(moved) > kCancels * glm::length(turned + moved);
-}
-
-std::optional<Draw> moved_to_origin(const Draw& draw) {
-    if (!is_far_from_origin(draw)) return std::nullopt;
-    const glm::dvec4 first = draw.vertices.front().position_object;
-    const glm::dvec3 origin = glm::dvec3(first) / first.w;
-    Draw moved = draw;
-    for (Vertex& vertex : moved.vertices) vertex.position_object -= glm::dvec4(origin * vertex.position_object.w, 0);
-    moved.eye_from_object = glm::translate(draw.eye_from_object, origin);
-    return moved;
+std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& facts) {
+    // Coordinates are as large as the object then, and no longer as its distance from the origin: at least two bits are gained.
+    constexpr double kGain = 4;
+    if (!facts.has_sphere || !(glm::length(facts.center_object) > kGain * facts.radius_object)) return {};
+    double stretch = 0;  // squared, at least: the sum of the squares of the matrix's elements
+    for (int column = 0; column < 3; ++column) {
+        const glm::dvec3 axis(draw.eye_from_object[column]);
+        stretch += glm::dot(axis, axis);
+    }
+    const double radius_eye = std::sqrt(stretch) * facts.radius_object;
+    if (!is_far_from_origin(draw, glm::dvec4(facts.center_object, 1), radius_eye)) return {};
+    return facts.center_object;
 }
 
 }  // namespace twinlight::programmable

@@ -11,6 +11,7 @@
 
 #include "context/gl.h"
 #include "programmable/mesa_floats.h"
+#include "programmable/origin.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -144,7 +145,8 @@ void check_has_precise() {
             fmt::format("--precise needs GLSL 4.00, which has `precise`; this driver has {:.2f}", glsl_version()));
 }
 
-bool floats_suffice(const Draw& draw) {
+bool floats_suffice(const Draw& draw, const Plan& plan) {
+    if (upload_origin(draw, plan.vertices)) return false;
     if (!draw.lighting.enabled) return true;
     // Of vectors the square, of matrices the determinant: 1e-45 to 3e38 are floats.
     const auto fits = [](const glm::dvec3& v, double most) {

@@ -18,8 +18,9 @@ bool has_precise();
 void check_has_precise();
 
 // Whether Mesa's floats keep to the text for a Draw: they do not under a matrix without an inverse, nor where the squares of a
-// light's place, of its spot direction or of the modelview matrix leave them. Such Draws have the ordinary programs.
-bool floats_suffice(const Draw& draw);
+// light's place, of its spot direction or of the modelview matrix leave them, nor far from the origin. Such Draws have the
+// ordinary programs.
+bool floats_suffice(const Draw& draw, const Plan& plan);
 
 // In the place of code_for() and uniforms(). Throws std::runtime_error for a Draw with lights that GL does not have.
 Code precise_code(const Draw& draw, const Plan& plan);

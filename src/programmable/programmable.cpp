@@ -22,12 +22,12 @@ namespace {
 
 // What is left of a Draw once it is planned and its vertices are the driver's.
 struct PreparedDraw {
-    // mesh_of: gives the mesh for an EffectSet.
+    // mesh_of: gives the mesh for an EffectSet and what positions are relative to.
     template <class MeshOf>
     PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options, const MeshOf& mesh_of)
-        : code(options.precise && floats_suffice(draw) ? precise_code(draw, plan) : code_for(draw, plan)),
+        : code(options.precise && floats_suffice(draw, plan) ? precise_code(draw, plan) : code_for(draw, plan)),
           numbers(code.form.precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code)),
-          mesh(mesh_of(code.effects)) {
+          mesh(mesh_of(code.effects, upload_origin(draw, plan.vertices).value_or(glm::dvec3(0)))) {
         keep_state(draw);
     }
     // One pass of an exact surface.
@@ -49,14 +49,17 @@ struct PreparedDraw {
 };
 
 PreparedDraw prepared(const Draw& draw, const RenderOptions& options) {
-    return {draw, plan_effects(draw, options), options,
-            [&](const EffectSet& effects) { return std::make_shared<const Mesh>(draw, effects, options); }};
+    return {draw, plan_effects(draw, options), options, [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                return std::make_shared<const Mesh>(draw, effects, options, origin_object);
+            }};
 }
 
 PreparedDraw prepared(const Draw& draw, const RenderOptions& options, KeptMeshes& kept) {
     const auto known = kept.known(draw);
     return {draw, plan_effects(draw, options, known->facts), options,
-            [&](const EffectSet& effects) { return kept.mesh(*known, draw, effects, options); }};
+            [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                return kept.mesh(*known, draw, effects, options, origin_object);
+            }};
 }
 
 }  // namespace
@@ -87,9 +90,7 @@ struct PreparedFrame::Impl {
     }
 
     void add_mesh(const Draw& draw, const RenderOptions& options, KeptMeshes* kept) {
-        const std::optional<Draw> moved = moved_to_origin(draw);
-        const Draw& here = moved ? *moved : draw;
-        items.emplace_back(kept ? prepared(here, options, *kept) : prepared(here, options));
+        items.emplace_back(kept ? prepared(draw, options, *kept) : prepared(draw, options));
     }
 
     void add_surfaces(const Draw& draw, const RenderOptions& options) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "programmable/bake.h"
+#include "programmable/origin.h"
 #include "programmable/precise.h"
 #include "programmable/programmable.h"
 #include "programmable/surface_values.h"
@@ -76,6 +77,9 @@ std::string program_text(const Draw& draw, const Plan& plan, const Code& code, c
 
     text += fixed_stages_text(draw, plan);
 
+    if (const auto origin = upload_origin(draw, plan.vertices))
+        text += fmt::format("// a_position is relative to ({}, {}, {}), subtracted in double.\n", origin->x, origin->y,
+                            origin->z);
     const ShaderSource source = assemble(code.effects, code.form);
     const auto names = uniform_names(source);
     text += "// The uniforms' values:\n";
@@ -121,7 +125,7 @@ std::string shader_source(const Frame& frame, const RenderOptions& asked) {
         if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
             const Plan plan = plan_effects(*draw, options);
             const Code code =
-                options.precise && floats_suffice(*draw) ? precise_code(*draw, plan) : code_for(*draw, plan);
+                options.precise && floats_suffice(*draw, plan) ? precise_code(*draw, plan) : code_for(*draw, plan);
             add(*draw, plan, code,
                 [&] { return code.form.precise ? precise_uniforms(*draw, plan, code) : uniforms(*draw, plan, code); });
         } else if (!last || !are_one_shape(*last, *draw)) {

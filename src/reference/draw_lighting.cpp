@@ -20,12 +20,14 @@ double cos_cutoff(double cutoff_deg) {
 }
 
 // Table 2.10's parameters of one light. Cosines and the spot's unit vector are taken here, once.
-lighting::Light<double> light_of(const LightSource& source, bool lecture_variants) {
-    lighting::Light<double> light;
-    light.ambient = rgb(source.ambient);
-    light.diffuse = rgb(source.diffuse);
-    light.specular = rgb(source.specular);
-    place(light, vec3_cast<Vec>(source.position_eye), source.position_eye.w);
+template <class Real>
+lighting::Light<Real> light_of(const LightSource& source, bool lecture_variants) {
+    using Vec = Vec3<Real>;
+    lighting::Light<Real> light;
+    light.ambient = vec3_cast<Vec>(source.ambient);
+    light.diffuse = vec3_cast<Vec>(source.diffuse);
+    light.specular = vec3_cast<Vec>(source.specular);
+    place(light, vec3_cast<Vec>(source.position_eye), Real(source.position_eye.w));
     light.spot_dir_eye = lighting::unit(vec3_cast<Vec>(source.spot_direction_eye));
     light.spot_exponent = source.spot_exponent;
     light.is_spot = source.spot_cutoff_deg != 180;
@@ -35,8 +37,8 @@ lighting::Light<double> light_of(const LightSource& source, bool lecture_variant
     light.quadratic_attenuation = source.quadratic_attenuation;
     if (lecture_variants && source.smooth_cone) {
         light.has_smooth_cone = true;
-        light.cos_inner = lighting::cos_deg<double>(source.smooth_cone->inner_deg);
-        light.cos_outer = lighting::cos_deg<double>(source.smooth_cone->outer_deg);
+        light.cos_inner = lighting::cos_deg<Real>(source.smooth_cone->inner_deg);
+        light.cos_outer = lighting::cos_deg<Real>(source.smooth_cone->outer_deg);
     }
     return light;
 }
@@ -49,7 +51,19 @@ bool tracks(const ColorMaterial& color_material, Face face, Enum property) {
     return color_material.mode == property;
 }
 
+template <class Real>
+std::vector<lighting::Light<Real>> lights_of(const LightingState& state, bool lecture_variants) {
+    std::vector<lighting::Light<Real>> lights;
+    for (const LightSource& source : state.lights)
+        if (source.enabled) lights.push_back(light_of<Real>(source, lecture_variants));
+    return lights;
+}
+
 }  // namespace
+
+std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants) {
+    return lights_of<lighting::Marked>(draw.lighting, lecture_variants);
+}
 
 lighting::Surface<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face) {
     const Vec normal = vec3_cast<Vec>(normal_eye);
@@ -68,8 +82,7 @@ DrawLighting::DrawLighting(const Draw& draw, bool lecture_variants)
     model_.separate_specular = light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
     model_.reflection = lecture_variants && light_model.specular == Word::reflection;
     model_.ambient_unattenuated = lecture_variants && light_model.light_ambient == Word::unattenuated;
-    for (const LightSource& source : draw.lighting.lights)
-        if (source.enabled) lights_.push_back(light_of(source, lecture_variants));
+    lights_ = lights_of<double>(draw.lighting, lecture_variants);
     if (!lecture_variants || !light_model.spectrum) return;
     std::vector<LightSource> enabled;
     std::ranges::copy_if(draw.lighting.lights, std::back_inserter(enabled), &LightSource::enabled);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lighting/equation.h"
+#include "lighting/marked.h"
 #include "lighting/points.h"
 #include "reference/spectral_lighting.h"
 #include "reference/vertex_stage.h"
@@ -29,6 +30,9 @@ enum class Face : std::uint8_t { kFront, kBack };
 
 struct LitPoint;  // pixel.h
 
+// The enabled lights as the equation takes them, with the rulings that they come from.
+std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants);
+
 // What the equation takes of a point: V, and the normal, reversed for the back face (2.14.1).
 lighting::Surface<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face);
 
@@ -43,8 +47,9 @@ class DrawLighting {
     // With lighting, and with a material that need not be a vertex's.
     Colors lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
                Face face) const;
-    // The same term by term (pixel.h).
-    LitPoint point(const StageVertex& v, const LitMaterial& material, Face face) const;
+    // The same term by term (pixel.h); with the rulings that the lights and the vertex come from.
+    LitPoint point(const StageVertex& v, const LitMaterial& material, Face face,
+                   const std::vector<lighting::Light<lighting::Marked>>& lights, const VertexRulings& rulings) const;
     // What the vertex is lit with: its own material, with its colour where the material follows it (2.14.3).
     LitMaterial material(const StageVertex& v, Face face) const;
 

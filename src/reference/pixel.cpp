@@ -1,11 +1,15 @@
 #include "reference/pixel.h"
 
+#include <algorithm>
+
 #include "reference/coverage.h"
 #include "reference/fragment_operations.h"
 #include "reference/framebuffer.h"
 #include "reference/stages.h"
 
 namespace twinlight::reference {
+
+using lighting::Marked;
 
 namespace {
 
@@ -28,6 +32,17 @@ LitMaterial material_between(const DrawLighting& lighting, const std::vector<Sta
     return mixed(weights, materials);
 }
 
+VertexRulings rulings_between(const Draw& draw, const Primitive& primitive, const glm::dvec3& weights) {
+    VertexRulings all;
+    for (int i = 0; i < 3; ++i) {
+        if (weights[i] == 0) continue;
+        const VertexRulings one = vertex_rulings(draw, draw.vertices[primitive.vertices[static_cast<std::size_t>(i)]]);
+        all.position |= one.position;
+        all.normal |= one.normal;
+    }
+    return all;
+}
+
 void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec2& position_window,
                 const RenderOptions& options, PixelFragment& fragment) {
     const DrawLighting lighting(*staged.draw, options.lecture_variants);
@@ -37,23 +52,31 @@ void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec2& 
     for (std::size_t i = 0; i < lights.size(); ++i)
         if (lights[i].enabled) fragment.lights.push_back(static_cast<int>(i));
     const Face face = lighting.two_side() ? fragment.face : Face::kFront;
+    const auto marked = marked_lights(*staged.draw, options.lecture_variants);
+    const auto point = [&](const StageVertex& v, const LitMaterial& material, const VertexRulings& rulings) {
+        return lighting.point(v, material, face, marked, rulings);
+    };
     if (piece.rays) {
         const StageVertex pixel = piece.rays->point(position_window, piece.point).value().vertex;
-        fragment.points.push_back(lighting.point(pixel, lighting.material(pixel, face), face));
+        fragment.points.push_back(point(pixel, lighting.material(pixel, face), {}));
         return;
     }
     const glm::dvec3 weights = weights_at(piece, position_window);
     if (fragment.shading == Shading::kPhong || fragment.shading == Shading::kExact) {
         const StageVertex pixel = between(staged.vertices, piece.primitive, weights);
+        VertexRulings rulings = rulings_between(*staged.draw, piece.primitive, weights);
+        if (pixel.normal_eye == glm::dvec3(0) && rulings.normal.empty())
+            rulings.normal = {lighting::Ruling::kZeroNormal};
         const LitMaterial material = lighting.has_vertex_materials()
                                          ? material_between(lighting, staged.vertices, piece.primitive, weights, face)
                                          : lighting.material(pixel, face);
-        fragment.points.push_back(lighting.point(pixel, material, face));
+        fragment.points.push_back(point(pixel, material, rulings));
         return;
     }
     const auto add = [&](std::uint32_t vertex, double weight) {
         const StageVertex& v = staged.vertices[vertex];
-        fragment.points.push_back(lighting.point(v, lighting.material(v, face), face));
+        fragment.points.push_back(
+            point(v, lighting.material(v, face), vertex_rulings(*staged.draw, staged.draw->vertices[vertex])));
         fragment.points.back().weight = weight;
     };
     if (fragment.shading == Shading::kFlat) return add(piece.primitive.provoking, 1);
@@ -61,9 +84,42 @@ void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec2& 
         if (weights[i] != 0) add(piece.primitive.vertices[static_cast<std::size_t>(i)], weights[i]);
 }
 
+// Lit, or the current colour, which no ruling decides: 2.14.6's clamp, then between the points.
+Shader::MarkedColors marked_colors(const PixelFragment& fragment) {
+    Shader::MarkedColors colors;
+    if (!fragment.is_lit) colors.primary.fill(1);
+    for (const LitPoint& point : fragment.points) {
+        const auto add = [&](Channels<Marked>& sum, const Vec3<Marked>& color) {
+            const Marked channels[] = {color.x, color.y, color.z};
+            for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + Marked(point.weight) * lighting::clamp01(channels[i]);
+        };
+        add(colors.primary, point.marked_primary);
+        add(colors.secondary, point.marked_secondary);
+    }
+    return colors;
+}
+
+void add_rulings(const Shader& shader, const Piece& piece, const glm::dvec2& position_window, PixelFragment& fragment) {
+    lighting::RulingSet decided;
+    for (const Marked& channel : shader.marked_color(piece, position_window, marked_colors(fragment)))
+        decided |= channel.rulings;
+    for (const lighting::RulingText& text : lighting::kRulings) {
+        if (!decided.contains(text.ruling)) continue;
+        PixelFragment::Decided& one = fragment.rulings.emplace_back(PixelFragment::Decided{text.ruling, {}});
+        for (std::size_t i = 0; i < fragment.lights.size(); ++i)
+            if (std::ranges::any_of(fragment.points, [&](const LitPoint& point) {
+                    const lighting::LightTerms<Marked>& terms = point.marked_terms[i];
+                    return (rulings_of(terms.ambient) | rulings_of(terms.diffuse) | rulings_of(terms.specular))
+                        .contains(text.ruling);
+                }))
+                one.lights.push_back(fragment.lights[i]);
+    }
+}
+
 }  // namespace
 
-LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, Face face) const {
+LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, Face face,
+                             const std::vector<lighting::Light<Marked>>& lights, const VertexRulings& rulings) const {
     const lighting::Surface<double> surface = surface_of(v.position_eye, v.normal_eye, face);
     LitPoint point{.material = material};
     point.terms.resize(lights_.size());
@@ -72,6 +128,17 @@ LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, 
         spectral_ ? spectral_->scene_ambient(material) : lighting::representable(material.ambient * model_.ambient);
     point.primary = lit.primary;
     point.secondary = lit.secondary;
+
+    point.marked_terms.resize(lights.size());
+    const Vec3<Marked> normal = vec3_cast<Vec3<Marked>>(surface.normal_eye);
+    const lighting::Surface<Marked> from{
+        marked(lighting::divided(vec3_cast<Vec3<Marked>>(v.position_eye), Marked(v.position_eye.w)), rulings.position),
+        marked(normal, rulings.normal)};
+    const lighting::Lit<Marked> told =
+        lighting::light_surface<Marked>(lighting::real_cast<Marked>(model_), lighting::real_cast<Marked>(material),
+                                        from, lights, point.marked_terms.data());
+    point.marked_primary = told.primary;
+    point.marked_secondary = told.secondary;
     return point;
 }
 
@@ -101,6 +168,7 @@ std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptio
                                   (!draw.fragment.alpha_test || alpha_passes(draw.fragment, fragment.color.a));
                 if (fragment.passes && tested && draw.raster.depth_mask) stored = fragment.depth;
                 add_points(stages.draws[piece.draw], piece, centre, options, fragment);
+                add_rulings(shaders[piece.draw], piece, centre, fragment);
                 fragments.push_back(std::move(fragment));
             });
         }

@@ -1,4 +1,4 @@
-// One pixel taken apart: which fragments were drawn there, and every term of the lighting of each.
+// One pixel taken apart: which fragments were drawn there, every term of the lighting of each, and which rulings decided it.
 //
 // In: a Frame and the pixel's window coordinates (y up). Out: its fragments in the order of the commands, with the terms of
 // the points that they were lit at: of gouraud shading the primitive's vertices, of flat shading the provoking one, of phong
@@ -19,6 +19,9 @@ struct LitPoint {
     Vec scene_ambient{};
     std::vector<lighting::LightTerms<double>> terms{};  // one for each of PixelFragment::lights
     Vec primary{}, secondary{};                         // before the clamp
+    // The same with the rulings that they come from.
+    std::vector<lighting::LightTerms<lighting::Marked>> marked_terms{};
+    Vec3<lighting::Marked> marked_primary{}, marked_secondary{};
 };
 
 struct PixelFragment {
@@ -31,6 +34,12 @@ struct PixelFragment {
     std::vector<int> lights{};       // numbers of the enabled lights
     std::vector<LitPoint> points{};  // none where nothing is lit
     glm::dvec4 color{0};             // after clamp, texture, colour sum and fog; before blending
+    // What the specification leaves open and decided the colour.
+    struct Decided {
+        lighting::Ruling ruling;
+        std::vector<int> lights;  // the numbers of the lights whose terms it decided
+    };
+    std::vector<Decided> rulings{};
 };
 
 std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptions& options, int x, int y);

@@ -11,6 +11,8 @@
 
 namespace twinlight::reference {
 
+using lighting::Marked;
+
 namespace {
 
 Shading shading_of(const Draw& draw, const RenderOptions& options) {
@@ -21,6 +23,7 @@ Shading shading_of(const Draw& draw, const RenderOptions& options) {
 // `#pragma twinlight transfer(srgb)`: what is linear light up to here is coded as the display takes it; alpha is no light.
 double coded(double linear) { return srgb_coded(linear); }
 Interval coded(Interval linear) { return {srgb_coded(linear.low), srgb_coded(linear.high)}; }
+Marked coded(Marked linear) { return {srgb_coded(linear.value), linear.rulings}; }
 
 }  // namespace
 
@@ -113,6 +116,19 @@ glm::dvec4 Shader::sampled(const TexturePlace& place) const {
     return sample(*unit.texture, place.st, level_of_detail(scale_factor(*unit.texture, place), unit.lod_bias));
 }
 
+Channels<Marked> Shader::marked_color(const Piece& piece, const glm::dvec2& position_window,
+                                      const MarkedColors& lit) const {
+    const LitPlace place = lit_place({&piece, position_window});
+    const glm::dvec4& eye = place.vertex.position_eye;
+    const Marked fog = draw_.fog.enabled ? fog_factor(draw_.fog, abs(quotient(Marked(eye.z), Marked(eye.w)))) : 1;
+    if (!place.finish.texel) return finished<Marked>(lit, nullptr, fog);
+    const lighting::RulingSet rulings =
+        piece.rays ? lighting::RulingSet{} : texture_rulings(vertices_, piece, position_window);
+    Channels<Marked> texel{};
+    for (std::size_t i = 0; i < texel.size(); ++i) texel[i] = {(*place.finish.texel)[i], rulings};
+    return finished<Marked>(lit, &texel, fog);
+}
+
 FragmentBounds Shader::bounds(const Piece& piece, const glm::dvec2& position_window) const {
     const LitColors colors = lights_pixels(piece) ? lit({&piece, position_window}, lit_place({&piece, position_window}))
                                                   : vertex_colors(piece, position_window);
@@ -126,9 +142,10 @@ FragmentBounds Shader::bounds(const Piece& piece, const glm::dvec2& position_win
 
 // 3.9: after texturing the secondary colour is added to the primary one; the alpha is the primary one's. The clamp to
 // [0,1] is for the sum; both colours were clamped before.
-template <class Real>
-Channels<Real> Shader::finished(const LitColors& colors, const Channels<Real>* texel, Real fog) const {
-    Channels<Real> result = channels<Real>(colors.primary);
+template <class Real, class Colors>
+Channels<Real> Shader::finished(const Colors& colors, const Channels<Real>* texel, Real fog) const {
+    Channels<Real> result;
+    for (int i = 0; i < 4; ++i) result[i] = Real(colors.primary[i]);
     if (texel) result = textured(draw_.texture, draw_.texture.texture->levels[0].base_format, result, *texel);
     for (int i = 0; i < 3; ++i) result[i] = result[i] + Real(colors.secondary[i]);
     for (Real& channel : result) channel = clamp01(channel);

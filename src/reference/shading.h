@@ -41,6 +41,13 @@ class Shader {
     std::vector<glm::dvec4> colors(const std::vector<Fragment>& fragments) const;
     FragmentBounds bounds(const Piece& piece, const glm::dvec2& position_window) const;
 
+    // The color() of lit colours that know the rulings they come from, in [0,1].
+    struct MarkedColors {
+        Channels<lighting::Marked> primary, secondary;
+    };
+    Channels<lighting::Marked> marked_color(const Piece& piece, const glm::dvec2& position_window,
+                                            const MarkedColors& lit) const;
+
   private:
     struct LitColors {
         glm::dvec4 primary{0}, secondary{0};
@@ -74,8 +81,8 @@ class Shader {
     double fog_at(const Piece& piece, const glm::dvec2& position_window) const;
     glm::dvec4 sampled(const TexturePlace& place) const;
     glm::dvec4 finished(const LitColors& colors, const Finish& finish) const;
-    template <class Real>
-    Channels<Real> finished(const LitColors& colors, const Channels<Real>* texel, Real fog) const;
+    template <class Real, class Colors>
+    Channels<Real> finished(const Colors& colors, const Channels<Real>* texel, Real fog) const;
 
     const Draw& draw_;
     const std::vector<StageVertex>& vertices_;

@@ -27,9 +27,6 @@ double wrapped(Enum wrap, double coordinate, int size) {
     return coordinate - std::floor(coordinate);  // GL_REPEAT
 }
 
-// RULING: a coordinate that is no number, or beyond what double can count, is 0.
-double countable(double coordinate) { return std::abs(coordinate) < 1e15 ? coordinate : 0; }
-
 int floor_int(double x) { return static_cast<int>(std::floor(x)); }
 
 glm::dvec4 border_texel(const glm::dvec4& color, Enum base_format) {

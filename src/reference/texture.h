@@ -4,8 +4,10 @@
 // internal format has them; what table 3.21 makes of it, stands in texture_environment.h.
 #pragma once
 
+#include <cmath>
 #include <glm/vec2.hpp>
 
+#include "lighting/real.h"
 #include "state/frame.h"
 
 namespace twinlight::reference {
@@ -37,6 +39,12 @@ struct TexelPair {
     int first = 0, second = 0;
     double weight = 0;  // of the second; the first has the rest
 };
+// RULING: a coordinate that is no number, or beyond what double can count, is 0.
+template <class Real>
+Real countable(Real coordinate) {
+    using std::abs;
+    return abs(coordinate) < Real(1e15) ? coordinate : ruled(lighting::Ruling::kUncountable, Real(0));
+}
 int nearest_texel(Enum wrap, double coordinate, int size);
 TexelPair linear_texels(Enum wrap, double coordinate, int size);
 

@@ -23,7 +23,7 @@ Real textured_color(Enum env_mode, Enum base_format, Real fragment, Real texel, 
         case kGL_DECAL:
             if (base_format == kGL_RGB) return texel;
             if (base_format == kGL_RGBA) return fragment * (Real(1) - texel_alpha) + texel * texel_alpha;
-            return fragment;
+            return ruled(lighting::Ruling::kDecal, fragment);
         case kGL_BLEND: return fragment * (Real(1) - texel) + Real(env_color) * texel;
         case kGL_ADD: return clamp01(fragment + texel);
     }

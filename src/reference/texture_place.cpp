@@ -56,6 +56,14 @@ TexturePlace texture_place(const std::vector<StageVertex>& vertices, const Piece
     return place;
 }
 
+lighting::RulingSet texture_rulings(const std::vector<StageVertex>& vertices, const Piece& piece,
+                                    const glm::dvec2& position_window) {
+    using lighting::Marked;
+    const glm::dvec3 stq = stq_over_w(vertices, piece, position_window).value;
+    const Marked s = quotient(Marked(stq.x), Marked(stq.z)), t = quotient(Marked(stq.y), Marked(stq.z));
+    return countable(s).rulings | countable(t).rulings;
+}
+
 TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices, const Piece& piece,
                                         const glm::dvec2& position_window, const Texture& texture) {
     // Float arithmetic: the roundings of texture matrix, plane (a constant, a slope a pixel times the pixel's number) and

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "lighting/marked.h"
 #include "reference/interval.h"
 #include "reference/piece.h"
 #include "reference/texture.h"
@@ -25,7 +26,14 @@ TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices
 // Rasterisers snap vertices to a grid, llvmpipe's and most GPUs' is 1/256 pixel.
 inline constexpr double kSnap = 1.0 / 256;
 
+// The rulings by which it has its place; of a mesh.
+lighting::RulingSet texture_rulings(const std::vector<StageVertex>& vertices, const Piece& piece,
+                                    const glm::dvec2& position_window);
+
 // RULING: what is divided by a q or w of 0 is 0.
-inline double quotient(double a, double b) { return b == 0 ? 0 : a / b; }
+template <class Real>
+Real quotient(Real a, Real b) {
+    return b == Real(0) ? ruled(lighting::Ruling::kZeroQuotient, Real(0)) : a / b;
+}
 
 }  // namespace twinlight::reference

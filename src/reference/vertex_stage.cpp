@@ -7,6 +7,7 @@
 
 #include "reference/draw_lighting.h"
 #include "reference/reference.h"
+#include "state/origin.h"
 
 namespace twinlight::reference {
 
@@ -52,6 +53,28 @@ std::vector<StageVertex> vertex_stage(const Draw& draw) {
         result.push_back(v);
     }
     return result;
+}
+
+VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex) {
+    using lighting::Ruling;
+    VertexRulings rulings;
+    if (is_far_from_origin(draw, vertex.position_object)) rulings.position |= {Ruling::kFarFromOrigin};
+    const LightingState& state = draw.lighting;
+    const glm::dmat3 normal_eye_from_object = normal_matrix(draw.eye_from_object);
+    const Vec normal_eye = vec3_cast<Vec>(normal_eye_from_object * vertex.normal_object);
+    if (normal_eye_from_object == glm::dmat3(0))
+        rulings.normal |= {Ruling::kSingularModelview};
+    else if (normal_eye == Vec{})
+        rulings.normal |= {Ruling::kZeroNormal};
+    if (state.normalize)
+        rulings.normal |= rulings_of(lighting::unit(vec3_cast<Vec3<lighting::Marked>>(normal_eye)));
+    else if (state.rescale_normal && normal_eye != Vec{}) {
+        // Decides where the answer that 2.11.3 allows as well, a unit vector, is another.
+        constexpr double kRounding = 1e-6;  // of normals that a program calls unit
+        const double rescaled = lighting::unit_and_length(normal_eye).length * rescale_factor(normal_eye_from_object);
+        if (std::abs(rescaled - 1) > kRounding) rulings.normal |= {Ruling::kRescaled};
+    }
+    return rulings;
 }
 
 std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& options, bool clamp) {

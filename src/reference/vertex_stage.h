@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "lighting/rulings.h"
 #include "state/frame.h"
 
 namespace twinlight::reference {
@@ -19,6 +20,12 @@ struct StageVertex {
 };
 
 std::vector<StageVertex> vertex_stage(const Draw& draw);
+
+// Which rulings decided a vertex.
+struct VertexRulings {
+    lighting::RulingSet position, normal;
+};
+VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex);
 
 // What takes an object-space normal to eye space, as a column vector: the transpose of the inverse of the
 // upper 3x3 (2.11.3). RULING: a singular matrix takes every normal to 0, which no light reaches.

@@ -2,13 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <set>
 
 #include "../unit/run_program.h"
 #include "check/check.h"
 #include "command/text.h"
+#include "fuzz/vertex_colors.h"
 #include "listed_driver.h"
+#include "reference/reference.h"
+#include "state/state.h"
 
 namespace twinlight::check {
 
@@ -39,6 +43,43 @@ TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
         // Of another driver than the listed one nobody has looked at the departures.
         EXPECT_TRUE(!is_listed || !is_failure(results[i].verdicts[0]));
     }
+}
+
+// Every case in every number type, without a driver.
+TEST(HardCasesOfTheReference, AreFinite) {
+    for (const Case& of : load_cases()) {
+        SCOPED_TRACE(of.name);
+        const Frame frame = make_frame(of.carried_out().commands, {.width = kSide, .height = kSide});
+        for (const Number number : {Number::kFloat, Number::kDouble, Number::kLongDouble}) {
+            RenderOptions options = fuzz::gls_own_model();
+            options.arithmetic.number = number;
+            for (const auto& item : frame.items) {
+                const Draw* draw = std::get_if<Draw>(&item);
+                if (!draw) continue;
+                for (const reference::LitVertex& vertex : reference::light_vertices(*draw, options, false))
+                    for (int i = 0; i < 4; ++i)
+                        EXPECT_TRUE(std::isfinite(vertex.front_primary[i]) && std::isfinite(vertex.back_secondary[i]));
+            }
+        }
+        const Image image = reference::render(frame, {});
+        EXPECT_TRUE(std::ranges::all_of(image.pixels, [](const Rgba& pixel) { return std::isfinite(pixel[0]); }));
+    }
+}
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
+TEST(HardCasesOfTheReference, AreCleanUnderValgrind) {
+    if (kSanitized) GTEST_SKIP() << "valgrind and the address sanitizer do not go together";
+    if (run_shell("", "command -v valgrind").status != 0) GTEST_SKIP() << "valgrind is not installed";
+    const ProgramResult result = run_shell("twinlight-tests",
+                                           "valgrind --quiet --suppressions=tests/valgrind.supp --error-exitcode=9 "
+                                           "--leak-check=full --errors-for-leak-kinds=definite \"$PROGRAM\" "
+                                           "--gtest_filter=HardCasesOfTheReference.AreFinite");
+    EXPECT_EQ(result.status, 0) << result.out << result.err;
 }
 
 // A driver is chosen when a process makes its first context.

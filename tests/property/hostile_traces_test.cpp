@@ -177,6 +177,18 @@ TEST_F(HostileFiles, EndInOneLineAndStatus2) {
     expect_one_line(compare("empty.trace"));
 }
 
+TEST_F(HostileFiles, MayHaveNoEnd) {
+    for (const std::string& arguments :
+         {"render /dev/zero --with reference -o " + quoted(folder_ / "report"), std::string("explain /dev/zero"),
+          std::string("export /dev/zero --as c"), std::string("check /dev/zero"),
+          "study /dev/zero -o " + quoted(folder_ / "report"),
+          "study --merge /dev/zero -o " + quoted(folder_ / "report")}) {
+        SCOPED_TRACE(arguments);
+        const std::string limit = kSanitized ? "" : "ulimit -v 3000000; ";
+        expect_one_line(run_shell("twinlight", limit + "ulimit -t 20; \"$PROGRAM\" " + arguments));
+    }
+}
+
 // The state of each of these would be many gigabytes.
 TEST_F(HostileFiles, StayWithinTheMemoryOfWhatTheyKeep) {
     const std::filesystem::path large = folder_ / "large.bin";

@@ -40,7 +40,9 @@ TEST_F(Outputs, OfEveryCommandThatDoNotFitAreTold) {
              "compare report --size 8x6 --json -o " + in_folder("report"),
              "study report --quick --seconds 0.01 --size 8x6 -o " + in_folder("study"),
              "study report --quick --seconds 0.01 --size 8x6 --json -o " + in_folder("study"),
-             "fuzz --count 1 -o " + in_folder("fuzz"), "fuzz --count 1 --json -o " + in_folder("fuzz")}) {
+             "fuzz --count 1 -o " + in_folder("fuzz"), "fuzz --count 1 --json -o " + in_folder("fuzz"),
+             "check light-none rescale-1e7", "check light-none --json",
+             "check rescale-1e7 --html " + in_folder("page") + " --write-reproducers " + in_folder("faults")}) {
         const ProgramResult result = run_shell("twinlight", "\"$PROGRAM\" " + arguments + " >/dev/full");
         EXPECT_EQ(result.status, 2) << arguments;
         EXPECT_EQ(result.err, "twinlight: standard output: No space left on device\n") << arguments;
@@ -51,7 +53,9 @@ TEST_F(Outputs, LeaveNoFileWhereTheDiskIsFull) {
     for (const std::string& arguments : std::vector<std::string>{
              "render report --with reference --size 64x48 -o " + in_folder("p.png"),
              "compare report --size 8x6 -o " + in_folder("report"),
-             "study report --quick --seconds 0.01 --size 8x6 -o " + in_folder("study"), kFuzz + in_folder("fuzz")}) {
+             "study report --quick --seconds 0.01 --size 8x6 -o " + in_folder("study"), kFuzz + in_folder("fuzz"),
+             "check rescale-1e7 --html " + in_folder("page"),
+             "check rescale-1e7 --write-reproducers " + in_folder("faults")}) {
         // No file may be longer than 512 bytes.
         const ProgramResult result = run_shell("twinlight", "trap '' XFSZ; ulimit -f 1; \"$PROGRAM\" " + arguments);
         EXPECT_EQ(result.status, 2) << arguments;
@@ -65,7 +69,8 @@ TEST_F(Outputs, AreWholeOrNotThereAfterAnInterruption) {
     const std::vector<std::string> commands = {
         "render report --with reference --size 320x240 -o " + in_folder("p.png"),
         "compare report --size 160x120 -o " + in_folder("report"),
-        "study report --quick --seconds 0.1 --size 16x12 -o " + in_folder("study"), kFuzz + in_folder("fuzz")};
+        "study report --quick --seconds 0.1 --size 16x12 -o " + in_folder("study"), kFuzz + in_folder("fuzz"),
+        "check --html " + in_folder("page") + " --write-reproducers " + in_folder("faults")};
     int interrupted = 0;
     for (const std::string& arguments : commands) {
         for (const char* signal : {"INT", "TERM", "HUP"}) {

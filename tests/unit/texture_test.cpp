@@ -138,21 +138,21 @@ TEST(TextureFunction, IsThatOfTheTables) {
 
 TEST(Fog, IsThatOfItsThreeEquations) {
     Fog fog{.enabled = true, .mode = kGL_LINEAR, .density = 0.5, .start = 2, .end = 6};
-    EXPECT_EQ(fog_factor(fog, 3), 0.75);
-    EXPECT_EQ(fog_factor(fog, 1), 1);
-    EXPECT_EQ(fog_factor(fog, 7), 0);
+    EXPECT_EQ(fog_factor<double>(fog, 3), 0.75);
+    EXPECT_EQ(fog_factor<double>(fog, 1), 1);
+    EXPECT_EQ(fog_factor<double>(fog, 7), 0);
     fog.mode = kGL_EXP;
-    EXPECT_DOUBLE_EQ(fog_factor(fog, 2), std::exp(-1));
+    EXPECT_DOUBLE_EQ(fog_factor<double>(fog, 2), std::exp(-1));
     fog.mode = kGL_EXP2;
-    EXPECT_DOUBLE_EQ(fog_factor(fog, 4), std::exp(-4));
+    EXPECT_DOUBLE_EQ(fog_factor<double>(fog, 4), std::exp(-4));
     fog.color = {1, 0, 0, 0};
     EXPECT_EQ(fogged(fog, 0.25, Channels<double>{0, 1, 0, 0.5}), (Channels<double>{0.75, 0.25, 0, 0.5}));
 }
 
 TEST(Ruling, LinearFogThatEndsWhereItStartsIsAStep) {
     const Fog fog{.enabled = true, .mode = kGL_LINEAR, .start = 3, .end = 3};
-    EXPECT_EQ(fog_factor(fog, 2.9), 1);
-    EXPECT_EQ(fog_factor(fog, 3), 0);
+    EXPECT_EQ(fog_factor<double>(fog, 2.9), 1);
+    EXPECT_EQ(fog_factor<double>(fog, 3), 0);
 }
 
 }  // namespace

@@ -9,9 +9,8 @@
 
 #include "app/cli/check_page.h"
 #include "app/cli/command_line.h"
-#include "command/text.h"
+#include "app/cli/reproducer.h"
 #include "image/file.h"
-#include "shape/primitives.h"
 
 namespace twinlight::cli {
 
@@ -139,34 +138,24 @@ void make_folder(const std::string& folder) {
     if (error) throw FileError(folder + ": " + error.message());
 }
 
-// For each case that the fixed function departs from, NAME.c: a program that shows it, and what is wrong, for a report.
+// For each case that the fixed function departs from, NAME.c.
 void write_reproducers(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
                        const std::vector<Result>& results) {
-    make_folder(folder);
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        std::string head;
-        for (const Finding& finding : results[i].findings) {
-            if (finding.path != Path::kFixed || finding.verdict == Verdict::kRuling) continue;
-            head += "// " + finding_text(cases[i], finding) + "\n";
-        }
-        if (head.empty()) continue;
-        head = fmt::format("// {}\n// OpenGL 2.1, section {}\n// {}\n{}", cases[i].what, cases[i].text, driver, head);
-        if (cases[i].is_of_vertices())
-            head +=
-                "// Vertices in the order of the last glBegin; colours ahead of the clamp, by "
-                "glRenderMode(GL_FEEDBACK).\n";
-        write_file_atomically((std::filesystem::path(folder) / (cases[i].name + ".c")).string(),
-                              head + print_c_program(with_pragmas_written_out(*cases[i].scene)));
+        const std::string program = reproducer(driver, cases[i], results[i]);
+        if (!program.empty())
+            write_file_atomically((std::filesystem::path(folder) / (cases[i].name + ".c")).string(), program);
     }
 }
 
 int run(const Arguments& arguments) {
     const std::vector<Case> cases = load_cases(arguments.names);
+    for (const std::string& folder : {arguments.reproducers, arguments.page})  // before the work, not after it
+        if (!folder.empty()) make_folder(folder);
     Suite suite;
     std::vector<Result> results = suite.run(cases);
     if (!arguments.reproducers.empty()) write_reproducers(arguments.reproducers, suite.driver(), cases, results);
     if (!arguments.page.empty()) {
-        make_folder(arguments.page);
         for (std::size_t i = 0; i < cases.size(); ++i) suite.draw_vertices(cases[i], results[i]);
         write_file_atomically((std::filesystem::path(arguments.page) / "index.html").string(),
                               check_page(suite.driver(), cases, results));
@@ -184,8 +173,10 @@ Subcommand add_check(CLI::App& app) {
     check->add_option("CASE", arguments->names, "names of cases, or files of that form; all where none is given")
         ->type_name("");
     check
-        ->add_option("--write-reproducers", arguments->reproducers,
-                     "a C program for each departure of the fixed function into this folder, made if it is not there")
+        ->add_option(
+            "--write-reproducers", arguments->reproducers,
+            "a C program (GLUT) that shows it, for each departure of the fixed function, into this folder, made if "
+            "it is not there")
         ->type_name("DIR")
         ->check(not_empty());
     check

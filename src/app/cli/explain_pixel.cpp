@@ -72,6 +72,20 @@ std::string row(const std::string& what, const std::string& factors, const Vec& 
 
 std::string bold(const std::string& text) { return result_in_color() ? "\x1b[1m" + text + "\x1b[0m" : text; }
 
+std::vector<std::string> names_of(const std::vector<int>& lights) {
+    std::vector<std::string> names;
+    for (const int light : lights) names.push_back(light_name(light));
+    return names;
+}
+
+// "ruling, of GL_LIGHT0: a zero normal. Here: ambient and emission only."
+std::string text_of(const PixelFragment::Decided& decided) {
+    const lighting::RulingText& text = lighting::text_of(decided.ruling);
+    const std::vector<std::string> lights = names_of(decided.lights);
+    return fmt::format("  ruling{}{}: {}. Here: {}.\n", lights.empty() ? "" : ", of ", fmt::join(lights, ", "),
+                       text.state, text.answer);
+}
+
 std::string text_of(const PixelFragment& fragment, const Draw& draw) {
     std::string text =
         bold(fmt::format("draw {}, {}", fragment.draw + 1, draw.place.str())) +
@@ -97,10 +111,12 @@ std::string text_of(const PixelFragment& fragment, const Draw& draw) {
     } else {
         text += "  GL_LIGHTING is disabled\n";
     }
-    return text + row("fragment",
-                      draw.fragment.srgb_coded ? "after clamp, texture, sum, fog, sRGB's curve"
-                                               : "after clamp, texture, colour sum and fog",
-                      vec3_cast<Vec>(fragment.color));
+    text += row("fragment",
+                draw.fragment.srgb_coded ? "after clamp, texture, sum, fog, sRGB's curve"
+                                         : "after clamp, texture, colour sum and fog",
+                vec3_cast<Vec>(fragment.color));
+    for (const PixelFragment::Decided& decided : fragment.rulings) text += text_of(decided);
+    return text;
 }
 
 // ---- As JSON ----
@@ -136,6 +152,12 @@ Json json_of(const PixelFragment& fragment, const Draw& draw) {
         json["secondary_unclamped"] = json_of(mean.secondary);
     }
     json["color"] = json_of(vec3_cast<Vec>(fragment.color));
+    json["rulings"] = Json::array();
+    for (const PixelFragment::Decided& decided : fragment.rulings) {
+        const lighting::RulingText& text = lighting::text_of(decided.ruling);
+        json["rulings"].push_back(
+            {{"state", text.state}, {"answer", text.answer}, {"lights", names_of(decided.lights)}});
+    }
     return json;
 }
 

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "app/cli/command_line.h"
 #include "app/cli/interrupt.h"
@@ -36,9 +39,15 @@ struct Arguments {
 };
 
 // FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo): to tell scenes apart, not to keep anybody from forging one.
-std::string fingerprint(std::string_view text) {
+// A piece at a time: a recording may be larger than memory.
+std::string fingerprint(std::istream& bytes) {
     std::uint64_t hash = 0xcbf29ce484222325;
-    for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3;
+    std::array<char, 1 << 16> piece{};
+    do {
+        bytes.read(piece.data(), piece.size());
+        for (const char c : std::string_view(piece.data(), static_cast<std::size_t>(bytes.gcount())))
+            hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3;
+    } while (bytes);
     return fmt::format("{:016x}", hash);
 }
 
@@ -127,7 +136,13 @@ int run(Arguments arguments) {
 
     study::Study about;  // what is known of it beforehand
     about.scene = frame.commands->name;
-    about.fingerprint = fingerprint(scene ? print_scene(*scene) : read_file(arguments.scene));
+    if (scene) {
+        std::istringstream text(print_scene(*scene));
+        about.fingerprint = fingerprint(text);
+    } else {
+        std::ifstream file(arguments.scene, std::ios::binary);
+        about.fingerprint = fingerprint(file);
+    }
     about.width = frame.width;
     about.height = frame.height;
     about.coverage = arguments.coverage.value_or(1);

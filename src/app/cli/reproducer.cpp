@@ -1,0 +1,178 @@
+#include "app/cli/reproducer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/cli/check_page.h"
+#include "command/text.h"
+#include "fuzz/vertex_colors.h"
+#include "shape/primitives.h"
+
+namespace twinlight::cli {
+
+namespace {
+
+using namespace check;
+
+// As the fixed function is judged (check/check.cpp), in C. Colours of vertices come from feedback, which has them ahead of the
+// clamp where the driver lets that be switched off.
+constexpr const char* kJudge = R"c(
+static int departures = 0;
+
+static int agree(float value, float right) { return fabs(value - right) <= kTolerance * fmax(1, fabs(right)); }
+
+/* `other` is right as well, channel by channel: where rounding decides on a jump. */
+static void judge(const char* place, const float* right, const float* other, const float* value) {
+    int differs = value == 0, i;
+    for (i = 0; i < 4 && !differs; ++i) differs = !agree(value[i], right[i]) && !agree(value[i], other[i]);
+    printf("%s: expected (%.7g, %.7g, %.7g, %.7g)", place, right[0], right[1], right[2], right[3]);
+    if (value) printf(", the driver gives (%.7g, %.7g, %.7g, %.7g)", value[0], value[1], value[2], value[3]);
+    else printf(", the driver shows nothing");
+    printf("%s\n", differs ? ": DIFFERS" : "");
+    departures += differs;
+}
+)c";
+
+constexpr const char* kShowVertices = R"c(
+/* The colour of the vertex that stands there in the window; 0 where none does. */
+static const float* vertex_at(const float* buffer, int count, float x, float y) {
+    int i = 0;
+    while (i < count) {
+        const int token = (int)buffer[i++];
+        int vertices = token == GL_POINT_TOKEN ? 1 : 2;
+        if (token == GL_POLYGON_TOKEN) vertices = (int)buffer[i++];
+        for (; vertices > 0; --vertices, i += 7)  /* GL_3D_COLOR */
+            if (fabs(buffer[i] - x) <= 0.5 && fabs(buffer[i + 1] - y) <= 0.5) return buffer + i + 3;
+    }
+    return 0;
+}
+
+static void show(void) {
+    typedef void (*ClampColor)(GLenum, GLenum);
+    static float buffer[512];
+    const ClampColor clamp_color = (ClampColor)glutGetProcAddress("glClampColorARB");
+    int count, i;
+    glFeedbackBuffer(512, GL_3D_COLOR, buffer);
+    if (clamp_color) clamp_color(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+    else printf("the driver clamps vertices' colours: what is beyond [0, 1] differs here\n");
+    glRenderMode(GL_FEEDBACK);
+    draw_scene();
+    count = glRenderMode(GL_RENDER);
+    for (i = 0; i < (int)(sizeof kExpected / sizeof kExpected[0]); ++i)
+        judge(kExpected[i].place, kExpected[i].color, kExpected[i].other,
+              vertex_at(buffer, count, kExpected[i].x, kExpected[i].y));
+}
+)c";
+
+constexpr const char* kShowPixels = R"c(
+static void show(void) {
+    int i;
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    draw_scene();
+    for (i = 0; i < (int)(sizeof kExpected / sizeof kExpected[0]); ++i) {
+        float color[4];
+        glReadPixels((int)kExpected[i].x, (int)kExpected[i].y, 1, 1, GL_RGBA, GL_FLOAT, color);
+        color[3] = kExpected[i].color[3];  /* a window need not have alpha */
+        judge(kExpected[i].place, kExpected[i].color, kExpected[i].other, color);
+    }
+}
+)c";
+
+constexpr const char* kShowNothing = R"c(
+static void show(void) { draw_scene(); }
+)c";
+
+constexpr const char* kJudgeError = R"c(
+static void judge_error(GLenum error) {{
+    printf("glGetError: expected 0x%04X ({0}), the driver gives 0x%04X%s\n", {0}, error, error == {0} ? "" : ": DIFFERS");
+    departures += error != {0};
+}}
+)c";
+
+constexpr const char* kMain = R"c(
+static void display(void) {{
+    printf("%s, %s\n%s\n", glGetString(GL_RENDERER), glGetString(GL_VERSION), kText);
+    show();{1}
+    printf(departures ? "The driver departs from the specification.\n" : "As the specification says.\n");
+    fflush(stdout);
+    exit(departures ? 1 : 0);
+}}
+
+int main(int argc, char** argv) {{
+    glutInit(&argc, argv);
+    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);
+    glutInitWindowSize({0}, {0});
+    glutCreateWindow(argv[0]);
+    glutDisplayFunc(display);
+    glutMainLoop();
+    return 0;
+}}
+)c";
+
+// A literal of C.
+std::string quoted(const std::string& text) {
+    std::string literal = "\"";
+    for (const char c : text) literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    return literal + "\"";
+}
+
+std::string c_array(const Seen& color) {
+    const glm::dvec4& c = std::get<glm::dvec4>(color);
+    return fmt::format("{{{:.9g}, {:.9g}, {:.9g}, {:.9g}}}", c.r, c.g, c.b, c.a);
+}
+
+// Where the window of kSide by kSide pixels shows what is expected; the origin is the lower left.
+glm::dvec2 window_place(const Case& of, const Spot& spot) {
+    if (spot.kind == Spot::Kind::kPixel) return {spot.x, kSide - 1 - spot.y};
+    std::string error;
+    const std::optional<fuzz::VertexScene> scene = fuzz::make_vertex_scene(of.carried_out().commands, error);
+    const glm::dvec4& clip = scene.value().lit.at(static_cast<std::size_t>(spot.vertex)).position_clip;
+    return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * static_cast<double>(kSide);
+}
+
+}  // namespace
+
+std::string reproducer(const std::string& driver, const Case& of, const Result& result) {
+    std::string found;
+    for (const Finding& finding : result.findings)
+        if (finding.path == Path::kFixed && finding.verdict != Verdict::kRuling)
+            found += "// " + finding_text(of, finding) + "\n";
+    if (found.empty() || !result.error.empty()) return "";
+    std::string text = fmt::format(
+        "// {}\n// {}\n// OpenGL 2.1, section {}\n// {}\n{}"
+        "// Build it with: cc -std=c99 {}.c -lglut -lGLU -lGL -lm\n"
+        "// It prints what is right and what the driver gives; its exit status is 1 where they differ.\n"
+        "#define GL_GLEXT_PROTOTYPES\n#include <GL/freeglut.h>\n#include <math.h>\n#include <stdio.h>\n"
+        "#include <stdlib.h>\n\n",
+        of.what, of.why, of.text, driver, found, of.name);
+    text += print_c_function(with_pragmas_written_out(*of.scene));
+    text += fmt::format("\nstatic const char* kText = {};\n", quoted("OpenGL 2.1, section " + of.text));
+    std::string colors, error;
+    for (const Expectation& expected : of.expectations) {
+        if (expected.spot.shading) continue;  // not GL's
+        if (expected.spot.kind == Spot::Kind::kError) {
+            error = text_of(expected.value);
+            continue;
+        }
+        const glm::dvec2 place = window_place(of, expected.spot);
+        colors += fmt::format("    {{{}, {:.9g}, {:.9g}, {}, {}}},\n", quoted(expected.spot.str()), place.x, place.y,
+                              c_array(expected.value), c_array(expected.other));
+    }
+    if (colors.empty()) {
+        text += "\nstatic int departures = 0;\n";
+    } else {
+        text += fmt::format(
+            "static const double kTolerance = {:g};  /* {} */\n"
+            "static const struct {{ const char* place; float x, y; float color[4], other[4]; }} kExpected[] = {{\n{}}};\n{}",
+            of.tolerance.value_or(kTolerance),
+            of.tolerance ? of.tolerance_causes : "of float arithmetic; relative to the larger of 1 and the value", colors,
+            kJudge);
+    }
+    if (!error.empty()) text += fmt::format(kJudgeError, error);
+    text += colors.empty() ? kShowNothing : of.is_of_vertices() ? kShowVertices : kShowPixels;
+    return text + fmt::format(kMain, kSide, error.empty() ? "" : "\n    judge_error(glGetError());");
+}
+
+}  // namespace twinlight::cli

@@ -1,0 +1,74 @@
+// Marked: a double that knows which rulings it comes from. The templates of equation.h and real.h over it tell of any colour
+// which rulings decided it; what a ruling gave and an exact 0 multiplies away decided nothing.
+#pragma once
+
+#include <cmath>
+
+#include "lighting/real.h"
+
+namespace twinlight::lighting {
+
+struct Marked {
+    double value = 0;
+    RulingSet rulings{};
+
+    constexpr Marked() = default;
+    constexpr Marked(double number, RulingSet from = {}) : value(number), rulings(from) {}  // NOLINT: a number is one
+    explicit operator double() const { return value; }
+
+    constexpr bool is_plain_zero() const { return value == 0 && rulings.empty(); }
+    // Whether it is so, and the rulings without which it might not be.
+    struct Mask {
+        bool holds = false;
+        RulingSet rulings{};
+        explicit constexpr operator bool() const { return holds; }
+    };
+
+    friend constexpr Marked operator+(Marked a, Marked b) { return {a.value + b.value, a.rulings | b.rulings}; }
+    friend constexpr Marked operator-(Marked a, Marked b) { return {a.value - b.value, a.rulings | b.rulings}; }
+    friend constexpr Marked operator-(Marked a) { return {-a.value, a.rulings}; }
+    friend constexpr Marked operator*(Marked a, Marked b) {
+        const bool is_zero = a.is_plain_zero() || b.is_plain_zero();
+        return {a.value * b.value, is_zero ? RulingSet{} : a.rulings | b.rulings};
+    }
+    constexpr Marked& operator*=(Marked b) { return *this = *this * b; }
+    friend constexpr Marked operator/(Marked a, Marked b) {
+        return {a.value / b.value, a.is_plain_zero() ? RulingSet{} : a.rulings | b.rulings};
+    }
+    friend constexpr Mask operator<(Marked a, Marked b) { return {a.value < b.value, a.rulings | b.rulings}; }
+    friend constexpr Mask operator<=(Marked a, Marked b) { return {a.value <= b.value, a.rulings | b.rulings}; }
+    friend constexpr Mask operator>(Marked a, Marked b) { return b < a; }
+    friend constexpr Mask operator>=(Marked a, Marked b) { return b <= a; }
+    friend constexpr bool operator==(Marked a, Marked b) {
+        return a.value == b.value;
+    }  // exponents and w, which none decides
+
+    friend Marked select(Mask mask, Marked a, Marked b) {
+        const Marked chosen = mask.holds ? a : b;
+        return {chosen.value, mask.rulings | chosen.rulings};
+    }
+    friend Marked abs(Marked a) { return {std::abs(a.value), a.rulings}; }
+    friend Marked sqrt(Marked a) { return {std::sqrt(a.value), a.rulings}; }
+    friend Marked exp(Marked a) { return {std::exp(a.value), a.rulings}; }
+    friend Marked pow(Marked base, Marked exponent) { return {std::pow(base.value, exponent.value), base.rulings}; }
+};
+
+inline RulingSet rulings_of(const Vec3<Marked>& v) { return v.x.rulings | v.y.rulings | v.z.rulings; }
+// Each component of these rulings too.
+inline Vec3<Marked> marked(const Vec3<Marked>& v, RulingSet by) {
+    return {{v.x.value, v.x.rulings | by}, {v.y.value, v.y.rulings | by}, {v.z.value, v.z.rulings | by}};
+}
+
+inline Marked ruled(Ruling ruling, Marked value) { return {value.value, value.rulings | RulingSet{ruling}}; }
+inline Marked ruled(Ruling ruling, Marked::Mask where, Marked value) {
+    return where.holds ? ruled(ruling, value) : value;
+}
+inline Vec3<Marked> ruled(Ruling ruling, const Vec3<Marked>& v) { return marked(v, {ruling}); }
+inline Vec3<Marked> ruled(Ruling ruling, Marked::Mask where, const Vec3<Marked>& v) {
+    return where.holds ? marked(v, {ruling}) : v;
+}
+
+template <>
+struct Limits<Marked> : Limits<double> {};
+
+}  // namespace twinlight::lighting

@@ -1,0 +1,146 @@
+// What the guards of the shaders cost: what keeps them finite where the equation divides by nothing (docs/hard-cases.md), against
+// the same texts without.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <regex>
+#include <stdexcept>
+
+#include "context/context.h"
+#include "context/gl.h"
+#include "effect/plan.h"
+#include "lit_spheres.h"
+#include "programmable/bake.h"
+#include "programmable/mesh.h"
+#include "programmable/program.h"
+#include "ratios.h"
+#include "stages/fixed_stages.h"
+#include "stages/textures.h"
+#include "ways.h"
+
+namespace twinlight::bench {
+namespace {
+
+using namespace programmable;
+
+// ---- The texts without guards ----
+
+struct Guard {
+    const char* guarded;
+    const char* naive;
+};
+constexpr Guard kGuards[] = {
+    {R"(v / max\(length\(v\), 1e-18\))", "normalize(v)"},
+    {R"(sqrt\(max\(dot\(vp, vp\), 1e-24\)\))", "length(vp)"},
+    {R"(max\(dot\(half_sum, half_sum\), 1e-24\))", "dot(half_sum, half_sum)"},
+    {R"(1\.0 / max\((.*), 1e-37\);)", "1.0 / ($1);"},
+    {R"(u_light\w+ > 0\.0 \|\| dot\(vp, vp\) > 0\.0\s*\? (.*) : 0\.0;)", "$1;"},
+    {R"(n_dot_half_sum = min\(n_dot_half_sum, 1e15\);)", ""},
+    {R"(highlight = min\(highlight, 1e30\);)", ""},
+    {R"(length\(p\.xyz\) < far \* abs\(p\.w\) \? (p\.xyz / p\.w) : .*;)", "$1;"},
+};
+
+std::string without_guards(std::string text) {
+    for (const Guard& guard : kGuards) text = std::regex_replace(text, std::regex(guard.guarded), guard.naive);
+    for (const char* limit : {"1e-18", "1e-24", "1e-37", "1e15", "1e30", "far *"})
+        if (text.find(limit) != text.npos)
+            throw std::runtime_error(fmt::format("a guard with {} is left in this text:\n{}", limit, text));
+    return text;
+}
+
+// ---- Drawing ----
+
+// Draws as the renderer does, with this text.
+class Drawn {
+  public:
+    Drawn(const Draw& draw, const RenderOptions& options, bool guarded)
+        : draw_(draw),
+          plan_(plan_effects(draw, options)),
+          code_(code_for(draw, plan_)),
+          numbers_(uniforms(draw, plan_, code_)),
+          mesh_(draw, code_.effects, options) {
+        ShaderSource source = assemble(code_.effects, code_.form);
+        if (!guarded) source = {without_guards(source.vertex), without_guards(source.fragment)};
+        if (options.tier == Tier::kBaked) {
+            Uniforms constants = numbers_;
+            const auto names = uniform_names(source);
+            std::erase_if(constants, [&](const auto& number) { return !names.contains(number.first); });
+            source = with_constants(source, constants);
+        }
+        program_ = std::make_unique<Program>(source, code_.effects);
+    }
+
+    void draw() {
+        const FixedStages stages;
+        stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
+        stages.set(draw_);
+        if (draw_.texture.texture) textures_.bind(draw_.texture);
+        program_->use(numbers_);
+        mesh_.draw();
+        glFinish();
+    }
+
+  private:
+    Draw draw_;
+    Plan plan_;
+    Code code_;
+    Uniforms numbers_;
+    Mesh mesh_;
+    std::unique_ptr<Program> program_;
+    Textures textures_{Clamping::kShader};
+};
+
+constexpr int kSide = 512;
+
+// Where nothing is hard guards must change nothing, or the comparison is of something else.
+void check_same(Drawn& guarded, Drawn& naive) {
+    guarded.draw();
+    const Image one = read_pixels(kSide, kSide);
+    naive.draw();
+    const Image other = read_pixels(kSide, kSide);
+    for (std::size_t i = 0; i < one.pixels.size(); ++i)
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            if (!(std::abs(one.pixels[i][channel] - other.pixels[i][channel]) < 1.5 / 255))
+                throw std::runtime_error(fmt::format("without guards pixel {} is another", i));
+}
+
+// How many times as long it takes with guards, over the scenes.
+double times_as_long(Results& results, const std::string& stage, const std::vector<LitScene>& scenes,
+                     const RenderOptions& options) {
+    std::vector<double> ratios;
+    for (const LitScene& scene : scenes) {
+        const auto guarded = std::make_shared<Drawn>(scene.draw, options, true);
+        const auto naive = std::make_shared<Drawn>(scene.draw, options, false);
+        check_same(*guarded, *naive);
+        const auto timed = results.compare(
+            fmt::format("{}: {}", stage, scene.name),
+            {{"with guards", [guarded] { guarded->draw(); }}, {"without", [naive] { naive->draw(); }}}, {.count = 25});
+        ratios.push_back(times_faster(timed[1], timed[0]));
+    }
+    results.ratio("robust_over_naive: " + stage, geometric_mean(ratios));
+    return geometric_mean(ratios);
+}
+
+void compare_guards(Results& results) {
+    const auto context = make_offscreen_context(kSide, kSide);
+    std::vector<LitScene> domes = seven_scenes();
+    for (LitScene& scene : domes) scene.draw = on_dome(scene.draw, kSide);
+    const std::vector<LitScene> spheres = seven_scenes(sphere(512, 256));
+    std::vector<double> all;
+    for (const Tier tier : {Tier::kUniform, Tier::kBaked}) {
+        const std::string of = tier == Tier::kBaked ? "baked" : "uniforms";
+        glEnable(GL_RASTERIZER_DISCARD);
+        all.push_back(times_as_long(results, "guards at vertices, " + of, spheres, options_for(tier, true)));
+        glDisable(GL_RASTERIZER_DISCARD);
+        RenderOptions phong = options_for(tier, false);
+        phong.shading = Shading::kPhong;
+        all.push_back(times_as_long(results, "guards per fragment, " + of, domes, phong));
+    }
+    results.ratio("robust_over_naive", geometric_mean(all), Bar{1.05, true});
+}
+
+const bool added = add_part("guards", compare_guards);
+
+}  // namespace
+}  // namespace twinlight::bench
