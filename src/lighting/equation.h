@@ -16,8 +16,8 @@
 //   c_rli    Light::cos_cutoff                s_rli    Light::spot_exponent
 //   v_bs     Model::local_viewer              c_es     Model::separate_specular
 //   P_e      the origin                       VP       the unit vector from V to P_pli: vp_dir
-//   att_i    attenuation()                    h_i      highlight()
-//   spot_i   spot()                           f_i      facing
+//   att_i    attenuation()                    h_i      Light::half_dir_eye, cosine_between()
+//   spot_i   spot()                           f_i      highlight()
 //
 // RULING (the specification leaves these open): no answer is ever NaN or infinite. A value is the limit of
 // the equation where there is one; otherwise the term contributes 0. unit_and_length() and representable()
@@ -144,9 +144,8 @@ void place(Light<Real>& light, Vec3<Real> position_eye, Real w) {
     light.directional = w == Real(0);
     light.position_eye = light.directional ? unit(position_eye) : divided(position_eye, w);
     if (!light.directional) return;
-    const Vec3<Real> half_dir_eye = unit(light.position_eye + Vec3<Real>{0, 0, 1});
-    const Real square = dot(half_dir_eye, half_dir_eye);  // 1 or 0
-    light.half_dir_eye = ruled(Ruling::kOppositeHalfVector, square <= Real(0), half_dir_eye);
+    const Vec3<Real> sum = light.position_eye + Vec3<Real>{0, 0, 1};
+    light.half_dir_eye = ruled(Ruling::kOppositeHalfVector, dot(sum, sum) <= Real(0), unit(sum));
 }
 
 // ---- The terms ----

@@ -1,4 +1,4 @@
-// Powers of lanes: base^exponent for bases that are not negative; of exponent 0, by the library or a table, any number (real.h's power() knows).
+// Powers of lanes: base^exponent for bases that are not negative. 0^0 is 1 (2.1.1).
 #pragma once
 
 #include <cmath>
@@ -131,11 +131,13 @@ xsimd::batch<Scalar, Arch> exact_product(xsimd::batch<Scalar, Arch> base, unsign
 // Where exponents are equal: to the first one's.
 template <PowerBy kBy, class Scalar, class Arch>
 xsimd::batch<Scalar, Arch> power_of(xsimd::batch<Scalar, Arch> base, xsimd::batch<Scalar, Arch> exponent) {
-    if constexpr (kBy == PowerBy::kLibrary) return library_power(base, exponent);
+    const xsimd::batch<Scalar, Arch> one(Scalar(1));
+    if constexpr (kBy == PowerBy::kLibrary)
+        return xsimd::select(exponent == Scalar(0), one, library_power(base, exponent));
     const Scalar common = exponent.get(0);
+    if (common == 0) return one;
     if constexpr (kBy == PowerBy::kTable) return between_entries(base, power_table(common));
     const auto count = static_cast<unsigned>(common);
-    if (count == 0) return xsimd::batch<Scalar, Arch>(Scalar(1));
     if constexpr (kBy == PowerBy::kExactProducts) return exact_product(base, count);
     if constexpr (kBy == PowerBy::kRoundedProducts) return rounded_product(base, count);
 }

@@ -49,13 +49,7 @@ struct Lanes {
     friend Lanes select(Mask mask, Lanes a, Lanes b) { return Lanes(xsimd::select(mask, a.batch, b.batch)); }
     friend Lanes abs(Lanes a) { return Lanes(xsimd::abs(a.batch)); }
     friend Lanes sqrt(Lanes a) { return Lanes(xsimd::sqrt(a.batch)); }
-    friend Lanes pow(Lanes base, Lanes exponent) { return Lanes(power_of<kPower>(base.batch, exponent.batch)); }
-
-    friend Lanes power(Lanes base, Lanes exponent) {
-        if constexpr (kPower == PowerBy::kExactProducts || kPower == PowerBy::kRoundedProducts)
-            return pow(base, exponent);
-        return select(exponent == Lanes(Scalar(0)), Lanes(Scalar(1)), pow(base, exponent));  // as in real.h
-    }
+    friend Lanes power(Lanes base, Lanes exponent) { return Lanes(power_of<kPower>(base.batch, exponent.batch)); }
 
     // NaN is never the larger one (real.h); but without guards it must not be lost.
     friend Lanes larger(Lanes a, Lanes b) {

@@ -148,8 +148,10 @@ void light_points(const Model<double>& model, const std::vector<Light<double>>& 
         light_points(model, lights, within_floats(points), arithmetic, lit);
     } else {
         resize(lit.primary, count);
-        lit.secondary = {{0}, {0}, {0}};
-        if (model.separate_specular) resize(lit.secondary, count);
+        if (model.separate_specular)
+            resize(lit.secondary, count);
+        else
+            for (Column* column : {&lit.secondary.x, &lit.secondary.y, &lit.secondary.z}) column->assign(1, 0);
         if (arithmetic.number == Number::kLongDouble)
             light_each<long double>(model, lights, points, lit);
         else if (count > 0)

@@ -102,8 +102,8 @@ struct UnitAndLength {
 };
 
 // hat(v) and |v|. RULING: the zero vector, and one with an infinite component, has the direction 0.
-// Vectors whose squares would overflow or underflow are scaled by a power of two first, which is exact. (Told of what floats'
-// squares would do, for shaders and drivers work in those.)
+// Vectors whose squares would overflow or underflow are scaled by a power of two first, which is exact. kSquares is named where
+// floats would fail, as they do in shaders and drivers.
 template <class Real>
 UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
     using L = Limits<Real>;

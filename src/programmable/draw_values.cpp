@@ -14,7 +14,6 @@
 
 #include "effect/color_products.h"
 #include "programmable/attributes.h"
-#include "programmable/origin.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -93,7 +92,7 @@ class Builder {
           effects_(code.effects),
           form_(code.form),
           lights_(code.lights),
-          origin_object_(upload_origin(draw, plan.vertices)) {
+          origin_object_(code.origin_object) {
         if (origin_object_) eye_from_object_ = glm::translate(draw.eye_from_object, *origin_object_);
     }
 

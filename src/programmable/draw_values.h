@@ -16,13 +16,12 @@ namespace twinlight::programmable {
 // By the uniform's name: its floats, matrices by columns, the elements of an array one after the other.
 using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
 
-// Every uniform that the program made from this code has, but for the texture's sampler. For positions relative to
-// upload_origin().
+// Every uniform that the program made from this code has, but for the texture's sampler.
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code);
 
 // The attributes of the vertices, one vertex after the other, as attributes(effects) lists them; positions are relative to
-// `origin_object`, which is upload_origin()'s (origin.h) where it gives one.
+// `origin_object`: the Code's, or 0.
 std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, const std::vector<std::uint32_t>& vertices,
-                                const glm::dvec3& origin_object = glm::dvec3(0));
+                                const glm::dvec3& origin_object);
 
 }  // namespace twinlight::programmable

@@ -8,6 +8,8 @@
 #include <glm/matrix.hpp>
 #include <map>
 
+#include "programmable/origin.h"
+
 namespace twinlight::programmable {
 namespace {
 
@@ -63,7 +65,8 @@ Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {
                        .position_w = !plan.vertices.w_is_1,
                        .loops = {},
                        .surface = surface},
-              .lights = {}};
+              .lights = {},
+              .origin_object = upload_origin(draw, plan.vertices)};
     std::map<LightEffects, std::vector<std::size_t>> equal;
     for (std::size_t i = 0; i < plan.effects.lights.size(); ++i) equal[plan.effects.lights[i]].push_back(i);
     code.effects.lights.clear();

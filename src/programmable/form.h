@@ -3,6 +3,8 @@
 
 #include <compare>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "effect/plan.h"
@@ -47,6 +49,7 @@ struct Code {
     EffectSet effects;  // the plan's, with one light for all that a loop goes through
     Form form;
     std::vector<std::vector<std::size_t>> lights;  // for each of the effects', which of plan.lights
+    std::optional<glm::dvec3> origin_object;  // upload_origin() (origin.h): what uploaded positions are relative to
 };
 
 Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface = {});

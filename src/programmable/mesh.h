@@ -28,8 +28,7 @@ MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptio
 class Mesh {
   public:
     // The attributes that the program of these effects takes.
-    Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options = {},
-         const glm::dvec3& origin_object = glm::dvec3(0));
+    Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options, const glm::dvec3& origin_object);
     ~Mesh();
     Mesh(const Mesh&) = delete;
     Mesh& operator=(const Mesh&) = delete;

@@ -10,7 +10,6 @@
 #include "programmable/draw_values.h"
 #include "programmable/kept_meshes.h"
 #include "programmable/mesh.h"
-#include "programmable/origin.h"
 #include "programmable/precise.h"
 #include "programmable/programs.h"
 #include "programmable/surface_values.h"
@@ -27,7 +26,7 @@ struct PreparedDraw {
     PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options, const MeshOf& mesh_of)
         : code(options.precise && floats_suffice(draw, plan) ? precise_code(draw, plan) : code_for(draw, plan)),
           numbers(code.form.precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code)),
-          mesh(mesh_of(code.effects, upload_origin(draw, plan.vertices).value_or(glm::dvec3(0)))) {
+          mesh(mesh_of(code.effects, code.origin_object.value_or(glm::dvec3(0)))) {
         keep_state(draw);
     }
     // One pass of an exact surface.

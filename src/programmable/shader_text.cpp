@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "programmable/bake.h"
-#include "programmable/origin.h"
 #include "programmable/precise.h"
 #include "programmable/programmable.h"
 #include "programmable/surface_values.h"
@@ -77,7 +76,7 @@ std::string program_text(const Draw& draw, const Plan& plan, const Code& code, c
 
     text += fixed_stages_text(draw, plan);
 
-    if (const auto origin = upload_origin(draw, plan.vertices))
+    if (const auto& origin = code.origin_object)
         text += fmt::format("// a_position is relative to ({}, {}, {}), subtracted in double.\n", origin->x, origin->y,
                             origin->z);
     const ShaderSource source = assemble(code.effects, code.form);

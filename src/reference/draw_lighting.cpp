@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <iterator>
+#include <numbers>
 
 namespace twinlight::reference {
 
@@ -12,11 +13,13 @@ namespace {
 
 Vec rgb(const glm::dvec4& color) { return vec3_cast<Vec>(color); }
 
-// The cosine of GL_SPOT_CUTOFF, in no number above what it is: 2.14.1 lights the border, and arithmetic of more digits than
-// double gives back less than double's rounding took.
+// The cosine of GL_SPOT_CUTOFF, rounded down: 2.14.1 lights the border, and long double, which gives back four of its own last
+// places, would not give back a double's.
 double cos_cutoff(double cutoff_deg) {
-    const double cosine = lighting::cos_deg<double>(cutoff_deg);
-    return cosine == 0 || cosine == 1 ? cosine : std::nextafter(cosine, -1.0);
+    if (cutoff_deg == 90) return 0;
+    const long double exact = std::cos(cutoff_deg * std::numbers::pi_v<long double> / 180);
+    const auto nearest = static_cast<double>(exact);
+    return nearest <= exact ? nearest : std::nextafter(nearest, -1.0);
 }
 
 // Table 2.10's parameters of one light. Cosines and the spot's unit vector are taken here, once.

@@ -38,7 +38,7 @@ GLuint compiled(GLenum type, const std::string& file, bool textured) {
 class Opponent : public Program {
   public:
     Opponent(const std::string& fragment_file, const Draw& draw)
-        : draw_(draw), mesh_(draw, all_attributes()), program_(glCreateProgram()) {
+        : draw_(draw), mesh_(draw, all_attributes(), {}, glm::dvec3(0)), program_(glCreateProgram()) {
         glAttachShader(program_, compiled(GL_VERTEX_SHADER, "uber_vertex.glsl", false));
         glAttachShader(program_, compiled(GL_FRAGMENT_SHADER, fragment_file, draw.texture.texture != nullptr));
         glBindAttribLocation(program_, 0, "a_position");

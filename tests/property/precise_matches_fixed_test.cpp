@@ -177,7 +177,7 @@ class VertexPrograms {
         }
         program->use(numbers);
         draw.mode = kGL_POINTS;
-        return captured(Mesh(draw, code.effects, options), outputs);
+        return captured(Mesh(draw, code.effects, options, code.origin_object.value_or(glm::dvec3(0))), outputs);
     }
 
   private:

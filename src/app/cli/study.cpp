@@ -141,7 +141,9 @@ int run(Arguments arguments) {
         about.fingerprint = fingerprint(text);
     } else {
         std::ifstream file(arguments.scene, std::ios::binary);
+        if (!file) throw FileError(arguments.scene + ": cannot be read a second time; study a file");
         about.fingerprint = fingerprint(file);
+        if (file.bad()) throw FileError(arguments.scene + ": reading it failed");
     }
     about.width = frame.width;
     about.height = frame.height;
