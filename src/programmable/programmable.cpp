@@ -94,7 +94,8 @@ struct PreparedFrame::Impl {
 
     void add_surfaces(const Draw& draw, const RenderOptions& options) {
         for (const SurfaceProgram& surface : surface_programs(draw, options)) {
-            const auto rectangle = std::make_shared<const Mesh>(surface.draw, surface.code.effects);
+            const auto rectangle =
+                std::make_shared<const Mesh>(surface.draw, surface.code.effects, RenderOptions{}, glm::dvec3(0));
             for (const Uniforms& pass : surface.passes) items.emplace_back(PreparedDraw(surface, pass, rectangle));
         }
     }
