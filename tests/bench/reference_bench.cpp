@@ -10,6 +10,7 @@
 #include "context/gl.h"
 #include "effect/scrubbed_state.h"
 #include "lit_spheres.h"
+#include "opponents.h"
 #include "programmable/programmable.h"
 #include "ratios.h"
 #include "reference/draw_lighting.h"
@@ -98,26 +99,33 @@ void compare_with_driver(Results& results) {
                        glFinish();
                    }};
     };
-    std::vector<double> nanoseconds, uniform_over_reference, baked_over_reference;
+    std::vector<double> nanoseconds, uber_over_reference, uniform_over_reference, baked_over_reference;
     for (const LitScene& scene : seven_scenes()) {
         const Draw draw = on_dome(scene.draw, kSide);
         const Frame frame = frame_of(draw, kSide);
         LitPoints points(draw);
+        const std::shared_ptr<Program> uber = make_uber(draw);
         const auto lights = static_cast<double>(std::ranges::count_if(draw.lighting.lights, &LightSource::enabled));
         const auto timed = results.compare("doubles beside floats: " + scene.name,
                                            {{.name = "reference, lighting", .run = [&] { points.light({}); }},
                                             drawing("llvmpipe, uniforms", frame, Tier::kUniform),
-                                            drawing("llvmpipe, baked", frame, Tier::kBaked)});
+                                            drawing("llvmpipe, baked", frame, Tier::kBaked),
+                                            {.name = "llvmpipe, uber shader", .run = [uber] {
+                                                 uber->draw();
+                                                 glFinish();
+                                             }}});
         const double items = static_cast<double>(kSide) * kSide * lights;
         nanoseconds.push_back(timed[0].least() * 1e9 / items);
         uniform_over_reference.push_back(times_faster(timed[0], timed[1]));
         baked_over_reference.push_back(times_faster(timed[0], timed[2]));
+        uber_over_reference.push_back(times_faster(timed[0], timed[3]));
         results.remark(fmt::format("reference: {:.2f} ns a pixel and light in its fastest round, {:.2f} in the median",
                                    nanoseconds.back(), timed[0].median() * 1e9 / items));
     }
     results.ratio("reference_ns_per_pixel_light", geometric_mean(nanoseconds), Bar{3, true});
     results.ratio("llvmpipe_uniform_phong_over_reference", geometric_mean(uniform_over_reference), Bar{3});
     results.ratio("llvmpipe_baked_phong_over_reference", geometric_mean(baked_over_reference), Bar{1});
+    results.ratio("llvmpipe_uber_phong_over_reference", geometric_mean(uber_over_reference));
 }
 
 // The same lighting in other numbers, and point by point.
