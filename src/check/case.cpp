@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <regex>
+#include <sstream>
 
+#include "command/lexer.h"
 #include "command/text.h"
 #include "image/file.h"
 #include "state/state.h"
@@ -39,7 +42,9 @@ std::string trimmed(const std::string& text) {
 class Head {
   public:
     Head(std::string_view text, std::string file) : file_(std::move(file)) {
-        static const std::regex kEntry("// ([a-z]+): (.*)");
+        constexpr std::string_view kIndented = "//   ", kComment = "// ";
+        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+        if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
         int line = 0;
         for (std::size_t begin = 0; begin < text.size();) {
             const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -47,13 +52,19 @@ class Head {
             begin = end + 1;
             ++line;
             if (!here.starts_with("//")) break;
-            std::smatch found;
-            if (here.starts_with("//   ") && !entries_.empty())
-                entries_.back().value += " " + trimmed(here.substr(2));
-            else if (std::regex_match(here, found, kEntry))
-                entries_.push_back({line, found[1], trimmed(found[2])});
-            else
+            if (std::ranges::any_of(
+                    here, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) && c != '\t' && c != '\r'; }))
+                refuse(line, "a control character has no place in a head");  // a terminal would obey it
+            if (here.starts_with(kIndented) && !entries_.empty()) {
+                entries_.back().value += " " + trimmed(here.substr(kIndented.size()));
+                continue;
+            }
+            const std::size_t colon = here.find_first_not_of("abcdefghijklmnopqrstuvwxyz", kComment.size());
+            if (!here.starts_with(kComment) || colon == kComment.size() || colon == std::string::npos ||
+                here[colon] != ':')
                 refuse(line, "a head's line is '// key: value', or goes on with '//   '");
+            const std::string key = here.substr(kComment.size(), colon - kComment.size());
+            entries_.push_back({line, key, trimmed(here.substr(colon + 1))});
         }
     }
 
@@ -68,17 +79,21 @@ class Head {
         while (*at) {
             char* end = nullptr;
             values.push_back(std::strtod(at, &end));
-            if (end == at) refuse(entry.line, "'" + text + "' is not a list of numbers");
+            if (end == at) refuse(entry.line, twinlight::quoted(text) + " is not a list of numbers");
+            // A driver may give what is none; right it never is.
+            if (entry.key != "differs" && !std::isfinite(values.back()))
+                refuse(entry.line, twinlight::quoted(text) + " is not finite");
             at = end + std::strspn(end, " ");
         }
-        if (values.size() != count) refuse(entry.line, fmt::format("'{}' is not {} numbers", text, count));
+        if (values.size() != count)
+            refuse(entry.line, fmt::format("{} is not {} numbers", twinlight::quoted(text), count));
         return values;
     }
 
     Seen seen(const Entry& entry, const Spot& spot, const std::string& text) const {
         if (spot.kind == Spot::Kind::kError) {
             const auto error = std::ranges::find(kErrors, text, &NamedError::name);
-            if (error == std::end(kErrors)) refuse(entry.line, "'" + text + "' is none of GL's errors");
+            if (error == std::end(kErrors)) refuse(entry.line, twinlight::quoted(text) + " is none of GL's errors");
             return error->code;
         }
         const std::vector<double> v = numbers(entry, text, 4);
@@ -86,17 +101,33 @@ class Head {
     }
 
     Spot spot(const Entry& entry, const std::string& text) const {
-        static const std::regex kVertex("vertex ([0-2])"), kPixel("pixel ([0-9]+),([0-9]+)( phong| exact)?");
-        std::smatch found;
+        std::string_view rest = text;
+        const auto take = [&](std::string_view word) {
+            const bool is_here = rest.starts_with(word);
+            if (is_here) rest.remove_prefix(word.size());
+            return is_here;
+        };
+        const auto take_number = [&](int& into) {
+            const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), into);
+            rest = {end, rest.data() + rest.size()};
+            return error == std::errc();
+        };
+        const auto is_in = [](int value, int end) { return value >= 0 && value < end; };
+        Spot spot;
         if (text == "error") return {.kind = Spot::Kind::kError, .shading = {}};
-        if (std::regex_match(text, found, kVertex)) return {.vertex = std::stoi(found[1]), .shading = {}};
-        if (!std::regex_match(text, found, kPixel))
-            refuse(entry.line,
-                   "'" + text + "' is neither 'vertex N' nor 'error' nor 'pixel X,Y', 'pixel X,Y phong' or 'exact'");
-        Spot spot{.kind = Spot::Kind::kPixel, .x = std::stoi(found[1]), .y = std::stoi(found[2]), .shading = {}};
-        if (std::max(spot.x, spot.y) >= kSide) refuse(entry.line, fmt::format("a picture has {} pixels a side", kSide));
-        if (found[3].matched) spot.shading = found[3] == " phong" ? Shading::kPhong : Shading::kExact;
-        return spot;
+        if (take("vertex ") && take_number(spot.vertex) && rest.empty() && is_in(spot.vertex, 3)) return spot;
+        spot = {.kind = Spot::Kind::kPixel, .shading = {}};
+        if (take("pixel ") && take_number(spot.x) && take(",") && take_number(spot.y)) {
+            if (take(" phong"))
+                spot.shading = Shading::kPhong;
+            else if (take(" exact"))
+                spot.shading = Shading::kExact;
+            if (rest.empty() && is_in(spot.x, kSide) && is_in(spot.y, kSide)) return spot;
+        }
+        refuse(entry.line,
+               fmt::format("{} is neither 'error' nor 'vertex N' nor 'pixel X,Y', 'pixel X,Y phong' or 'pixel X,Y "
+                           "exact': N is from 0 to 2, X and Y are from 0 to {}",
+                           twinlight::quoted(text), kSide - 1));
     }
 
   private:
@@ -109,19 +140,30 @@ std::pair<std::string, std::string> split(const Head& head, const Entry& entry, 
                                           std::string_view at) {
     const std::size_t place = text.find(at);
     if (place == std::string::npos)
-        head.refuse(entry.line, fmt::format("'{}' lacks a '{}'", text, trimmed(std::string(at))));
+        head.refuse(entry.line, fmt::format("{} lacks a '{}'", twinlight::quoted(text), trimmed(std::string(at))));
     return {trimmed(text.substr(0, place)), trimmed(text.substr(place + at.size()))};
+}
+
+// Of "1|0 0 0 1" "1 0 0 1", or the second where there are two: "0 0 0 1".
+std::string one_of_two(const std::string& text, bool is_second) {
+    std::istringstream words(text);
+    std::string result;
+    for (std::string word; words >> word;) {
+        const std::size_t bar = word.find('|');
+        result += (result.empty() ? "" : " ") + (bar == std::string::npos ? word
+                                                 : is_second              ? word.substr(bar + 1)
+                                                                          : word.substr(0, bar));
+    }
+    return result;
 }
 
 Expectation expectation(const Head& head, const Entry& entry) {
     const auto [spot, value] = split(head, entry, entry.value, ": ");
     Expectation result{.spot = head.spot(entry, spot), .value = {}, .other = {}};
     const std::size_t plus = value.find(" + ");
-    // "1|0": 1, of floats 0 too.
-    static const std::regex kOther("[|][^ ]*"), kFirst("[^ ]*[|]");
     const std::string primary = value.substr(0, plus);
-    result.value = head.seen(entry, result.spot, std::regex_replace(primary, kOther, ""));
-    result.other = head.seen(entry, result.spot, std::regex_replace(primary, kFirst, ""));
+    result.value = head.seen(entry, result.spot, one_of_two(primary, false));
+    result.other = head.seen(entry, result.spot, one_of_two(primary, true));
     if (plus != std::string::npos) {
         const std::vector<double> v = head.numbers(entry, value.substr(plus + 3), 3);
         result.secondary = {v[0], v[1], v[2]};
@@ -138,19 +180,25 @@ Differs difference(const Head& head, const Entry& entry) {
 }
 
 void take(Case& into, const Head& head, const Entry& entry) {
-    const auto sentence = [&](std::string& place) {
-        if (!place.empty()) head.refuse(entry.line, "'" + entry.key + "' stands here twice");
-        if (entry.value.empty()) head.refuse(entry.line, "'" + entry.key + "' says nothing");
-        place = entry.value;
-    };
+    if (entry.value.empty()) head.refuse(entry.line, "'" + entry.key + "' says nothing");
+    if (entry.key == "expect") {
+        into.expectations.push_back(expectation(head, entry));
+        return;
+    }
+    if (entry.key == "differs") {
+        into.differs.push_back(difference(head, entry));
+        return;
+    }
+    if (std::ranges::find(head.entries(), entry.key, &Entry::key)->line != entry.line)
+        head.refuse(entry.line, "'" + entry.key + "' stands here twice");
     if (entry.key == "what") {
-        sentence(into.what);
+        into.what = entry.value;
     } else if (entry.key == "why") {
-        sentence(into.why);
+        into.why = entry.value;
     } else if (entry.key == "text") {
-        sentence(into.text);
+        into.text = entry.value;
     } else if (entry.key == "derived") {
-        sentence(into.derived);
+        into.derived = entry.value;
     } else if (entry.key == "status") {
         if (entry.value != "defined" && entry.value != "ruling")
             head.refuse(entry.line, "the status is 'defined' or 'ruling'");
@@ -158,15 +206,48 @@ void take(Case& into, const Head& head, const Entry& entry) {
     } else if (entry.key == "tolerance") {
         const auto [number, causes] = split(head, entry, entry.value, ", ");
         into.tolerance = head.numbers(entry, number, 1)[0];
-        sentence(into.tolerance_causes);
-    } else if (entry.key == "expect") {
-        into.expectations.push_back(expectation(head, entry));
-    } else if (entry.key == "differs") {
-        into.differs.push_back(difference(head, entry));
+        if (*into.tolerance < 0) head.refuse(entry.line, "a tolerance is at least 0");
+        if (causes.empty()) head.refuse(entry.line, "behind a tolerance's number stand its causes");
+        into.tolerance_causes = causes;
     } else {
-        head.refuse(entry.line, "there is no key '" + entry.key +
-                                    "'; the keys are what, why, text, derived, status, tolerance, expect and differs");
+        head.refuse(entry.line, "there is no key " + twinlight::quoted(entry.key) +
+                                    "; the keys are what, why, text, derived, status, tolerance, expect and differs");
     }
+}
+
+// What no entry shows alone.
+void hold_together(const Case& of, const Head& head) {
+    const auto line_of = [&](const char* key, std::size_t which) {
+        for (const Entry& entry : head.entries())
+            if (entry.key == key && which-- == 0) return entry.line;
+        return 1;
+    };
+    for (const char* key : {"what", "why", "text", "derived", "status", "expect"}) {
+        if (std::ranges::find(head.entries(), key, &Entry::key) == head.entries().end())
+            head.refuse(1, fmt::format("the head lacks '{}'", key));
+    }
+    const auto place_of = [&](const Spot& spot) {
+        const auto found = std::ranges::find(of.expectations, spot, &Expectation::spot);
+        return static_cast<std::size_t>(found - of.expectations.begin());
+    };
+    for (std::size_t i = 0; i < of.differs.size(); ++i) {
+        const int line = line_of("differs", i);
+        if (of.is_ruling) head.refuse(line, "what the specification leaves open, no driver departs from");
+        if (place_of(of.differs[i].spot) == of.expectations.size())
+            head.refuse(line, "'differs' names " + of.differs[i].spot.str() + ", of which nothing is expected");
+    }
+    std::optional<Spot::Kind> about;
+    for (std::size_t i = 0; i < of.expectations.size(); ++i) {
+        const Spot& spot = of.expectations[i].spot;
+        const int line = line_of("expect", i);
+        if (place_of(spot) != i) head.refuse(line, "of " + spot.str() + " something is expected twice");
+        if (spot.kind == Spot::Kind::kError) continue;
+        if (about && *about != spot.kind)
+            head.refuse(line, "a case is about vertices or about pixels, and not about both");
+        about = spot.kind;
+    }
+    if (!about)
+        head.refuse(line_of("expect", 0), "beside the error a colour has to be expected, of a vertex or a pixel");
 }
 
 }  // namespace
@@ -237,20 +318,7 @@ Case read_case(std::string_view text, const std::string& file, const std::string
     result.name = name;
     result.scene_text = text;
     for (const Entry& entry : head.entries()) take(result, head, entry);
-    for (const char* key : {"what", "why", "text", "derived", "status", "expect"}) {
-        if (std::ranges::find(head.entries(), key, &Entry::key) == head.entries().end())
-            head.refuse(1, fmt::format("the head lacks '{}'", key));
-    }
-    for (const Differs& differs : result.differs) {
-        if (result.is_ruling) head.refuse(1, "what the specification leaves open, no driver departs from");
-        if (std::ranges::find(result.expectations, differs.spot, &Expectation::spot) == result.expectations.end())
-            head.refuse(1, "'differs' names " + differs.spot.str() + ", of which nothing is expected");
-    }
-    const auto is_about = [&](Spot::Kind kind) {
-        return std::ranges::any_of(result.expectations, [&](const Expectation& e) { return e.spot.kind == kind; });
-    };
-    if (is_about(Spot::Kind::kVertex) == is_about(Spot::Kind::kPixel))
-        head.refuse(1, "a case is about vertices or about pixels, and not about both");
+    hold_together(result, head);
     result.scene = std::make_shared<CommandList>(read_scene(text, file, name));
     return result;
 }

@@ -26,8 +26,9 @@ namespace twinlight::check {
 // How far a right answer may be off where a case says nothing else, relative to the larger of 1 and the value. Of floats: forty
 // operations of a last place each, and a power's exponent; of double and more: what seven digits in a file leave.
 inline constexpr double kTolerance = 3e-5, kWrittenTolerance = 1e-6;
-// Of a case's picture; of one about vertices, so that a point can be seen.
-inline constexpr int kSide = 64, kVertexSide = 8;
+// Of a case's picture; of one about vertices, so that a point can be seen: the corner (-0.75, -0.75) is the centre of a pixel,
+// which all rasterisers take for the same one.
+inline constexpr int kSide = 64, kVertexSide = 12;
 
 // Where something is seen: a vertex of the last Draw; a pixel of the picture, x and y from its top left; or what glGetError
 // tells when all commands are sent.

@@ -181,6 +181,7 @@ Real smooth_cone(const Light<Real>& light, Real cos_angle) {
 
 // spot_i; of directional lights too. The comparison includes its border: what rounding can take from a cosine
 // of two unit vectors (some units in the last place) is given back. RULING: of a spot direction of length 0 the cosine is 0.
+// RULING: a cone of 90 degrees ends there. The text compares a cosine that is clamped to 0, so that behind it 0^0 would be lit.
 template <class Real>
 Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
     if (!light.is_spot && !light.has_smooth_cone) return Real(1);
@@ -191,7 +192,8 @@ Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
     const Real rounding = Real(4) * Limits<Real>::epsilon, border = light.cos_cutoff - rounding;
     const Real falloff = power(larger(cos_angle, Real(0)), light.spot_exponent);
     const Real within = ruled(Ruling::kSpotBorder, cos_angle <= light.cos_cutoff + rounding, falloff);
-    return select(cos_angle >= border, within, Real(0));
+    const Real literal = select(light.cos_cutoff <= Real(0), falloff, Real(0));
+    return select(cos_angle >= border, within, ruled(Ruling::kBehindSpot, literal > Real(0), Real(0)));
 }
 
 // n . h for h = hat(a + b), without h itself; 0 where a + b is 0.

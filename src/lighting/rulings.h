@@ -20,6 +20,7 @@ enum class Ruling : std::uint8_t {
     kSquares,
     kNoNumber,
     kSpotBorder,
+    kBehindSpot,
     kRescaled,
     kZeroSpotDirection,
     kVertexAtEye,
@@ -50,6 +51,8 @@ inline constexpr RulingText kRulings[] = {
     {Ruling::kSpotBorder, "a cosine that equals the spot's cutoff",
      "lit (2.14.1 says >=); 4 epsilon are given back to rounding, so that in floats a cone of 0 degrees is one of "
      "0.056"},
+    {Ruling::kBehindSpot,
+     "behind a spot of 90 degrees and exponent 0 (2.14.1 compares max(PV . s, 0), which cos 90 never exceeds)", "dark"},
     {Ruling::kRescaled, "RESCALE_NORMAL: rescale or normalise",
      "rescale by 2.11.3's factor; with NORMALIZE as well, normalise"},
     {Ruling::kZeroSpotDirection, "a spot direction of length 0",

@@ -25,7 +25,7 @@ std::shared_ptr<const Memory> BlobFolder::read(const std::string& name, const Pl
     };
     // Not through a link, which could lead anywhere; not waiting for a pipe's other end.
     const Descriptor file(::open((path_ + "/" + name).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    if (!file.valid()) refuse(std::strerror(errno));
+    if (!file.valid()) refuse(errno == ELOOP ? "it is a link" : std::strerror(errno));
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) refuse(std::strerror(errno));
     if (!S_ISREG(status.st_mode)) refuse("it is not a file");

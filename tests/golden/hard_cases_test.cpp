@@ -206,11 +206,24 @@ TEST(HardCases, AreRefusedWithTheLineWhereTheHeadIsWrong) {
     };
     const std::string expectation = "// expect: vertex 0: 0 0 0 1\n";
     EXPECT_EQ(refusal(expectation), "");
+    EXPECT_NO_THROW(read_case("\xEF\xBB\xBF" + small_case(expectation), "", ""));
     EXPECT_NE(refusal("").find("lacks 'expect'"), std::string::npos);
     const std::pair<const char*, const char*> wrong[] = {
         {"// expects: vertex 0: 0 0 0 1\n", "no key 'expects'"},
-        {"// expect: vertex 7: 0 0 0 1\n", "neither 'vertex N'"},
-        {"// expect: pixel 64,0: 0 0 0 1\n", "64 pixels"},
+        {"// expect: vertex 7: 0 0 0 1\n", "nor 'vertex N'"},
+        {"// expect: pixel 64,0: 0 0 0 1\n", "from 0 to 63"},
+        {"// expect: pixel 99999999999,0: 0 0 0 1\n", "from 0 to 63"},
+        {"// expect: pixel -1,0: 0 0 0 1\n", "from 0 to 63"},
+        {"// expect: pixel 1,1 flat: 0 0 0 1\n", "from 0 to 63"},
+        {"// expect: pixel 1,1 phong exact: 0 0 0 1\n", "from 0 to 63"},
+        {"// expect: vertex 0: 0|1|2 0 0 1\n", "not a list of numbers"},
+        {"// expect: vertex 0: nan 0 0 1\n", "is not finite"},
+        {"// expect: vertex 0: 0 0 1e999 1\n", "is not finite"},
+        {"// expect:\n", "says nothing"},
+        {"// tolerance: -1, none\n", "at least 0"},
+        {"// tolerance: inf, all\n", "is not finite"},
+        {"// expect: error: GL_INVALID_VALUE\n", "a colour has to be expected"},
+        {"// status: ruling\n", "stands here twice"},
         {"// expect: vertex 0: 0 0 1\n", "is not 4 numbers"},
         {"// expect: vertex 0: 0 0 0 one\n", "not a list of numbers"},
         {"// tolerance: 1e-3\n", "lacks a ','"},
@@ -218,14 +231,30 @@ TEST(HardCases, AreRefusedWithTheLineWhereTheHeadIsWrong) {
         {"// expect: error: GL_INVALID\n", "none of GL's errors"},
         {"// what: again\n", "stands here twice"},
         {"//what\n", "a head's line is"},
+        {"// tolerance: 1, \x1b[2J\n", "control character"},
     };
     for (const auto& [line, why] : wrong) {
         const std::string told = refusal(line);
         EXPECT_TRUE(told.starts_with("small.gl:6:") && told.find(why) != std::string::npos) << line << told;
     }
-    EXPECT_NE(refusal(expectation + "// expect: pixel 1,1: 0 0 0 1\n").find("not about both"), std::string::npos);
-    EXPECT_NE(refusal(expectation + "// differs: Mesa: vertex 1: 0 0 0 1; name\n").find("nothing is expected"),
-              std::string::npos);
+    const std::pair<const char*, const char*> wrong_beside[] = {
+        {"// expect: pixel 1,1: 0 0 0 1\n", "not about both"},
+        {"// expect: vertex 0: 1 0 0 1\n", "expected twice"},
+        {"// differs: Mesa: vertex 1: 0 0 0 1; name\n", "nothing is expected"},
+    };
+    for (const auto& [line, why] : wrong_beside) {
+        const std::string told = refusal(expectation + line);
+        EXPECT_TRUE(told.starts_with("small.gl:7:") && told.find(why) != std::string::npos) << line << told;
+    }
+}
+
+// A regular expression of the standard library took a megabyte of stack for each of these.
+TEST(HardCases, AreReadWhateverTheLengthOfALine) {
+    const std::string long_word(500'000, '1');
+    const Case of = read_case(
+        small_case("// expect: vertex 0: 0.5|0." + long_word + " 0.5 0.5 1\n// tolerance: 1, " + long_word + "\n"), "",
+        "");
+    EXPECT_EQ(of.tolerance_causes, long_word);
 }
 
 }  // namespace

@@ -365,7 +365,7 @@ TEST_F(Cli, CheckTellsOfEachCase) {
     for (const char* path : {"fixed", "programmable", "reference"}) EXPECT_EQ(found["cases"][1][path], "pass");
     EXPECT_EQ(found["failing"], 0);
     const ProgramResult table = run({"check", "light-at-vertex"});
-    EXPECT_NE(table.out.find("1 cases."), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("1 case."), std::string::npos) << table.out;
     EXPECT_EQ(run({"check", "light-at-vertex", "flat-triangle", "--html", out_.str()}).status, 0);
     const std::string page = read_file(out_ / "index.html");
     EXPECT_NE(page.find("<section id=\"light-at-vertex\">"), std::string::npos);

@@ -39,6 +39,13 @@ TEST(Ruling, AnAttenuationWithoutAPositiveDenominatorContributesNothing) {
     EXPECT_EQ(c.red(), 0);
 }
 
+TEST(Ruling, ASpotOf90DegreesEndsThere) {
+    Case c;
+    c.place_light({0, 0, 1});
+    c.aim_spot({0, 0, 1}, 90);  // away from the surface
+    EXPECT_EQ(c.red(), 0);      // max(PV . s, 0) = 0 = cos 90, and 0^0 = 1: so the text taken by its letter
+}
+
 TEST(Ruling, AZeroNormalIsReachedByAmbientLightOnly) {
     Case c;
     c.only_specular(0);

@@ -221,6 +221,7 @@ TEST_F(Traces, ReadBlobsFromTheirOwnFolderOnly) {
         const std::string found =
             refusal("1 glVertexPointer(size = 3, type = GL_FLOAT, stride = 0, pointer = blob(\"" + name + "\"))\n");
         EXPECT_TRUE(found.starts_with("dump.txt: call 1: ")) << name << ": " << found;
+        EXPECT_EQ(found.find("it is a link") != std::string::npos, name == "link.bin") << found;
     }
 }
 

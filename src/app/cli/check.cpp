@@ -77,13 +77,15 @@ std::string summary(const std::vector<Result>& results) {
     const Counts counts = counted(results);
     const auto fixed = [&](Verdict verdict) { return counts.fixed.at(static_cast<std::size_t>(verdict)); };
     return fmt::format(
-        "\n{} cases. The driver's fixed function: {} pass, {} depart as listed, {} answer otherwise where the "
+        "\n{} case{}. The driver's fixed function: {} pass, {} depart as listed, {} answer otherwise where the "
         "specification is open,\n{} depart and are in no list, {} listed and gone, {} not asked. Values that are not "
         "finite, of shaders and the reference: {}.\nShaders are at most {:.1e} from the reference in long "
         "double.\n{}\n",
-        results.size(), fixed(Verdict::kPass), fixed(Verdict::kDeparts), fixed(Verdict::kRuling), fixed(Verdict::kNew),
-        fixed(Verdict::kVanished), fixed(Verdict::kNotAsked), counts.non_finite, counts.from_long_double,
-        counts.failing == 0 ? "Nothing is unexpected." : fmt::format("{} cases fail.", counts.failing));
+        results.size(), results.size() == 1 ? "" : "s", fixed(Verdict::kPass), fixed(Verdict::kDeparts),
+        fixed(Verdict::kRuling), fixed(Verdict::kNew), fixed(Verdict::kVanished), fixed(Verdict::kNotAsked),
+        counts.non_finite, counts.from_long_double,
+        counts.failing == 0 ? "Nothing is unexpected."
+                            : fmt::format("{} {}.", counts.failing, counts.failing == 1 ? "case fails" : "cases fail"));
 }
 
 // A colour's numbers, or an error's name.
@@ -129,7 +131,8 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
     const Counts counts = counted(results);
     json["failing"] = counts.failing;
     json["non_finite"] = counts.non_finite;
-    return json.dump(2) + "\n";
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+           "\n";  // a file's bytes may be any
 }
 
 void make_folder(const std::string& folder) {

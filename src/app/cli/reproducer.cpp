@@ -132,6 +132,14 @@ glm::dvec2 window_place(const Case& of, const Spot& spot) {
     return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * static_cast<double>(kSide);
 }
 
+std::string how_to_run(const std::string& driver, const std::string& name) {
+    if (!driver.starts_with("softpipe")) return "";
+    return fmt::format(
+        "// Run it with: GALLIUM_DRIVER=softpipe DRAW_USE_LLVM=0 ./{}\n"
+        "// (Mesa 22.3's softpipe crashes within LLVM, or hangs, where that makes its vertices for GL_FEEDBACK.)\n",
+        name);
+}
+
 }  // namespace
 
 std::string reproducer(const std::string& driver, const Case& of, const Result& result) {
@@ -142,11 +150,11 @@ std::string reproducer(const std::string& driver, const Case& of, const Result& 
     if (found.empty() || !result.error.empty()) return "";
     std::string text = fmt::format(
         "// {}\n// {}\n// OpenGL 2.1, section {}\n// {}\n{}"
-        "// Build it with: cc -std=c99 {}.c -lglut -lGLU -lGL -lm\n"
+        "// Build it with: cc -std=c99 {}.c -lglut -lGLU -lGL -lm\n{}"
         "// It prints what is right and what the driver gives; its exit status is 1 where they differ.\n"
         "#define GL_GLEXT_PROTOTYPES\n#include <GL/freeglut.h>\n#include <math.h>\n#include <stdio.h>\n"
         "#include <stdlib.h>\n\n",
-        of.what, of.why, of.text, driver, found, of.name);
+        of.what, of.why, of.text, driver, found, of.name, how_to_run(driver, of.name));
     text += print_c_function(with_pragmas_written_out(*of.scene));
     text += fmt::format("\nstatic const char* kText = {};\n", quoted("OpenGL 2.1, section " + of.text));
     std::string colors, error;
@@ -165,10 +173,11 @@ std::string reproducer(const std::string& driver, const Case& of, const Result& 
     } else {
         text += fmt::format(
             "static const double kTolerance = {:g};  /* {} */\n"
-            "static const struct {{ const char* place; float x, y; float color[4], other[4]; }} kExpected[] = {{\n{}}};\n{}",
+            "static const struct {{ const char* place; float x, y; float color[4], other[4]; }} kExpected[] = "
+            "{{\n{}}};\n{}",
             of.tolerance.value_or(kTolerance),
-            of.tolerance ? of.tolerance_causes : "of float arithmetic; relative to the larger of 1 and the value", colors,
-            kJudge);
+            of.tolerance ? of.tolerance_causes : "of float arithmetic; relative to the larger of 1 and the value",
+            colors, kJudge);
     }
     if (!error.empty()) text += fmt::format(kJudgeError, error);
     text += colors.empty() ? kShowNothing : of.is_of_vertices() ? kShowVertices : kShowPixels;
