@@ -83,11 +83,18 @@ Right of_reference(const Case& of, const Expectation& expected, const RenderOpti
 // What a renderer shows at each place of a case.
 using Shown = std::function<std::optional<Seen>(const Expectation&)>;
 
-void judge_fixed(const Case& of, const std::string& driver, const Shown& shown, Result& result) {
+// `error` is what glGetError tells behind it.
+void judge_fixed(const Case& of, const std::string& driver, Enum error, const Shown& shown, Result& result) {
     if (of.has_variants()) return;
+    if (!of.expects_error() && error != kGL_NO_ERROR) {  // whatever the specification leaves open
+        worsen(result.verdicts[static_cast<std::size_t>(Path::kFixed)], Verdict::kNew);
+        result.findings.push_back(
+            {Path::kFixed, "", Verdict::kNew, {.kind = Spot::Kind::kError, .shading = {}}, error, kGL_NO_ERROR, ""});
+    }
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.shading) continue;
-        const std::optional<Seen> value = shown(expected);
+        const std::optional<Seen> value =
+            expected.spot.kind == Spot::Kind::kError ? std::optional<Seen>(error) : shown(expected);
         const auto listed = std::ranges::find_if(of.differs, [&](const Differs& differs) {
             return differs.spot == expected.spot &&
                    ::fnmatch(("*" + differs.driver + "*").c_str(), driver.c_str(), 0) == 0;
@@ -97,9 +104,9 @@ void judge_fixed(const Case& of, const std::string& driver, const Shown& shown, 
         std::string name;
         if (listed != of.differs.end()) {
             name = listed->name;
-            verdict = agrees                                                     ? Verdict::kVanished
-                      : agree(value, {listed->value, listed->value, kTolerance}) ? Verdict::kDeparts
-                                                                                 : Verdict::kNew;
+            verdict = agrees                                                              ? Verdict::kVanished
+                      : agree(value, {listed->value, listed->value, float_tolerance(of)}) ? Verdict::kDeparts
+                                                                                          : Verdict::kNew;
         } else if (!agrees) {
             verdict = of.is_ruling ? Verdict::kRuling : Verdict::kNew;
         }
@@ -303,9 +310,13 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& of = cases[i];
         if (!of.is_of_vertices()) continue;
-        const CarriedOut given = of.carried_out();
-        judge_error(of, given.error, results[i]);
-        scenes[i] = fuzz::make_vertex_scene(given.commands, results[i].error);
+        try {
+            CarriedOut given = of.carried_out(fuzz::kVertexWindow);
+            judge_error(of, given.error, results[i]);
+            scenes[i] = fuzz::make_vertex_scene(std::move(given.frame), results[i].error);
+        } catch (const SceneError& refused) {
+            results[i].error = refused.what();
+        }
         if (!scenes[i]) continue;
         for (const Expectation& expected : of.expectations) {
             if (static_cast<std::size_t>(expected.spot.vertex) >= scenes[i]->lit.size())
@@ -315,17 +326,11 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
             scenes[i].reset();
             continue;
         }
-        scenes[i]->commands = of.scene;  // the driver is sent all of them
         driver_error();
         const std::vector<Color> fixed = fuzz::fixed_colors(*scenes[i]);
-        const Enum error = driver_error();
         judge_fixed(
-            of, driver_,
-            [&](const Expectation& expected) {
-                return expected.spot.kind == Spot::Kind::kError
-                           ? std::optional<Seen>(error)
-                           : seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex)));
-            },
+            of, driver_, driver_error(),
+            [&](const Expectation& expected) { return seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex))); },
             results[i]);
         judge_reference(of, *scenes[i], results[i]);
     }
@@ -344,21 +349,14 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
         Result& result = results[i];
         if (of.is_of_vertices()) continue;
         try {
-            const CarriedOut given = of.carried_out();
-            judge_error(of, given.error, result);
-            Frame frame = make_frame(given.commands, {.width = kSide, .height = kSide});
-            frame.commands = of.scene;
+            const auto [frame, error] = of.carried_out(kSide);
+            judge_error(of, error, result);
             driver_error();
             const Image fixed = fixed::render(frame, {});
-            const Enum error = driver_error();
-            result.pictures.emplace_back("fixed", fixed);
             judge_fixed(
-                of, driver_,
-                [&](const Expectation& expected) {
-                    return expected.spot.kind == Spot::Kind::kError ? Seen(error)
-                                                                    : Seen(color_at(fixed, expected.spot));
-                },
-                result);
+                of, driver_, driver_error(),
+                [&](const Expectation& expected) { return Seen(color_at(fixed, expected.spot)); }, result);
+            result.pictures.emplace_back("fixed", fixed);
             std::vector<Picture> pictures;
             for (const Variant& variant : variants_of(of, Path::kProgrammable))
                 pictures.push_back({Path::kProgrammable, variant, renderer_->render(frame, variant.options)});
@@ -379,8 +377,7 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
 void Suite::draw_vertices(const Case& of, Result& result) {
     if (!of.is_of_vertices() || !result.error.empty()) return;
     context_->make_current();
-    Frame frame = make_frame(of.carried_out().commands, {.width = kVertexSide, .height = kVertexSide});
-    frame.commands = of.scene;
+    const Frame frame = of.carried_out(kVertexSide).frame;
     if (!of.has_variants()) result.pictures.emplace_back("fixed", fixed::render(frame, {}));
     result.pictures.emplace_back("programmable", renderer_->render(frame, plain().options));
     result.pictures.emplace_back("reference", reference::render(frame, plain().options));
