@@ -221,20 +221,6 @@ CarriedOut Case::carried_out(int side) const {
     return {state.take_frame(scene), state.errors().empty() ? kGL_NO_ERROR : state.errors().front().code};
 }
 
-bool Case::has_variants() const {
-    return std::ranges::any_of(scene->commands, [](const Command& command) {
-        switch (command.id) {
-            case CommandId::pragma_specular:
-            case CommandId::pragma_ambient:
-            case CommandId::pragma_spot_cone:
-            case CommandId::pragma_spectrum:
-            case CommandId::pragma_transfer:
-            case CommandId::pragma_light: return true;
-            default: return false;
-        }
-    });
-}
-
 Case read_case(std::string_view text, const std::string& file, const std::string& name) {
     const Head head(text, file);
     Case result;

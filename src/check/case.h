@@ -84,9 +84,6 @@ struct Case {
     // A picture of `side` by `side` pixels. Throws SceneError as make_frame does, but of a case that expects an error not for
     // those that GL raises: a command with one is ignored (2.5).
     CarriedOut carried_out(int side) const;
-    // Whether it has a lecture's variant (#pragma twinlight specular, ambient, spot_cone ...), of which the fixed function is not
-    // asked.
-    bool has_variants() const;
 };
 
 // Throws SceneError, with the line, for a head that is not of the form of docs/hard-cases.md, or a scene that is none.

@@ -15,6 +15,7 @@
 #include "fixed/fixed.h"
 #include "fuzz/vertex_colors.h"
 #include "reference/reference.h"
+#include "state/lecture_variants.h"
 #include "state/state.h"
 
 namespace twinlight::check {
@@ -26,7 +27,7 @@ using fuzz::Color;
 // ---- What is asked ----
 
 // --precise follows GL's own model alone.
-bool is_asked(const Variant& variant, const Case& of) { return !(variant.options.precise && of.has_variants()); }
+bool is_asked(const Variant& variant, const Frame& frame) { return !(variant.options.precise && has_variants(frame)); }
 
 Enum driver_error() {
     const Enum first = glGetError();
@@ -83,9 +84,10 @@ Right of_reference(const Case& of, const Expectation& expected, const RenderOpti
 // What a renderer shows at each place of a case.
 using Shown = std::function<std::optional<Seen>(const Expectation&)>;
 
-// `error` is what glGetError tells behind it.
-void judge_fixed(const Case& of, const std::string& driver, Enum error, const Shown& shown, Result& result) {
-    if (of.has_variants()) return;
+// `error` is what glGetError tells behind it. Of what GL does not have it is not asked.
+void judge_fixed(const Case& of, const Frame& frame, const std::string& driver, Enum error, const Shown& shown,
+                 Result& result) {
+    if (has_variants(frame)) return;
     if (!of.expects_error() && error != kGL_NO_ERROR) {  // whatever the specification leaves open
         worsen(result.verdicts[static_cast<std::size_t>(Path::kFixed)], Verdict::kNew);
         result.findings.push_back(
@@ -248,7 +250,7 @@ void hold_to_long_double(const Case& of, const std::vector<Picture>& pictures, R
 }
 
 // The variants that draw some of the case's expectations: those of its shadings, and all numbers and tiers of each.
-std::vector<Variant> variants_of(const Case& of, Path path) {
+std::vector<Variant> variants_of(const Case& of, const Frame& frame, Path path) {
     std::vector<Variant> result;
     std::vector<std::optional<Shading>> shadings;
     for (const Expectation& expected : of.expectations) {
@@ -258,7 +260,7 @@ std::vector<Variant> variants_of(const Case& of, Path path) {
     }
     for (const std::optional<Shading>& shading : shadings) {
         for (Variant variant : path == Path::kReference ? reference_variants() : shader_variants()) {
-            if (variant.options.shading || (variant.options.precise && shading) || !is_asked(variant, of)) continue;
+            if (variant.options.shading || (variant.options.precise && shading) || !is_asked(variant, frame)) continue;
             variant.options.shading = shading;
             if (shading) variant.name += *shading == Shading::kPhong ? " phong" : " exact";
             result.push_back(variant);
@@ -279,6 +281,17 @@ std::string_view word_of(Verdict verdict) {
         case Verdict::kVanished: return "VANISHED";
     }
     return "";
+}
+
+std::string finding_text(const Case& of, const Finding& finding) {
+    std::string text =
+        fmt::format("{}{}{}, {}: {}, ", kPathNames.at(static_cast<std::size_t>(finding.path)),
+                    finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), text_of(finding.value));
+    if (finding.verdict == Verdict::kVanished)
+        return text + "as the text says; the case lists another: " + finding.name;
+    text += (finding.verdict == Verdict::kRuling ? "ruled " : "expected ") + text_of(finding.expected);
+    if (finding.verdict != Verdict::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
+    return text;
 }
 
 bool Result::fails() const {
@@ -329,7 +342,7 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
         driver_error();
         const std::vector<Color> fixed = fuzz::fixed_colors(*scenes[i]);
         judge_fixed(
-            of, driver_, driver_error(),
+            of, scenes[i]->frame, driver_, driver_error(),
             [&](const Expectation& expected) { return seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex))); },
             results[i]);
         judge_reference(of, *scenes[i], results[i]);
@@ -338,7 +351,8 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
         const auto colors = fuzz::shader_colors(scenes, *renderer_, variant.options);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             if (!scenes[i] || (scenes[i]->shows_back() && !fuzz::knows_faces_of_corners())) continue;
-            if (is_asked(variant, cases[i])) judge_shaders(cases[i], *scenes[i], variant, colors[i], results[i]);
+            if (is_asked(variant, scenes[i]->frame))
+                judge_shaders(cases[i], *scenes[i], variant, colors[i], results[i]);
         }
     }
 }
@@ -354,13 +368,13 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
             driver_error();
             const Image fixed = fixed::render(frame, {});
             judge_fixed(
-                of, driver_, driver_error(),
+                of, frame, driver_, driver_error(),
                 [&](const Expectation& expected) { return Seen(color_at(fixed, expected.spot)); }, result);
             result.pictures.emplace_back("fixed", fixed);
             std::vector<Picture> pictures;
-            for (const Variant& variant : variants_of(of, Path::kProgrammable))
+            for (const Variant& variant : variants_of(of, frame, Path::kProgrammable))
                 pictures.push_back({Path::kProgrammable, variant, renderer_->render(frame, variant.options)});
-            for (const Variant& variant : variants_of(of, Path::kReference))
+            for (const Variant& variant : variants_of(of, frame, Path::kReference))
                 pictures.push_back({Path::kReference, variant, reference::render(frame, variant.options)});
             for (const Picture& picture : pictures) judge_picture(of, picture, result);
             hold_to_long_double(of, pictures, result);
@@ -378,7 +392,7 @@ void Suite::draw_vertices(const Case& of, Result& result) {
     if (!of.is_of_vertices() || !result.error.empty()) return;
     context_->make_current();
     const Frame frame = of.carried_out(kVertexSide).frame;
-    if (!of.has_variants()) result.pictures.emplace_back("fixed", fixed::render(frame, {}));
+    if (!has_variants(frame)) result.pictures.emplace_back("fixed", fixed::render(frame, {}));
     result.pictures.emplace_back("programmable", renderer_->render(frame, plain().options));
     result.pictures.emplace_back("reference", reference::render(frame, plain().options));
 }

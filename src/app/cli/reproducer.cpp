@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/cli/check_page.h"
 #include "command/text.h"
 #include "fuzz/vertex_colors.h"
 #include "shape/primitives.h"
