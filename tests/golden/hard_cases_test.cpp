@@ -7,6 +7,7 @@
 #include <set>
 
 #include "../unit/run_program.h"
+#include "../unit/sanitized.h"
 #include "check/check.h"
 #include "command/text.h"
 #include "fuzz/vertex_colors.h"
@@ -68,12 +69,6 @@ TEST(HardCasesOfTheReference, AreFinite) {
         }
     }
 }
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
 
 TEST(HardCasesOfTheReference, AreCleanUnderValgrind) {
     if (kSanitized) GTEST_SKIP() << "valgrind and the address sanitizer do not go together";
