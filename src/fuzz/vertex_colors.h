@@ -31,7 +31,7 @@ std::optional<VertexScene> make_vertex_scene(const std::shared_ptr<const Command
 std::optional<VertexScene> make_vertex_scene(Frame frame, std::string& error);
 inline constexpr int kVertexWindow = 64;  // of the fixed function's feedback
 
-// In the order of the vertices: the colours that feedback returns. Of two-sided polygons those of the face that shows.
+// In the order of the vertices: the colours that feedback returns, unclamped where the driver can. Of two-sided polygons those of the face that shows.
 std::vector<Color> fixed_colors(const VertexScene& scene);
 
 // The same of shaders, for all scenes at once, in a context of kShaderPicture by kShaderPicture pixels of floats. At most
