@@ -63,9 +63,9 @@ struct Differs {
     std::string name;  // in golden/known_differences
 };
 
-// The commands that GL carries out, for one that raises an error is ignored (2.5); and the first error.
+// What a case's commands come to, and the first error that they raise.
 struct CarriedOut {
-    std::shared_ptr<const CommandList> commands;
+    Frame frame;
     Enum error = kGL_NO_ERROR;
 };
 
@@ -81,11 +81,10 @@ struct Case {
     std::shared_ptr<const CommandList> scene;
 
     bool is_of_vertices() const;
-    // Of a case that expects no error all commands: whoever makes a frame of them refuses what GL does.
-    CarriedOut carried_out() const;
-    // Whether it has a lecture's variant (#pragma twinlight specular, ambient, spot_cone ...), of which the fixed function is not
-    // asked.
-    bool has_variants() const;
+    bool expects_error() const;  // or, by name, that there is none
+    // A picture of `side` by `side` pixels. Throws SceneError as make_frame does, but of a case that expects an error not for
+    // those that GL raises: a command with one is ignored (2.5).
+    CarriedOut carried_out(int side) const;
 };
 
 // Throws SceneError, with the line, for a head that is not of the form of docs/hard-cases.md, or a scene that is none.

@@ -15,6 +15,7 @@
 #include "fixed/fixed.h"
 #include "fuzz/vertex_colors.h"
 #include "reference/reference.h"
+#include "state/lecture_variants.h"
 #include "state/state.h"
 
 namespace twinlight::check {
@@ -26,7 +27,7 @@ using fuzz::Color;
 // ---- What is asked ----
 
 // --precise follows GL's own model alone.
-bool is_asked(const Variant& variant, const Case& of) { return !(variant.options.precise && of.has_variants()); }
+bool is_asked(const Variant& variant, const Frame& frame) { return !(variant.options.precise && has_variants(frame)); }
 
 Enum driver_error() {
     const Enum first = glGetError();
@@ -83,11 +84,19 @@ Right of_reference(const Case& of, const Expectation& expected, const RenderOpti
 // What a renderer shows at each place of a case.
 using Shown = std::function<std::optional<Seen>(const Expectation&)>;
 
-void judge_fixed(const Case& of, const std::string& driver, const Shown& shown, Result& result) {
-    if (of.has_variants()) return;
+// `error` is what glGetError tells behind it. Of what GL does not have it is not asked.
+void judge_fixed(const Case& of, const Frame& frame, const std::string& driver, Enum error, const Shown& shown,
+                 Result& result) {
+    if (has_variants(frame)) return;
+    if (!of.expects_error() && error != kGL_NO_ERROR) {  // whatever the specification leaves open
+        worsen(result.verdicts[static_cast<std::size_t>(Path::kFixed)], Verdict::kNew);
+        result.findings.push_back(
+            {Path::kFixed, "", Verdict::kNew, {.kind = Spot::Kind::kError, .shading = {}}, error, kGL_NO_ERROR, ""});
+    }
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.shading) continue;
-        const std::optional<Seen> value = shown(expected);
+        const std::optional<Seen> value =
+            expected.spot.kind == Spot::Kind::kError ? std::optional<Seen>(error) : shown(expected);
         const auto listed = std::ranges::find_if(of.differs, [&](const Differs& differs) {
             return differs.spot == expected.spot &&
                    ::fnmatch(("*" + differs.driver + "*").c_str(), driver.c_str(), 0) == 0;
@@ -97,9 +106,9 @@ void judge_fixed(const Case& of, const std::string& driver, const Shown& shown, 
         std::string name;
         if (listed != of.differs.end()) {
             name = listed->name;
-            verdict = agrees                                                     ? Verdict::kVanished
-                      : agree(value, {listed->value, listed->value, kTolerance}) ? Verdict::kDeparts
-                                                                                 : Verdict::kNew;
+            verdict = agrees                                                              ? Verdict::kVanished
+                      : agree(value, {listed->value, listed->value, float_tolerance(of)}) ? Verdict::kDeparts
+                                                                                          : Verdict::kNew;
         } else if (!agrees) {
             verdict = of.is_ruling ? Verdict::kRuling : Verdict::kNew;
         }
@@ -241,7 +250,7 @@ void hold_to_long_double(const Case& of, const std::vector<Picture>& pictures, R
 }
 
 // The variants that draw some of the case's expectations: those of its shadings, and all numbers and tiers of each.
-std::vector<Variant> variants_of(const Case& of, Path path) {
+std::vector<Variant> variants_of(const Case& of, const Frame& frame, Path path) {
     std::vector<Variant> result;
     std::vector<std::optional<Shading>> shadings;
     for (const Expectation& expected : of.expectations) {
@@ -251,7 +260,7 @@ std::vector<Variant> variants_of(const Case& of, Path path) {
     }
     for (const std::optional<Shading>& shading : shadings) {
         for (Variant variant : path == Path::kReference ? reference_variants() : shader_variants()) {
-            if (variant.options.shading || (variant.options.precise && shading) || !is_asked(variant, of)) continue;
+            if (variant.options.shading || (variant.options.precise && shading) || !is_asked(variant, frame)) continue;
             variant.options.shading = shading;
             if (shading) variant.name += *shading == Shading::kPhong ? " phong" : " exact";
             result.push_back(variant);
@@ -272,6 +281,17 @@ std::string_view word_of(Verdict verdict) {
         case Verdict::kVanished: return "VANISHED";
     }
     return "";
+}
+
+std::string finding_text(const Case& of, const Finding& finding) {
+    std::string text =
+        fmt::format("{}{}{}, {}: {}, ", kPathNames.at(static_cast<std::size_t>(finding.path)),
+                    finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), text_of(finding.value));
+    if (finding.verdict == Verdict::kVanished)
+        return text + "as the text says; the case lists another: " + finding.name;
+    text += (finding.verdict == Verdict::kRuling ? "ruled " : "expected ") + text_of(finding.expected);
+    if (finding.verdict != Verdict::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
+    return text;
 }
 
 bool Result::fails() const {
@@ -303,9 +323,13 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& of = cases[i];
         if (!of.is_of_vertices()) continue;
-        const CarriedOut given = of.carried_out();
-        judge_error(of, given.error, results[i]);
-        scenes[i] = fuzz::make_vertex_scene(given.commands, results[i].error);
+        try {
+            CarriedOut given = of.carried_out(fuzz::kVertexWindow);
+            judge_error(of, given.error, results[i]);
+            scenes[i] = fuzz::make_vertex_scene(std::move(given.frame), results[i].error);
+        } catch (const SceneError& refused) {
+            results[i].error = refused.what();
+        }
         if (!scenes[i]) continue;
         for (const Expectation& expected : of.expectations) {
             if (static_cast<std::size_t>(expected.spot.vertex) >= scenes[i]->lit.size())
@@ -315,17 +339,11 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
             scenes[i].reset();
             continue;
         }
-        scenes[i]->commands = of.scene;  // the driver is sent all of them
         driver_error();
         const std::vector<Color> fixed = fuzz::fixed_colors(*scenes[i]);
-        const Enum error = driver_error();
         judge_fixed(
-            of, driver_,
-            [&](const Expectation& expected) {
-                return expected.spot.kind == Spot::Kind::kError
-                           ? std::optional<Seen>(error)
-                           : seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex)));
-            },
+            of, scenes[i]->frame, driver_, driver_error(),
+            [&](const Expectation& expected) { return seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex))); },
             results[i]);
         judge_reference(of, *scenes[i], results[i]);
     }
@@ -333,7 +351,8 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
         const auto colors = fuzz::shader_colors(scenes, *renderer_, variant.options);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             if (!scenes[i] || (scenes[i]->shows_back() && !fuzz::knows_faces_of_corners())) continue;
-            if (is_asked(variant, cases[i])) judge_shaders(cases[i], *scenes[i], variant, colors[i], results[i]);
+            if (is_asked(variant, scenes[i]->frame))
+                judge_shaders(cases[i], *scenes[i], variant, colors[i], results[i]);
         }
     }
 }
@@ -344,25 +363,18 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
         Result& result = results[i];
         if (of.is_of_vertices()) continue;
         try {
-            const CarriedOut given = of.carried_out();
-            judge_error(of, given.error, result);
-            Frame frame = make_frame(given.commands, {.width = kSide, .height = kSide});
-            frame.commands = of.scene;
+            const auto [frame, error] = of.carried_out(kSide);
+            judge_error(of, error, result);
             driver_error();
             const Image fixed = fixed::render(frame, {});
-            const Enum error = driver_error();
-            result.pictures.emplace_back("fixed", fixed);
             judge_fixed(
-                of, driver_,
-                [&](const Expectation& expected) {
-                    return expected.spot.kind == Spot::Kind::kError ? Seen(error)
-                                                                    : Seen(color_at(fixed, expected.spot));
-                },
-                result);
+                of, frame, driver_, driver_error(),
+                [&](const Expectation& expected) { return Seen(color_at(fixed, expected.spot)); }, result);
+            result.pictures.emplace_back("fixed", fixed);
             std::vector<Picture> pictures;
-            for (const Variant& variant : variants_of(of, Path::kProgrammable))
+            for (const Variant& variant : variants_of(of, frame, Path::kProgrammable))
                 pictures.push_back({Path::kProgrammable, variant, renderer_->render(frame, variant.options)});
-            for (const Variant& variant : variants_of(of, Path::kReference))
+            for (const Variant& variant : variants_of(of, frame, Path::kReference))
                 pictures.push_back({Path::kReference, variant, reference::render(frame, variant.options)});
             for (const Picture& picture : pictures) judge_picture(of, picture, result);
             hold_to_long_double(of, pictures, result);
@@ -379,9 +391,8 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
 void Suite::draw_vertices(const Case& of, Result& result) {
     if (!of.is_of_vertices() || !result.error.empty()) return;
     context_->make_current();
-    Frame frame = make_frame(of.carried_out().commands, {.width = kVertexSide, .height = kVertexSide});
-    frame.commands = of.scene;
-    if (!of.has_variants()) result.pictures.emplace_back("fixed", fixed::render(frame, {}));
+    const Frame frame = of.carried_out(kVertexSide).frame;
+    if (!has_variants(frame)) result.pictures.emplace_back("fixed", fixed::render(frame, {}));
     result.pictures.emplace_back("programmable", renderer_->render(frame, plain().options));
     result.pictures.emplace_back("reference", reference::render(frame, plain().options));
 }

@@ -41,6 +41,9 @@ struct Finding {
     std::string name;  // of a known departure
 };
 
+// What a reader should see of a finding: which value, which is right, and why.
+std::string finding_text(const Case& of, const Finding& finding);
+
 struct Result {
     std::array<Verdict, kPaths> verdicts{};
     std::vector<Finding> findings;

@@ -84,10 +84,10 @@ void compare(PairFound& found, double bar, const Color& a, const Color& b, const
     }
 }
 
-Found judge(const VertexScene& scene, const std::vector<Color>& fixed_colors, const std::vector<Color>& shader_colors,
-            const std::vector<std::string_view>& lifted) {
+Found judge(const CommandList& commands, const VertexScene& scene, const std::vector<Color>& fixed_colors,
+            const std::vector<Color>& shader_colors, const std::vector<std::string_view>& lifted) {
     Found found;
-    const LeftOut left_out(*scene.commands, lifted);
+    const LeftOut left_out(commands, lifted);
     const bool back = scene.shows_back();
     const bool has_shaders =
         !scene.draw().lighting.light_model.two_side || !draws_polygons(scene.draw().mode) || knows_faces_of_corners();
@@ -155,7 +155,7 @@ std::vector<Found> Floats::compare(std::span<const std::shared_ptr<const Command
     }
     const std::vector<std::vector<Color>> shaders = shader_colors(scenes, *renderer_, gls_own_model());
     for (std::size_t i = 0; i < commands.size(); ++i) {
-        if (scenes[i]) found[i] = judge(*scenes[i], fixed[i], shaders[i], lifted_);
+        if (scenes[i]) found[i] = judge(*commands[i], *scenes[i], fixed[i], shaders[i], lifted_);
     }
     return found;
 }

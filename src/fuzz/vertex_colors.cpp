@@ -16,8 +16,6 @@ namespace twinlight::fuzz {
 
 namespace {
 
-constexpr int kWindow = 64;  // of the fixed function's feedback
-
 glm::dvec2 ndc(const reference::LitVertex& vertex) { return glm::dvec2(vertex.position_clip) / vertex.position_clip.w; }
 
 // Each vertex in a corner of the view of its own, where feedback and the shaders' picture have a place for it.
@@ -46,20 +44,24 @@ bool VertexScene::shows_back() const {
     return draw().raster.front_face == kGL_CCW ? area <= 0 : area >= 0;
 }
 
+std::optional<VertexScene> make_vertex_scene(Frame frame, std::string& error) {
+    VertexScene scene{std::move(frame), {}};
+    const Draw* draw = scene.frame.items.empty() ? nullptr : std::get_if<Draw>(&scene.frame.items.back());
+    const std::size_t least = draw && draws_polygons(draw->mode) ? 3 : 1;
+    if (!draw || !draw->lighting.enabled || draw->vertices.size() < least || draw->vertices.size() > 3)
+        error = "the last thing drawn is not a lit primitive of three vertices";
+    else if (!scene.frame.unsupported.empty())
+        error = scene.frame.unsupported.front().name + " is not supported";
+    if (!error.empty()) return std::nullopt;
+    scene.lit = reference::light_vertices(*draw, gls_own_model(), false);
+    if (!stands_in_corners(scene.lit)) error = "two vertices stand in one corner of the view, or one in none";
+    if (!error.empty()) return std::nullopt;
+    return scene;
+}
+
 std::optional<VertexScene> make_vertex_scene(const std::shared_ptr<const CommandList>& commands, std::string& error) {
     try {
-        VertexScene scene{commands, make_frame(commands, {.width = kWindow, .height = kWindow}), {}};
-        const Draw* draw = scene.frame.items.empty() ? nullptr : std::get_if<Draw>(&scene.frame.items.back());
-        const std::size_t least = draw && draws_polygons(draw->mode) ? 3 : 1;
-        if (!draw || !draw->lighting.enabled || draw->vertices.size() < least || draw->vertices.size() > 3)
-            error = "the last thing drawn is not a lit primitive of three vertices";
-        else if (!scene.frame.unsupported.empty())
-            error = scene.frame.unsupported.front().name + " is not supported";
-        if (!error.empty()) return std::nullopt;
-        scene.lit = reference::light_vertices(*draw, gls_own_model(), false);
-        if (!stands_in_corners(scene.lit)) error = "two vertices stand in one corner of the view, or one in none";
-        if (!error.empty()) return std::nullopt;
-        return scene;
+        return make_vertex_scene(make_frame(commands, {.width = kVertexWindow, .height = kVertexWindow}), error);
     } catch (const SceneError& refused) {
         error = refused.what();
         return std::nullopt;
@@ -68,17 +70,31 @@ std::optional<VertexScene> make_vertex_scene(const std::shared_ptr<const Command
 
 // ---- The fixed function ----
 
+namespace {
+
+// Without it colours are clamped, and glClampColor is an error that is not the scene's.
+bool can_show_unclamped_colors() {
+    const auto* const extensions = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
+    return extensions && std::string_view(extensions).find("GL_ARB_color_buffer_float") != std::string_view::npos;
+}
+
+}  // namespace
+
 // By where the vertices stand in the window.
 std::vector<Color> fixed_colors(const VertexScene& scene) {
     std::vector<Color> colors(scene.lit.size());
     std::array<GLfloat, 512> buffer{};
     glFeedbackBuffer(static_cast<GLsizei>(buffer.size()), GL_3D_COLOR, buffer.data());
-    fixed::Driver driver(kWindow, kWindow);
-    glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+    fixed::Driver driver(kVertexWindow, kVertexWindow);
+    const bool unclamped = can_show_unclamped_colors();
+    if (unclamped) glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
     glRenderMode(GL_FEEDBACK);
-    for (const Command& command : scene.commands->commands) driver.execute(command);
+    scene.frame.commands->for_each([&](const Step& step) {
+        if (step.kind == Step::Kind::kCommand) driver.execute(step.command);
+        return true;
+    });
     const GLint written = glRenderMode(GL_RENDER);
-    glClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
+    if (unclamped) glClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
     constexpr std::size_t kPerVertex = 7;  // GL_3D_COLOR: x, y, z, r, g, b, a
     for (std::size_t i = 0; i < static_cast<std::size_t>(std::max(written, 0));) {
         const auto token = static_cast<GLenum>(buffer[i++]);
@@ -87,7 +103,7 @@ std::vector<Color> fixed_colors(const VertexScene& scene) {
         for (; vertices > 0; --vertices, i += kPerVertex) {
             const glm::dvec2 window(buffer[i], buffer[i + 1]);
             for (std::size_t v = 0; v < scene.lit.size(); ++v) {
-                const glm::dvec2 expected = (ndc(scene.lit[v]) * 0.5 + 0.5) * static_cast<double>(kWindow);
+                const glm::dvec2 expected = (ndc(scene.lit[v]) * 0.5 + 0.5) * static_cast<double>(kVertexWindow);
                 if (glm::length(window - expected) > 0.5) continue;
                 colors[v] = glm::dvec4(buffer[i + 3], buffer[i + 4], buffer[i + 5], buffer[i + 6]);
             }

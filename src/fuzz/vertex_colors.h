@@ -18,8 +18,7 @@ using Color = std::optional<glm::dvec4>;  // nothing where a renderer shows no s
 
 // A scene whose last Draw is lit and has three vertices or fewer, each in a corner of the view of its own.
 struct VertexScene {
-    std::shared_ptr<const CommandList> commands;
-    Frame frame;
+    Frame frame;                            // what the driver is sent stands in it
     std::vector<reference::LitVertex> lit;  // GL's own model, unclamped
 
     const Draw& draw() const { return std::get<Draw>(frame.items.back()); }
@@ -28,8 +27,11 @@ struct VertexScene {
 
 // Nothing, and the reason, for a scene that GL refuses or that is not of this form.
 std::optional<VertexScene> make_vertex_scene(const std::shared_ptr<const CommandList>& commands, std::string& error);
+// The same of a frame of kVertexWindow by kVertexWindow pixels that is made.
+std::optional<VertexScene> make_vertex_scene(Frame frame, std::string& error);
+inline constexpr int kVertexWindow = 64;  // of the fixed function's feedback
 
-// In the order of the vertices: the colours that feedback returns. Of two-sided polygons those of the face that shows.
+// In the order of the vertices: the colours that feedback returns, unclamped where the driver can. Of two-sided polygons those of the face that shows.
 std::vector<Color> fixed_colors(const VertexScene& scene);
 
 // The same of shaders, for all scenes at once, in a context of kShaderPicture by kShaderPicture pixels of floats. At most

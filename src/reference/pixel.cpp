@@ -32,11 +32,15 @@ LitMaterial material_between(const DrawLighting& lighting, const std::vector<Sta
     return mixed(weights, materials);
 }
 
-VertexRulings rulings_between(const Draw& draw, const Primitive& primitive, const glm::dvec3& weights) {
+// Of the place that the fragment shows.
+VertexRulings rulings_of_place(const Draw& draw, const Piece& piece, const glm::dvec2& position_window) {
+    if (piece.rays) return surface_rulings(draw, piece.rays->point(position_window, piece.point).value().object);
+    const glm::dvec3 weights = weights_at(piece, position_window);
     VertexRulings all;
     for (int i = 0; i < 3; ++i) {
         if (weights[i] == 0) continue;
-        const VertexRulings one = vertex_rulings(draw, draw.vertices[primitive.vertices[static_cast<std::size_t>(i)]]);
+        const VertexRulings one =
+            vertex_rulings(draw, draw.vertices[piece.primitive.vertices[static_cast<std::size_t>(i)]]);
         all.position |= one.position;
         all.normal |= one.normal;
     }
@@ -44,7 +48,7 @@ VertexRulings rulings_between(const Draw& draw, const Primitive& primitive, cons
 }
 
 void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec2& position_window,
-                const RenderOptions& options, PixelFragment& fragment) {
+                const VertexRulings& of_place, const RenderOptions& options, PixelFragment& fragment) {
     const DrawLighting lighting(*staged.draw, options.lecture_variants);
     fragment.is_lit = lighting.enabled();
     if (!lighting.enabled()) return;
@@ -58,13 +62,13 @@ void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec2& 
     };
     if (piece.rays) {
         const StageVertex pixel = piece.rays->point(position_window, piece.point).value().vertex;
-        fragment.points.push_back(point(pixel, lighting.material(pixel, face), {}));
+        fragment.points.push_back(point(pixel, lighting.material(pixel, face), of_place));
         return;
     }
     const glm::dvec3 weights = weights_at(piece, position_window);
     if (fragment.shading == Shading::kPhong || fragment.shading == Shading::kExact) {
         const StageVertex pixel = between(staged.vertices, piece.primitive, weights);
-        VertexRulings rulings = rulings_between(*staged.draw, piece.primitive, weights);
+        VertexRulings rulings = of_place;
         if (pixel.normal_eye == glm::dvec3(0) && rulings.normal.empty())
             rulings.normal = {lighting::Ruling::kZeroNormal};
         const LitMaterial material = lighting.has_vertex_materials()
@@ -99,9 +103,11 @@ Shader::MarkedColors marked_colors(const PixelFragment& fragment) {
     return colors;
 }
 
-void add_rulings(const Shader& shader, const Piece& piece, const glm::dvec2& position_window, PixelFragment& fragment) {
+void add_rulings(const Shader& shader, const Piece& piece, const glm::dvec2& position_window,
+                 const VertexRulings& of_place, PixelFragment& fragment) {
     lighting::RulingSet decided;
-    for (const Marked& channel : shader.marked_color(piece, position_window, marked_colors(fragment)))
+    for (const Marked& channel :
+         shader.marked_color(piece, position_window, marked_colors(fragment), of_place.position))
         decided |= channel.rulings;
     for (const lighting::RulingText& text : lighting::kRulings) {
         if (!decided.contains(text.ruling)) continue;
@@ -167,8 +173,9 @@ std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptio
                 fragment.passes = (!tested || depth_passes(draw.raster.depth_func, fragment.depth, stored)) &&
                                   (!draw.fragment.alpha_test || alpha_passes(draw.fragment, fragment.color.a));
                 if (fragment.passes && tested && draw.raster.depth_mask) stored = fragment.depth;
-                add_points(stages.draws[piece.draw], piece, centre, options, fragment);
-                add_rulings(shaders[piece.draw], piece, centre, fragment);
+                const VertexRulings of_place = rulings_of_place(draw, piece, centre);
+                add_points(stages.draws[piece.draw], piece, centre, of_place, options, fragment);
+                add_rulings(shaders[piece.draw], piece, centre, of_place, fragment);
                 fragments.push_back(std::move(fragment));
             });
         }

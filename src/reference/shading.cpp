@@ -116,11 +116,12 @@ glm::dvec4 Shader::sampled(const TexturePlace& place) const {
     return sample(*unit.texture, place.st, level_of_detail(scale_factor(*unit.texture, place), unit.lod_bias));
 }
 
-Channels<Marked> Shader::marked_color(const Piece& piece, const glm::dvec2& position_window,
-                                      const MarkedColors& lit) const {
+Channels<Marked> Shader::marked_color(const Piece& piece, const glm::dvec2& position_window, const MarkedColors& lit,
+                                      lighting::RulingSet position) const {
     const LitPlace place = lit_place({&piece, position_window});
     const glm::dvec4& eye = place.vertex.position_eye;
-    const Marked fog = draw_.fog.enabled ? fog_factor(draw_.fog, abs(quotient(Marked(eye.z), Marked(eye.w)))) : 1;
+    const Marked fog =
+        draw_.fog.enabled ? fog_factor(draw_.fog, abs(quotient(Marked(eye.z, position), Marked(eye.w)))) : 1;
     if (!place.finish.texel) return finished<Marked>(lit, nullptr, fog);
     const lighting::RulingSet rulings =
         piece.rays ? lighting::RulingSet{} : texture_rulings(vertices_, piece, position_window);

@@ -41,12 +41,12 @@ class Shader {
     std::vector<glm::dvec4> colors(const std::vector<Fragment>& fragments) const;
     FragmentBounds bounds(const Piece& piece, const glm::dvec2& position_window) const;
 
-    // The color() of lit colours that know the rulings they come from, in [0,1].
+    // The color() of lit colours that know the rulings they come from, in [0,1], where `position` decided the position.
     struct MarkedColors {
         Channels<lighting::Marked> primary, secondary;
     };
     Channels<lighting::Marked> marked_color(const Piece& piece, const glm::dvec2& position_window,
-                                            const MarkedColors& lit) const;
+                                            const MarkedColors& lit, lighting::RulingSet position) const;
 
   private:
     struct LitColors {

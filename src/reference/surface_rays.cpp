@@ -194,11 +194,14 @@ TexturePlace SurfaceRays::texture_place(const glm::dvec3& position_object, const
 
 SurfacePoint SurfaceRays::seen(const glm::dvec4& position_object, const Vec& normal_object,
                                const Tangents& tangents) const {
-    SurfacePoint point{.vertex = {}, .depth = depth(position_object, tangents), .face = face(tangents), .place = {}};
+    SurfacePoint point{
+        .object = {}, .vertex = {}, .depth = depth(position_object, tangents), .face = face(tangents), .place = {}};
     point.vertex.position_eye = draw_.eye_from_object * position_object;
     point.vertex.position_clip = clip(position_object);
-    const glm::dvec3 normal = glm_of(surface_.inside ? -normal_object : normal_object);
-    point.vertex.normal_eye = glm_of(lighting::unit(vec3_cast<Vec>(normal_eye_from_object_ * normal)));
+    point.object.position_object = position_object;
+    point.object.normal_object = glm_of(surface_.inside ? -normal_object : normal_object);
+    point.vertex.normal_eye =
+        glm_of(lighting::unit(vec3_cast<Vec>(normal_eye_from_object_ * point.object.normal_object)));
     point.vertex.color = draw_.vertices.front().color;
     if (draw_.texture.texture) point.place = texture_place(glm::dvec3(position_object), tangents);
     return point;

@@ -17,6 +17,7 @@
 namespace twinlight::reference {
 
 struct SurfacePoint {
+    Vertex object;       // where it is, and its outward normal: a unit vector
     StageVertex vertex;  // the normal is a unit vector
     double depth = 0;    // in the window, with polygon offset
     Face face = Face::kFront;

@@ -55,7 +55,9 @@ std::vector<StageVertex> vertex_stage(const Draw& draw) {
     return result;
 }
 
-VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex) {
+namespace {
+
+VertexRulings rulings_under(const Draw& draw, const Vertex& vertex, bool normalize) {
     using lighting::Ruling;
     VertexRulings rulings;
     if (is_far_from_origin(draw, vertex.position_object)) rulings.position |= {Ruling::kFarFromOrigin};
@@ -66,7 +68,7 @@ VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex) {
         rulings.normal |= {Ruling::kSingularModelview};
     else if (normal_eye == Vec{})
         rulings.normal |= {Ruling::kZeroNormal};
-    if (state.normalize)
+    if (normalize)
         rulings.normal |= rulings_of(lighting::unit(vec3_cast<Vec3<lighting::Marked>>(normal_eye)));
     else if (state.rescale_normal && normal_eye != Vec{}) {
         // Decides where the answer that 2.11.3 allows as well, a unit vector, is another.
@@ -76,6 +78,14 @@ VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex) {
     }
     return rulings;
 }
+
+}  // namespace
+
+VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex) {
+    return rulings_under(draw, vertex, draw.lighting.normalize);
+}
+
+VertexRulings surface_rulings(const Draw& draw, const Vertex& point) { return rulings_under(draw, point, true); }
 
 std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& options, bool clamp) {
     const DrawLighting lighting(draw, options.lecture_variants);

@@ -26,6 +26,8 @@ struct VertexRulings {
     lighting::RulingSet position, normal;
 };
 VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex);
+// The same of a point of a surface, whose normal is made a unit vector whatever the Draw says.
+VertexRulings surface_rulings(const Draw& draw, const Vertex& point);
 
 // What takes an object-space normal to eye space, as a column vector: the transpose of the inverse of the
 // upper 3x3 (2.11.3). RULING: a singular matrix takes every normal to 0, which no light reaches.

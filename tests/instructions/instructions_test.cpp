@@ -11,6 +11,7 @@
 #include <string>
 
 #include "../unit/run_program.h"
+#include "../unit/sanitized.h"
 #include "counted_work.h"
 #include "image/file.h"
 
@@ -24,11 +25,6 @@ constexpr double kTolerance = 0.005;  // where memory lies changes a count a lit
 constexpr bool kOptimised = true;
 #else
 constexpr bool kOptimised = false;
-#endif
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
 #endif
 
 #ifdef __clang__

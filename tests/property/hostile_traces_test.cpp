@@ -6,17 +6,12 @@
 
 #include <filesystem>
 
+#include "../unit/sanitized.h"
 #include "fuzz/random.h"
 
 namespace twinlight {
 
 namespace {
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
 
 // ---- Text ----
 

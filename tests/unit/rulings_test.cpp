@@ -36,25 +36,26 @@ std::string told(const Rulings& rulings) {
 }
 
 TEST(DecidingRulings, AreToldOfHardCases) {
-    const std::pair<Ruling, std::vector<std::string>> expected[] = {
-        {Ruling::kLightAtVertex, {"light-at-vertex", "light-at-vertex-in-cone", "light-direction-zero"}},
-        {Ruling::kAttenuation, {"attenuation-0-0-0", "light-at-vertex-quadratic", "light-at-vertex-without-k0"}},
-        {Ruling::kZeroNormal, {"normal-zero", "normal-zero-normalized"}},
-        {Ruling::kSingularModelview, {"modelview-singular"}},
-        {Ruling::kAtInfinity, {"vertex-w-0"}},
-        {Ruling::kOppositeHalfVector, {"highlight-opposite", "viewer-local-opposite"}},
-        {Ruling::kSquares, {"light-far-1e30", "light-near-1e-30", "normal-1e30-normalized", "spot-direction-1e-30"}},
-        {Ruling::kSpotBorder, {"spot-0-on-axis", "spot-90-at-edge"}},
-        {Ruling::kBehindSpot, {"spot-90-outside", "spot-cutoff-90-behind"}},
-        {Ruling::kRescaled, {"rescale-uneven", "normal-length-2-rescaled"}},
-        {Ruling::kZeroSpotDirection, {"spot-direction-zero"}},
-        {Ruling::kVertexAtEye, {"viewer-local-at-vertex"}},
-        {Ruling::kFarFromOrigin, {"camera-1e6-turned", "camera-1e8"}},
+    const std::pair<Rulings, std::vector<std::string>> expected[] = {
+        {{Ruling::kLightAtVertex}, {"light-at-vertex", "light-at-vertex-in-cone", "light-direction-zero"}},
+        {{Ruling::kAttenuation}, {"attenuation-0-0-0"}},
+        {{Ruling::kLightAtVertex, Ruling::kAttenuation}, {"light-at-vertex-quadratic", "light-at-vertex-without-k0"}},
+        {{Ruling::kZeroNormal}, {"normal-zero", "normal-zero-normalized"}},
+        {{Ruling::kSingularModelview}, {"modelview-singular"}},
+        {{Ruling::kAtInfinity, Ruling::kSquares}, {"vertex-w-0"}},  // "very far away": its square overflows
+        {{Ruling::kOppositeHalfVector}, {"highlight-opposite", "viewer-local-opposite"}},
+        {{Ruling::kSquares}, {"light-far-1e30", "light-near-1e-30", "normal-1e30-normalized", "spot-direction-1e-30"}},
+        {{Ruling::kSpotBorder}, {"spot-0-on-axis", "spot-90-at-edge"}},
+        {{Ruling::kBehindSpot}, {"spot-90-outside", "spot-cutoff-90-behind"}},
+        {{Ruling::kRescaled}, {"rescale-uneven", "normal-length-2-rescaled"}},
+        {{Ruling::kZeroSpotDirection}, {"spot-direction-zero"}},
+        {{Ruling::kVertexAtEye}, {"viewer-local-at-vertex"}},
+        {{Ruling::kFarFromOrigin}, {"camera-1e6-turned", "camera-1e8"}},
     };
-    for (const auto& [ruling, names] : expected)
+    for (const auto& [those, names] : expected)
         for (const check::Case& of : check::load_cases(names)) {
-            const Rulings rulings = rulings_at(frame_of(of.carried_out().commands), 8, 8);
-            EXPECT_TRUE(rulings.contains(ruling)) << of.name << ": " << told(rulings);
+            const Rulings rulings = rulings_at(of.carried_out(check::kSide).frame, 8, 8);
+            EXPECT_EQ(rulings, those) << of.name << ": " << told(rulings);
         }
 }
 
@@ -97,6 +98,32 @@ TEST(DecidingRulings, AreToldOfStatesWithoutAHardCase) {
     const std::string texture = textured("GL_LUMINANCE", "GL_MODULATE");
     EXPECT_EQ(rulings_under(texture + "glTexCoord4f(0.5, 0.5, 0, 0);"), Rulings{Ruling::kZeroQuotient});
     EXPECT_EQ(rulings_under(texture + "glTexCoord2f(1e16, 0.5);"), Rulings{Ruling::kUncountable});
+}
+
+// Fog alone, by the distance from the eye; and points of surfaces, which no vertex is.
+TEST(DecidingRulings, AreToldOfPositionsWhereverTheyCount) {
+    const std::string
+        moved = "glTranslatef(0, 0, -1e8);\n",
+        far_corners = "glVertex3f(-1, -1, 1e8); glVertex3f(1, -1, 1e8); glVertex3f(1, 1, 1e8); glVertex3f(-1, 1, 1e8);";
+    const std::string unlit = "glDisable(GL_LIGHTING);\n" + moved;
+    const std::string fog =
+        "glEnable(GL_FOG); glFogi(GL_FOG_MODE, GL_LINEAR); glFogf(GL_FOG_START, -1); glFogf(GL_FOG_END, 1);\n"
+        "glFogfv(GL_FOG_COLOR, (GLfloat[]){0, 0, 0, 1});\n";
+    EXPECT_EQ(rulings_under(unlit + fog, far_corners), Rulings{Ruling::kFarFromOrigin});
+    EXPECT_EQ(rulings_under(unlit, far_corners), Rulings{});
+    EXPECT_EQ(rulings_under("glDisable(GL_LIGHTING);\n" + fog), Rulings{});
+
+    RenderOptions exact;
+    exact.shading = Shading::kExact;
+    const auto sphere = [&](const std::string& state, const std::string& radius) {
+        const std::string text =
+            "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);\n" + state + "glutSolidSphere(" + radius + ", 16, 16);\n";
+        return rulings_at(frame_of(std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"))), 32, 32,
+                          exact);
+    };
+    const std::string light = "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, 2, 1});\n";
+    EXPECT_EQ(sphere(light, "0.5"), Rulings{});
+    EXPECT_EQ(sphere(light + "glTranslatef(0, 0, -1e4);\n", "1e4"), Rulings{Ruling::kFarFromOrigin});
 }
 
 TEST(DecidingRulings, AreToldOfWhatIsLitPerPixel) {

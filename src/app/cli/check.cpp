@@ -193,7 +193,9 @@ Subcommand add_check(CLI::App& app) {
         "specification leaves the answer open; 'NEW', a departure that no list has; 'VANISHED', one that is gone;\n"
         "'not asked', where a case is about what GL does not have.\n"
         "Shaders and the reference have to pass. GALLIUM_DRIVER=softpipe asks Mesa's other driver.\n"
-        "Exit status: 0 nothing unexpected, 1 NEW or VANISHED, 2 bad input or use.");
+        "Exit status: 0 nothing unexpected; 1 NEW or VANISHED, a scene that is refused, a value of shaders or the\n"
+        "reference that is not finite, or shaders more than 3e-5 from the reference in long double; 2 bad input or "
+        "use.");
     return {check, [arguments] { return run(*arguments); }};
 }
 

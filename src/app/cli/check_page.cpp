@@ -79,17 +79,6 @@ std::string group_of(const Case& of) { return of.name.substr(0, of.name.find('-'
 
 }  // namespace
 
-std::string finding_text(const Case& of, const Finding& finding) {
-    std::string text =
-        fmt::format("{}{}{}, {}: {}, ", kPathNames.at(static_cast<std::size_t>(finding.path)),
-                    finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), text_of(finding.value));
-    if (finding.verdict == Verdict::kVanished)
-        return text + "as the text says; the case lists another: " + finding.name;
-    text += (finding.verdict == Verdict::kRuling ? "ruled " : "expected ") + text_of(finding.expected);
-    if (finding.verdict != Verdict::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
-    return text;
-}
-
 std::string check_page(const std::string& driver, const std::vector<Case>& cases, const std::vector<Result>& results) {
     std::map<std::string, std::string> groups;
     for (std::size_t i = 0; i < cases.size(); ++i) groups[group_of(cases[i])] += section_of(cases[i], results[i]);

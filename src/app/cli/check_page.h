@@ -8,9 +8,6 @@
 
 namespace twinlight::cli {
 
-// What a reader should see of a finding: which value, which is right, and why.
-std::string finding_text(const check::Case& of, const check::Finding& finding);
-
 // One file that holds everything: by what is tested, each case with its words, what was found, its pictures and its text.
 std::string check_page(const std::string& driver, const std::vector<check::Case>& cases,
                        const std::vector<check::Result>& results);

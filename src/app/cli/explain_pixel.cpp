@@ -11,6 +11,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/renderers.h"
 #include "reference/pixel.h"
+#include "state/lecture_variants.h"
 
 namespace twinlight::cli {
 
@@ -52,14 +53,6 @@ std::vector<const Draw*> draws_of(const Frame& frame) {
     for (const auto& item : frame.items)
         if (const Draw* draw = std::get_if<Draw>(&item)) draws.push_back(draw);
     return draws;
-}
-
-bool has_variants(const Draw& draw) {
-    const LightingState& state = draw.lighting;
-    return state.light_model.specular != LightModel{}.specular ||
-           state.light_model.light_ambient != LightModel{}.light_ambient || state.light_model.spectrum ||
-           draw.fragment.srgb_coded ||
-           std::ranges::any_of(state.lights, [](const LightSource& light) { return light.smooth_cone.has_value(); });
 }
 
 // ---- In words ----

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/cli/check_page.h"
 #include "command/text.h"
 #include "fuzz/vertex_colors.h"
 #include "shape/primitives.h"
@@ -36,26 +35,27 @@ static void judge(const char* place, const float* right, const float* other, con
 )c";
 
 constexpr const char* kShowVertices = R"c(
-/* The colour of the vertex that stands there in the window; 0 where none does. */
+/* The colour of the last vertex that stands there in the window; 0 where none does. */
 static const float* vertex_at(const float* buffer, int count, float x, float y) {
+    const float* found = 0;
     int i = 0;
     while (i < count) {
         const int token = (int)buffer[i++];
         int vertices = token == GL_POINT_TOKEN ? 1 : 2;
         if (token == GL_POLYGON_TOKEN) vertices = (int)buffer[i++];
         for (; vertices > 0; --vertices, i += 7)  /* GL_3D_COLOR */
-            if (fabs(buffer[i] - x) <= 0.5 && fabs(buffer[i + 1] - y) <= 0.5) return buffer + i + 3;
+            if (fabs(buffer[i] - x) <= 0.5 && fabs(buffer[i + 1] - y) <= 0.5) found = buffer + i + 3;
     }
-    return 0;
+    return found;
 }
 
 static void show(void) {
     typedef void (*ClampColor)(GLenum, GLenum);
     static float buffer[512];
-    const ClampColor clamp_color = (ClampColor)glutGetProcAddress("glClampColorARB");
     int count, i;
     glFeedbackBuffer(512, GL_3D_COLOR, buffer);
-    if (clamp_color) clamp_color(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+    if (glutExtensionSupported("GL_ARB_color_buffer_float"))
+        ((ClampColor)glutGetProcAddress("glClampColorARB"))(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
     else printf("the driver clamps vertices' colours: what is beyond [0, 1] differs here\n");
     glRenderMode(GL_FEEDBACK);
     draw_scene();
@@ -86,7 +86,8 @@ static void show(void) { draw_scene(); }
 
 constexpr const char* kJudgeError = R"c(
 static void judge_error(GLenum error) {{
-    printf("glGetError: expected 0x%04X ({0}), the driver gives 0x%04X%s\n", {0}, error, error == {0} ? "" : ": DIFFERS");
+    printf("glGetError: expected 0x%04X ({0}), the driver gives 0x%04X%s\n", {0}, error,
+           error == {0} ? "" : ": DIFFERS");
     departures += error != {0};
 }}
 )c";
@@ -94,7 +95,10 @@ static void judge_error(GLenum error) {{
 constexpr const char* kMain = R"c(
 static void display(void) {{
     printf("%s, %s\n%s\n", glGetString(GL_RENDERER), glGetString(GL_VERSION), kText);
-    show();{1}
+    glViewport(0, 0, {0}, {0});  /* a window manager may make the window larger */
+    while (glGetError() != GL_NO_ERROR) {{}}  /* the window's own */
+    show();
+    judge_error(glGetError());
     printf(departures ? "The driver departs from the specification.\n" : "As the specification says.\n");
     fflush(stdout);
     exit(departures ? 1 : 0);
@@ -127,7 +131,8 @@ std::string c_array(const Seen& color) {
 glm::dvec2 window_place(const Case& of, const Spot& spot) {
     if (spot.kind == Spot::Kind::kPixel) return {spot.x, kSide - 1 - spot.y};
     std::string error;
-    const std::optional<fuzz::VertexScene> scene = fuzz::make_vertex_scene(of.carried_out().commands, error);
+    const std::optional<fuzz::VertexScene> scene =
+        fuzz::make_vertex_scene(of.carried_out(fuzz::kVertexWindow).frame, error);
     const glm::dvec4& clip = scene.value().lit.at(static_cast<std::size_t>(spot.vertex)).position_clip;
     return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * static_cast<double>(kSide);
 }
@@ -157,7 +162,7 @@ std::string reproducer(const std::string& driver, const Case& of, const Result& 
         of.what, of.why, of.text, driver, found, of.name, how_to_run(driver, of.name));
     text += print_c_function(with_pragmas_written_out(*of.scene));
     text += fmt::format("\nstatic const char* kText = {};\n", quoted("OpenGL 2.1, section " + of.text));
-    std::string colors, error;
+    std::string colors, error = "GL_NO_ERROR";
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.shading) continue;  // not GL's
         if (expected.spot.kind == Spot::Kind::kError) {
@@ -171,17 +176,19 @@ std::string reproducer(const std::string& driver, const Case& of, const Result& 
     if (colors.empty()) {
         text += "\nstatic int departures = 0;\n";
     } else {
+        const double tolerance = of.tolerance.value_or(kTolerance);
+        const std::string causes =
+            of.tolerance ? of.tolerance_causes : "of float arithmetic; relative to the larger of 1 and the value";
         text += fmt::format(
-            "static const double kTolerance = {:g};  /* {} */\n"
+            "static const double kTolerance = {};  /* {} */\n"
             "static const struct {{ const char* place; float x, y; float color[4], other[4]; }} kExpected[] = "
             "{{\n{}}};\n{}",
-            of.tolerance.value_or(kTolerance),
-            of.tolerance ? of.tolerance_causes : "of float arithmetic; relative to the larger of 1 and the value",
-            colors, kJudge);
+            of.is_of_vertices() ? fmt::format("{:g}", tolerance) : fmt::format("{:g} + 0.5 / 255", tolerance),
+            of.is_of_vertices() ? causes : causes + "; and half a code of the window", colors, kJudge);
     }
-    if (!error.empty()) text += fmt::format(kJudgeError, error);
+    text += fmt::format(kJudgeError, error);
     text += colors.empty() ? kShowNothing : of.is_of_vertices() ? kShowVertices : kShowPixels;
-    return text + fmt::format(kMain, kSide, error.empty() ? "" : "\n    judge_error(glGetError());");
+    return text + fmt::format(kMain, kSide);
 }
 
 }  // namespace twinlight::cli
