@@ -70,12 +70,13 @@ INSTRUCTIONS_points_avx2 := -mavx2 -mfma
 INSTRUCTIONS_points_avx512 := -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -Wno-uninitialized -Wno-maybe-uninitialized
 INSTRUCTIONS = $(if $(filter x86_64%,$(MACHINE)),$(INSTRUCTIONS_$(basename $(@F))))
 MACHINE := $(shell $(CXX) -dumpmachine 2>/dev/null)
+# Of the sanitized builds -g1 names the lines in reports, and compiles up to a third faster than -g.
 # g++ 12 takes std::regex for uninitialised where the address sanitizer has rewritten it.
-CXXFLAGS_sanitize := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined \
+CXXFLAGS_sanitize := -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined \
     -Wno-maybe-uninitialized
 LDFLAGS_sanitize := -fsanitize=address,undefined
 # Of clang, for libFuzzer: its runtime stands beside the compiler (Debian's package libclang-rt-dev).
-CXXFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
+CXXFLAGS_fuzz := -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
 LDFLAGS_fuzz := -fsanitize=address,undefined
 CXXFLAGS_all = $(CXXFLAGS_common) $(CXXFLAGS_$(config)) $(shell pkg-config --cflags $(MODULES) 2>/dev/null) $(CXXFLAGS)
 CXXFLAGS_all := $(CXXFLAGS_all)

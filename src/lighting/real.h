@@ -1,7 +1,7 @@
 // What an equation over any number type needs: choices without branches, and arithmetic that stays finite.
 //
 // Real may be float, double, long double, a batch of SIMD lanes or a number that knows which rulings it comes from (marked.h);
-// such types bring their own select(), abs(), pow() and sqrt() by argument-dependent lookup, and specialise Limits.
+// such types bring their own select(), abs(), sqrt() and power() or pow() by argument-dependent lookup, and specialise Limits.
 #pragma once
 
 #include <cmath>
