@@ -24,6 +24,7 @@
 // see to it; ruled() names what a ruling gave.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "lighting/real.h"
@@ -48,7 +49,7 @@ struct Light {
     Real spot_exponent{0};
     bool is_spot = false;  // the cutoff is not 180 degrees
     Real cos_cutoff{-1};
-    Real constant_attenuation{1}, linear_attenuation{0}, quadratic_attenuation{0};
+    Real constant_attenuation{1}, linear_attenuation{0}, quadratic_attenuation{0};  // not negative
 
     // Not GL: the lecture's cone, in the place of spot_i.
     bool has_smooth_cone = false;
@@ -76,7 +77,7 @@ struct Surface {
 template <class Real>
 struct Products {
     Vec3<Real> ambient, diffuse, specular;
-    bool has_specular = true;  // false only where `specular` is known to be 0
+    bool has_ambient = true, has_specular = true;  // false only where they are known to be 0
 };
 template <class Real>
 Products<Real> products(const Material<Real>& material, const Light<Real>& light) {
@@ -164,9 +165,9 @@ UnitAndLength<Real> toward_light(const Light<Real>& light, Vec3<Real> position_e
 template <class Real>
 Real attenuation(const Light<Real>& light, Real d) {
     if (light.directional) return Real(1);
-    const Real k0 = light.constant_attenuation, k1 = light.linear_attenuation, k2 = light.quadratic_attenuation;
-    const Real denominator = k0 + d * (k1 + k2 * d);
-    return select(denominator > Real(0), representable(Real(1) / denominator), ruled(Ruling::kAttenuation, Real(0)));
+    const Real denominator =
+        light.constant_attenuation + d * (light.linear_attenuation + light.quadratic_attenuation * d);
+    return inverse_or_zero(denominator, Ruling::kAttenuation);
 }
 
 // The lecture's cone: clamp((cos t - cos outer) / (cos inner - cos outer), 0, 1).
@@ -174,7 +175,7 @@ Real attenuation(const Light<Real>& light, Real d) {
 template <class Real>
 Real smooth_cone(const Light<Real>& light, Real cos_angle) {
     const Real span = light.cos_inner - light.cos_outer;
-    const Real slope = clamp01((cos_angle - light.cos_outer) / select(span > Real(0), span, Real(1)));
+    const Real slope = clamp01((cos_angle - light.cos_outer) / positive_or_one(span));
     const Real step = select(cos_angle >= light.cos_outer, Real(1), Real(0));
     return select(span > Real(0), slope, ruled(Ruling::kEqualCones, step));
 }
@@ -200,8 +201,7 @@ Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
 template <class Real>
 Real cosine_between(Vec3<Real> n, Vec3<Real> a, Vec3<Real> b) {
     const Real size = length(a + b);
-    return ruled(Ruling::kOppositeHalfVector, size <= Real(0),
-                 (dot(n, a) + dot(n, b)) / select(size > Real(0), size, Real(1)));
+    return ruled(Ruling::kOppositeHalfVector, size <= Real(0), (dot(n, a) + dot(n, b)) / positive_or_one(size));
 }
 
 // f_i (n . h_i)^s_rm; h_i lies between VP and VPe, which is (0, 0, 1) for the infinite viewer: their sum, made a unit vector.
@@ -230,22 +230,24 @@ LightTerms<Real> light_terms(const Model<Real>& model, const Products<Real>& pro
     t.attenuation = attenuation(light, distance);
     t.spot = spot(light, vp_dir);
     t.n_dot_vp = positive_dot(surface.normal_eye, vp_dir);
-    if (products.has_specular) t.highlight = highlight(model, light, shininess, surface.normal_eye, vp_dir, vpe_dir);
 
     const Real reach = t.attenuation * t.spot;
-    const Real ambient_reach = model.ambient_unattenuated ? Real(1) : reach;
-    t.ambient = representable(ambient_reach * products.ambient);
+    if (products.has_ambient)
+        t.ambient = representable((model.ambient_unattenuated ? Real(1) : reach) * products.ambient);
     t.diffuse = representable((reach * t.n_dot_vp) * products.diffuse);
-    t.specular = representable((reach * t.highlight) * products.specular);
+    if (products.has_specular) {
+        t.highlight = highlight(model, light, shininess, surface.normal_eye, vp_dir, vpe_dir);
+        t.specular = representable((reach * t.highlight) * products.specular);
+    }
     return t;
 }
 
-// c_pri and c_sec, before the clamp of 2.14.6. `breakdown`, where it is not null, takes one LightTerms a light; `kept`
-// has the products of the material and each light, where they are known.
-template <class Real>
-Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material, const Surface<Real>& surface,
-                        std::span<const Light<Real>> lights, LightTerms<Real>* breakdown = nullptr,
-                        const Products<Real>* kept = nullptr) {
+// c_pri and c_sec, before the clamp of 2.14.6, where products_of(i) gives the Products of the material and the i-th light.
+// `breakdown`, where it is not null, takes one LightTerms a light.
+template <class Real, class ProductsOf>
+Lit<Real> light_surface_with(const ProductsOf& products_of, const Model<Real>& model, const Material<Real>& material,
+                             const Surface<Real>& surface, std::span<const Light<Real>> lights,
+                             LightTerms<Real>* breakdown = nullptr) {
     const Vec3<Real> eye_dir = model.local_viewer ? unit(-surface.position_eye) : Vec3<Real>{0, 0, 1};
     const Vec3<Real> vpe_dir = ruled(Ruling::kVertexAtEye, dot(eye_dir, eye_dir) <= Real(0), eye_dir);
     Lit<Real> lit;
@@ -253,9 +255,9 @@ Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material
     const Vec3<Real> scene_ambient = representable(material.ambient * model.ambient);
     lit.primary = material.emission + scene_ambient;
     lit.magnitude = magnitudes(material.emission) + magnitudes(scene_ambient);
-    for (const Light<Real>& light : lights) {
-        const LightTerms<Real> t =
-            light_terms(model, kept ? *kept++ : products(material, light), material.shininess, surface, light, vpe_dir);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const Products<Real>& of_both = products_of(i);
+        const LightTerms<Real> t = light_terms(model, of_both, material.shininess, surface, lights[i], vpe_dir);
         if (breakdown) *breakdown++ = t;
         lit.primary += t.ambient + t.diffuse;
         lit.magnitude += magnitudes(t.ambient) + magnitudes(t.diffuse);
@@ -267,6 +269,12 @@ Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material
         }
     }
     return {representable(lit.primary), representable(lit.secondary), lit.alpha, representable(lit.magnitude)};
+}
+template <class Real>
+Lit<Real> light_surface(const Model<Real>& model, const Material<Real>& material, const Surface<Real>& surface,
+                        std::span<const Light<Real>> lights, LightTerms<Real>* breakdown = nullptr) {
+    return light_surface_with([&](std::size_t i) { return products(material, lights[i]); }, model, material, surface,
+                              lights, breakdown);
 }
 
 }  // namespace twinlight::lighting

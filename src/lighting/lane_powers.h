@@ -107,7 +107,9 @@ template <class Scalar, class Arch>
 xsimd::batch<Scalar, Arch> exact_product(xsimd::batch<Scalar, Arch> base, unsigned exponent) {
     using Batch = xsimd::batch<Scalar, Arch>;
     using Fused = FusedProduct<Arch>;
-    Batch high = base, low(Scalar(0));
+    if (exponent <= 2) return exponent == 1 ? base : base * base;
+    // Every other power begins with the square of the base, below which there is nothing.
+    Batch high = base * base, low = Fused::difference(base, base, high);
     const auto square = [&] {
         const Batch product = high * high;
         low = Fused::sum(high + high, low, Fused::difference(high, high, product));
@@ -116,8 +118,10 @@ xsimd::batch<Scalar, Arch> exact_product(xsimd::batch<Scalar, Arch> base, unsign
     // The odd factor of the exponent; then the squarings that are left.
     int squarings = __builtin_ctz(exponent);
     const unsigned odd = exponent >> squarings;
-    for (int bit = 30 - __builtin_clz(odd); bit >= 0; --bit) {
-        square();
+    if (odd == 1) --squarings;
+    const int second_bit = 30 - __builtin_clz(odd);
+    for (int bit = second_bit; bit >= 0; --bit) {
+        if (bit != second_bit) square();
         if ((odd >> bit & 1U) == 0) continue;
         const Batch product = high * base;
         low = Fused::sum(low, base, Fused::difference(high, base, product));

@@ -72,6 +72,18 @@ Lanes<Scalar, Arch, Range::kPlain, kPower> representable(Lanes<Scalar, Arch, Ran
     return x;
 }
 
+// A quotient by 0 is NaN or infinite, and stays so unless a choice leaves it out, as it leaves out the guarded one.
+template <class Scalar, class Arch, PowerBy kPower>
+Lanes<Scalar, Arch, Range::kPlain, kPower> positive_or_one(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
+    return x;
+}
+// Of an x that is not negative: of 0 it is infinite.
+template <class Scalar, class Arch, PowerBy kPower>
+Lanes<Scalar, Arch, Range::kPlain, kPower> inverse_or_zero(Lanes<Scalar, Arch, Range::kPlain, kPower> x,
+                                                           Ruling /*ruling*/) {
+    return Lanes<Scalar, Arch, Range::kPlain, kPower>(Scalar(1)) / x;
+}
+
 // The same numbers as real.h gives for lengths whose squares neither overflow nor underflow; NaN for others.
 template <class Scalar, class Arch, PowerBy kPower>
 UnitAndLength<Lanes<Scalar, Arch, Range::kPlain, kPower>> unit_and_length(
@@ -80,7 +92,8 @@ UnitAndLength<Lanes<Scalar, Arch, Range::kPlain, kPower>> unit_and_length(
     using L = Limits<Scalar>;
     const Real square = dot(v, v), length = sqrt(square);
     const auto in_range = (square.batch > (4 * L::small) * (4 * L::small)) & (square.batch < L::big * L::big / 16);
-    const Real inverse = Real(1) / select(in_range, length, Real(std::numeric_limits<Scalar>::quiet_NaN()));
+    // Not 1 / select(...), which would keep the root waiting for the comparisons.
+    const Real inverse = select(in_range, Real(1) / length, Real(std::numeric_limits<Scalar>::quiet_NaN()));
     return {v * inverse, length};
 }
 

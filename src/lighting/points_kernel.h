@@ -74,8 +74,8 @@ template <class Real>
 }
 template <class Scalar, class Arch, PowerBy kPower>
 [[gnu::always_inline]] inline bool is_sound(const Lit<Lanes<Scalar, Arch, Range::kPlain, kPower>>& lit) {
-    const auto sum =
-        lit.primary.x + lit.primary.y + lit.primary.z + lit.secondary.x + lit.secondary.y + lit.secondary.z;
+    const auto [red, green, blue] = lit.primary;
+    const auto sum = (red + green) + (blue + (lit.secondary.x + lit.secondary.y + lit.secondary.z));
     return xsimd::all(abs(sum).batch <= Limits<Scalar>::largest);
 }
 
@@ -93,6 +93,7 @@ class Kernel {
         products_.reserve(lights.size());
         for (std::size_t i = 0; i < lights.size(); ++i) {
             products_.push_back(products(material_, lights_[i]));
+            products_.back().has_ambient = material.ambient * lights[i].ambient != Vec3<double>{};
             products_.back().has_specular = material.specular * lights[i].specular != Vec3<double>{};
         }
     }
@@ -104,13 +105,25 @@ class Kernel {
         const Surface<Real> surface{load<Real>(points_.surface.position_eye, first),
                                     points_.makes_unit_normals ? unit(normal) : normal};
         const std::span<const Light<Real>> lights(lights_);
-        const Lit<Real> lit = points_.has_one_material()
-                                  ? light_surface<Real>(model_, material_, surface, lights, nullptr, products_.data())
-                                  : light_surface<Real>(model_, load<Real>(points_.material, first), surface, lights);
+        const Lit<Real> lit =
+            points_.has_one_material()
+                ? light_surface_with([&](std::size_t i) -> const Products<Real>& { return products_[i]; }, model_,
+                                     material_, surface, lights)
+                : light_surface<Real>(model_, load<Real>(points_.material, first), surface, lights);
         if (!is_sound(lit)) return false;
         store(lit.primary, columns.primary, first);
         if (model_.separate_specular) store(lit.secondary, columns.secondary, first);
         return true;
+    }
+    // All points, which are as many as a Real holds at least; the last ones may be lit twice. again(first) where light() says
+    // false.
+    template <class Again>
+    [[gnu::flatten]] void light_all(Lit<Column>& columns, const Again& again) const {
+        const std::size_t count = points_.size(), last = count - kPointsIn<Real>;
+        for (std::size_t i = 0; i < count; i += kPointsIn<Real>) {
+            const std::size_t first = i < last ? i : last;
+            if (!light(first, columns)) again(first);
+        }
     }
 
   private:
@@ -122,21 +135,18 @@ class Kernel {
     std::vector<Products<Real>> products_;  // with each light
 };
 
-// There are as many points as lanes at least; the last lanes may be lit twice.
+// There are as many points as lanes at least.
 template <class Scalar, class Arch, PowerBy kPower>
 void light_lanes(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                  Lit<Column>& lit) {
     using Plain = Lanes<Scalar, Arch, Range::kPlain, kPower>;
     using Guarded = Lanes<Scalar, Arch, Range::kAny, PowerBy::kLibrary>;
-    const Kernel<Plain> plain(model, lights, points);
     std::optional<Kernel<Guarded>> guarded;  // most states never need it
-    const std::size_t last = points.size() - kPointsIn<Plain>;
-    for (std::size_t i = 0; i < points.size(); i += kPointsIn<Plain>) {
-        const std::size_t first = i < last ? i : last;
-        if (plain.light(first, lit)) continue;
+    const auto again = [&](std::size_t first) __attribute__((noinline)) {
         if (!guarded) guarded.emplace(model, lights, points);
         guarded->light(first, lit);
-    }
+    };
+    Kernel<Plain>(model, lights, points).light_all(lit, again);
 }
 
 // How these exponents may be taken, as far as `power` leaves it open.

@@ -89,6 +89,18 @@ Real power(Real base, Real exponent) {
     return select(exponent == Real(0), Real(1), pow(base, exponent));
 }
 
+// What to divide by: x, or 1 where x is not positive.
+template <class Real>
+Real positive_or_one(Real x) {
+    return select(x > Real(0), x, Real(1));
+}
+
+// 1 / x; 0, which is `ruling`, where x is not positive.
+template <class Real>
+Real inverse_or_zero(Real x, Ruling ruling) {
+    return select(x > Real(0), representable(Real(1) / x), ruled(ruling, Real(0)));
+}
+
 // The cosine of an angle in degrees; exactly 0 at 90, which pi does not give.
 template <class Real>
 Real cos_deg(double angle_deg) {
@@ -112,11 +124,10 @@ UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
     const Real scale = select(biggest > L::big, L::scale_down, select(biggest < L::small, L::scale_up, Real(1)));
     const Vec3<Real> scaled = v * scale;
     const Real scaled_length = length(scaled);
-    const Real inverse = Real(1) / select(scaled_length > Real(0), scaled_length, Real(1));
+    const Real inverse = Real(1) / positive_or_one(scaled_length);
     const Real full_length = scaled_length / scale;
     const Vec3<Real> dir = ruled(Ruling::kSquares, biggest > Real(Limits<float>::big), representable(scaled * inverse));
-    const Real not_zero = select(biggest > Real(0), biggest, Real(1));
-    return {ruled(Ruling::kSquares, not_zero < Real(Limits<float>::small), dir),
+    return {ruled(Ruling::kSquares, positive_or_one(biggest) < Real(Limits<float>::small), dir),
             select(full_length <= L::largest, full_length, L::largest)};
 }
 

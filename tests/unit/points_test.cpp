@@ -68,6 +68,7 @@ class States {
     }
     Light<double> light() {
         Light<double> light{.ambient = color(), .diffuse = color(), .specular = color()};
+        if (random_.chance(0.2)) light.ambient = {};
         if (random_.chance(0.2)) light.specular = {};
         place(light, place_eye() + D{0, 0, random_.uniform(-1, 4)}, random_.chance(0.3) ? 0.0 : 1.0);
         light.spot_dir_eye = unit(D{random_.uniform(-1, 1), random_.uniform(-1, 1), -1});
@@ -76,8 +77,8 @@ class States {
         light.spot_exponent = exponent();
         if (random_.chance(0.6)) {
             light.constant_attenuation = random_.below(3);
-            light.linear_attenuation = random_.uniform(0, 1) * scale();
-            light.quadratic_attenuation = random_.uniform(0, 1);
+            light.linear_attenuation = random_.chance(0.9) ? random_.uniform(0, 1) * scale() : 0;
+            light.quadratic_attenuation = random_.chance(0.9) ? random_.uniform(0, 1) : 0;
         }
         light.has_smooth_cone = random_.chance(0.1);
         light.cos_inner = 0.9;
@@ -142,6 +143,16 @@ TEST_P(LightPoints, GivesWhatTheEquationGivesForEach) {
     for (int i = 0; i < 400; ++i) {
         const State state = states.make(37, false);
         EXPECT_LE(worst<double>(state, lit_by(GetParam(), state)), 4 * kUlp) << "state " << i;
+    }
+}
+
+TEST_P(LightPoints, TakesEveryWholePower) {
+    States states(9);
+    for (int exponent = 0; exponent <= 130; ++exponent) {
+        State state = states.make(16, false);
+        for (Material<double>& material : state.materials) material.shininess = exponent;
+        for (Light<double>& light : state.lights) light.spot_exponent = exponent;
+        EXPECT_LE(worst<double>(state, lit_by(GetParam(), state)), 4 * kUlp) << "to the power of " << exponent;
     }
 }
 
