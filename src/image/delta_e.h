@@ -33,6 +33,8 @@ struct PerceivedDifference {
     double percentile_95 = 0;  // the smallest that at least 95 % of the pixels do not exceed
     double max = 0;
     int worst_x = 0, worst_y = 0;  // the first pixel, row by row from the top left, that has `max`
+
+    friend bool operator==(const PerceivedDifference&, const PerceivedDifference&) = default;
 };
 
 // Channels are clamped to [0,1], NaN is 0, alpha is passed over. Not rounded to codes: give quantised(image) for what

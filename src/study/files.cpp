@@ -28,8 +28,11 @@ void write_study(const Study& study, const std::string& folder) {
     add("study.csv", csv);
     add("study.svg", svg);
     add("index.html", page);
-    const std::string samples_svg = study.spectral ? spectral_svg(*study.spectral) : "";
-    if (study.spectral) add("spectral.svg", samples_svg);
+    std::vector<std::string> plots;  // of samples
+    plots.reserve(study.series.size());
+    for (std::size_t i = 0; i < study.series.size(); ++i)
+        if (study.series[i].spectral)
+            add(spectral_file(study, i), plots.emplace_back(spectral_svg(*study.series[i].spectral)));
     write_files_atomically(files);
 }
 

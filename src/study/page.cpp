@@ -114,6 +114,13 @@ std::string machines(const Study& study) {
     return html;
 }
 
+std::string samples(const Study& study) {
+    std::string html;
+    for (const Series& series : study.series)
+        if (series.spectral) html += spectral_section(*series.spectral, study.series.size() > 1 ? series.name : "");
+    return html;
+}
+
 }  // namespace
 
 std::string study_page(const Study& study) {
@@ -132,7 +139,7 @@ std::string study_page(const Study& study) {
                            {"columns", head_row(study)},
                            {"time_column", study.series.size() > 1 ? "2" : "1"},
                            {"rows", rows},
-                           {"spectral", study.spectral ? spectral_section(*study.spectral) : ""},
+                           {"spectral", samples(study)},
                            {"data", page_data(study)},
                            {"chart", std::string(page_file("chart.js"))},
                            {"script", std::string(page_file("study.js"))}});

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 #include "study/study.h"
 
@@ -24,6 +26,7 @@ class Node {
         if (found == json_->end()) fail(fmt::format("'{}' is missing", name));
         return {*found, way_ + (way_.ends_with(' ') ? "" : ".") + name};
     }
+    bool has(const char* name) const { return json_->is_object() && json_->contains(name); }
     std::vector<Node> elements() const {
         if (!json_->is_array()) fail("a list is expected");
         std::vector<Node> nodes;
@@ -55,6 +58,41 @@ class Node {
 constexpr double kLongest = 1e6;  // seconds of a frame
 constexpr int kMany = 1 << 30;
 
+std::vector<double> read_median(const Node& node) {
+    if (node.is_null()) return {};
+    return {node.number(0, kLongest)};
+}
+
+SpectralStudy read_spectral(const Node& node) {
+    SpectralStudy study;
+    for (const Node& patch : node["patches"].elements())
+        study.patches.push_back({.light = patch["light"].text(),
+                                 .samples = patch["samples"].whole_number(0, kMany),
+                                 .mean = patch["mean"].number(0, kMany),
+                                 .max = patch["max"].number(0, kMany),
+                                 .worst = patch["worst"].text()});
+    std::set<std::string> lights;
+    std::set<int> counts;
+    std::set<std::pair<std::string, int>> both;
+    for (const PatchError& e : study.patches) {
+        lights.insert(e.light);
+        counts.insert(e.samples);
+        both.insert({e.light, e.samples});
+    }
+    if (both.size() != study.patches.size() || both.size() != lights.size() * counts.size())
+        node["patches"].fail("every light has every number of samples once");
+    for (const Node& picture : node["pictures"].elements())
+        study.pictures.push_back({.samples = picture["samples"].whole_number(0, kMany),
+                                  .reference_seconds = read_median(picture["reference_seconds"]),
+                                  .sampling_shader_seconds = read_median(picture["sampling_shader_seconds"]),
+                                  .shader_seconds = read_median(picture["shader_seconds"]),
+                                  .off = {.mean = picture["mean"].number(0, kMany),
+                                          .percentile_95 = picture["percentile_95"].number(0, kMany),
+                                          .max = picture["max"].number(0, kMany)}});
+    study.findings = spectral_findings(study);
+    return study;
+}
+
 Series read_series(const Node& node) {
     const Node machine = node["machine"];
     return {.name = node["name"].text(),
@@ -63,7 +101,8 @@ Series read_series(const Node& node) {
                         .system = machine["system"].text()},
             .driver = node["driver"].text(),
             .rounds = node["rounds"].whole_number(0, kMany),
-            .findings = {}};
+            .findings = {},
+            .spectral = node.has("spectral") ? std::optional(read_spectral(node["spectral"])) : std::nullopt};
 }
 
 Error read_error(const Node& node) {

@@ -19,6 +19,8 @@ struct PatchError {
     int samples = 0;
     double mean = 0, max = 0;
     std::string worst;  // the patch that has `max`
+
+    friend bool operator==(const PatchError&, const PatchError&) = default;
 };
 // Of every light of spectrum/spectrum.h, and of every number of samples in their order.
 std::vector<PatchError> patch_errors();
@@ -26,16 +28,20 @@ std::vector<PatchError> patch_errors();
 // The scene's picture with so many samples.
 struct SampledPicture {
     int samples = 0;
-    // A frame, one for each round: by the reference, by shaders that light every point in samples, and by shaders whose products
+    // A frame, one for each round (read back: their median): by the reference, by shaders that light every point in samples, and by shaders whose products
     // of lights and materials are made once a Draw.
     std::vector<double> reference_seconds, sampling_shader_seconds, shader_seconds;
     PerceivedDifference off;  // from 81 samples, by the reference, pixel by pixel lit
+
+    friend bool operator==(const SampledPicture&, const SampledPicture&) = default;
 };
 
 struct SpectralStudy {
-    std::vector<PatchError> patches;
+    std::vector<PatchError> patches;  // every light's of every number of samples
     std::vector<SampledPicture> pictures;
     std::vector<std::string> findings;  // sentences: where three are exact, where nine pay, what they cost
+
+    friend bool operator==(const SpectralStudy&, const SpectralStudy&) = default;
 };
 
 // Whether a Draw has `#pragma twinlight spectrum(n)`.
@@ -60,8 +66,8 @@ std::vector<std::string> spectral_findings(const SpectralStudy& study);
 std::string spectral_json(const SpectralStudy& study);
 // Mean Delta E of each light against the samples and against their time, on logarithmic axes.
 std::string spectral_svg(const SpectralStudy& study);
-// A page's section: plot, tables and sentences.
-std::string spectral_section(const SpectralStudy& study);
+// A page's section: plot, tables and sentences. `of`: whose, where there are several.
+std::string spectral_section(const SpectralStudy& study, const std::string& of);
 // A table of the patches and one of the pictures, as text.
 std::string spectral_text(const SpectralStudy& study);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/html.h"
 #include "study/spectral.h"
 
 namespace twinlight::study {
@@ -113,7 +114,7 @@ std::string spectral_svg(const SpectralStudy& study) {
         svg += fmt::format(
             "<rect x=\"896\" y=\"{:.0f}\" width=\"12\" height=\"12\" fill=\"{}\"/>\n"
             "<text x=\"914\" y=\"{:.0f}\">{}{}</text>\n",
-            y - 11, color, y, lights[i], is_exact ? " (exact)" : "");
+            y - 11, color, y, report::escaped(lights[i]), is_exact ? " (exact)" : "");
     }
     return svg + "</svg>\n";
 }

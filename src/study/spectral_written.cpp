@@ -132,7 +132,7 @@ std::string spectral_text(const SpectralStudy& study) {
     return text;
 }
 
-std::string spectral_section(const SpectralStudy& study) {
+std::string spectral_section(const SpectralStudy& study, const std::string& of) {
     const std::vector<std::string> lights = lights_of(study);
     std::string head, rows, pictures, sentences;
     for (const std::string& light : lights) head += fmt::format("<th scope=\"col\">{}</th>", report::escaped(light));
@@ -153,7 +153,7 @@ std::string spectral_section(const SpectralStudy& study) {
             1000 * median(p.shader_seconds), p.off.mean, p.off.percentile_95, p.off.max);
     for (const std::string& sentence : study.findings) sentences += "<li>" + report::escaped(sentence) + "</li>\n";
     return fmt::format(
-        "<section>\n<h2>Samples of the spectrum</h2>\n<ul>\n{}</ul>\n<div class=\"scroll plot\">{}</div>\n"
+        "<section>\n<h2>Samples of the spectrum{}</h2>\n<ul>\n{}</ul>\n<div class=\"scroll plot\">{}</div>\n"
         "<p>Delta E 2000 of the ColorChecker's 24 patches, mean / worst.</p>\n"
         "<div class=\"scroll\"><table class=\"study\"><thead><tr><th "
         "scope=\"col\"></th>{}</tr></thead>\n<tbody>{}</tbody></table></div>\n"
@@ -163,7 +163,7 @@ std::string spectral_section(const SpectralStudy& study) {
         "<th scope=\"col\">shaders, every pixel, ms</th><th scope=\"col\">shaders, once a Draw, ms</th>"
         "<th scope=\"col\">mean</th><th scope=\"col\">95 %</th><th scope=\"col\">worst</th></tr></thead>\n"
         "<tbody>{}</tbody></table></div>\n</section>\n",
-        sentences, spectral_svg(study), head, rows, pictures);
+        of.empty() ? "" : ": " + report::escaped(of), sentences, spectral_svg(study), head, rows, pictures);
 }
 
 }  // namespace twinlight::study

@@ -35,7 +35,8 @@ struct Series {
     Machine machine;
     std::string driver;
     int rounds = 0;
-    std::vector<std::string> findings;  // sentences: what to choose, where one choice overtakes another
+    std::vector<std::string> findings;        // sentences: what to choose, where one choice overtakes another
+    std::optional<SpectralStudy> spectral{};  // of scenes with spectra
 
     friend bool operator==(const Series&, const Series&) = default;
 };
@@ -63,7 +64,6 @@ struct Study {
     std::vector<Series> series;
     std::vector<Point> points;  // of one series together
     std::string truth_png;
-    std::optional<SpectralStudy> spectral;  // of scenes with spectra; as it is measured, not as it is read
 };
 
 // ---- How it is made ----
@@ -132,11 +132,11 @@ void find_words(Study& study);
 // ---- What is written ----
 
 // {"format": "twinlight study", "version": 1, "scene", "fingerprint", "size": [w, h], "extent": "full"|"quick", "coverage",
-//  "series": [{"name", "machine": {"processor", "cores", "system"}, "driver", "rounds", "findings": ["sentence"]}],
+//  "series": [{"name", "machine": {"processor", "cores", "system"}, "driver", "rounds", "findings": ["sentence"],
+//              "spectral": what spectral_json() gives, of scenes with spectra}],
 //  "points": [{"series": 0, "key", "words", "axes": {"renderer": "fixed", ...}, "seconds": {"median", "q1", "q3", "samples": []},
 //              "error": {"whole"|"interior"|"silhouette": {"pixels", a value of each measure, "psnr_db"}},
-//              "front": ["rms", ...], "picture", "difference", "difference_factor"}],
-//  "spectral": what spectral_json() gives, of scenes with spectra}
+//              "front": ["rms", ...], "picture", "difference", "difference_factor"}]}
 // Pictures are named by their files, beside study.json; null where there are none.
 inline constexpr const char* kFormat = "twinlight study";
 inline constexpr int kFormatVersion = 1;
@@ -148,6 +148,8 @@ Study read_study(std::string_view json, const std::string& file);
 std::string picture_file(const Study& study, const Point& point);
 std::string difference_file(const Study& study, const Point& point);
 inline constexpr const char* kTruthFile = "pictures/truth.png";
+// The file of a series' plot of samples.
+std::string spectral_file(const Study& study, std::size_t series);
 
 std::string study_csv(const Study& study);  // a line a point, the first names the columns
 // Error against time on logarithmic axes, for slides.

@@ -19,13 +19,15 @@ Json json_of(const Error& error) {
 }
 
 Json json_of(const Series& series) {
-    return {
+    Json json = {
         {"name", series.name},
         {"machine",
          {{"processor", series.machine.processor}, {"cores", series.machine.cores}, {"system", series.machine.system}}},
         {"driver", series.driver},
         {"rounds", series.rounds},
         {"findings", series.findings}};
+    if (series.spectral) json["spectral"] = Json::parse(spectral_json(*series.spectral));
+    return json;
 }
 
 Json value_of(const Axis& axis, const Choice& choice) {
@@ -52,9 +54,12 @@ Json json_of(const Study& study, const Point& point) {
     return json;
 }
 
+std::string number(const Study& study, std::size_t series) {
+    return study.series.size() > 1 ? std::to_string(series + 1) + "-" : "";
+}
+
 std::string picture_name(const Study& study, const Point& point, const char* what) {
-    const std::string series = study.series.size() > 1 ? std::to_string(point.series + 1) + "-" : "";
-    return "pictures/" + series + point.choice.key() + what + ".png";
+    return "pictures/" + number(study, point.series) + point.choice.key() + what + ".png";
 }
 
 }  // namespace
@@ -63,6 +68,8 @@ std::string picture_file(const Study& study, const Point& point) { return pictur
 std::string difference_file(const Study& study, const Point& point) {
     return picture_name(study, point, "-difference");
 }
+
+std::string spectral_file(const Study& study, std::size_t series) { return number(study, series) + "spectral.svg"; }
 
 std::string study_json(const Study& study) {
     Json json = {{"format", kFormat},
@@ -76,7 +83,6 @@ std::string study_json(const Study& study) {
                  {"points", Json::array()}};
     for (const Series& series : study.series) json["series"].push_back(json_of(series));
     for (const Point& point : study.points) json["points"].push_back(json_of(study, point));
-    if (study.spectral) json["spectral"] = Json::parse(spectral_json(*study.spectral));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

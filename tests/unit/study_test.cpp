@@ -203,6 +203,17 @@ Study known_study(const Settings& settings = quick()) {
     study.fingerprint = "0123";
     study.series[0].name = study.series[0].driver = "llvmpipe (LLVM 15), 4.5";
     study.series[0].machine = {.processor = "a processor", .cores = 2, .system = "a system"};
+    SpectralStudy& samples = study.series[0].spectral.emplace();
+    for (const char* light : {"A", "D65"})
+        for (const int count : {0, 9, 81})
+            samples.patches.push_back({.light = light, .samples = count, .mean = 1.0 / (1 + count), .worst = "cyan"});
+    for (const int count : {0, 9, 81})
+        samples.pictures.push_back({.samples = count,
+                                    .reference_seconds = {0.5},
+                                    .sampling_shader_seconds = {},
+                                    .shader_seconds = {0.25},
+                                    .off = {.mean = 1.0 / (1 + count)}});
+    samples.findings = spectral_findings(samples);
     return study;
 }
 
@@ -446,6 +457,11 @@ TEST(StudyFiles, OfOthersAreRefusedWithTheirPlace) {
               "A.json: points[3].seconds.samples[1]: a number is expected");
     EXPECT_EQ(with("/points/3/seconds/samples/1", -1), "A.json: points[3].seconds.samples[1]: -1 is not in [0, 1e+06]");
     EXPECT_EQ(with("/points/3", right["points"][2]), "A.json: points[3]: this choice is there twice");
+    EXPECT_EQ(with("/series/0/spectral/patches/1/mean", "little"),
+              "A.json: series[0].spectral.patches[1].mean: a number is expected");
+    EXPECT_EQ(with("/series/0/spectral/patches/1/samples", 0),
+              "A.json: series[0].spectral.patches: every light has every number of samples once");
+    EXPECT_EQ(with("/series/0/spectral/pictures", nullptr), "A.json: series[0].spectral.pictures: a list is expected");
 }
 
 TEST(StudyFiles, OfSeveralMachinesAreLaidOverEachOther) {
@@ -467,6 +483,9 @@ TEST(StudyFiles, OfSeveralMachinesAreLaidOverEachOther) {
     EXPECT_NE(both.series[1].findings, study.series[0].findings);
     EXPECT_EQ(study_json(read_study(study_json(both), "C.json")).size() > 0, true);
     EXPECT_NE(study_page(both).find("a GPU"), std::string::npos);
+    EXPECT_EQ(both.series[1].spectral, study.series[0].spectral);
+    EXPECT_NE(study_page(both).find("Samples of the spectrum: a GPU"), std::string::npos);
+    EXPECT_EQ(spectral_file(both, 1), "2-spectral.svg");
     EXPECT_NE(study_svg(both).find("a GPU"), std::string::npos);
     // Merged once more, and of one and the same machine.
     EXPECT_EQ(merged({{"C.json", both}, {"A.json", study}}).series[2].name, "llvmpipe (LLVM 15), a processor (3)");

@@ -69,8 +69,8 @@ std::string summary(const study::Study& study, const std::string& folder) {
                                 1000 * point->median_seconds(), point->errors.whole.rms, point->errors.whole.max);
         text += "\n";
         for (const std::string& sentence : one.findings) text += sentence + "\n";
+        if (one.spectral) text += "\n" + study::spectral_text(*one.spectral);
     }
-    if (study.spectral) text += "\n" + study::spectral_text(*study.spectral);
     return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
@@ -173,7 +173,7 @@ int run(Arguments arguments) {
     series.name = about.series[0].name;
     series.machine = about.series[0].machine;
     series.driver = about.series[0].driver;
-    result.spectral = study_samples(frame, arguments.quick);
+    series.spectral = study_samples(frame, arguments.quick);
     return write(arguments, result);
 }
 
