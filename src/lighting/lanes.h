@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <xsimd/xsimd.hpp>
@@ -15,7 +16,7 @@ namespace twinlight::lighting {
 
 enum class Range : std::uint8_t {
     kAny,    // the rulings of real.h hold
-    kPlain,  // there are no guards: what they would be for gives NaN in the end, and is to be done again with kAny
+    kPlain,  // there are no guards: what they would be for is NaN or infinite in the end, and to be done again with kAny
 };
 
 // Scalar: float or double. Arch: one of xsimd's instruction sets, which this file's includer is compiled for.
@@ -72,7 +73,8 @@ Lanes<Scalar, Arch, Range::kPlain, kPower> representable(Lanes<Scalar, Arch, Ran
     return x;
 }
 
-// A quotient by 0 is NaN or infinite, and stays so unless a choice leaves it out, as it leaves out the guarded one.
+// A quotient by 0 is NaN or infinite, and stays so unless a choice leaves it out, as it leaves out the guarded one; a negative
+// one larger(x, 0) makes 0, the guarded one as well.
 template <class Scalar, class Arch, PowerBy kPower>
 Lanes<Scalar, Arch, Range::kPlain, kPower> positive_or_one(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
     return x;

@@ -111,6 +111,10 @@ namespace {
 // RULING (divided() of real.h): what floats cannot hold is very far away in its direction.
 Vec3<double> within_floats(Vec3<double> v) {
     constexpr double kFar = Limits<float>::big;
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
+        const auto direction = [](double x) { return std::isinf(x) ? std::copysign(1.0, x) : 0; };
+        return Vec3<double>{direction(v.x), direction(v.y), direction(v.z)} * kFar;
+    }
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return largest <= kFar ? v : v * (kFar / largest);
 }

@@ -95,7 +95,7 @@ Real positive_or_one(Real x) {
     return select(x > Real(0), x, Real(1));
 }
 
-// 1 / x; 0, which is `ruling`, where x is not positive.
+// 1 / x; 0 where that is beyond the largest Real, and, which is `ruling`, where x is not positive.
 template <class Real>
 Real inverse_or_zero(Real x, Ruling ruling) {
     return select(x > Real(0), representable(Real(1) / x), ruled(ruling, Real(0)));

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <utility>
 
 #include "study/study.h"
 
@@ -35,7 +34,10 @@ class Node {
     }
     std::string text() const {
         if (!json_->is_string()) fail("a text is expected");
-        return json_->get<std::string>();
+        std::string text = json_->get<std::string>();
+        const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7f; };
+        if (std::ranges::any_of(text, is_control)) fail("there is a control character in it");
+        return text;
     }
     double number(double least, double most) const {
         if (!json_->is_number()) fail("a number is expected");
@@ -55,12 +57,29 @@ class Node {
     std::string way_;
 };
 
-constexpr double kLongest = 1e6;  // seconds of a frame
+constexpr double kShortest = 1e-9, kLongest = 1e6;  // seconds of a frame
 constexpr int kMany = 1 << 30;
 
 std::vector<double> read_median(const Node& node) {
     if (node.is_null()) return {};
-    return {node.number(0, kLongest)};
+    return {node.number(kShortest, kLongest)};
+}
+
+// Light by light, each with the same numbers of samples, from few to many.
+void check_patches(const std::vector<PatchError>& patches, const Node& node) {
+    constexpr std::size_t kMost = 4096;
+    if (patches.size() > kMost) node.fail(fmt::format("has more than {} elements", kMost));
+    std::size_t count = 0;  // of one light
+    while (count < patches.size() && patches[count].light == patches[0].light) ++count;
+    std::set<std::string> lights;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const bool is_first = i % count == 0;
+        const bool is_right =
+            patches[i].light == patches[i - i % count].light && patches[i].samples == patches[i % count].samples &&
+            (is_first ? lights.insert(patches[i].light).second : patches[i].samples > patches[i - 1].samples);
+        if (!is_right || patches.size() % count != 0)
+            node.fail("is to be light by light, each with the same numbers of samples, from few to many");
+    }
 }
 
 SpectralStudy read_spectral(const Node& node) {
@@ -71,16 +90,7 @@ SpectralStudy read_spectral(const Node& node) {
                                  .mean = patch["mean"].number(0, kMany),
                                  .max = patch["max"].number(0, kMany),
                                  .worst = patch["worst"].text()});
-    std::set<std::string> lights;
-    std::set<int> counts;
-    std::set<std::pair<std::string, int>> both;
-    for (const PatchError& e : study.patches) {
-        lights.insert(e.light);
-        counts.insert(e.samples);
-        both.insert({e.light, e.samples});
-    }
-    if (both.size() != study.patches.size() || both.size() != lights.size() * counts.size())
-        node["patches"].fail("every light has every number of samples once");
+    check_patches(study.patches, node["patches"]);
     for (const Node& picture : node["pictures"].elements())
         study.pictures.push_back({.samples = picture["samples"].whole_number(0, kMany),
                                   .reference_seconds = read_median(picture["reference_seconds"]),
@@ -89,6 +99,9 @@ SpectralStudy read_spectral(const Node& node) {
                                   .off = {.mean = picture["mean"].number(0, kMany),
                                           .percentile_95 = picture["percentile_95"].number(0, kMany),
                                           .max = picture["max"].number(0, kMany)}});
+    const auto is_more = [](const SampledPicture& a, const SampledPicture& b) { return a.samples >= b.samples; };
+    if (std::ranges::adjacent_find(study.pictures, is_more) != study.pictures.end())
+        node["pictures"].fail("is to go from few samples to many");
     study.findings = spectral_findings(study);
     return study;
 }

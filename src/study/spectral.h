@@ -28,10 +28,11 @@ std::vector<PatchError> patch_errors();
 // The scene's picture with so many samples.
 struct SampledPicture {
     int samples = 0;
-    // A frame, one for each round (read back: their median): by the reference, by shaders that light every point in samples, and by shaders whose products
-    // of lights and materials are made once a Draw.
+    // A frame, one for each round (read back: their median): by the reference, by shaders that light every point in samples,
+    // and by shaders whose products of lights and materials are made once a Draw.
     std::vector<double> reference_seconds, sampling_shader_seconds, shader_seconds;
-    PerceivedDifference off;  // from 81 samples, by the reference, pixel by pixel lit
+    // From 81 samples, by the reference, pixel by pixel lit (read back: without its pixels).
+    PerceivedDifference off;
 
     friend bool operator==(const SampledPicture&, const SampledPicture&) = default;
 };
@@ -57,6 +58,11 @@ struct SpectralRenderers {
 // Each number of samples has its turn in every round. `goes_on` is asked before each; false ends the timing.
 SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& renderers, int rounds,
                              const std::function<bool(int done, int total)>& goes_on);
+
+// The lights that it has, in their order.
+std::vector<std::string> lights_of(const SpectralStudy& study);
+// NaN of none.
+double median(std::vector<double> values);
 
 // Sentences of what was measured.
 std::vector<std::string> spectral_findings(const SpectralStudy& study);

@@ -56,11 +56,6 @@ void add_line(std::string& svg, const XAxis& axis, const std::vector<Dot>& dots,
                        circles);
 }
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values.empty() ? 0 : values[values.size() / 2];
-}
-
 // How many times as long as red, green and blue a picture takes that multiplies so many samples at every pixel; 0: not known.
 double cost_of(const SpectralStudy& study, int samples) {
     const auto time_of = [&](int count) {
@@ -87,9 +82,7 @@ std::string spectral_svg(const SpectralStudy& study) {
     for (double tick = 1; tick <= longest; tick *= 2) ticks.push_back(tick);
     add_frame(svg, costs, ticks, "time of the reference's picture, in that of red, green and blue");
 
-    std::vector<std::string> lights;
-    for (const PatchError& e : study.patches)
-        if (lights.empty() || lights.back() != e.light) lights.push_back(e.light);
+    const std::vector<std::string> lights = lights_of(study);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const char* color = kColors[i % std::size(kColors)];
         std::vector<Dot> by_samples, by_cost;

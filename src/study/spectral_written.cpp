@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "report/html.h"
@@ -22,22 +23,9 @@ const PatchError* find(const SpectralStudy& study, const std::string& light, int
     return found == study.patches.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> lights_of(const SpectralStudy& study) {
-    std::vector<std::string> lights;
-    for (const PatchError& e : study.patches)
-        if (lights.empty() || lights.back() != e.light) lights.push_back(e.light);
-    return lights;
-}
-
 std::string listed(const std::vector<std::string>& names) {
     if (names.size() < 2) return names.empty() ? "" : names.front();
     return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
 }
 
 std::string samples_in_words(int samples) {
@@ -45,6 +33,19 @@ std::string samples_in_words(int samples) {
 }
 
 }  // namespace
+
+std::vector<std::string> lights_of(const SpectralStudy& study) {
+    std::vector<std::string> lights;
+    for (const PatchError& e : study.patches)
+        if (lights.empty() || lights.back() != e.light) lights.push_back(e.light);
+    return lights;
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+    return values[values.size() / 2];
+}
 
 std::vector<std::string> spectral_findings(const SpectralStudy& study) {
     std::vector<std::string> sentences, exact, unseen, paying;
@@ -74,8 +75,12 @@ std::vector<std::string> spectral_findings(const SpectralStudy& study) {
             light, three->mean, three->max, three->worst, nine->mean, nine->max, nine->worst));
     }
     const auto of = [&](int samples) { return std::ranges::find(study.pictures, samples, &SampledPicture::samples); };
-    if (of(0) != study.pictures.end() && of(9) != study.pictures.end() && of(81) != study.pictures.end() &&
-        !of(0)->reference_seconds.empty() && !of(81)->reference_seconds.empty()) {
+    const auto is_timed = [&](int samples) {
+        const auto found = of(samples);
+        return found != study.pictures.end() && !found->reference_seconds.empty() &&
+               !found->sampling_shader_seconds.empty() && !found->shader_seconds.empty();
+    };
+    if (is_timed(0) && is_timed(9) && is_timed(81)) {
         const double three = median(of(0)->reference_seconds), shader = median(of(0)->shader_seconds);
         sentences.push_back(fmt::format(
             "Multiplied at every pixel, nine samples take the reference {:.2f} times as long as red, green and blue, "

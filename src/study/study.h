@@ -131,7 +131,7 @@ void find_words(Study& study);
 
 // ---- What is written ----
 
-// {"format": "twinlight study", "version": 1, "scene", "fingerprint", "size": [w, h], "extent": "full"|"quick", "coverage",
+// {"format": "twinlight study", "version": 2, "scene", "fingerprint", "size": [w, h], "extent": "full"|"quick", "coverage",
 //  "series": [{"name", "machine": {"processor", "cores", "system"}, "driver", "rounds", "findings": ["sentence"],
 //              "spectral": what spectral_json() gives, of scenes with spectra}],
 //  "points": [{"series": 0, "key", "words", "axes": {"renderer": "fixed", ...}, "seconds": {"median", "q1", "q3", "samples": []},
@@ -139,7 +139,7 @@ void find_words(Study& study);
 //              "front": ["rms", ...], "picture", "difference", "difference_factor"}]}
 // Pictures are named by their files, beside study.json; null where there are none.
 inline constexpr const char* kFormat = "twinlight study";
-inline constexpr int kFormatVersion = 1;
+inline constexpr int kFormatVersion = 2;
 std::string study_json(const Study& study);
 // Throws std::runtime_error that says what is wrong where: "A.json: points[3].seconds: ...". Pictures are not read.
 Study read_study(std::string_view json, const std::string& file);

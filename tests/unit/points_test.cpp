@@ -156,6 +156,24 @@ TEST_P(LightPoints, TakesEveryWholePower) {
     }
 }
 
+// The half vector is 0, or the vector to the eye is: neither may turn into a highlight, however powers are taken.
+TEST_P(LightPoints, KeepsTheRulingsWhateverItsPowers) {
+    State state;
+    state.lights.push_back({.specular = {1, 1, 1}});
+    state.materials.push_back({.specular = {1, 1, 1}, .shininess = 50});
+    const auto hold = [&] {
+        for (const Powers powers : {Powers::kPow, Powers::kSquaring, Powers::kTable})
+            EXPECT_LE(worst<double>(state, lit_by(GetParam(), state, {.powers = powers}), 1), 4 * kUlp);
+    };
+    place(state.lights[0], D{0, 0, -5}, 1.0);
+    state.surfaces.assign(16, {D{0, 0, -1}, D{0, 0, -1}});
+    hold();
+    state.model.local_viewer = true;
+    place(state.lights[0], D{3, 0, 4}, 1.0);
+    state.surfaces.assign(16, {D{0, 0, 0}, D{0, 0, 1}});
+    hold();
+}
+
 // The rulings hold in every lane, also where its neighbours need none.
 TEST_P(LightPoints, GivesWhatTheEquationGivesForTheWildest) {
     States states(2);
@@ -238,6 +256,17 @@ TEST(LightPointsCount, OfAnyNumberAreEachLitAsAmongMany) {
 }
 
 // Columns that were others' before.
+TEST(LightPointsCount, OfPlacesThatAreNoNumbersAreLitInFloatsToo) {
+    State state;
+    state.lights.push_back({.diffuse = {1, 1, 1}});
+    state.materials.push_back({.diffuse = {1, 1, 1}});
+    const double none = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+    for (const D& where : {D{0, none, 1}, D{infinite, 0, none}, D{1, -infinite, 0}}) {
+        state.surfaces.assign(16, {where, D{0, 0, 1}});
+        EXPECT_EQ(lit_of(state, {.number = Number::kFloat}).primary.x.front(), 1);
+    }
+}
+
 TEST(LightPointsCount, TakesTheMemoryOfOthers) {
     States states(8);
     Lit<Column> kept;

@@ -210,7 +210,7 @@ Study known_study(const Settings& settings = quick()) {
     for (const int count : {0, 9, 81})
         samples.pictures.push_back({.samples = count,
                                     .reference_seconds = {0.5},
-                                    .sampling_shader_seconds = {},
+                                    .sampling_shader_seconds = {0.125},
                                     .shader_seconds = {0.25},
                                     .off = {.mean = 1.0 / (1 + count)}});
     samples.findings = spectral_findings(samples);
@@ -444,7 +444,7 @@ TEST(StudyFiles, OfOthersAreRefusedWithTheirPlace) {
     EXPECT_EQ(refusal("no"), "A.json: is no JSON");
     EXPECT_EQ(refusal("[]"), "A.json: is no study; `twinlight study` writes them as study.json");
     EXPECT_EQ(refusal(R"({"format": 3})"), refusal("{}"));
-    EXPECT_EQ(with("/version", 99), "A.json: version: this program reads version 1; make the study anew");
+    EXPECT_EQ(with("/version", 99), "A.json: version: this program reads version 2; make the study anew");
     EXPECT_EQ(with("/size", nlohmann::json({1})), "A.json: size: [width, height] is expected");
     EXPECT_EQ(with("/size/0", -1).substr(0, 22), "A.json: size[0]: -1 is");
     EXPECT_EQ(with("/series", nlohmann::json::array()), "A.json: series: is empty");
@@ -459,8 +459,18 @@ TEST(StudyFiles, OfOthersAreRefusedWithTheirPlace) {
     EXPECT_EQ(with("/points/3", right["points"][2]), "A.json: points[3]: this choice is there twice");
     EXPECT_EQ(with("/series/0/spectral/patches/1/mean", "little"),
               "A.json: series[0].spectral.patches[1].mean: a number is expected");
-    EXPECT_EQ(with("/series/0/spectral/patches/1/samples", 0),
-              "A.json: series[0].spectral.patches: every light has every number of samples once");
+    EXPECT_EQ(
+        with("/series/0/spectral/patches/1/samples", 0),
+        "A.json: series[0].spectral.patches: is to be light by light, each with the same numbers of samples, from "
+        "few to many");
+    EXPECT_EQ(with("/series/0/spectral/patches/3/light", "B").substr(0, 49),
+              with("/series/0/spectral/patches/1/samples", 0).substr(0, 49));
+    EXPECT_EQ(with("/series/0/spectral/patches/0/worst", "a\nb"),
+              "A.json: series[0].spectral.patches[0].worst: there is a control character in it");
+    EXPECT_EQ(with("/series/0/spectral/pictures/1/samples", 81),
+              "A.json: series[0].spectral.pictures: is to go from few samples to many");
+    EXPECT_EQ(with("/series/0/spectral/pictures/1/reference_seconds", 0),
+              "A.json: series[0].spectral.pictures[1].reference_seconds: 0 is not in [1e-09, 1e+06]");
     EXPECT_EQ(with("/series/0/spectral/pictures", nullptr), "A.json: series[0].spectral.pictures: a list is expected");
 }
 
