@@ -142,6 +142,7 @@ void light_lanes(const Model<double>& model, const std::vector<Light<double>>& l
     using Plain = Lanes<Scalar, Arch, Range::kPlain, kPower>;
     using Guarded = Lanes<Scalar, Arch, Range::kAny, PowerBy::kLibrary>;
     std::optional<Kernel<Guarded>> guarded;  // most states never need it
+    // noinline: light_all is flattened, and this is not to be a part of it.
     const auto again = [&](std::size_t first) __attribute__((noinline)) {
         if (!guarded) guarded.emplace(model, lights, points);
         guarded->light(first, lit);
