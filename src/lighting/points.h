@@ -6,7 +6,7 @@
 
 #include <cstddef>
 #include <vector>
-#include <xsimd/memory/xsimd_aligned_allocator.hpp>
+#include <xsimd/xsimd.hpp>
 
 #include "lighting/equation.h"
 #include "math/arithmetic.h"

@@ -1,6 +1,7 @@
 // The arguments of one call, as they stand in a dump: values without types.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 

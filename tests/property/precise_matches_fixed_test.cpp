@@ -98,8 +98,8 @@ void ask_feedback(Triangle& triangle, const CommandList& scene, const Triangle& 
             const Floats expected = window(shaders[v].position);
             if (std::hypot(expected[0] - buffer[i], expected[1] - buffer[i + 1]) > 0.5F) continue;
             triangle[v].position = {buffer[i], buffer[i + 1], buffer[i + 2], 0};
-            (is_front ? triangle[v].front : triangle[v].back) = {buffer[i + 3], buffer[i + 4], buffer[i + 5],
-                                                                 buffer[i + 6]};
+            (is_front ? triangle[v].front : triangle[v].back) =
+                Floats{buffer[i + 3], buffer[i + 4], buffer[i + 5], buffer[i + 6]};
         }
     }
 }
