@@ -93,9 +93,9 @@ LIBS_gtest := $(shell pkg-config --libs gtest_main 2>/dev/null)
 # ---- Files ------------------------------------------------------------------------------------------------------
 
 # What provides GL without a window: each program links one of them.
-SOURCES_osmesa := src/context/osmesa.cpp
-SOURCES_egl := src/context/egl.cpp
-SOURCES_library := $(filter-out src/app/% $(SOURCES_osmesa) $(SOURCES_egl),$(wildcard src/*/*.cpp src/*/*/*.cpp))
+SOURCES_osmesa := src/render/context/osmesa.cpp
+SOURCES_egl := src/render/context/egl.cpp
+SOURCES_library := $(filter-out src/app/% $(SOURCES_osmesa) $(SOURCES_egl),$(sort $(shell find src -name '*.cpp')))
 SOURCES_app := $(wildcard src/app/*.cpp)
 SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
 SOURCES_demo := $(SOURCES_app) $(wildcard src/app/demo/*.cpp)
@@ -110,18 +110,19 @@ SOURCES_fuzzers := $(wildcard tests/fuzz/*_fuzzer.cpp)
 SOURCES_fuzz_common := tests/fuzz/command_bytes.cpp tests/fuzz/stb.cpp
 SOURCES_fuzz_seeds := tests/fuzz/write_seeds.cpp
 SOURCES_fuzz := $(SOURCES_fuzzers) $(SOURCES_fuzz_common) $(SOURCES_fuzz_seeds)
-SOURCES_fuzz_library := $(filter-out $(patsubst %,src/%/%,check context stages fixed programmable fuzz report study),$(SOURCES_library))
-SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz),$(wildcard tests/*/*.cpp))
+SOURCES_fuzz_library := $(filter-out src/judge/% $(addsuffix /%,$(addprefix src/render/,context stages fixed programmable)),$(SOURCES_library))
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
+SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorder),$(sort $(shell find tests -name '*.cpp')))
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
+HEADERS := $(sort $(shell find src tests -name '*.h'))
 EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes shaders pages cases)
-FILES_scenes := $(wildcard src/scenes/*.gl)
-FILES_shaders := $(wildcard src/programmable/shaders/*.glsl)
+FILES_scenes := $(wildcard src/scene/scenes/*.gl)
+FILES_shaders := $(wildcard src/render/programmable/shaders/*.glsl)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)
-FILES_pages := $(wildcard src/report/pages/*) $(BUILD)/embedded/chart.js
+FILES_pages := $(wildcard src/judge/report/pages/*) $(BUILD)/embedded/chart.js
 object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
@@ -197,11 +198,11 @@ instructions: deps  ## count the instructions of tests/instructions anew, where 
 	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_INSTRUCTIONS=1 $(PROGRAMS)/twinlight-tests --gtest_brief=1 --gtest_filter='Instructions*'
 
 format:  ## clang-format every source
-	clang-format -i $(SOURCES_all) $(wildcard src/*/*.h src/*/*/*.h tests/*/*.h)
+	clang-format -i $(SOURCES_all) $(HEADERS)
 
 check:  ## format, clang-tidy, layers, and every test under the address and undefined-behaviour sanitizers
 	@if command -v clang-format >/dev/null; then \
-	    clang-format --dry-run -Werror $(SOURCES_all) $(wildcard src/*/*.h src/*/*/*.h tests/*/*.h); \
+	    clang-format --dry-run -Werror $(SOURCES_all) $(HEADERS); \
 	    else echo "format: skipped, clang-format is not installed"; fi
 	@if command -v clang-tidy >/dev/null; then $(MAKE) tidy; \
 	    else echo "tidy: skipped, clang-tidy is not installed"; fi
@@ -258,7 +259,7 @@ $(fuzz_targets:%=$(BUILD)/%-fuzzer): $(BUILD)/%-fuzzer: $(BUILD)/objects/tests/f
 $(BUILD)/write-seeds: $(call object,$(SOURCES_fuzz_seeds)) $(OBJECTS_fuzz)
 	$(link) $(LIBS_fuzz)
 
-# What the real freeglut and GLU send for their shapes: the tests hold src/shape against it.
+# What the real freeglut and GLU send for their shapes: the tests hold src/scene/shape against it.
 $(PROGRAMS)/shape-recorder: $(call object,$(SOURCES_recorder))
 	$(link) $(LIBS_window)
 
@@ -269,13 +270,13 @@ embed = @mkdir -p $(@D); { echo '\#include "$(1)"'; echo 'namespace twinlight {'
     echo '};'; echo '}'; } > $@
 
 $(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files Makefile
-	$(call embed,scenes/scenes.h,kSceneFiles,$(sort $(FILES_scenes)))
+	$(call embed,scene/scenes/scenes.h,kSceneFiles,$(sort $(FILES_scenes)))
 $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files Makefile
-	$(call embed,programmable/shader_files.h,kShaderFiles,$(sort $(FILES_shaders)))
+	$(call embed,render/programmable/shader_files.h,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files Makefile
-	$(call embed,report/pages.h,kPageFiles,$(sort $(FILES_pages)))
+	$(call embed,judge/report/pages.h,kPageFiles,$(sort $(FILES_pages)))
 $(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files Makefile
-	$(call embed,check/case.h,kCaseFiles,$(sort $(FILES_cases)))
+	$(call embed,judge/check/case.h,kCaseFiles,$(sort $(FILES_cases)))
 
 $(BUILD)/embedded/chart.js: $(CHART)
 	@mkdir -p $(@D); cp $< $@

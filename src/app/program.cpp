@@ -11,9 +11,9 @@
 #include <sstream>
 #include <vector>
 
-#include "command/names.h"
-#include "command/text.h"
-#include "image/file.h"
+#include "base/image/file.h"
+#include "scene/command/names.h"
+#include "scene/command/text.h"
 
 namespace twinlight {
 

@@ -27,8 +27,8 @@
 #include <cstddef>
 #include <span>
 
+#include "base/math/vec3.h"
 #include "lighting/real.h"
-#include "math/vec3.h"
 
 namespace twinlight::lighting {
 

@@ -8,8 +8,8 @@
 #include <vector>
 #include <xsimd/xsimd.hpp>
 
+#include "base/math/arithmetic.h"
 #include "lighting/equation.h"
-#include "math/arithmetic.h"
 
 namespace twinlight::lighting {
 

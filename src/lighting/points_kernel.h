@@ -1,7 +1,7 @@
 // light_points over one number type: what each file that is compiled for an instruction set instantiates.
 //
 // Only templates over that type stand here and in what this includes. Anything else might be compiled for a wide set and
-// chosen by the linker for all processors (tests/unit/points_test.cpp looks at the symbols).
+// chosen by the linker for all processors (tests/unit/lighting/points_test.cpp looks at the symbols).
 #pragma once
 
 #include <optional>

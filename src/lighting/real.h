@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/math/vec3.h"
 #include "lighting/rulings.h"
-#include "math/vec3.h"
 
 namespace twinlight::lighting {
 

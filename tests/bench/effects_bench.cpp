@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "context/context.h"
-#include "context/gl.h"
 #include "lit_spheres.h"
 #include "ratios.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
 #include "ways.h"
 
 namespace twinlight::bench {

@@ -7,12 +7,12 @@
 #include <map>
 #include <memory>
 
-#include "command/reader.h"
-#include "context/context.h"
 #include "lit_spheres.h"
-#include "programmable/programmable.h"
-#include "reference/reference.h"
-#include "state/state.h"
+#include "render/context/context.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/reference.h"
+#include "scene/command/reader.h"
+#include "scene/state/state.h"
 #include "ways.h"
 
 namespace twinlight::bench {

@@ -9,16 +9,16 @@
 #include <regex>
 #include <stdexcept>
 
-#include "context/context.h"
-#include "context/gl.h"
-#include "effect/plan.h"
 #include "lit_spheres.h"
-#include "programmable/bake.h"
-#include "programmable/mesh.h"
-#include "programmable/program.h"
 #include "ratios.h"
-#include "stages/fixed_stages.h"
-#include "stages/textures.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/effect/plan.h"
+#include "render/programmable/bake.h"
+#include "render/programmable/mesh.h"
+#include "render/programmable/program.h"
+#include "render/stages/fixed_stages.h"
+#include "render/stages/textures.h"
 #include "ways.h"
 
 namespace twinlight::bench {

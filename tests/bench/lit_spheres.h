@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "state/frame.h"
+#include "scene/state/frame.h"
 
 namespace twinlight::bench {
 

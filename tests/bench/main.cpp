@@ -6,7 +6,7 @@
 #include <regex>
 #include <string>
 
-#include "image/file.h"
+#include "base/image/file.h"
 #include "ratios.h"
 
 int main(int argc, char** argv) try {

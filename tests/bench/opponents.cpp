@@ -8,11 +8,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "context/gl.h"
-#include "image/file.h"
-#include "programmable/mesh.h"
-#include "stages/fixed_stages.h"
-#include "stages/textures.h"
+#include "base/image/file.h"
+#include "render/context/gl.h"
+#include "render/programmable/mesh.h"
+#include "render/stages/fixed_stages.h"
+#include "render/stages/textures.h"
 
 namespace twinlight::bench {
 namespace {

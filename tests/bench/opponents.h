@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "state/frame.h"
+#include "scene/state/frame.h"
 
 namespace twinlight::bench {
 

@@ -6,12 +6,12 @@
 #include <memory>
 #include <stdexcept>
 
-#include "context/context.h"
-#include "context/gl.h"
 #include "lit_spheres.h"
 #include "opponents.h"
-#include "programmable/programmable.h"
 #include "ratios.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/programmable/programmable.h"
 
 namespace twinlight::bench {
 namespace {

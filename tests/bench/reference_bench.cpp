@@ -6,15 +6,15 @@
 #include <memory>
 #include <thread>
 
-#include "context/context.h"
-#include "context/gl.h"
-#include "effect/scrubbed_state.h"
 #include "lit_spheres.h"
 #include "opponents.h"
-#include "programmable/programmable.h"
 #include "ratios.h"
-#include "reference/draw_lighting.h"
-#include "reference/reference.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/effect/scrubbed_state.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/draw_lighting.h"
+#include "render/reference/reference.h"
 
 namespace twinlight::bench {
 namespace {

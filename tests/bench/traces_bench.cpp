@@ -7,10 +7,10 @@
 #include <string>
 
 #include "../unit/run_program.h"
-#include "image/file.h"
+#include "base/image/file.h"
 #include "ratios.h"
-#include "scenes/load.h"
-#include "state/state.h"
+#include "scene/scenes/load.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 

@@ -8,13 +8,13 @@
 #include <functional>
 #include <memory>
 
-#include "context/context.h"
-#include "context/gl.h"
-#include "effect/plan.h"
-#include "fixed/prepared_frame.h"
 #include "lit_spheres.h"
-#include "programmable/programmable.h"
 #include "ratios.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/effect/plan.h"
+#include "render/fixed/prepared_frame.h"
+#include "render/programmable/programmable.h"
 #include "ways.h"
 
 namespace twinlight::bench {

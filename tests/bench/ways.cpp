@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "context/gl.h"
-#include "programmable/programmable.h"
+#include "render/context/gl.h"
+#include "render/programmable/programmable.h"
 
 namespace twinlight::bench {
 

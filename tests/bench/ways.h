@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "fixed/prepared_frame.h"
 #include "ratios.h"
-#include "state/frame.h"
+#include "render/fixed/prepared_frame.h"
+#include "scene/state/frame.h"
 
 namespace twinlight::bench {
 

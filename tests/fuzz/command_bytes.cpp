@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "command/names.h"
+#include "scene/command/names.h"
 
 namespace twinlight {
 

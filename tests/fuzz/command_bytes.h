@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "command/command.h"
+#include "scene/command/command.h"
 
 namespace twinlight {
 

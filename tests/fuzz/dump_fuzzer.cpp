@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "command/text.h"
-#include "image/file.h"
-#include "trace/dump_reader.h"
-#include "trace/temporary_folder.h"
-#include "trace/trace.h"
+#include "base/image/file.h"
+#include "scene/command/text.h"
+#include "scene/trace/dump_reader.h"
+#include "scene/trace/temporary_folder.h"
+#include "scene/trace/trace.h"
 
 using namespace twinlight;
 using namespace twinlight::trace;

@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "command/text.h"
 #include "command_bytes.h"
-#include "effect/plan.h"
-#include "reference/reference.h"
-#include "state/state.h"
+#include "render/effect/plan.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 using namespace twinlight;
 

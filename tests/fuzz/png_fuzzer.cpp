@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "image/png.h"
+#include "base/image/png.h"
 
 using namespace twinlight;
 

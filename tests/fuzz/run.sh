@@ -11,15 +11,15 @@ mkdir -p "$corpus" "$seeds" "$findings"
 # tests draw.
 if [ -d "tests/fuzz/seeds/$target" ]; then cp tests/fuzz/seeds/"$target"/* "$seeds"; fi
 case $target in
-scene) for scene in src/scenes/*.gl; do split -l 8 "$scene" "$seeds/$(basename "$scene")-"; done ;;
-state | picture) "$build/write-seeds" "$seeds" src/scenes/*.gl tests/fuzz/seeds/scene/*.gl ;;
+scene) for scene in src/scene/scenes/*.gl; do split -l 8 "$scene" "$seeds/$(basename "$scene")-"; done ;;
+state | picture) "$build/write-seeds" "$seeds" src/scene/scenes/*.gl tests/fuzz/seeds/scene/*.gl ;;
 dump) for dump in tests/traces/*/dump.txt; do
     head -n 200 "$dump" | split -l 8 - "$seeds/$(basename "$(dirname "$dump")")-"
     done ;;
 esac
 
 # The words of both texts.
-sed -nE 's/^(GL|SHAPE|QUADRIC|PRAGMA)_COMMAND\((\w+),.*/"\2"/p; s/^ENUM\((\w+),.*/"GL_\1"/p; s/^WORD\((\w+),.*/"\1"/p' src/command/*.def |
+sed -nE 's/^(GL|SHAPE|QUADRIC|PRAGMA)_COMMAND\((\w+),.*/"\2"/p; s/^ENUM\((\w+),.*/"GL_\1"/p; s/^WORD\((\w+),.*/"\1"/p' src/scene/command/*.def |
     sort -u >"$build/names.dict"
 
 # A leak is told at the end; what a machine does in a second may take a sanitizer's build a minute.

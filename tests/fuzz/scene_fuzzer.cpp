@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "command/text.h"
+#include "scene/command/text.h"
 
 using namespace twinlight;
 

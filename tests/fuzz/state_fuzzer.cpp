@@ -4,7 +4,7 @@
 #include <string>
 
 #include "command_bytes.h"
-#include "state/state.h"
+#include "scene/state/state.h"
 
 using namespace twinlight;
 

@@ -6,10 +6,10 @@
 #include <span>
 #include <string>
 
-#include "command/text.h"
+#include "base/image/file.h"
 #include "command_bytes.h"
-#include "image/file.h"
-#include "scenes/images.h"
+#include "scene/command/text.h"
+#include "scene/scenes/images.h"
 
 using namespace twinlight;
 

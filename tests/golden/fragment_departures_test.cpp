@@ -8,12 +8,12 @@
 #include <cmath>
 #include <memory>
 
-#include "command/text.h"
-#include "context/context.h"
-#include "fixed/fixed.h"
 #include "listed_driver.h"
-#include "reference/reference.h"
-#include "state/state.h"
+#include "render/context/context.h"
+#include "render/fixed/fixed.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 

@@ -8,12 +8,12 @@
 
 #include "../unit/run_program.h"
 #include "../unit/sanitized.h"
-#include "check/check.h"
-#include "command/text.h"
-#include "fuzz/vertex_colors.h"
+#include "judge/check/check.h"
+#include "judge/fuzz/vertex_colors.h"
 #include "listed_driver.h"
-#include "reference/reference.h"
-#include "state/state.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight::check {
 

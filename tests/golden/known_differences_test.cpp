@@ -6,15 +6,15 @@
 #include <fstream>
 #include <set>
 
-#include "check/case.h"
-#include "command/text.h"
-#include "context/context.h"
-#include "context/gl.h"
-#include "fixed/fixed.h"
 #include "fragment_departures.h"
-#include "fuzz/departures.h"
+#include "judge/check/case.h"
+#include "judge/fuzz/departures.h"
 #include "listed_driver.h"
-#include "state/state.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "context/context.h"
+#include "render/context/context.h"
 
 namespace twinlight {
 

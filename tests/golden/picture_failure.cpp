@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "image/difference.h"
-#include "image/png.h"
+#include "base/image/difference.h"
+#include "base/image/png.h"
 
 namespace twinlight {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "image/image.h"
+#include "base/image/image.h"
 
 namespace twinlight {
 

@@ -1,7 +1,7 @@
 // Every built-in scene: its renderers agree, and its pictures are the golden ones (golden/scenes/NAME/*.png).
 //
 // The golden pictures change only by `make golden CASE=NAME`; look at them before they are committed.
-#include "scenes/scenes.h"
+#include "scene/scenes/scenes.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,15 +11,15 @@
 #include <filesystem>
 #include <memory>
 
-#include "command/text.h"
-#include "context/context.h"
-#include "fixed/fixed.h"
-#include "image/png.h"
+#include "base/image/png.h"
+#include "judge/report/comparison.h"
 #include "picture_failure.h"
-#include "programmable/programmable.h"
-#include "reference/reference.h"
-#include "report/comparison.h"
-#include "state/state.h"
+#include "render/context/context.h"
+#include "render/fixed/fixed.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "../bench/lit_spheres.h"
-#include "command/text.h"
-#include "effect/plan.h"
-#include "reference/reference.h"
-#include "scenes/load.h"
-#include "scenes/scenes.h"
-#include "shape/vertex_order.h"
-#include "state/state.h"
+#include "render/effect/plan.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/scenes/load.h"
+#include "scene/scenes/scenes.h"
+#include "scene/shape/vertex_order.h"
+#include "scene/state/state.h"
 
 namespace twinlight::counted {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "../unit/run_program.h"
 #include "../unit/sanitized.h"
+#include "base/image/file.h"
 #include "counted_work.h"
-#include "image/file.h"
 
 namespace twinlight {
 namespace {

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "command/text.h"
-#include "reference/reference.h"
-#include "state/state.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 

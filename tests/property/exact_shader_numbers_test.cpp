@@ -5,13 +5,13 @@
 #include <cstring>
 #include <glm/gtc/matrix_inverse.hpp>
 
-#include "context/context.h"
-#include "context/gl.h"
-#include "effect/explanation.h"
-#include "effect/surface_draw.h"
 #include "exact_shader_cases.h"
-#include "programmable/programmable.h"
-#include "reference/pixel.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/effect/explanation.h"
+#include "render/effect/surface_draw.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/pixel.h"
 
 namespace twinlight {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <array>
 
-#include "context/context.h"
 #include "exact_shader_cases.h"
-#include "programmable/programmable.h"
-#include "scenes/scenes.h"
+#include "render/context/context.h"
+#include "render/programmable/programmable.h"
+#include "scene/scenes/scenes.h"
 
 namespace twinlight {
 namespace {

@@ -1,6 +1,6 @@
 // The fuzzer: a few thousand random states three ways, each departure found where it is not left out, and failures
 // shrunk to what they need.
-#include "fuzz/fuzz.h"
+#include "judge/fuzz/fuzz.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,12 +9,12 @@
 #include <map>
 
 #include "../golden/listed_driver.h"
-#include "command/text.h"
-#include "context/context.h"
-#include "fuzz/floats.h"
-#include "fuzz/shrink.h"
-#include "reference/reference.h"
-#include "state/state.h"
+#include "judge/fuzz/floats.h"
+#include "judge/fuzz/shrink.h"
+#include "render/context/context.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight::fuzz {
 namespace {

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "../unit/run_program.h"
-#include "command/text.h"
-#include "context/context.h"
-#include "fixed/fixed.h"
-#include "programmable/programmable.h"
-#include "reference/reference.h"
-#include "scenes/load.h"
-#include "state/recorded_frame.h"
+#include "render/context/context.h"
+#include "render/fixed/fixed.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/scenes/load.h"
+#include "scene/state/recorded_frame.h"
 
 namespace twinlight {
 

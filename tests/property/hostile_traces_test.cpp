@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "../unit/sanitized.h"
-#include "fuzz/random.h"
+#include "judge/fuzz/random.h"
 
 namespace twinlight {
 

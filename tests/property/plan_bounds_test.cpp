@@ -12,10 +12,10 @@
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "effect/plan.h"
-#include "fuzz/random.h"
+#include "judge/fuzz/random.h"
 #include "random_spectra.h"
-#include "reference/draw_lighting.h"
+#include "render/effect/plan.h"
+#include "render/reference/draw_lighting.h"
 
 namespace twinlight {
 namespace {

@@ -15,13 +15,13 @@
 #include <string>
 
 #include "../golden/picture_failure.h"
-#include "command/text.h"
-#include "context/context.h"
-#include "effect/plan.h"
-#include "fixed/fixed.h"
-#include "fuzz/random.h"
-#include "programmable/programmable.h"
-#include "state/state.h"
+#include "judge/fuzz/random.h"
+#include "render/context/context.h"
+#include "render/effect/plan.h"
+#include "render/fixed/fixed.h"
+#include "render/programmable/programmable.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 namespace {

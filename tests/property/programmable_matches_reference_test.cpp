@@ -8,12 +8,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
 
-#include "context/context.h"
-#include "effect/plan.h"
-#include "fuzz/random.h"
-#include "programmable/programmable.h"
+#include "judge/fuzz/random.h"
 #include "random_spectra.h"
-#include "reference/reference.h"
+#include "render/context/context.h"
+#include "render/effect/plan.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/reference.h"
 
 namespace twinlight {
 namespace {

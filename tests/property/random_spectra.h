@@ -4,8 +4,8 @@
 #include <memory>
 #include <span>
 
-#include "fuzz/random.h"
-#include "state/frame.h"
+#include "judge/fuzz/random.h"
+#include "scene/state/frame.h"
 
 namespace twinlight {
 

@@ -4,9 +4,9 @@
 #include <bit>
 #include <cmath>
 
-#include "command/object_names.h"
-#include "command/text.h"
-#include "fuzz/random.h"
+#include "judge/fuzz/random.h"
+#include "scene/command/object_names.h"
+#include "scene/command/text.h"
 
 namespace twinlight {
 

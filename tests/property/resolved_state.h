@@ -5,9 +5,9 @@
 #include <memory>
 #include <string_view>
 
-#include "command/command.h"
-#include "fuzz/random.h"
-#include "state/frame.h"
+#include "judge/fuzz/random.h"
+#include "scene/command/command.h"
+#include "scene/state/frame.h"
 
 namespace twinlight {
 

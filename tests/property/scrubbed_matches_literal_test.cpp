@@ -7,17 +7,17 @@
 #include <cmath>
 #include <memory>
 
-#include "command/text.h"
-#include "context/context.h"
-#include "effect/scrubbed_state.h"
-#include "fixed/fixed.h"
-#include "fixed/prepared_frame.h"
-#include "fuzz/departures.h"
-#include "fuzz/fuzz.h"
-#include "reference/reference.h"
-#include "report/comparison.h"
-#include "scenes/scenes.h"
-#include "state/state.h"
+#include "judge/fuzz/departures.h"
+#include "judge/fuzz/fuzz.h"
+#include "judge/report/comparison.h"
+#include "render/context/context.h"
+#include "render/effect/scrubbed_state.h"
+#include "render/fixed/fixed.h"
+#include "render/fixed/prepared_frame.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/scenes/scenes.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 namespace {

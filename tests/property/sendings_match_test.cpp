@@ -1,11 +1,11 @@
 // However vertices get to the driver, the fixed function draws the same picture: every built-in scene, bit by bit.
 #include <gtest/gtest.h>
 
-#include "command/text.h"
-#include "context/context.h"
-#include "fixed/prepared_frame.h"
-#include "scenes/scenes.h"
-#include "state/state.h"
+#include "render/context/context.h"
+#include "render/fixed/prepared_frame.h"
+#include "scene/command/text.h"
+#include "scene/scenes/scenes.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 namespace {

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "command/text.h"
-#include "context/context.h"
-#include "context/gl.h"
-#include "fixed/fixed.h"
-#include "image/difference.h"
-#include "reference/reference.h"
-#include "state/state.h"
+#include "base/image/difference.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 namespace {

@@ -9,12 +9,12 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <set>
 
-#include "command/text.h"
-#include "context/context.h"
-#include "context/gl.h"
-#include "fixed/fixed.h"
-#include "fuzz/random.h"
-#include "state/state.h"
+#include "judge/fuzz/random.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 
@@ -33,7 +33,7 @@ constexpr CommandId kElsewhere[] = {
 #define SHAPE_COMMAND(name, effect, ...)
 #define QUADRIC_COMMAND(name, effect, ...)
 #define PRAGMA_COMMAND(name, effect, ...)
-#include "command/commands.def"
+#include "scene/command/commands.def"
 #undef GL_COMMAND
 #undef SHAPE_COMMAND
 #undef QUADRIC_COMMAND

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "command/text.h"
-#include "context/context.h"
-#include "context/gl.h"
-#include "fixed/fixed.h"
-#include "fuzz/random.h"
-#include "state/state.h"
+#include "judge/fuzz/random.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 

@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "../unit/run_program.h"
-#include "context/context.h"
-#include "fixed/fixed.h"
-#include "image/file.h"
-#include "programmable/programmable.h"
-#include "reference/reference.h"
-#include "report/comparison.h"
-#include "report/words.h"
-#include "scenes/load.h"
-#include "state/recorded_frame.h"
+#include "base/image/file.h"
+#include "judge/report/comparison.h"
+#include "judge/report/words.h"
+#include "render/context/context.h"
+#include "render/fixed/fixed.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/reference.h"
+#include "scene/scenes/load.h"
+#include "scene/state/recorded_frame.h"
 
 namespace twinlight {
 

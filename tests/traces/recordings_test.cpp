@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../unit/run_program.h"
-#include "image/file.h"
+#include "base/image/file.h"
 
 namespace twinlight {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "command/command.h"
-#include "image/file.h"
+#include "base/image/file.h"
+#include "scene/command/command.h"
 
 namespace twinlight {
 namespace {

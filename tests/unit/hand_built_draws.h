@@ -7,10 +7,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
-#include "context/context.h"
-#include "context/gl.h"
-#include "programmable/programmable.h"
-#include "state/frame.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/programmable/programmable.h"
+#include "scene/state/frame.h"
 
 namespace twinlight::programmable {
 

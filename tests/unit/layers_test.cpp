@@ -1,86 +1,186 @@
-// Who may include whom (docs/architecture.md, "Layers"). A file's layer is its folder under src.
+// Who may include whom. A file's wing is its folder under src, its room the folder below that.
+// docs/architecture.md, "Layers", shows the same two tables; a test compares them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace twinlight {
 
 namespace {
 
-using Layers = std::set<std::string>;
+using Names = std::set<std::string>;
+using Table = std::map<std::string, Names>;
 
-const std::map<std::string, Layers>& allowed() {
-    static const std::map<std::string, Layers> table = {
-        {"math", {}},
-        {"command", {"math"}},
-        {"image", {"math"}},
-        {"spectrum", {"math", "command"}},
-        {"shape", {"math", "command", "spectrum"}},
-        {"state", {"math", "command", "spectrum", "shape"}},
-        {"lighting", {"math"}},
-        {"effect", {"math", "command", "spectrum", "shape", "state", "lighting"}},
-        {"context", {"math", "image"}},
-        {"trace", {"math", "command"}},
-        {"scenes", {"math", "command", "image", "trace"}},  // reads scene files and recordings
-        {"reference", {"math", "command", "spectrum", "state", "shape", "lighting", "image"}},
-        {"stages", {"math", "command", "shape", "state", "effect", "context"}},
-        {"fixed", {"math", "command", "spectrum", "shape", "state", "effect", "stages", "context", "image"}},
-        {"programmable", {"math", "command", "spectrum", "state", "effect", "stages", "shape", "context", "image"}},
-        {"report", {"math", "command", "state", "effect", "image"}},  // the renderers come as functions
-        {"study",
-         {"math", "command", "spectrum", "shape", "state", "image", "report"}},  // the renderers come as functions
-        {"fuzz",
-         {"math", "command", "state", "shape", "lighting", "image", "context", "fixed", "programmable", "reference",
-          "report"}},
-        {"check", {"math", "command", "state", "image", "context", "fixed", "programmable", "reference", "fuzz"}},
-        {"app", {}},  // all
+// The wings that a wing may include, beside itself.
+const Table& wings() {
+    static const Table table = {
+        {"base", {}},
+        {"scene", {"base"}},
+        {"lighting", {"base"}},
+        {"render", {"base", "scene", "lighting"}},
+        {"judge", {"base", "scene", "lighting", "render"}},
+        {"app", {"base", "scene", "lighting", "render", "judge"}},
     };
     return table;
 }
 
-TEST(Layers, IncludeOnlyWhatTheyMay) {
-    int includes = 0;
+// The rooms of its own wing that a room may include, beside itself.
+const std::map<std::string, Table>& rooms() {
+    static const std::map<std::string, Table> table = {
+        {"base", {{"math", {}}, {"image", {"math"}}}},
+        {"scene",
+         {{"command", {}},
+          {"spectrum", {"command"}},
+          {"shape", {"command", "spectrum"}},
+          {"state", {"command", "spectrum", "shape"}},
+          {"trace", {"command"}},
+          {"scenes", {"command", "trace"}}}},
+        {"render",
+         {{"context", {}},
+          {"effect", {}},
+          {"stages", {"effect", "context"}},
+          {"fixed", {"effect", "stages", "context"}},
+          {"programmable", {"effect", "stages", "context"}},
+          {"reference", {}}}},  // shares neither the driver's numbers nor the planner's mistakes
+        {"judge", {{"report", {}}, {"study", {"report"}}, {"fuzz", {"report"}}, {"check", {"fuzz"}}}},
+        {"app", {{"cli", {}}, {"demo", {}}}},
+    };
+    return table;
+}
+
+// Rooms that may include only some of the wings below their own.
+const Table& narrower() {
+    static const Table table = {
+        {"render/context", {"base"}},
+        {"render/stages", {"base", "scene"}},
+        {"render/fixed", {"base", "scene"}},
+        {"render/programmable", {"base", "scene"}},
+        // The renderers come as functions.
+        {"judge/report", {"base", "scene", "render/effect"}},
+        {"judge/study", {"base", "scene"}},
+    };
+    return table;
+}
+
+struct Path {
+    std::string wing, room;  // the room is empty for a file that is in no room
+};
+Path path_of(const std::string& file) {  // below src
+    const std::size_t first = file.find('/');
+    if (first == std::string::npos) return {};
+    const std::size_t second = file.find('/', first + 1);
+    return {file.substr(0, first), second == std::string::npos ? "" : file.substr(first + 1, second - first - 1)};
+}
+
+bool may_include(const Path& from, const Path& to) {
+    if (from.wing == to.wing) {
+        // What is in no room is everybody's in the wing.
+        return from.room == to.room || to.room.empty() || rooms().at(from.wing).at(from.room).contains(to.room);
+    }
+    const std::string name = from.wing + "/" + from.room;
+    const Names& allowed = narrower().contains(name) ? narrower().at(name) : wings().at(from.wing);
+    return allowed.contains(to.wing) || allowed.contains(to.wing + "/" + to.room);
+}
+
+std::vector<std::string> sources() {
+    std::vector<std::string> paths;
     for (const auto& entry : std::filesystem::recursive_directory_iterator("src")) {
         const std::string extension = entry.path().extension();
-        if (extension != ".h" && extension != ".cpp") continue;
-        const std::string path = entry.path().generic_string();
-        const std::string layer = path.substr(4, path.find('/', 4) - 4);
-        ASSERT_TRUE(allowed().contains(layer)) << path << ": add its layer to the table";
+        if (extension == ".h" || extension == ".cpp") paths.push_back(entry.path().generic_string());
+    }
+    return paths;
+}
+
+TEST(Layers, IncludeOnlyWhatTheyMay) {
+    int includes = 0;
+    for (const std::string& path : sources()) {
+        const Path from = path_of(path.substr(4));
+        ASSERT_TRUE(wings().contains(from.wing)) << path << ": add its wing to the table";
+        ASSERT_TRUE(from.room.empty() || rooms().at(from.wing).contains(from.room))
+            << path << ": add its room to the table";
         std::ifstream file(path);
         for (std::string line; std::getline(file, line);) {
-            if (!line.starts_with("#include ")) continue;
-            const bool is_own = line[9] == '"';
-            const std::string name = line.substr(10, line.find_first_of("\">", 10) - 10);
-            const bool names_gl = name.starts_with("GL/");
-            if (names_gl) {
-                EXPECT_TRUE(layer == "context" || path.starts_with("src/app/demo/"))
-                    << path << " includes " << name << "; GL's headers come through context/gl.h";
-                EXPECT_TRUE(!name.starts_with("GL/freeglut") && !name.starts_with("GL/glut")
-                                ? true
-                                : path.starts_with("src/app/demo/"))
-                    << path << " includes GLUT, which belongs to the demo alone";
-            }
-            if (!is_own) continue;
+            if (!line.starts_with("#include \"")) continue;
+            const std::string name = line.substr(10, line.find('"', 10) - 10);
+            const Path to = path_of(name);
             ++includes;
-            const std::size_t slash = name.find('/');
-            const std::string included = name.substr(0, slash);
-            ASSERT_NE(slash, std::string::npos) << path << ": #include \"" << name << "\" lacks its folder";
-            if (layer == "app" || included == layer) continue;
-            EXPECT_TRUE(allowed().at(layer).contains(included))
-                << path << " includes " << name << ", but " << layer << " may not include " << included;
+            ASSERT_TRUE(wings().contains(to.wing)) << path << ": #include \"" << name << "\" lacks its folder";
+            EXPECT_TRUE(may_include(from, to)) << path << " may not include " << name;
         }
     }
     EXPECT_GT(includes, 100);  // the test does read files
 }
 
-// The reference must not share the driver's numbers or the planner's mistakes.
-TEST(Layers, KeepTheReferenceFromGlAndFromThePlanner) {
-    EXPECT_FALSE(allowed().at("reference").contains("effect"));
-    EXPECT_FALSE(allowed().at("reference").contains("context"));
+// Only the window knows GLUT; elsewhere GL's headers come through render/context/gl.h.
+TEST(Layers, IncludeGlInOnePlace) {
+    for (const std::string& path : sources()) {
+        const bool is_demo = path.starts_with("src/app/demo/");
+        std::ifstream file(path);
+        for (std::string line; std::getline(file, line);) {
+            if (!line.starts_with("#include <GL/")) continue;
+            EXPECT_TRUE(is_demo || path.starts_with("src/render/context/")) << path << ": " << line;
+            EXPECT_TRUE(is_demo || line.find("glut") == std::string::npos) << path << ": " << line;
+        }
+    }
+}
+
+TEST(Layers, HaveNoArrowBackUp) {
+    const std::vector<std::string> floors = {"base", "scene", "lighting", "render", "judge", "app"};
+    const auto floor = [&](const std::string& wing) { return std::ranges::find(floors, wing) - floors.begin(); };
+    for (const auto& [wing, below] : wings())
+        for (const std::string& other : below) EXPECT_LT(floor(other), floor(wing)) << wing << " -> " << other;
+    // Within a wing: rooms can be put in an order in which each includes only earlier ones.
+    for (const auto& [wing, table] : rooms()) {
+        Names done;
+        for (bool again = true; again;) {
+            again = false;
+            for (const auto& [room, below] : table)
+                if (!done.contains(room) && std::ranges::includes(done, below)) again = done.insert(room).second;
+        }
+        EXPECT_EQ(done.size(), table.size()) << "rooms of " << wing << " include each other in a circle";
+    }
+}
+
+// The rows "| wing/room | what it is | other wings | rooms of its wing |" of docs/architecture.md.
+TEST(Layers, AreWhatTheDocsShow) {
+    std::ifstream docs("docs/architecture.md");
+    const auto names = [](const std::string& cell) {
+        Names result;
+        std::istringstream words(cell);
+        for (std::string word; words >> word;) {
+            if (word.ends_with(',')) word.pop_back();
+            if (word != "-") result.insert(word);
+        }
+        return result;
+    };
+    Names seen;
+    for (std::string line; std::getline(docs, line);) {
+        if (!line.starts_with("| ")) continue;
+        std::vector<std::string> cells;
+        std::istringstream parts(line.substr(1));
+        for (std::string cell; std::getline(parts, cell, '|');)
+            cells.push_back(cell.size() > 2 ? cell.substr(1, cell.size() - 2) : "");
+        const std::size_t slash = cells.empty() ? std::string::npos : cells[0].find('/');
+        const std::string wing = cells.empty() ? "" : cells[0].substr(0, slash);
+        if (cells.size() != 4 || !wings().contains(wing)) continue;
+        const std::string room = slash == std::string::npos ? "" : cells[0].substr(slash + 1);
+        seen.insert(cells[0]);
+        EXPECT_EQ(names(cells[2]), narrower().contains(cells[0]) ? narrower().at(cells[0]) : wings().at(wing)) << line;
+        if (room.empty()) continue;
+        ASSERT_TRUE(rooms().at(wing).contains(room)) << line;
+        EXPECT_EQ(names(cells[3]), rooms().at(wing).at(room)) << line;
+    }
+    Names all = {"lighting"};  // has no rooms
+    for (const auto& [wing, table] : rooms())
+        for (const auto& [room, below] : table) all.insert(wing + "/" + room);
+    EXPECT_EQ(seen, all);
 }
 
 }  // namespace

@@ -21,9 +21,7 @@ struct Case {
     std::vector<Light<double>> lights{Light<double>{.diffuse = {1, 1, 1}}};
 
     Light<double>& light() { return lights[0]; }
-    void place_light(D position, double w = 1) {
-        place(light(), position, w);
-    }
+    void place_light(D position, double w = 1) { place(light(), position, w); }
     void aim_spot(D direction, double cutoff_deg) {
         light().spot_dir_eye = unit(direction);
         light().is_spot = cutoff_deg != 180;

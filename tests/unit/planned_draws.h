@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "effect/plan.h"
+#include "render/effect/plan.h"
 
 namespace twinlight {
 

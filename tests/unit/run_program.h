@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "image/file.h"
+#include "base/image/file.h"
 
 namespace twinlight {
 

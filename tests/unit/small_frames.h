@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/reference.h"
+#include "render/reference/reference.h"
 
 namespace twinlight {
 

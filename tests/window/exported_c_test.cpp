@@ -6,12 +6,12 @@
 #include <string>
 
 #include "../unit/run_program.h"
-#include "image/difference.h"
-#include "image/file.h"
-#include "image/png.h"
-#include "reference/reference.h"
-#include "scenes/load.h"
-#include "state/state.h"
+#include "base/image/difference.h"
+#include "base/image/file.h"
+#include "base/image/png.h"
+#include "render/reference/reference.h"
+#include "scene/scenes/load.h"
+#include "scene/state/state.h"
 #include "xvfb.h"
 
 namespace twinlight {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "command/command.h"
 #include "recording.h"
-#include "shape/shape.h"
+#include "scene/command/command.h"
+#include "scene/shape/shape.h"
 #include "xvfb.h"
 
 namespace twinlight {

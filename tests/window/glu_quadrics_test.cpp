@@ -1,5 +1,5 @@
 // Quadrics are what GLU sends: call by call, against a recording of the real library, in every style.
-#include "shape/glu_quadrics.h"
+#include "scene/shape/glu_quadrics.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the real libraries send for a shape (tests/window/recorder), beside what src/shape says that they send.
+// What the real libraries send for a shape (tests/window/recorder), beside what src/scene/shape says that they send.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "shape/shape.h"
+#include "scene/shape/shape.h"
 
 namespace twinlight {
 

@@ -8,8 +8,8 @@
 
 #include "../golden/listed_driver.h"
 #include "../unit/run_program.h"
-#include "check/check.h"
-#include "context/context.h"
+#include "judge/check/check.h"
+#include "render/context/context.h"
 #include "xvfb.h"
 
 namespace twinlight {

@@ -1,5 +1,5 @@
 // twinlight check: the hard cases of golden/hard on this machine's driver.
-#include "check/check.h"
+#include "judge/check/check.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "app/cli/check_page.h"
 #include "app/cli/command_line.h"
 #include "app/cli/reproducer.h"
-#include "image/file.h"
+#include "base/image/file.h"
 
 namespace twinlight::cli {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "image/png.h"
-#include "report/html.h"
+#include "base/image/png.h"
+#include "judge/report/html.h"
 
 namespace twinlight::cli {
 

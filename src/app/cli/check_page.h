@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "check/check.h"
+#include "judge/check/check.h"
 
 namespace twinlight::cli {
 

@@ -7,11 +7,11 @@
 #include <map>
 
 #include "app/cli/progress.h"
-#include "fixed/fixed.h"
-#include "image/file.h"
-#include "scenes/load.h"
-#include "state/recorded_frame.h"
-#include "state/shading_names.h"
+#include "base/image/file.h"
+#include "render/fixed/fixed.h"
+#include "scene/scenes/load.h"
+#include "scene/state/recorded_frame.h"
+#include "scene/state/shading_names.h"
 
 namespace twinlight::cli {
 

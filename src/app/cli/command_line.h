@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "app/program.h"
-#include "command/command.h"
-#include "state/frame.h"
+#include "scene/command/command.h"
+#include "scene/state/frame.h"
 
 namespace twinlight::cli {
 

@@ -7,9 +7,9 @@
 #include "app/cli/command_line.h"
 #include "app/cli/progress.h"
 #include "app/cli/renderers.h"
-#include "fuzz/departures.h"
-#include "report/comparison.h"
-#include "report/words.h"
+#include "judge/fuzz/departures.h"
+#include "judge/report/comparison.h"
+#include "judge/report/words.h"
 
 namespace twinlight::cli {
 

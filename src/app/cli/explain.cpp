@@ -10,7 +10,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/explain_pixel.h"
-#include "effect/explanation.h"
+#include "render/effect/explanation.h"
 
 namespace twinlight::cli {
 

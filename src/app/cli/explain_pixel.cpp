@@ -10,8 +10,8 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/renderers.h"
-#include "reference/pixel.h"
-#include "state/lecture_variants.h"
+#include "render/reference/pixel.h"
+#include "scene/state/lecture_variants.h"
 
 namespace twinlight::cli {
 

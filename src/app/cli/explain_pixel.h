@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "state/frame.h"
+#include "scene/state/frame.h"
 
 namespace twinlight::cli {
 

@@ -5,9 +5,9 @@
 #include <map>
 
 #include "app/cli/command_line.h"
-#include "command/text.h"
-#include "programmable/programmable.h"
-#include "shape/primitives.h"
+#include "render/programmable/programmable.h"
+#include "scene/command/text.h"
+#include "scene/shape/primitives.h"
 
 namespace twinlight::cli {
 

@@ -1,5 +1,5 @@
 // twinlight fuzz: random scenes, three ways.
-#include "fuzz/fuzz.h"
+#include "judge/fuzz/fuzz.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include "app/cli/command_line.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
-#include "command/names.h"
-#include "image/file.h"
-#include "report/words.h"
+#include "base/image/file.h"
+#include "judge/report/words.h"
+#include "scene/command/names.h"
 
 namespace twinlight::cli {
 

@@ -1,7 +1,7 @@
 // The machine that the program runs on.
 #pragma once
 
-#include "study/study.h"
+#include "judge/study/study.h"
 
 namespace twinlight::cli {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
-#include "command/names.h"
+#include "scene/command/names.h"
 
 namespace {
 

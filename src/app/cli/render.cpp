@@ -7,12 +7,12 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/renderers.h"
-#include "effect/scrubbed_state.h"
-#include "fixed/fixed.h"
-#include "image/file.h"
-#include "image/png.h"
-#include "reference/reference.h"
-#include "report/words.h"
+#include "base/image/file.h"
+#include "base/image/png.h"
+#include "judge/report/words.h"
+#include "render/effect/scrubbed_state.h"
+#include "render/fixed/fixed.h"
+#include "render/reference/reference.h"
 
 namespace twinlight::cli {
 

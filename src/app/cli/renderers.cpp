@@ -1,7 +1,7 @@
 #include "app/cli/renderers.h"
 
-#include "fixed/fixed.h"
-#include "reference/reference.h"
+#include "render/fixed/fixed.h"
+#include "render/reference/reference.h"
 
 namespace twinlight::cli {
 

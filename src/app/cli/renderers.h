@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "context/context.h"
-#include "programmable/programmable.h"
-#include "report/comparison.h"
+#include "judge/report/comparison.h"
+#include "render/context/context.h"
+#include "render/programmable/programmable.h"
 
 namespace twinlight::cli {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "command/text.h"
-#include "fuzz/vertex_colors.h"
-#include "shape/primitives.h"
+#include "judge/fuzz/vertex_colors.h"
+#include "scene/command/text.h"
+#include "scene/shape/primitives.h"
 
 namespace twinlight::cli {
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace check;
 
-// As the fixed function is judged (check/check.cpp), in C. Colours of vertices come from feedback, which has them ahead of the
+// As the fixed function is judged (judge/check/check.cpp), in C. Colours of vertices come from feedback, which has them ahead of the
 // clamp where the driver lets that be switched off.
 constexpr const char* kJudge = R"c(
 static int departures = 0;

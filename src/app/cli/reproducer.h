@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "check/check.h"
+#include "judge/check/check.h"
 
 namespace twinlight::cli {
 

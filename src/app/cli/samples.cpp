@@ -2,9 +2,9 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
-#include "context/gl.h"
-#include "programmable/programmable.h"
-#include "reference/reference.h"
+#include "render/context/gl.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/reference.h"
 
 namespace twinlight::cli {
 

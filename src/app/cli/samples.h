@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "study/spectral.h"
+#include "judge/study/spectral.h"
 
 namespace twinlight::cli {
 

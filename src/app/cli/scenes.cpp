@@ -1,5 +1,5 @@
 // twinlight scenes: the built-in scenes.
-#include "scenes/scenes.h"
+#include "scene/scenes/scenes.h"
 
 #include <fmt/format.h>
 

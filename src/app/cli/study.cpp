@@ -1,5 +1,5 @@
 // twinlight study: what accuracy costs in time.
-#include "study/study.h"
+#include "judge/study/study.h"
 
 #include <fmt/format.h>
 
@@ -15,11 +15,11 @@
 #include "app/cli/progress.h"
 #include "app/cli/samples.h"
 #include "app/cli/study_renderers.h"
-#include "command/text.h"
-#include "image/file.h"
-#include "state/state.h"
-#include "study/files.h"
-#include "study/tessellation.h"
+#include "base/image/file.h"
+#include "judge/study/files.h"
+#include "judge/study/tessellation.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight::cli {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "context/gl.h"
-#include "fixed/prepared_frame.h"
-#include "reference/reference.h"
+#include "render/context/gl.h"
+#include "render/fixed/prepared_frame.h"
+#include "render/reference/reference.h"
 
 namespace twinlight::cli {
 

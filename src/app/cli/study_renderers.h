@@ -5,10 +5,10 @@
 #include <memory>
 #include <utility>
 
-#include "context/context.h"
-#include "context/render_target.h"
-#include "programmable/programmable.h"
-#include "study/study.h"
+#include "judge/study/study.h"
+#include "render/context/context.h"
+#include "render/context/render_target.h"
+#include "render/programmable/programmable.h"
 
 namespace twinlight::cli {
 

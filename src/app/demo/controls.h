@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/demo/view.h"
-#include "state/frame.h"
+#include "scene/state/frame.h"
 
 namespace twinlight::demo {
 

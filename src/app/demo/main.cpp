@@ -6,7 +6,7 @@
 #include "app/demo/controls.h"
 #include "app/demo/window.h"
 #include "app/program.h"
-#include "scenes/load.h"
+#include "scene/scenes/load.h"
 
 namespace {
 

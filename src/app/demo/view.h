@@ -8,8 +8,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "command/command.h"
-#include "state/frame.h"
+#include "scene/command/command.h"
+#include "scene/state/frame.h"
 
 namespace twinlight::demo {
 

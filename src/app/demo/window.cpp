@@ -12,17 +12,17 @@
 #include <optional>
 #include <sstream>
 
-#include "context/context.h"
-#include "context/gl.h"
-#include "fixed/fixed.h"
-#include "image/difference.h"
-#include "image/file.h"
-#include "image/png.h"
-#include "programmable/programmable.h"
-#include "report/words.h"
-#include "state/state.h"
+#include "base/image/difference.h"
+#include "base/image/file.h"
+#include "base/image/png.h"
+#include "judge/report/words.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+#include "render/programmable/programmable.h"
+#include "scene/state/state.h"
 
-// freeglut's headers come after context/gl.h, which declares GL.
+// freeglut's headers come after render/context/gl.h, which declares GL.
 #include <GL/freeglut.h>
 #include <GL/freeglut_ucall.h>
 

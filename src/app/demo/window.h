@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/demo/controls.h"
-#include "command/command.h"
+#include "scene/command/command.h"
 
 namespace twinlight::demo {
 

@@ -1,0 +1,138 @@
+// Differences are taken between the 8-bit codes, in whole numbers: exact, and the same on every machine.
+#include "base/image/difference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+#include <utility>
+
+namespace twinlight {
+
+namespace {
+
+constexpr std::size_t kChannels = 4;
+
+using Codes = std::array<int, kChannels>;
+
+Codes absolute_difference(const Rgba& a, const Rgba& b) {
+    Codes codes{};
+    if (a == b) return codes;  // as most pixels are
+    for (std::size_t c = 0; c < kChannels; ++c) codes[c] = std::abs(channel_code(a[c]) - channel_code(b[c]));
+    return codes;
+}
+
+Codes excess(const Codes& codes, const Rgba& slack) {
+    Codes result = codes;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+        if (codes[c] == 0 || !(slack[c] > 0)) continue;
+        const double left = std::ceil(codes[c] - (1 + 255.0 * static_cast<double>(slack[c])));
+        result[c] = static_cast<int>(std::max(left, 0.0));
+    }
+    return result;
+}
+
+void check_sizes(const Image& a, const Image& b) {
+    if (a.width != b.width || a.height != b.height) {
+        throw std::invalid_argument("pictures of different sizes cannot be compared");
+    }
+}
+
+struct Region {
+    std::size_t pixels = 0, differing = 0;
+    int max = -1;
+    std::uint64_t sum_of_squares = 0;
+    int worst_x = 0, worst_y = 0;
+
+    void add(const Codes& codes, int x, int y) {
+        const int largest = *std::ranges::max_element(codes);
+        ++pixels;
+        differing += largest > 0 ? 1 : 0;
+        for (const int code : codes) sum_of_squares += static_cast<std::uint64_t>(code * code);
+        if (largest > max) {
+            max = largest;
+            worst_x = x;
+            worst_y = y;
+        }
+    }
+
+    RegionDifference result() const {
+        const double samples = static_cast<double>(std::max<std::size_t>(pixels, 1) * kChannels);
+        return {.pixels = pixels,
+                .differing = differing,
+                .max = std::max(max, 0) / 255.0,
+                .rms = std::sqrt(static_cast<double>(sum_of_squares) / samples) / 255,
+                .worst_x = worst_x,
+                .worst_y = worst_y};
+    }
+};
+
+}  // namespace
+
+ImageDifference difference(const Image& a, const Image& b, const Freedom& freedom) {
+    check_sizes(a, b);
+    check_sizes(a, freedom.slack);
+    if (freedom.edge.size() != a.pixels.size()) {
+        throw std::invalid_argument("the edge mask has another size than the pictures");
+    }
+    Region interior, edge, beyond;
+    for (int y = 0; y < a.height; ++y) {
+        for (int x = 0; x < a.width; ++x) {
+            const std::size_t i = a.index(x, y);
+            const Codes codes = absolute_difference(a.pixels[i], b.pixels[i]);
+            (freedom.edge[i] ? edge : interior).add(codes, x, y);
+            if (!freedom.edge[i]) beyond.add(excess(codes, freedom.slack.pixels[i]), x, y);
+        }
+    }
+    return {.interior = interior.result(), .edge = edge.result(), .beyond_slack = beyond.result()};
+}
+
+ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge) {
+    return difference(a, b, {.edge = edge, .slack = Image(a.width, a.height, {0, 0, 0, 0})});
+}
+
+Image nearer_of(const Image& image, const Image& first, const Image& second) {
+    return nearer_of(image, first, second, Image(image.width, image.height));
+}
+
+Image nearer_of(const Image& image, const Image& first, const Image& second, const Image& slack) {
+    check_sizes(image, first);
+    check_sizes(image, second);
+    check_sizes(image, slack);
+    Image result = first;
+    // Of all that is left beyond the slack, then of all.
+    const auto distance = [&](const Image& other, std::size_t i) {
+        const Codes codes = absolute_difference(image.pixels[i], other.pixels[i]);
+        return std::pair(std::ranges::max(excess(codes, slack.pixels[i])), std::ranges::max(codes));
+    };
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        if (first.pixels[i] == second.pixels[i]) continue;
+        if (distance(second, i) < distance(first, i)) result.pixels[i] = second.pixels[i];
+    }
+    return result;
+}
+
+int amplification_for(double max) {
+    constexpr int kLargest = 64;  // one code in 255 then shows as a quarter of the range
+    int factor = kLargest;
+    while (factor > 1 && factor * max > 1) factor /= 2;
+    return factor;
+}
+
+Image difference_picture(const Image& a, const Image& b, int factor) {
+    check_sizes(a, b);
+    Image picture(a.width, a.height);
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const Codes codes = absolute_difference(a.pixels[i], b.pixels[i]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int code = std::max(codes[c], codes[3]);
+            const float amplified = std::min(static_cast<float>(code * factor) / 255.0F, 1.0F);
+            picture.pixels[i][c] = kZeroGrey + (1 - kZeroGrey) * amplified;
+        }
+        picture.pixels[i][3] = 1;
+    }
+    return picture;
+}
+
+}  // namespace twinlight

@@ -1,0 +1,154 @@
+// Files through POSIX calls: streams would lose the reason of a failure.
+#include "base/image/file.h"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace twinlight {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& path, int error) { throw FileError(path + ": " + std::strerror(error)); }
+
+class Descriptor {
+  public:
+    Descriptor(const std::string& path, int flags, mode_t mode = 0)
+        : fd_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    bool valid() const { return fd_ >= 0; }
+    int get() const { return fd_; }
+    // The error that closing met: a full disk may be told only here.
+    int close() { return fd_ < 0 || ::close(std::exchange(fd_, -1)) == 0 ? 0 : errno; }
+
+  private:
+    int fd_;
+};
+
+// Holds back the signals that end a program, so that none leaves the aside file behind.
+class SignalsHeld {
+  public:
+    SignalsHeld() {
+        sigset_t ending;
+        sigemptyset(&ending);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ending, signal);
+        pthread_sigmask(SIG_BLOCK, &ending, &before_);
+    }
+    ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
+// 0, or the error.
+int write_and_close(Descriptor& file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
+        if (written >= 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(written));
+        } else if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return file.close();
+}
+
+// A file's bytes, written aside in the same folder. It goes with the object unless it is put in place.
+class PendingFile {
+  public:
+    PendingFile(const std::string& path, std::string_view bytes) : path_(path) {
+        // Where the bytes go: renaming onto a link would replace the link, onto /dev/null the device.
+        struct stat existing {};
+        const bool exists = ::stat(path.c_str(), &existing) == 0;
+        if (exists && S_ISDIR(existing.st_mode)) fail(path, EISDIR);
+        if (exists && !S_ISREG(existing.st_mode)) {
+            Descriptor device(path, O_WRONLY);
+            if (!device.valid()) fail(path, errno);
+            if (const int error = write_and_close(device, bytes); error != 0) fail(path, error);
+            return;
+        }
+        if (exists && ::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a rename would not ask
+        target_ = exists ? std::filesystem::canonical(path).string() : path;
+
+        // The process's number keeps two writers of one file apart.
+        const std::string aside = target_ + "." + std::to_string(::getpid()) + ".part";
+        constexpr mode_t kAsUmaskAllows = 0666;
+        Descriptor file(aside, O_WRONLY | O_CREAT | O_EXCL, exists ? existing.st_mode & 0777 : kAsUmaskAllows);
+        if (!file.valid()) fail(path, errno);
+        aside_ = aside;
+        if (const int error = write_and_close(file, bytes); error != 0) {
+            remove_aside();
+            fail(path, error);
+        }
+    }
+    ~PendingFile() { remove_aside(); }
+    PendingFile(PendingFile&& other) noexcept
+        : path_(std::move(other.path_)), target_(std::move(other.target_)), aside_(std::exchange(other.aside_, {})) {}
+
+    void put_in_place() {
+        if (aside_.empty()) return;
+        if (::rename(aside_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+        aside_.clear();
+    }
+
+  private:
+    void remove_aside() {
+        if (!aside_.empty()) ::unlink(aside_.c_str());
+    }
+
+    std::string path_;    // as the user has it
+    std::string target_;  // with links followed
+    std::string aside_;   // empty where nothing stands aside
+};
+
+// No more than `max_bytes` of what is left to read; `path` is for the message of a failure.
+std::string read_rest(int descriptor, std::size_t max_bytes, const std::string& path) {
+    std::string bytes;
+    std::array<char, 1 << 16> block;
+    while (bytes.size() < max_bytes) {
+        const ssize_t count = ::read(descriptor, block.data(), std::min(block.size(), max_bytes - bytes.size()));
+        if (count == 0) break;
+        if (count > 0) {
+            bytes.append(block.data(), static_cast<std::size_t>(count));
+        } else if (errno != EINTR) {
+            fail(path, errno);
+        }
+    }
+    return bytes;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path, std::size_t max_bytes) {
+    const Descriptor file(path, O_RDONLY);
+    if (!file.valid()) fail(path, errno);
+    return read_rest(file.get(), max_bytes, path);
+}
+
+std::string read_standard_input(std::size_t max_bytes) { return read_rest(STDIN_FILENO, max_bytes, "standard input"); }
+
+void write_files_atomically(const std::vector<FileToWrite>& files) {
+    const SignalsHeld held;
+    std::vector<PendingFile> pending;
+    pending.reserve(files.size());
+    for (const auto& [path, bytes] : files) pending.emplace_back(path, bytes);
+    for (PendingFile& file : pending) file.put_in_place();
+}
+
+void write_file_atomically(const std::string& path, std::string_view bytes) { write_files_atomically({{path, bytes}}); }
+
+}  // namespace twinlight

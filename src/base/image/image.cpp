@@ -1,0 +1,24 @@
+// Image: from floats to what an 8-bit framebuffer holds.
+#include "base/image/image.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twinlight {
+
+// GL 2.1 section 2.14.9, "Final Color Processing": "rounded to the nearest" of the fixed-point values.
+std::uint8_t channel_code(float channel) {
+    if (std::isnan(channel)) return 0;
+    // Exact: 32 bits of a double's 53, and where half a code has no room beside them, both together are below one.
+    return static_cast<std::uint8_t>(std::clamp(static_cast<double>(channel), 0.0, 1.0) * 255 + 0.5);
+}
+
+Image quantised(const Image& image) {
+    Image result = image;
+    for (Rgba& pixel : result.pixels) {
+        for (float& channel : pixel) channel = static_cast<float>(channel_code(channel)) / 255.0F;
+    }
+    return result;
+}
+
+}  // namespace twinlight

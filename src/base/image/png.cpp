@@ -1,0 +1,118 @@
+// PNG through Debian's stb library.
+#include "base/image/png.h"
+
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+
+#include <algorithm>
+#include <climits>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "base/image/file.h"
+
+namespace twinlight {
+
+std::string encode_png(const Image& image) {
+    constexpr int kChannels = 3;
+    std::vector<std::uint8_t> codes;
+    codes.reserve(image.pixels.size() * kChannels);
+    for (const Rgba& pixel : image.pixels) {
+        for (std::size_t channel = 0; channel < kChannels; ++channel) codes.push_back(channel_code(pixel[channel]));
+    }
+    std::string png;
+    const auto append = [](void* context, void* data, int size) {
+        static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+    };
+    const int written = stbi_write_png_to_func(append, &png, image.width, image.height, kChannels, codes.data(),
+                                               image.width * kChannels);
+    if (written == 0) throw std::runtime_error("the picture could not be encoded as PNG");
+    return png;
+}
+
+namespace {
+
+constexpr int kRgba = 4;
+
+// The decoder's words, which may quote the file, and that may hold anything.
+std::string cannot_be_read() {
+    std::string reason = stbi_failure_reason();
+    std::ranges::replace_if(
+        reason, [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
+    return "the PNG cannot be read: " + reason;
+}
+
+// The compressed pixels: the data of all IDAT chunks (PNG, section 5.3: length, type, data, check sum).
+std::string packed_pixels(std::string_view bytes) {
+    constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
+    constexpr std::size_t kAroundData = 12;
+    if (!bytes.starts_with(kSignature)) throw std::runtime_error("it is no PNG; convert it to one");
+    std::string packed;
+    for (std::string_view rest = bytes.substr(kSignature.size()); rest.size() >= kAroundData;) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(rest[i]);
+        if (length > rest.size() - kAroundData) break;
+        const std::string_view type = rest.substr(4, 4);
+        if (type == "IEND") return packed;
+        if (type == "IDAT") packed += rest.substr(8, length);
+        rest.remove_prefix(length + kAroundData);
+    }
+    throw std::runtime_error("the PNG is cut off; save it anew");
+}
+
+}  // namespace
+
+PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
+    const std::string packed = packed_pixels(bytes);
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
+    const auto refuse = [] { throw std::runtime_error(cannot_be_read() + "; save it anew"); };
+    PngPixels image;
+    int channels_in_file = 0;
+    if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels_in_file) == 0) refuse();
+    if (image.width > longest_side || image.height > longest_side) {
+        const std::string limit = std::to_string(longest_side);
+        throw std::runtime_error("it has " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                                 " pixels, at most " + limit + " x " + limit + " are read; make it smaller");
+    }
+    // The most that the pixels can unpack to: 16 bits a channel, a byte more a row, and eight times the rows for the
+    // passes of an interlaced image. The decoder itself would go on unpacking whatever there is.
+    constexpr std::size_t kLargestPixel = 8, kRowBytes = 1, kPasses = 8;
+    const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+    std::string unpacked(height * width * kLargestPixel + (height + kPasses) * kRowBytes * kPasses, '\0');
+    if (stbi_zlib_decode_buffer(unpacked.data(), static_cast<int>(unpacked.size()), packed.data(),
+                                static_cast<int>(packed.size())) < 0) {
+        throw std::runtime_error("the PNG's pixels cannot be unpacked, or are more than its size says; save it anew");
+    }
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> codes(
+        stbi_load_from_memory(data, size, &image.width, &image.height, &channels_in_file, kRgba), stbi_image_free);
+    if (!codes) refuse();
+    image.rgba.assign(codes.get(), codes.get() + width * height * kRgba);
+    return image;
+}
+
+Image decode_png(std::string_view bytes) {
+    constexpr int kChannels = kRgba;
+    if (bytes.size() > INT_MAX) throw std::runtime_error("the PNG is larger than 2 GiB");
+    int width = 0, height = 0, channels_in_file = 0;
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> codes(
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()), &width,
+                              &height, &channels_in_file, kChannels),
+        stbi_image_free);
+    if (!codes) throw std::runtime_error(cannot_be_read());
+
+    Image image(width, height);
+    const stbi_uc* code = codes.get();
+    for (Rgba& pixel : image.pixels) {
+        for (float& channel : pixel) channel = static_cast<float>(*code++) / 255.0F;
+    }
+    return image;
+}
+
+void write_png(const std::string& path, const Image& image) { write_file_atomically(path, encode_png(image)); }
+
+Image read_png(const std::string& path) { return decode_png(read_file(path)); }
+
+}  // namespace twinlight

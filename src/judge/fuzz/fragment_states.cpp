@@ -1,0 +1,377 @@
+#include "judge/fuzz/fragment_states.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "judge/fuzz/random.h"
+#include "scene/command/text.h"
+
+namespace twinlight::fuzz {
+
+namespace {
+
+class Builder {
+  public:
+    explicit Builder(const Seed& seed)
+        : structure_(seed.structure), random_(seed.values), departure_(departure_of(seed, structure_)) {}
+
+    std::string build() {
+        clear("GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
+        add("glMatrixMode(GL_PROJECTION); {};",
+            one_of({"glFrustum(-1, 1, -1, 1, 1, 10)", "glFrustum(-1, 1, -1, 1, 1, 10)", "gluPerspective(90, 1, 1, 10)",
+                    "glLoadIdentity(); glScalef(0.12, 0.12, 1); glOrtho(-1, 1, -1, 1, 0, 10)"}));
+        const bool of_textures = shows("GL_CLAMP between a nearest and a linear filter") ||
+                                 shows("glTexCoord1 to 3 after glTexCoord4") || shows("level of detail of points") ||
+                                 shows("GL_GENERATE_MIPMAP after glPopAttrib");
+        if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
+        add("glMatrixMode(GL_MODELVIEW);");
+        if (shows("the colour sum in fog") || shows("fog of a vertex whose w is not 1") || structure_.chance(0.4))
+            fog();
+        raster();
+        lit_ = shows("the colour sum in fog") || shows("glRect as a quadrilateral") || structure_.chance(0.4);
+        if (lit_) lighting();
+        if (structure_.chance(0.6)) fragment_operations();
+        std::string first = batch();
+        if (departure_.empty() && structure_.chance(0.3)) first = solid();
+        text_ += first;
+        // A second pass: of the same vertices, as multi-pass effects have it, or of others.
+        if (structure_.chance(0.3)) {
+            if (structure_.chance(0.2)) clear(structure_.chance(0.5) ? "GL_COLOR_BUFFER_BIT" : "GL_DEPTH_BUFFER_BIT");
+            if (structure_.chance(0.5)) add("glDisable(GL_TEXTURE_2D); glDisable(GL_TEXTURE_1D);");
+            raster();
+            fragment_operations();
+            text_ += structure_.chance(0.5) ? first : batch();
+        }
+        if (has_quadric_) add("gluDeleteQuadric(quadric);");
+        return std::move(text_);
+    }
+
+  private:
+    bool shows(std::string_view departure) const { return departure_ == departure; }
+    void add(std::string_view line) { text_ += fmt::format("{}\n", line); }
+    template <class... Arguments>
+    void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        text_ += fmt::format(format, std::forward<Arguments>(arguments)...) + '\n';
+    }
+    template <std::size_t n>
+    const char* one_of(const char* const (&choices)[n]) {
+        return choices[structure_.below(static_cast<int>(n))];
+    }
+    std::string four(double low = 0, double high = 1) {
+        return fmt::format("{:.6f}, {:.6f}, {:.6f}, {:.6f}", random_.uniform(low, high), random_.uniform(low, high),
+                           random_.uniform(low, high), random_.uniform(low, high));
+    }
+    std::string vector(double low = 0, double high = 1) { return fmt::format("(GLfloat[]){{{}}}", four(low, high)); }
+
+    void clear(const char* buffers) { add("glClearColor({}); glClear({});", four(), buffers); }
+
+    // Random texels at every level, so that levels can be told apart.
+    void texture() {
+        const bool flat = structure_.chance(0.15);
+        const std::string target = flat ? "GL_TEXTURE_1D" : "GL_TEXTURE_2D";
+        const char* format =
+            one_of({"GL_ALPHA", "GL_LUMINANCE", "GL_LUMINANCE_ALPHA", "GL_INTENSITY", "GL_RGB", "GL_RGBA", "GL_RGBA"});
+        const std::string min =
+            shows("GL_GENERATE_MIPMAP after glPopAttrib")
+                ? "GL_LINEAR_MIPMAP_LINEAR"
+                : one_of({"GL_NEAREST", "GL_LINEAR", "GL_NEAREST_MIPMAP_NEAREST", "GL_LINEAR_MIPMAP_NEAREST",
+                          "GL_NEAREST_MIPMAP_LINEAR", "GL_LINEAR_MIPMAP_LINEAR"});
+        int width = 1 << structure_.below(6), height = flat ? 1 : 1 << structure_.below(6);
+        const bool generates = shows("GL_GENERATE_MIPMAP after glPopAttrib");
+        if (generates)
+            add("glPushAttrib(GL_TEXTURE_BIT); glTexParameteri({}, GL_GENERATE_MIPMAP, GL_TRUE); glPopAttrib();",
+                target);
+        std::string base;  // where levels are generated it comes last, after what it would write over
+        for (int level = 0;; ++level) {
+            std::string texels;
+            for (int i = 0; i < width * height * 4; ++i)
+                texels += fmt::format("{}{}", i ? "," : "", random_.below(256));
+            add("GLubyte level{}[] = {{{}}};", level, texels);
+            const std::string image = fmt::format(
+                "glTexImage{}({}, {}, {}, {}{}, 0, GL_RGBA, GL_UNSIGNED_BYTE, level{});", flat ? "1D" : "2D", target,
+                level, format, width, flat ? "" : fmt::format(", {}", height), level);
+            if (generates && level == 0)
+                base = image;
+            else
+                add(image);
+            if (min.find("MIPMAP") == std::string::npos || (width == 1 && height == 1)) break;
+            width = std::max(1, width / 2);
+            height = std::max(1, height / 2);
+        }
+        add(base);
+        // Filters of one kind keep GL_CLAMP in the comparison.
+        const bool nearest = min.starts_with("GL_NEAREST");
+        const bool mixed = shows("GL_CLAMP between a nearest and a linear filter") || structure_.chance(0.2);
+        add("glTexParameteri({}, GL_TEXTURE_MIN_FILTER, {});", target, min);
+        add("glTexParameteri({}, GL_TEXTURE_MAG_FILTER, {});", target, nearest != mixed ? "GL_NEAREST" : "GL_LINEAR");
+        for (const char* axis : {"S", "T"})
+            add("glTexParameteri({}, GL_TEXTURE_WRAP_{}, {});", target, axis,
+                shows("GL_CLAMP between a nearest and a linear filter")
+                    ? "GL_CLAMP"
+                    : one_of({"GL_REPEAT", "GL_REPEAT", "GL_CLAMP", "GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_BORDER",
+                              "GL_MIRRORED_REPEAT"}));
+        add("glTexParameterfv({}, GL_TEXTURE_BORDER_COLOR, {});", target, vector());
+        add("glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, {});",
+            one_of({"GL_MODULATE", "GL_MODULATE", "GL_REPLACE", "GL_DECAL", "GL_BLEND", "GL_ADD"}));
+        add("glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {});", vector());
+        if (shows("level of detail of points"))
+            add("glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {:.3f});", random_.uniform(1, 3));
+        else if (structure_.chance(0.15))
+            add("glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {:.3f});", random_.uniform(-2, 2));
+        if (structure_.chance(0.2))
+            add("glMatrixMode(GL_TEXTURE); glTranslatef({:.3f}, {:.3f}, 0); glRotatef({:.1f}, 0, 0, 1);",
+                random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0, 360));
+        add("glEnable({});", target);
+    }
+
+    void fog() {
+        add("glEnable(GL_FOG); glFogi(GL_FOG_MODE, {});", one_of({"GL_LINEAR", "GL_EXP", "GL_EXP2"}));
+        add("glFogf(GL_FOG_DENSITY, {:.4f}); glFogfv(GL_FOG_COLOR, {});", random_.uniform(0, 0.3), vector());
+        add("glFogf(GL_FOG_START, {:.3f}); glFogf(GL_FOG_END, {:.3f});", random_.uniform(1, 6), random_.uniform(6, 12));
+    }
+
+    void fragment_operations() {
+        if (structure_.chance(0.5)) blending();
+        if (structure_.chance(0.3))
+            add("glEnable(GL_ALPHA_TEST); glAlphaFunc({}, {:.4f});",
+                one_of({"GL_LESS", "GL_LEQUAL", "GL_GREATER", "GL_GEQUAL", "GL_NOTEQUAL", "GL_EQUAL"}),
+                random_.uniform(0, 1));
+        if (structure_.chance(0.2))
+            add("glEnable(GL_SCISSOR_TEST); glScissor({}, {}, {}, {});", random_.below(20), random_.below(20),
+                random_.below(60), random_.below(60));
+        if (structure_.chance(0.15))
+            add("glColorMask({}, {}, {}, {});", structure_.below(2), structure_.below(2), structure_.below(2),
+                structure_.below(2));
+    }
+
+    void blending() {
+        const auto factor = [&] {
+            return one_of({"GL_ZERO", "GL_ONE", "GL_SRC_COLOR", "GL_ONE_MINUS_SRC_COLOR", "GL_DST_COLOR",
+                           "GL_ONE_MINUS_DST_COLOR", "GL_SRC_ALPHA", "GL_ONE_MINUS_SRC_ALPHA", "GL_DST_ALPHA",
+                           "GL_ONE_MINUS_DST_ALPHA", "GL_CONSTANT_COLOR", "GL_ONE_MINUS_CONSTANT_COLOR",
+                           "GL_CONSTANT_ALPHA", "GL_ONE_MINUS_CONSTANT_ALPHA"});
+        };
+        add("glEnable(GL_BLEND); glBlendColor({});", four());
+        if (structure_.chance(0.3))
+            add("glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);");
+        else if (structure_.chance(0.5))
+            add("glBlendFunc({}, {});", structure_.chance(0.1) ? "GL_SRC_ALPHA_SATURATE" : factor(), factor());
+        else
+            add("glBlendFuncSeparate({}, {}, {}, {});", factor(), factor(), factor(), factor());
+        const auto equation = [&] {
+            return one_of({"GL_FUNC_ADD", "GL_FUNC_SUBTRACT", "GL_FUNC_REVERSE_SUBTRACT", "GL_MIN", "GL_MAX"});
+        };
+        if (structure_.chance(0.2)) add("glBlendEquation({});", equation());
+        if (structure_.chance(0.1)) add("glBlendEquationSeparate({}, {});", equation(), equation());
+    }
+
+    void raster() {
+        add("{}(GL_DEPTH_TEST);", structure_.chance(0.85) ? "glEnable" : "glDisable");
+        add("glDepthFunc({}); glDepthMask({});",
+            one_of({"GL_LESS", "GL_LESS", "GL_LESS", "GL_LEQUAL", "GL_LEQUAL", "GL_EQUAL", "GL_GREATER", "GL_GEQUAL",
+                    "GL_NOTEQUAL", "GL_ALWAYS"}),
+            structure_.chance(0.85) ? 1 : 0);
+        if (structure_.chance(0.2)) add("glDepthRange({:.2f}, {:.2f});", random_.uniform(0, 1), random_.uniform(0, 1));
+        if (structure_.chance(0.2))
+            add("glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset({:.2f}, {:.1f});", random_.uniform(-2, 2),
+                random_.uniform(-9, 9));
+        for (int i = 0; i < 2; ++i)
+            if (structure_.chance(0.15))
+                add("glClipPlane(GL_CLIP_PLANE{0}, (GLdouble[]){{{1}}}); glEnable(GL_CLIP_PLANE{0});", i, four(-1, 1));
+        if (shows("clipped polygons as lines and points")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
+        if (shows("edge flags of strips and fans")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
+        if (shows("polygon offset of one of two polygon modes"))
+            add("glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(0, 4e6);"
+                "glLineWidth(9); glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
+        if (shows("polygon offset of borders that leaves the depth range"))
+            add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 8e6);"
+                "glLineWidth(9); glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
+        if (shows("polygon offset of lines or points alone"))
+            add("glDisable(GL_POLYGON_OFFSET_FILL); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 8e6);"
+                "glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
+        add("glShadeModel({});", structure_.chance(0.2) ? "GL_FLAT" : "GL_SMOOTH");
+        if (shows("glShadeModel after glPopAttrib in a display list"))
+            add("glNewList(9, GL_COMPILE); glPushAttrib(GL_LIGHTING_BIT); glShadeModel(GL_FLAT); glPopAttrib();"
+                "glShadeModel(GL_FLAT); glEndList(); glShadeModel(GL_SMOOTH); glCallList(9);");
+        if (structure_.chance(0.2))
+            add("glEnable(GL_CULL_FACE); glCullFace({}); glFrontFace({});", one_of({"GL_FRONT", "GL_BACK"}),
+                one_of({"GL_CW", "GL_CCW"}));
+        if (structure_.chance(0.15)) {
+            add("glPolygonMode({}, {});", one_of({"GL_FRONT_AND_BACK", "GL_FRONT", "GL_BACK"}),
+                one_of({"GL_LINE", "GL_LINE", "GL_POINT"}));
+            if (structure_.chance(0.5))
+                add("glEnable(GL_POLYGON_OFFSET_LINE); glEnable(GL_POLYGON_OFFSET_POINT); "
+                    "glPolygonOffset({:.2f}, {:.1f});",
+                    random_.uniform(-2, 2), random_.uniform(-9, 9));
+        }
+        add("glLineWidth({:.1f}); glPointSize({:.1f});", random_.uniform(0.6, 9), random_.uniform(0.6, 20));
+    }
+
+    void light(int i) {
+        const char* name = i == 0 ? "GL_LIGHT0" : "GL_LIGHT5";
+        add("glEnable({});", name);
+        add("glLightfv({}, GL_DIFFUSE, {}); glLightfv({}, GL_SPECULAR, {});", name, vector(), name, vector());
+        if (shows("glRect as a quadrilateral") || structure_.chance(0.6)) {
+            const bool positional = shows("glRect as a quadrilateral") || structure_.chance(0.5);
+            add("glLightfv({}, GL_POSITION, (GLfloat[]){{{:.3f}, {:.3f}, {:.3f}, {}}});", name, random_.uniform(-3, 3),
+                random_.uniform(-3, 3), random_.uniform(0.5, 3), positional ? 1 : 0);
+            if (positional) add("glLightf({}, GL_LINEAR_ATTENUATION, {:.3f});", name, random_.uniform(0, 0.3));
+        }
+        if (structure_.chance(0.2))
+            add("glLightf({}, GL_SPOT_CUTOFF, {:.1f}); glLightf({}, GL_SPOT_EXPONENT, {:.1f});", name,
+                random_.uniform(20, 80), name, random_.uniform(0.5, 20));
+    }
+
+    void lighting() {
+        add("glEnable(GL_LIGHTING); glEnable(GL_NORMALIZE);");
+        light(0);
+        if (structure_.chance(0.3)) light(1);
+        const bool separate = shows("the colour sum in fog") || structure_.chance(0.4);
+        add("glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, {}); glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, {});",
+            separate ? "GL_SEPARATE_SPECULAR_COLOR" : "GL_SINGLE_COLOR", structure_.below(2));
+        add("glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, {}); glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 8);",
+            vector());
+        add("glMaterialfv(GL_BACK, GL_EMISSION, {});", vector(0, 0.5));
+        if (shows("the colour sum in fog"))  // greater than 1
+            add("glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, (GLfloat[]){0.9, 0.9, 0.9, 1});"
+                "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 1);");
+        if (structure_.chance(0.3))
+            add("glColorMaterial({}, {}); glEnable(GL_COLOR_MATERIAL); glColor4f({});",
+                one_of({"GL_FRONT", "GL_FRONT_AND_BACK"}),
+                one_of({"GL_AMBIENT_AND_DIFFUSE", "GL_DIFFUSE", "GL_EMISSION"}), four());
+    }
+
+    // The text of one glBegin ... glEnd.
+    std::string batch() {
+        repeat_ = random_.chance(0.5) ? 1.5 : random_.uniform(2, 12);
+        projective_ = structure_.chance(0.2);
+        materials_ = lit_ && structure_.chance(0.5);
+        const bool of_triangles = shows("polygon offset of one of two polygon modes") ||
+                                  shows("polygon offset of borders that leaves the depth range") ||
+                                  shows("polygon offset of lines or points alone") ||
+                                  shows("clipped polygons as lines and points") || shows("the colour sum in fog");
+        if (shows("glRect as a quadrilateral")) return flat("glRectf");
+        if (shows("edge flags of strips and fans")) return anywhere("GL_TRIANGLE_STRIP");
+        if (shows("edge flags in a display list"))
+            return "glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLE_FAN);\n" + attributes(true, true) +
+                   "glVertex3f(0, 0, -2); glEnd(); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);\n" +
+                   anywhere("GL_TRIANGLE_FAN") + "glEndList(); glCallList(9);\n";
+        if (shows("level of detail of points")) return anywhere("GL_POINTS");
+        if (shows("a line loop whose first vertex lacks attributes")) return anywhere("GL_LINE_LOOP");
+        if (of_triangles || structure_.chance(0.55)) return anywhere("GL_TRIANGLES");
+        if (structure_.chance(0.5))
+            return anywhere(one_of(
+                {"GL_POINTS", "GL_LINES", "GL_LINE_STRIP", "GL_LINE_LOOP", "GL_TRIANGLE_FAN", "GL_TRIANGLE_STRIP"}));
+        return flat(one_of({"GL_QUADS", "GL_QUAD_STRIP", "GL_POLYGON", "GL_TRIANGLE_FAN", "glRectf"}));
+    }
+
+    // A dozen vertices anywhere.
+    std::string anywhere(const std::string& mode) {
+        std::string text = fmt::format("glBegin({});\n", mode);
+        const bool late = shows("a line loop whose first vertex lacks attributes");
+        const bool of_strips = mode == "GL_TRIANGLE_STRIP" || mode == "GL_TRIANGLE_FAN";
+        const bool flags = !of_strips || shows("edge flags of strips and fans");
+        for (int i = 0; i < 12; ++i) {
+            if (!late || i > 4) text += attributes(i == 0, flags);
+            const double depth = random_.uniform(2, 9);
+            const double x = random_.uniform(-1, 1) * depth, y = random_.uniform(-1, 1) * depth;
+            if (shows("fog of a vertex whose w is not 1"))
+                text += fmt::format("glVertex4f({:.4f}, {:.4f}, {:.4f}, 2);\n", 2 * x, 2 * y, -2 * depth);
+            else
+                text += fmt::format("glVertex3f({:.4f}, {:.4f}, {:.4f});\n", x, y, -depth);
+        }
+        return text + "glEnd();\n";
+    }
+
+    // Corners of convex shapes in a plane, for what must be flat (2.6.1).
+    std::string flat(const std::string& mode) {
+        const double depth = random_.uniform(3, 7), slope = random_.uniform(-0.5, 0.5);
+        const double x = random_.uniform(-2, 2), y = random_.uniform(-2, 2), turn = random_.uniform(0, 6);
+        if (mode == "glRectf")
+            return fmt::format("glPushMatrix(); glTranslatef(0, 0, {:.4f}); glRotatef({:.1f}, 0.6, 0.64, 0.48);\n",
+                               -depth, random_.uniform(-60, 60)) +
+                   attributes(true, false) +
+                   fmt::format("glRectf({:.4f}, {:.4f}, {:.4f}, {:.4f}); glPopMatrix();\n", x - 2, y - 2, x + 2, y + 2);
+        std::string text = fmt::format("glBegin({});\n", mode);
+        const bool flags = mode == "GL_QUADS" || mode == "GL_POLYGON";
+        constexpr int kCorners = 8;
+        for (int i = 0; i < kCorners; ++i) {
+            // Two quadrilaterals, a strip from left to right, or around a circle.
+            double dx = 2.5 * std::cos(turn + i * M_PI / 4), dy = 2.5 * std::sin(turn + i * M_PI / 4);
+            if (mode == "GL_QUADS")
+                dx = 2 * std::cos(turn + i * M_PI / 2), dy = (i < 4 ? 2 : 1) * std::sin(turn + i * M_PI / 2);
+            if (mode == "GL_QUAD_STRIP") dx = i / 2 * 1.3 - 2, dy = i % 2 ? 1.2 : -1.4;
+            text += attributes(i == 0, flags);
+            text += fmt::format("glVertex3f({:.4f}, {:.4f}, {:.4f});\n", x + dx, y + dy, slope * dx - depth);
+        }
+        return text + "glEnd();\n";
+    }
+
+    // What any vertex has of its own, the first has: see "a line loop whose first vertex lacks attributes".
+    std::string attributes(bool first, bool flags) {
+        std::string text;
+        if (materials_ && (first || random_.chance(0.5)))
+            text += fmt::format("glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, {});\n", vector());
+        if (first || (flags && random_.chance(shows("edge flags of strips and fans") ? 0.5 : 0.1)))
+            text += fmt::format("glEdgeFlag({});\n", first || random_.below(2) ? 1 : 0);
+        text += fmt::format("glColor4f({}); glNormal3f({:.3f}, {:.3f}, {:.3f});\n", four(), random_.uniform(-1, 1),
+                            random_.uniform(-1, 1), random_.uniform(0.3, 1));
+        const double s = random_.uniform(-repeat_, repeat_), t = random_.uniform(-repeat_, repeat_);
+        if (shows("glTexCoord1 to 3 after glTexCoord4") && random_.chance(0.5))
+            return text + fmt::format("glTexCoord2f({:.4f}, {:.4f});\n", s, t);
+        const double q = projective_ || shows("glTexCoord1 to 3 after glTexCoord4") ? random_.uniform(0.5, 2) : 1;
+        return text + fmt::format("glTexCoord4f({:.4f}, {:.4f}, 0, {:.4f});\n", s, t, q);
+    }
+
+    // One of freeglut's or GLU's shapes, before the eye.
+    std::string solid() {
+        repeat_ = 1.5;
+        std::string text = attributes(true, false);
+        text += fmt::format(
+            "glPushMatrix(); glTranslatef({:.3f}, {:.3f}, {:.3f}); glRotatef({:.2f}, {:.3f}, {:.3f}, 0.5);\n",
+            random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-6, -4), random_.uniform(-180, 180),
+            random_.uniform(-1, 1), random_.uniform(-1, 1));
+        const double size = random_.uniform(0.8, 1.8);
+        if (structure_.chance(0.5)) {
+            const char* shape =
+                one_of({"glutSolidSphere({:.3f}, 9, 6)", "glutSolidCube({:.3f})", "glutSolidTorus(0.4, {:.3f}, 7, 11)",
+                        "glutSolidCone({:.3f}, 2, 9, 3)", "glutSolidCylinder({:.3f}, 1.5, 8, 2)",
+                        "glutWireCube({:.3f})", "glutSolidTeapot({:.3f})", "glutWireSphere({:.3f}, 7, 5)"});
+            text += fmt::format(fmt::runtime(shape), size) + ";\n";
+        } else {
+            text += quadric(size);
+        }
+        return text + "glPopMatrix();\n";
+    }
+
+    std::string quadric(double size) {
+        if (!has_quadric_) add("GLUquadric* quadric = gluNewQuadric();");
+        has_quadric_ = true;
+        std::string text =
+            fmt::format("gluQuadricNormals(quadric, {}); gluQuadricOrientation(quadric, {});\n",
+                        one_of({"GLU_SMOOTH", "GLU_FLAT", "GLU_NONE"}), one_of({"GLU_OUTSIDE", "GLU_INSIDE"}));
+        text += fmt::format("gluQuadricDrawStyle(quadric, {}); gluQuadricTexture(quadric, {});\n",
+                            one_of({"GLU_FILL", "GLU_FILL", "GLU_LINE", "GLU_SILHOUETTE", "GLU_POINT"}),
+                            structure_.below(2) ? "GL_TRUE" : "GL_FALSE");
+        const char* shape =
+            one_of({"gluSphere(quadric, {:.3f}, 8, 6)", "gluCylinder(quadric, {:.3f}, 0.5, 2, 9, 3)",
+                    "gluDisk(quadric, 0.3, {:.3f}, 9, 3)", "gluPartialDisk(quadric, 0.3, {:.3f}, 7, 2, 30, 200)"});
+        return text + fmt::format(fmt::runtime(shape), size) + ";\n";
+    }
+
+    double repeat_ = 1;
+    bool projective_ = false, materials_ = false, has_quadric_ = false;
+    Random structure_, random_;
+    std::string_view departure_;
+    bool lit_ = false;
+    std::string text_;
+};
+
+}  // namespace
+
+CommandList fragment_state(const Seed& seed) { return read_scene(Builder(seed).build(), "fuzz", "fuzz"); }
+
+}  // namespace twinlight::fuzz

@@ -1,0 +1,79 @@
+#include "judge/fuzz/pictures.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "render/fixed/fixed.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
+
+namespace twinlight::fuzz {
+
+namespace {
+
+double codes(double difference) { return std::round(255 * difference); }
+
+}  // namespace
+
+Pictures::Pictures(std::vector<std::string_view> lifted)
+    : lifted_(std::move(lifted)), context_(make_offscreen_context(kSide, kSide)) {
+    renderer_.emplace();
+    renderers_.fixed = fixed::render;
+    renderers_.programmable = [this](const Frame& frame, RenderOptions options) {
+        options.budget = 0;
+        return renderer_->render(frame, options);
+    };
+    renderers_.reference = reference::render;
+    renderers_.freedom = reference::freedom;
+}
+
+Pictures::~Pictures() {
+    context_->make_current();
+    renderer_.reset();
+}
+
+Found Pictures::compare(const std::shared_ptr<const CommandList>& scene) {
+    Found found;
+    try {
+        const Frame frame = make_frame(scene, {.width = kSide, .height = kSide});
+        if (!frame.unsupported.empty()) {
+            found.error = frame.unsupported.front().name + " is not supported";
+            return found;
+        }
+        context_->make_current();
+        const report::Comparison comparison =
+            report::compare_scene(frame, scene->name, {}, renderers_, {}, report::Pictures::kPerVertex);
+        const Departure* departure = LeftOut(*scene, lifted_).in(frame);
+        bool departs = false;
+        for (std::size_t pair = 0; pair < kPairs; ++pair) {  // in the same order
+            const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_slack;
+            // The share of pixels that differ by one code is judged over all pictures: a surface of one colour may lie on
+            // the border of a rounding.
+            const bool fails = beyond.max > comparison.tolerance.max;
+            departs = departs || (fails && has_fixed(pair));
+            if (departure && (has_fixed(pair) || departure->leaves != Leaves::kFixedFunction)) continue;
+            PairFound& here = found.pairs[pair];
+            here.compared = static_cast<long>(beyond.pixels);
+            here.differing = static_cast<long>(beyond.differing);
+            here.worst = codes(beyond.max);
+            here.fails = fails;
+            if (!fails) continue;
+            const auto channels = [&](const Image& image) {
+                const Rgba& pixel = image.at(beyond.worst_x, beyond.worst_y);
+                return fmt::format("({}, {}, {}, {})", channel_code(pixel[0]), channel_code(pixel[1]),
+                                   channel_code(pixel[2]), channel_code(pixel[3]));
+            };
+            here.what = fmt::format("pixel {},{} of {} x {}: {} and {}, {} codes beyond the slack", beyond.worst_x,
+                                    beyond.worst_y, kSide, kSide, channels(comparison.a(comparison.pairs[pair]).image),
+                                    channels(comparison.counterpart(comparison.pairs[pair])), here.worst);
+        }
+        if (departure) found.left_out[departure] = {1, departs};
+    } catch (const SceneError& refused) {
+        found.error = refused.what();
+    }
+    return found;
+}
+
+}  // namespace twinlight::fuzz

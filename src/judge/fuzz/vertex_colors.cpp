@@ -1,0 +1,168 @@
+#include "judge/fuzz/vertex_colors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
+
+namespace twinlight::fuzz {
+
+namespace {
+
+glm::dvec2 ndc(const reference::LitVertex& vertex) { return glm::dvec2(vertex.position_clip) / vertex.position_clip.w; }
+
+// Each vertex in a corner of the view of its own, where feedback and the shaders' picture have a place for it.
+bool stands_in_corners(const std::vector<reference::LitVertex>& lit) {
+    std::array<bool, 4> taken{};
+    for (const reference::LitVertex& vertex : lit) {
+        const glm::dvec2 place = ndc(vertex);
+        const glm::dvec2 size = glm::abs(place);
+        const double depth = std::abs(vertex.position_clip.z / vertex.position_clip.w);
+        const bool is_in_corner =
+            vertex.position_clip.w > 0 && std::min(size.x, size.y) > 0.5 && std::max({size.x, size.y, depth}) < 1;
+        bool& corner = taken.at((place.x > 0 ? 1u : 0u) + (place.y > 0 ? 2u : 0u));
+        if (!is_in_corner || corner) return false;
+        corner = true;
+    }
+    return true;
+}
+
+}  // namespace
+
+// The sign of a triangle's area in window space decides its face (2.14.1); points and lines show the front.
+bool VertexScene::shows_back() const {
+    if (!draw().lighting.light_model.two_side || !draws_polygons(draw().mode)) return false;
+    const glm::dvec2 a = ndc(lit[0]), b = ndc(lit[1]), c = ndc(lit[2]);
+    const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    return draw().raster.front_face == kGL_CCW ? area <= 0 : area >= 0;
+}
+
+std::optional<VertexScene> make_vertex_scene(Frame frame, std::string& error) {
+    VertexScene scene{std::move(frame), {}};
+    const Draw* draw = scene.frame.items.empty() ? nullptr : std::get_if<Draw>(&scene.frame.items.back());
+    const std::size_t least = draw && draws_polygons(draw->mode) ? 3 : 1;
+    if (!draw || !draw->lighting.enabled || draw->vertices.size() < least || draw->vertices.size() > 3)
+        error = "the last thing drawn is not a lit primitive of three vertices";
+    else if (!scene.frame.unsupported.empty())
+        error = scene.frame.unsupported.front().name + " is not supported";
+    if (!error.empty()) return std::nullopt;
+    scene.lit = reference::light_vertices(*draw, gls_own_model(), false);
+    if (!stands_in_corners(scene.lit)) error = "two vertices stand in one corner of the view, or one in none";
+    if (!error.empty()) return std::nullopt;
+    return scene;
+}
+
+std::optional<VertexScene> make_vertex_scene(const std::shared_ptr<const CommandList>& commands, std::string& error) {
+    try {
+        return make_vertex_scene(make_frame(commands, {.width = kVertexWindow, .height = kVertexWindow}), error);
+    } catch (const SceneError& refused) {
+        error = refused.what();
+        return std::nullopt;
+    }
+}
+
+// ---- The fixed function ----
+
+namespace {
+
+// Without it colours are clamped, and glClampColor is an error that is not the scene's.
+bool can_show_unclamped_colors() {
+    const auto* const extensions = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
+    return extensions && std::string_view(extensions).find("GL_ARB_color_buffer_float") != std::string_view::npos;
+}
+
+}  // namespace
+
+// By where the vertices stand in the window.
+std::vector<Color> fixed_colors(const VertexScene& scene) {
+    std::vector<Color> colors(scene.lit.size());
+    std::array<GLfloat, 512> buffer{};
+    glFeedbackBuffer(static_cast<GLsizei>(buffer.size()), GL_3D_COLOR, buffer.data());
+    fixed::Driver driver(kVertexWindow, kVertexWindow);
+    const bool unclamped = can_show_unclamped_colors();
+    if (unclamped) glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+    glRenderMode(GL_FEEDBACK);
+    scene.frame.commands->for_each([&](const Step& step) {
+        if (step.kind == Step::Kind::kCommand) driver.execute(step.command);
+        return true;
+    });
+    const GLint written = glRenderMode(GL_RENDER);
+    if (unclamped) glClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
+    constexpr std::size_t kPerVertex = 7;  // GL_3D_COLOR: x, y, z, r, g, b, a
+    for (std::size_t i = 0; i < static_cast<std::size_t>(std::max(written, 0));) {
+        const auto token = static_cast<GLenum>(buffer[i++]);
+        std::size_t vertices = token == GL_POINT_TOKEN ? 1 : 2;
+        if (token == GL_POLYGON_TOKEN) vertices = static_cast<std::size_t>(buffer[i++]);
+        for (; vertices > 0; --vertices, i += kPerVertex) {
+            const glm::dvec2 window(buffer[i], buffer[i + 1]);
+            for (std::size_t v = 0; v < scene.lit.size(); ++v) {
+                const glm::dvec2 expected = (ndc(scene.lit[v]) * 0.5 + 0.5) * static_cast<double>(kVertexWindow);
+                if (glm::length(window - expected) > 0.5) continue;
+                colors[v] = glm::dvec4(buffer[i + 3], buffer[i + 4], buffer[i + 5], buffer[i + 6]);
+            }
+        }
+    }
+    return colors;
+}
+
+// ---- Shaders ----
+
+namespace {
+
+// The Draw as points where its vertices stand, in a tile of its own.
+Draw as_points(const VertexScene& scene, const Viewport& tile) {
+    Draw draw = scene.draw();
+    if (!draws_polygons(draw.mode)) {
+        draw.mode = kGL_POINTS;
+        draw.indices.clear();
+    }
+    RasterState raster;  // nothing but the facing
+    raster.front_face = draw.raster.front_face;
+    raster.viewport = tile;
+    raster.polygon_mode_front = raster.polygon_mode_back = kGL_POINT;
+    draw.raster = raster;
+    return draw;
+}
+
+}  // namespace
+
+std::vector<std::vector<Color>> shader_colors(std::span<const std::optional<VertexScene>> scenes,
+                                              programmable::Renderer& renderer, const RenderOptions& options) {
+    Frame frame;
+    frame.width = frame.height = kShaderPicture;
+    std::vector<Viewport> tiles;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const int n = static_cast<int>(i);
+        tiles.push_back({n % kShaderTiles * kShaderTile, n / kShaderTiles * kShaderTile, kShaderTile, kShaderTile});
+        if (scenes[i]) frame.items.emplace_back(as_points(*scenes[i], tiles.back()));
+    }
+    const Image image = renderer.render(frame, options);
+    std::vector<std::vector<Color>> colors(scenes.size());
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        if (!scenes[i]) continue;
+        for (const reference::LitVertex& vertex : scenes[i]->lit) {
+            const glm::dvec2 in_tile = (ndc(vertex) * 0.5 + 0.5) * static_cast<double>(kShaderTile);
+            const int x = tiles[i].x + std::clamp(static_cast<int>(in_tile.x), 0, kShaderTile - 1);
+            const int y = tiles[i].y + std::clamp(static_cast<int>(in_tile.y), 0, kShaderTile - 1);
+            const Rgba& pixel = image.at(x, frame.height - 1 - y);
+            colors[i].emplace_back(glm::dvec4(pixel[0], pixel[1], pixel[2], pixel[3]));
+        }
+    }
+    return colors;
+}
+
+glm::dvec4 color_sum(const glm::dvec4& primary, const glm::dvec4& secondary) {
+    const auto clamped = [](const glm::dvec4& color) { return glm::clamp(color, 0.0, 1.0); };
+    return clamped(clamped(primary) + glm::dvec4(glm::dvec3(clamped(secondary)), 0));
+}
+
+bool knows_faces_of_corners() { return !driver_name().starts_with("softpipe"); }
+
+}  // namespace twinlight::fuzz

@@ -1,0 +1,60 @@
+// The colours of a lit primitive's vertices at float precision: the driver's fixed function in feedback mode (5.3), unclamped;
+// shaders into a buffer of floats, clamped to [0,1] (2.14.6).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/programmable/programmable.h"
+#include "render/reference/reference.h"
+#include "scene/state/frame.h"
+
+namespace twinlight::fuzz {
+
+using Color = std::optional<glm::dvec4>;  // nothing where a renderer shows no such vertex
+
+// A scene whose last Draw is lit and has three vertices or fewer, each in a corner of the view of its own.
+struct VertexScene {
+    Frame frame;                            // what the driver is sent stands in it
+    std::vector<reference::LitVertex> lit;  // GL's own model, unclamped
+
+    const Draw& draw() const { return std::get<Draw>(frame.items.back()); }
+    bool shows_back() const;
+};
+
+// Nothing, and the reason, for a scene that GL refuses or that is not of this form.
+std::optional<VertexScene> make_vertex_scene(const std::shared_ptr<const CommandList>& commands, std::string& error);
+// The same of a frame of kVertexWindow by kVertexWindow pixels that is made.
+std::optional<VertexScene> make_vertex_scene(Frame frame, std::string& error);
+inline constexpr int kVertexWindow = 64;  // of the fixed function's feedback
+
+// In the order of the vertices: the colours that feedback returns, unclamped where the driver can. Of two-sided polygons those of the face that shows.
+std::vector<Color> fixed_colors(const VertexScene& scene);
+
+// The same of shaders, for all scenes at once, in a context of kShaderPicture by kShaderPicture pixels of floats. At most
+// kMostVertexScenes.
+std::vector<std::vector<Color>> shader_colors(std::span<const std::optional<VertexScene>> scenes,
+                                              programmable::Renderer& renderer, const RenderOptions& options);
+inline constexpr int kShaderTile = 4;    // of a scene: a vertex stands in each corner
+inline constexpr int kShaderTiles = 32;  // in a row
+inline constexpr int kShaderPicture = kShaderTiles * kShaderTile;
+inline constexpr std::size_t kMostVertexScenes = std::size_t{kShaderTiles} * kShaderTiles;
+
+// The sum of primary and secondary colour as fragments have it (2.14.6, 3.9).
+glm::dvec4 color_sum(const glm::dvec4& primary, const glm::dvec4& secondary);
+
+// GL's own model, of which nothing is left out.
+inline RenderOptions gls_own_model() {
+    RenderOptions options;
+    options.lecture_variants = false;
+    options.budget = 0;
+    return options;
+}
+
+// softpipe's gl_FrontFacing is not that of the polygon where polygons are drawn as points (docs/architecture.md).
+bool knows_faces_of_corners();
+
+}  // namespace twinlight::fuzz

@@ -1,0 +1,62 @@
+// comparison.json
+#include <nlohmann/json.hpp>
+
+#include "judge/report/comparison.h"
+#include "judge/report/words.h"
+
+namespace twinlight::report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys stand in the order they are written in
+
+Json json_of(const RegionDifference& region) {
+    return {{"pixels", region.pixels},
+            {"differing", region.differing},
+            {"max", region.max},
+            {"rms", region.rms},
+            {"worst", {region.worst_x, region.worst_y}}};
+}
+
+Json json_of(const Comparison& comparison, const Pair& pair) {
+    Json json = {{"a", comparison.a(pair).name},
+                 {"b", comparison.b(pair).name},
+                 {"interior", json_of(pair.difference.interior)},
+                 {"beyond_slack", json_of(pair.difference.beyond_slack)},
+                 {"edge", json_of(pair.difference.edge)},
+                 {"verdict", word_of(pair.verdict)}};
+    if (pair.verdict != Verdict::kInformative) {
+        json["tolerance"] = {{"max", comparison.tolerance.max},
+                             {"differing_share", comparison.tolerance.differing_share}};
+    }
+    json["file"] = difference_file(comparison, pair);
+    json["factor"] = pair.factor;
+    return json;
+}
+
+}  // namespace
+
+std::string comparison_json(const Comparison& comparison) {
+    Json json = {
+        {"scene", comparison.scene}, {"driver", comparison.driver}, {"size", {comparison.width, comparison.height}}};
+    json["verdict"] = word_of(comparison.verdict());
+    json["renders"] = Json::array();
+    for (const Render& render : comparison.renders) {
+        json["renders"].push_back({{"name", render.name}, {"file", picture_file(render)}, {"ms", render.ms}});
+        if (!render.plan.empty()) json["renders"].back()["error_bound"] = error_bound(render.plan);
+    }
+    json["pairs"] = Json::array();
+    for (const Pair& pair : comparison.pairs) json["pairs"].push_back(json_of(comparison, pair));
+    json["known_departures"] = comparison.known_departures;
+    json["unsupported"] = Json::array();
+    for (const Unsupported& unsupported : comparison.unsupported) {
+        json["unsupported"].push_back({{"name", unsupported.name},
+                                       {"count", unsupported.count},
+                                       {"place", unsupported.first.str()},
+                                       {"renderers", unsupported.renderers}});
+    }
+    // A scene's name may hold any bytes; JSON is UTF-8.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace twinlight::report

@@ -1,0 +1,12 @@
+// What reports are made of: the page, its style and its script.
+#pragma once
+
+#include <vector>
+
+#include "base/math/embedded_file.h"
+
+namespace twinlight {
+
+extern const std::vector<EmbeddedFile> kPageFiles;
+
+}  // namespace twinlight

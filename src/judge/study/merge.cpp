@@ -1,0 +1,73 @@
+// Several machines' studies of one scene, laid over each other.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "judge/study/study.h"
+
+namespace twinlight::study {
+
+std::string short_name(const std::string& driver) {
+    const std::size_t end = driver.find("), ");
+    return end == std::string::npos ? driver.substr(0, driver.find(',')) : driver.substr(0, end + 1);
+}
+
+namespace {
+
+// By what tells them apart: the driver, else who provides it, else the machine, else a number.
+void name_apart(std::vector<Series>& all) {
+    const auto try_names = [&](const auto& name) {
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < all.size(); ++i) names.insert(all[i].name = name(all[i], i));
+        return names.size() == all.size();
+    };
+    const auto by_driver = [](const Series& series, std::size_t) { return short_name(series.driver); };
+    const auto by_provider = [](const Series& series, std::size_t) {
+        return short_name(series.driver) +
+               series.driver.substr(std::min(series.driver.rfind(", "), series.driver.size()));
+    };
+    const auto by_machine = [](const Series& series, std::size_t) {
+        return short_name(series.driver) + ", " + series.machine.processor;
+    };
+    const auto by_number = [&](const Series& series, std::size_t i) {
+        return fmt::format("{} ({})", by_machine(series, i), i + 1);
+    };
+    try_names(by_driver) || try_names(by_provider) || try_names(by_machine) || try_names(by_number);
+}
+
+}  // namespace
+
+std::string difference_of(const Study& a, const Study& b) {
+    if (a.fingerprint != b.fingerprint)
+        return a.scene == b.scene ? fmt::format("of a scene '{}' that says something else", b.scene)
+                                  : fmt::format("of the scene '{}', not '{}'", b.scene, a.scene);
+    if (a.width != b.width || a.height != b.height)
+        return fmt::format("of {} x {} pixels, not {} x {}", b.width, b.height, a.width, a.height);
+    if (a.coverage != b.coverage)
+        return fmt::format("against a truth of {0} x {0} samples a pixel, not {1} x {1}", b.coverage, a.coverage);
+    return {};
+}
+
+Study merged(std::vector<NamedStudy> studies) {
+    Study result = studies.at(0).study;
+    for (std::size_t i = 1; i < studies.size(); ++i) {
+        Study& other = studies[i].study;
+        if (const std::string difference = difference_of(result, other); !difference.empty())
+            throw MergeError(fmt::format("{} is {} as {}; studies of one scene, size and truth can be merged",
+                                         studies[i].file, difference, studies[0].file));
+        for (Point& point : other.points) {
+            point.series += result.series.size();
+            result.points.push_back(std::move(point));
+        }
+        result.series.insert(result.series.end(), other.series.begin(), other.series.end());
+        if (other.extent == Extent::kFull) result.extent = Extent::kFull;
+        if (result.truth_png.empty()) result.truth_png = std::move(other.truth_png);
+    }
+    name_apart(result.series);
+    find_fronts(result);
+    find_words(result);
+    return result;
+}
+
+}  // namespace twinlight::study

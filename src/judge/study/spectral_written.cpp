@@ -1,0 +1,174 @@
+// What is said of samples of the spectrum: sentences, JSON, tables.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "judge/report/html.h"
+#include "judge/study/spectral.h"
+
+namespace twinlight::study {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kSeen = 1;  // of Delta E 2000: what can just be seen
+
+const PatchError* find(const SpectralStudy& study, const std::string& light, int samples) {
+    const auto found = std::ranges::find_if(
+        study.patches, [&](const PatchError& e) { return e.light == light && e.samples == samples; });
+    return found == study.patches.end() ? nullptr : &*found;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    if (names.size() < 2) return names.empty() ? "" : names.front();
+    return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
+std::string samples_in_words(int samples) {
+    return samples == 0 ? "red, green, blue" : fmt::format("{} samples", samples);
+}
+
+}  // namespace
+
+std::vector<std::string> lights_of(const SpectralStudy& study) {
+    std::vector<std::string> lights;
+    for (const PatchError& e : study.patches)
+        if (lights.empty() || lights.back() != e.light) lights.push_back(e.light);
+    return lights;
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+    return values[values.size() / 2];
+}
+
+std::vector<std::string> spectral_findings(const SpectralStudy& study) {
+    std::vector<std::string> sentences, exact, unseen, paying;
+    for (const std::string& light : lights_of(study)) {
+        const PatchError *three = find(study, light, 0), *nine = find(study, light, 9);
+        if (!three || !nine) continue;
+        if (three->max < 1e-6)
+            exact.push_back(light);
+        else if (three->mean < kSeen && nine->mean < kSeen)
+            unseen.push_back(light);
+        else
+            paying.push_back(light);
+    }
+    if (!exact.empty())
+        sentences.push_back(
+            fmt::format("Under {} red, green and blue are exact: that is the light in which materials have their "
+                        "colours, and one bounce multiplies them by white.",
+                        listed(exact)));
+    if (!unseen.empty())
+        sentences.push_back(fmt::format("Under {} they are off by less than can be seen on average.", listed(unseen)));
+    if (!paying.empty()) sentences.push_back(fmt::format("Nine samples pay under {}.", listed(paying)));
+    for (const std::string& light : paying) {
+        const PatchError *three = find(study, light, 0), *nine = find(study, light, 9);
+        sentences.push_back(fmt::format(
+            "{}: the product of red, green and blue is off by {:.1f} on average and {:.1f} at worst ({}), of nine "
+            "samples by {:.1f} and {:.1f} ({}).",
+            light, three->mean, three->max, three->worst, nine->mean, nine->max, nine->worst));
+    }
+    const auto of = [&](int samples) { return std::ranges::find(study.pictures, samples, &SampledPicture::samples); };
+    const auto is_timed = [&](int samples) {
+        const auto found = of(samples);
+        return found != study.pictures.end() && !found->reference_seconds.empty() &&
+               !found->sampling_shader_seconds.empty() && !found->shader_seconds.empty();
+    };
+    if (is_timed(0) && is_timed(9) && is_timed(81)) {
+        const double three = median(of(0)->reference_seconds), shader = median(of(0)->shader_seconds);
+        sentences.push_back(fmt::format(
+            "Multiplied at every pixel, nine samples take the reference {:.2f} times as long as red, green and blue, "
+            "and "
+            "81 {:.1f} times; shaders {:.2f} and {:.1f} times. Shaders whose products are made once a Draw take {:.2f} "
+            "and "
+            "{:.2f} times as long: a scene of one bounce calls for no more.",
+            median(of(9)->reference_seconds) / three, median(of(81)->reference_seconds) / three,
+            median(of(9)->sampling_shader_seconds) / shader, median(of(81)->sampling_shader_seconds) / shader,
+            median(of(9)->shader_seconds) / shader, median(of(81)->shader_seconds) / shader));
+    }
+    return sentences;
+}
+
+std::string spectral_json(const SpectralStudy& study) {
+    Json json = {{"patches", Json::array()}, {"pictures", Json::array()}, {"findings", study.findings}};
+    for (const PatchError& e : study.patches)
+        json["patches"].push_back(
+            {{"light", e.light}, {"samples", e.samples}, {"mean", e.mean}, {"max", e.max}, {"worst", e.worst}});
+    for (const SampledPicture& p : study.pictures)
+        json["pictures"].push_back({{"samples", p.samples},
+                                    {"reference_seconds", median(p.reference_seconds)},
+                                    {"sampling_shader_seconds", median(p.sampling_shader_seconds)},
+                                    {"shader_seconds", median(p.shader_seconds)},
+                                    {"mean", p.off.mean},
+                                    {"percentile_95", p.off.percentile_95},
+                                    {"max", p.off.max}});
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string spectral_text(const SpectralStudy& study) {
+    std::string text = fmt::format("{:<18}", "Delta E 2000");
+    const std::vector<std::string> lights = lights_of(study);
+    for (const std::string& light : lights) text += fmt::format("{:>14}", light);
+    text += "    (mean / max of the 24 patches)\n";
+    for (const PatchError& first : study.patches) {
+        if (first.light != lights.front()) continue;
+        text += fmt::format("{:<18}", samples_in_words(first.samples));
+        for (const std::string& light : lights) {
+            const PatchError* e = find(study, light, first.samples);
+            text += fmt::format("{:>14}", fmt::format("{:.2f} / {:.2f}", e->mean, e->max));
+        }
+        text += "\n";
+    }
+    if (!study.pictures.empty())
+        text += fmt::format("\n{:<18}{:>15}{:>15}{:>15}{:>8}{:>8}{:>8}\n", "the picture", "reference, ms",
+                            "each pixel, ms", "each Draw, ms", "mean", "95 %", "max");
+    for (const SampledPicture& p : study.pictures)
+        text += fmt::format("{:<18}{:>15.3g}{:>15.3g}{:>15.3g}{:>8.2f}{:>8.2f}{:>8.2f}\n", samples_in_words(p.samples),
+                            1000 * median(p.reference_seconds), 1000 * median(p.sampling_shader_seconds),
+                            1000 * median(p.shader_seconds), p.off.mean, p.off.percentile_95, p.off.max);
+    text += "\n";
+    for (const std::string& sentence : study.findings) text += sentence + "\n";
+    return text;
+}
+
+std::string spectral_section(const SpectralStudy& study, const std::string& of) {
+    const std::vector<std::string> lights = lights_of(study);
+    std::string head, rows, pictures, sentences;
+    for (const std::string& light : lights) head += fmt::format("<th scope=\"col\">{}</th>", report::escaped(light));
+    for (const PatchError& first : study.patches) {
+        if (first.light != lights.front()) continue;
+        rows += fmt::format("<tr><th scope=\"row\">{}</th>", samples_in_words(first.samples));
+        for (const std::string& light : lights) {
+            const PatchError* e = find(study, light, first.samples);
+            rows += fmt::format("<td>{:.2f} / {:.2f}</td>", e->mean, e->max);
+        }
+        rows += "</tr>\n";
+    }
+    for (const SampledPicture& p : study.pictures)
+        pictures += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td><td>{:.2f}</td><td>{:.2f}</td>"
+            "<td>{:.2f}</td></tr>\n",
+            samples_in_words(p.samples), 1000 * median(p.reference_seconds), 1000 * median(p.sampling_shader_seconds),
+            1000 * median(p.shader_seconds), p.off.mean, p.off.percentile_95, p.off.max);
+    for (const std::string& sentence : study.findings) sentences += "<li>" + report::escaped(sentence) + "</li>\n";
+    return fmt::format(
+        "<section>\n<h2>Samples of the spectrum{}</h2>\n<ul>\n{}</ul>\n<div class=\"scroll plot\">{}</div>\n"
+        "<p>Delta E 2000 of the ColorChecker's 24 patches, mean / worst.</p>\n"
+        "<div class=\"scroll\"><table class=\"study\"><thead><tr><th "
+        "scope=\"col\"></th>{}</tr></thead>\n<tbody>{}</tbody></table></div>\n"
+        "<p>The scene's picture: its time, and Delta E 2000 from that of 81 samples over all pixels.</p>\n"
+        "<div class=\"scroll\"><table class=\"study\"><thead><tr><th scope=\"col\"></th><th scope=\"col\">reference, "
+        "ms</th>"
+        "<th scope=\"col\">shaders, every pixel, ms</th><th scope=\"col\">shaders, once a Draw, ms</th>"
+        "<th scope=\"col\">mean</th><th scope=\"col\">95 %</th><th scope=\"col\">worst</th></tr></thead>\n"
+        "<tbody>{}</tbody></table></div>\n</section>\n",
+        of.empty() ? "" : ": " + report::escaped(of), sentences, spectral_svg(study), head, rows, pictures);
+}
+
+}  // namespace twinlight::study

@@ -1,0 +1,34 @@
+// A place to draw without a window. What a program links provides it: OSMesa (osmesa.cpp) or EGL (egl.cpp).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/image/image.h"
+
+namespace twinlight {
+
+class OffscreenContext {
+  public:
+    virtual ~OffscreenContext() = default;
+    // Where there are several.
+    virtual void make_current() = 0;
+};
+
+enum class ColorBuffer { kUnorm8, kFloat };
+
+// A current compatibility-profile context with a colour buffer of that size and a 24-bit depth buffer, both cleared.
+// Throws std::runtime_error that says what the driver refused. It stays current until it dies.
+std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height,
+                                                         ColorBuffer color_buffer = ColorBuffer::kUnorm8);
+
+std::string_view offscreen_provider();  // "OSMesa", "EGL"
+
+// "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6, OSMesa": GL_RENDERER, GL_VERSION, provider.
+std::string driver_name();
+
+// The colour buffer of the current context (the back buffer of a window), row 0 at the top.
+Image read_pixels(int width, int height);
+
+}  // namespace twinlight

@@ -1,0 +1,175 @@
+// EGL: the driver of a GPU, or Mesa's software, without a window system. The picture is a framebuffer object's, for a
+// surface with float colours is offered by few.
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/context/softpipe.h"
+
+namespace twinlight {
+
+namespace {
+
+bool has_word(const char* words, std::string_view word) {
+    std::istringstream stream(words ? words : "");
+    for (std::string each; stream >> each;)
+        if (each == word) return true;
+    return false;
+}
+
+// Where a display may come from.
+struct Source {
+    std::string name;
+    EGLenum platform;
+    void* native;
+};
+
+// A GPU's driver first, then Mesa's choice, then whatever else says that it draws.
+std::vector<Source> sources() {
+    const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    std::vector<Source> gpus, others;
+    if (has_word(extensions, "EGL_MESA_platform_surfaceless"))
+        others.push_back({"surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY});
+    const auto query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    const auto query_string =
+        reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));
+    if (query_devices && query_string && has_word(extensions, "EGL_EXT_platform_device")) {
+        std::array<EGLDeviceEXT, 32> devices{};
+        EGLint count = 0;
+        query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count);
+        for (EGLint i = 0; i < count; ++i) {
+            void* device = devices[static_cast<std::size_t>(i)];
+            const bool is_software = has_word(query_string(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
+            (is_software ? others : gpus).push_back({fmt::format("device {}", i), EGL_PLATFORM_DEVICE_EXT, device});
+        }
+    }
+    gpus.insert(gpus.end(), others.begin(), others.end());
+    return gpus;
+}
+
+// A display with a context on it, made current without a surface.
+struct Connection {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+};
+
+// What stands in the way, or nullptr. A display that was initialised stays so: EGL has one of each for the process.
+const char* refusal(const Source& source, Connection& connection) {
+    connection.display = eglGetPlatformDisplay(source.platform, source.native, nullptr);
+    if (connection.display == EGL_NO_DISPLAY || !eglInitialize(connection.display, nullptr, nullptr))
+        return "it does not start";
+    if (!has_word(eglQueryString(connection.display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
+        return "it draws to surfaces alone";
+    const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(connection.display, wanted.data(), &config, 1, &count) ||
+        count == 0)
+        return "it has no OpenGL";
+    // No version is asked for: the newest that keeps GL 1.0's commands.
+    connection.context = eglCreateContext(connection.display, config, EGL_NO_CONTEXT, nullptr);
+    if (connection.context == EGL_NO_CONTEXT) return "it makes no OpenGL context";
+    GLint lights = 0;
+    const bool is_current = eglMakeCurrent(connection.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection.context);
+    if (is_current) glGetIntegerv(GL_MAX_LIGHTS, &lights);
+    if (lights > 0) return nullptr;
+    eglMakeCurrent(connection.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(connection.display, connection.context);
+    return is_current ? "it has no compatibility profile" : "its context does not become current";
+}
+
+// Throws where nothing connects, in one line: of each that was tried Mesa would otherwise print one of its own.
+Connection connect() {
+    constexpr int kKeep = 0;  // what the user set
+    ::setenv("EGL_LOG_LEVEL", "fatal", kKeep);
+    std::string tried;
+    for (const Source& source : sources()) {
+        Connection connection;
+        const char* why = refusal(source, connection);
+        if (!why) return connection;
+        tried += fmt::format("{}{}: {}", tried.empty() ? "" : "; ", source.name, why);
+    }
+    throw std::runtime_error(
+        fmt::format("EGL gives no OpenGL with a compatibility profile ({}); install the GPU's driver or Mesa's "
+                    "(libegl-mesa0, libgl1-mesa-dri), or build without GL=egl",
+                    tried.empty() ? "it offers neither a device nor a surfaceless display" : tried));
+}
+
+class EglContext final : public OffscreenContext {
+  public:
+    EglContext(int width, int height, ColorBuffer color_buffer) : connection_(connect()) {
+        glGenRenderbuffers(2, buffers_.data());
+        glGenFramebuffers(1, &framebuffer_);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+        attach(GL_COLOR_ATTACHMENT0, color_buffer == ColorBuffer::kFloat ? GL_RGBA32F : GL_RGBA8, buffers_[0], width,
+               height);
+        attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, buffers_[1], width, height);
+        lay_out_as_a_window();
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+            const std::string driver = driver_name();
+            release();
+            throw std::runtime_error(fmt::format("{} cannot draw into a buffer of {} x {} pixels; try a smaller one",
+                                                 driver, width, height));
+        }
+        // Floats are read as a screen shows them, which OSMesa does of its own: it takes them for fixed-point.
+        glClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);
+        glViewport(0, 0, width, height);
+        glScissor(0, 0, width, height);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    }
+    ~EglContext() override {
+        bind();
+        glFinish();
+        release();
+    }
+
+    void make_current() override {
+        if (!bind()) throw std::runtime_error("EGL does not take up a context again");
+    }
+
+  private:
+    static void attach(GLenum attachment, GLenum format, GLuint buffer, int width, int height) {
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+        glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+    }
+    // In Mesa a window's first row in memory is its top one, a framebuffer object's is its bottom one: with rows the other
+    // way up, borders and positions that are rounded fall to the other side. Elsewhere there is no such switch.
+    static void lay_out_as_a_window() {
+        if (has_word(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), "GL_MESA_framebuffer_flip_y"))
+            glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, GL_TRUE);
+    }
+    bool bind() {
+        return eglMakeCurrent(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection_.context) == EGL_TRUE;
+    }
+    void release() {
+        glDeleteFramebuffers(1, &framebuffer_);
+        glDeleteRenderbuffers(2, buffers_.data());
+        eglMakeCurrent(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglDestroyContext(connection_.display, connection_.context);
+    }
+
+    Connection connection_;
+    std::array<GLuint, 2> buffers_{};  // colour, depth
+    GLuint framebuffer_ = 0;
+};
+
+}  // namespace
+
+std::string_view offscreen_provider() { return "EGL"; }
+
+std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height, ColorBuffer color_buffer) {
+    give_softpipe_its_own_vertices();
+    return std::make_unique<EglContext>(width, height, color_buffer);
+}
+
+}  // namespace twinlight

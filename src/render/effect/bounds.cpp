@@ -1,0 +1,315 @@
+#include "render/effect/bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <numbers>
+
+#include "render/effect/directional_spot.h"
+#include "render/effect/keeps_w.h"
+
+namespace twinlight {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFar = 1e100;  // beyond it squares overflow
+// What rounding to double may take from a sum of products, relative to the sum of their magnitudes: ten thousand times it.
+constexpr double kRounding = 1e-12;
+// By how much every angle is taken for smaller, in radians: more than double's rounding, and what float arithmetic needs
+// to see the same at a cone's border.
+constexpr double kAngleMargin = 1e-6;
+// A bound is rounded up by this: powers magnify rounding by up to 128.
+constexpr double kUp = 1 + 1e-9;
+constexpr double kLargestExponent = 128;  // of 2.14.2, and of what is said here
+
+double largest_component(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// The zero vector stays 0.
+glm::dvec3 unit(const glm::dvec3& v) {
+    const double biggest = largest_component(v);
+    return biggest > 0 && biggest <= std::numeric_limits<double>::max() ? glm::normalize(v / biggest) : glm::dvec3(0);
+}
+
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+// The smallest angle between a direction of one cone and one of the other.
+double gap(const Cone& a, const Cone& b) {
+    return std::max(angle_between(a.axis_dir, b.axis_dir) - a.half_angle - b.half_angle - kAngleMargin, 0.0);
+}
+
+double cos_of_gap(double angle) { return angle >= kPi / 2 ? 0 : std::cos(angle); }
+
+// The largest x^s for x in [0, base], s in the range (0^0 = 1).
+double largest_power(double base, const Range& exponent) {
+    if (exponent.low < 0 || exponent.high > kLargestExponent) return kInfinity;
+    return std::pow(base, base < 1 ? exponent.low : exponent.high) * kUp;
+}
+
+// ---- The Draw ----
+
+// The largest and the smallest factor by which a matrix stretches vectors, bounded from outside.
+struct Stretch {
+    double largest = kInfinity, smallest = 0;
+    bool known() const { return smallest > 0 && largest / smallest < 1e6; }
+    double ratio() const { return largest / smallest; }
+};
+
+// The roots of the eigenvalues of A^T A, by Gershgorin's discs; the smallest also by the determinant: the product of the
+// two others is at most the square of half the trace.
+Stretch stretch_of(const glm::dmat3& a) {
+    double scale = 0;
+    for (int column = 0; column < 3; ++column) scale = std::max(scale, largest_component(a[column]));
+    if (!(scale > 1 / kFar && scale < kFar)) return {};
+    const glm::dmat3 m = a / scale;
+    const glm::dmat3 square = glm::transpose(m) * m;
+    double largest = 0, smallest = kInfinity, trace = 0;
+    for (int i = 0; i < 3; ++i) {
+        double others = 0;
+        for (int j = 0; j < 3; ++j) others += i == j ? 0 : std::abs(square[i][j]);
+        largest = std::max(largest, square[i][i] + others);
+        smallest = std::min(smallest, square[i][i] - others);
+        trace += square[i][i];
+    }
+    const double determinant = glm::determinant(m);
+    smallest = std::max(smallest, 4 * determinant * determinant / (trace * trace) - kRounding);
+    if (!(smallest > kRounding)) return {.largest = scale * std::sqrt(largest) * (1 + kRounding)};
+    return {.largest = scale * std::sqrt(largest) * (1 + kRounding),
+            .smallest = scale * std::sqrt(smallest) * (1 - kRounding)};
+}
+
+void find_sphere(const Draw& draw, const VertexFacts& vertices, const Stretch& stretch, DrawBounds& bounds) {
+    const glm::dmat4& m = draw.eye_from_object;
+    if (!keeps_w(m) || !vertices.has_sphere || stretch.largest == kInfinity) return;
+    const glm::dvec3 turned = glm::dmat3(m) * vertices.center_object, moved(m[3]);
+    bounds.center_eye = turned + moved;
+    bounds.radius_eye = stretch.largest * vertices.radius_object +
+                        kRounding * (stretch.largest * (vertices.radius_object + glm::length(vertices.center_object)) +
+                                     glm::length(moved));
+    bounds.has_sphere = largest_component(bounds.center_eye) < kFar && bounds.radius_eye < kFar;
+}
+
+// 2.11.3: normals are taken by the transposed inverse. What stretches by at most k takes two directions at an angle a to
+// two at most b apart, tan(b/2) = k tan(a/2) (Wielandt's inequality): the worst lie evenly about the axis that shrinks.
+void find_normals(const Draw& draw, const VertexFacts& vertices, const LightingState& lighting, const Stretch& stretch,
+                  bool phong, DrawBounds& bounds) {
+    bounds.unit_normals = phong || lighting.normalize;
+    bounds.has_zero_normal = vertices.has_zero_normal;
+    bounds.longest_normal_eye = 1 + kRounding;
+    bounds.normals_eye = {.axis_dir = vertices.normal_axis_dir_object, .half_angle = kPi};
+    bounds.unequal_normals = kInfinity;
+    if (vertices.longest_normal == 0) {
+        bounds.normals_eye.half_angle = 0;
+        return;
+    }
+    if (!stretch.known()) {
+        if (!bounds.unit_normals) bounds.longest_normal_eye = kInfinity;
+        return;
+    }
+    // The inverse's third row is the normal matrix's third column: 1 / the rescale factor lies between 1 / stretch.
+    if (!bounds.unit_normals)
+        bounds.longest_normal_eye = vertices.longest_normal * (1 + kRounding) *
+                                    (lighting.rescale_normal ? stretch.ratio() : 1 / stretch.smallest);
+    bounds.normal_scale = vertices.longest_normal / stretch.largest;
+    if (vertices.shortest_normal > 0)
+        bounds.unequal_normals = stretch.ratio() * vertices.longest_normal / vertices.shortest_normal - 1;
+    const double half = vertices.normal_half_angle;
+    if (half >= kPi) return;
+    const glm::dmat3 upper = glm::dmat3(draw.eye_from_object) / stretch.largest;
+    bounds.normals_eye.axis_dir = unit(glm::transpose(glm::inverse(upper)) * vertices.normal_axis_dir_object);
+    const double turned = 2 * std::atan(stretch.ratio() * std::tan(half / 2)) + kAngleMargin;
+    // Phong: cones beyond 90 degrees are not convex.
+    bounds.normals_eye.half_angle = phong && turned >= kPi / 2 ? kPi : turned;
+}
+
+// The directions from the points of a sphere to a point; any where that lies inside.
+Cone directions_to(const glm::dvec3& point, const glm::dvec3& center, double radius) {
+    const glm::dvec3 way = point - center;
+    const double distance = glm::length(way);
+    if (!(distance * (1 - kRounding) > radius)) return {.half_angle = kPi};
+    return {.axis_dir = way / distance, .half_angle = std::asin(std::min(radius / distance, 1.0))};
+}
+
+// ---- The light ----
+
+// P, and how far from the points of the Draw.
+struct LightPlace {
+    bool known = false;
+    glm::dvec3 position_eye{0};
+    double padded_radius = 0, nearest = 0, farthest = kInfinity;
+};
+
+LightPlace place_of(const DrawBounds& bounds, const LightSource& light) {
+    LightPlace place;
+    place.position_eye = glm::dvec3(light.position_eye) / light.position_eye.w;
+    if (!bounds.has_sphere || !(largest_component(place.position_eye) < kFar)) return place;
+    const double distance = glm::length(place.position_eye - bounds.center_eye);
+    place.padded_radius =
+        bounds.radius_eye + kRounding * (glm::length(place.position_eye) + glm::length(bounds.center_eye));
+    place.nearest = std::max(distance * (1 - kRounding) - place.padded_radius, 0.0);
+    place.farthest = distance * (1 + kRounding) + place.padded_radius;
+    place.known = true;
+    return place;
+}
+
+// spot_i's largest value, for cosines of PV and the cone's axis up to this.
+double largest_spot(const LightSource& light, double cosine) {
+    if (light.smooth_cone) {
+        const double outer = std::cos(light.smooth_cone->outer_deg * kPi / 180);
+        const double span = std::cos(light.smooth_cone->inner_deg * kPi / 180) - outer;
+        return span > kRounding ? std::clamp((cosine - outer) / span * kUp + kRounding / span, 0.0, 1.0) : 1;
+    }
+    return largest_power(std::max(cosine, 0.0), {light.spot_exponent, light.spot_exponent});
+}
+
+void find_spot(const LightSource& light, const Cone& to_light, LightFactors& factors) {
+    const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
+    if (!is_spot) return;
+    const double cutoff = (light.smooth_cone ? light.smooth_cone->outer_deg : light.spot_cutoff_deg) * kPi / 180;
+    const glm::dvec3 axis_dir = unit(light.spot_direction_eye);
+    double nearest = 0, farthest = kPi;
+    if (axis_dir == glm::dvec3(0)) {
+        nearest = kPi / 2 - kAngleMargin;  // PV . 0 is 0
+    } else if (to_light.half_angle < kPi / 2) {
+        const double middle = angle_between(-to_light.axis_dir, axis_dir);
+        nearest = std::max(middle - to_light.half_angle - kAngleMargin, 0.0);
+        farthest = middle + to_light.half_angle + kAngleMargin;
+    }
+    // A smooth cone whose inner one is wider is a step at the outer one too.
+    factors.cone_misses_by = std::max(nearest - cutoff, 0.0);
+    factors.cone_holds_all = !light.smooth_cone && farthest <= cutoff;
+    factors.reach = factors.cone_misses_by > 0
+                        ? 0
+                        : product(factors.reach, largest_spot(light, std::min(std::cos(nearest) + kRounding, 1.0)));
+}
+
+// The cosine of n and h, or of r and VPe, at most; h lies between the directions to the light and to the viewer. Where those
+// are at most g apart, h turns by no more than 1 / (2 cos(g/2)) of what they turn by: about VPe, h halves the angle to it.
+double largest_highlight_cosine(const DrawBounds& bounds, const Cone& normals, const Cone& to_light) {
+    const Cone& to_viewer = bounds.to_viewer_eye;
+    const double spread = to_light.half_angle + to_viewer.half_angle;
+    const double length = bounds.longest_normal_eye;
+    if (bounds.reflection) {
+        // |2 (n . VP) n - VP|^2 = 1 + 4 (n . VP)^2 (|n|^2 - 1), of normals of any length.
+        const double square = length * length;
+        if (!bounds.unit_normals) return std::sqrt(1 + 4 * square * std::max(square - 1, 0.0)) * kUp;
+        if (bounds.has_zero_normal) return 1;  // r is -VP there
+        const glm::dvec3 n = normals.axis_dir, vp = to_light.axis_dir;
+        const double angle = angle_between(2 * glm::dot(n, vp) * n - vp, to_viewer.axis_dir);
+        return cos_of_gap(std::max(angle - 2 * normals.half_angle - spread - kAngleMargin, 0.0)) + kRounding;
+    }
+    const double apart = angle_between(to_light.axis_dir, to_viewer.axis_dir) + spread;
+    if (to_light.half_angle >= kPi / 2 || to_viewer.half_angle >= kPi / 2 || apart > kPi - 1e-3) return length;
+    const Cone half{.axis_dir = unit(to_light.axis_dir + to_viewer.axis_dir),
+                    .half_angle = spread / (2 * std::cos(apart / 2))};
+    return length * (cos_of_gap(gap(normals, half)) + kRounding);
+}
+
+void find_angles(const DrawBounds& bounds, const Cone& to_light, const std::array<FaceRange, 2>& faces, int face_count,
+                 LightFactors& factors) {
+    double behind = kPi;
+    for (int face = 0; face < face_count; ++face) {
+        const auto i = static_cast<std::size_t>(face);
+        Cone normals = bounds.normals_eye;
+        if (face == 1) normals.axis_dir = -normals.axis_dir;
+        const double angle = gap(normals, to_light);
+        factors.n_dot_vp[i] = product(bounds.longest_normal_eye, cos_of_gap(angle)) * kUp;
+        behind = std::min(behind, std::max(angle - kPi / 2, 0.0));
+        const bool faces_away = angle > kPi / 2 && !bounds.reflection;  // f_i
+        factors.highlight[i] =
+            faces_away ? 0 : largest_power(largest_highlight_cosine(bounds, normals, to_light), faces[i].shininess);
+    }
+    factors.behind_by = behind;
+}
+
+}  // namespace
+
+DrawBounds draw_bounds(const Draw& draw, const VertexFacts& vertices, const LightingState& lighting, bool phong) {
+    DrawBounds bounds;
+    const Stretch stretch = stretch_of(glm::dmat3(draw.eye_from_object));
+    find_sphere(draw, vertices, stretch, bounds);
+    find_normals(draw, vertices, lighting, stretch, phong, bounds);
+    bounds.reflection = lighting.light_model.specular == Word::reflection;
+    if (lighting.light_model.local_viewer)
+        bounds.to_viewer_eye = bounds.has_sphere ? directions_to(glm::dvec3(0), bounds.center_eye, bounds.radius_eye)
+                                                 : Cone{.half_angle = kPi};
+    return bounds;
+}
+
+ColorRange spectral_product_of(const LightModel& model, const LightColor& light, const FaceRange& face,
+                               ColorRange FaceRange::*color) {
+    const auto& [low, high] = face.*color;
+    if (low == high) {
+        const Spectrum* reflectance = color == &FaceRange::ambient   ? face.reflectances.ambient
+                                      : color == &FaceRange::diffuse ? face.reflectances.diffuse
+                                                                     : face.reflectances.specular;
+        const glm::dvec3 product = product_of(model, light, {low, reflectance});
+        return {product, product};
+    }
+    const glm::dmat3 matrix = product_matrix(model, light);
+    ColorRange range;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 a = low[i] * matrix[i], b = high[i] * matrix[i];
+        range = {range.low + glm::min(a, b), range.high + glm::max(a, b)};
+    }
+    return range;
+}
+
+double largest_attenuation(const LightSource& light, double nearest, double farthest) {
+    const double k0 = light.constant_attenuation, k1 = light.linear_attenuation, k2 = light.quadratic_attenuation;
+    if (k0 <= 0 && k1 <= 0 && k2 <= 0) return 0;  // RULING: where the denominator is not positive, 0
+    const auto denominator = [&](double d) { return k0 + product(d, k1 + product(k2, d)); };
+    if (k0 >= 0 && k1 >= 0 && k2 >= 0) {
+        const double smallest = denominator(nearest) * (1 - kRounding);
+        return smallest > 0 ? 1 / smallest : kInfinity;
+    }
+    // GL refuses negative factors. A denominator that may come near to 0 from above bounds nothing.
+    if (!std::isfinite(farthest)) return kInfinity;
+    double smallest = std::min(denominator(nearest), denominator(farthest));
+    const double turn = k2 == 0 ? -1 : -k1 / (2 * k2);
+    if (turn > nearest && turn < farthest) smallest = std::min(smallest, denominator(turn));
+    smallest -= kRounding * (std::abs(k0) + farthest * (std::abs(k1) + std::abs(k2) * farthest));
+    return smallest > 0 ? 1 / smallest * kUp : kInfinity;
+}
+
+LightFactors quick_factors(const DrawBounds& bounds, const LightSource& light) {
+    LightFactors factors;
+    const double length = bounds.longest_normal_eye;
+    factors.n_dot_vp = {length, length};
+    factors.highlight.fill(bounds.unit_normals && !bounds.reflection ? kUp : kInfinity);
+    if (light.position_eye.w == 0) {
+        factors.reach = directional_spot(light) * kUp;
+    } else {
+        const LightPlace place = place_of(bounds, light);
+        const bool odd_exponent = light.spot_exponent < 0 || light.spot_exponent > kLargestExponent;
+        factors.reach = odd_exponent ? kInfinity : largest_attenuation(light, place.nearest, place.farthest) * kUp;
+    }
+    return factors;
+}
+
+LightFactors light_factors(const DrawBounds& bounds, const LightSource& light, const std::array<FaceRange, 2>& faces,
+                           int face_count) {
+    LightFactors factors;
+    Cone to_light{.half_angle = kPi};
+    if (light.position_eye.w == 0) {
+        factors.reach = directional_spot(light) * kUp;
+        to_light = {.axis_dir = unit(glm::dvec3(light.position_eye)), .half_angle = 0};
+        if (to_light.axis_dir == glm::dvec3(0)) to_light.half_angle = kPi;
+    } else {
+        const LightPlace place = place_of(bounds, light);
+        factors.reach = largest_attenuation(light, place.nearest, place.farthest) * kUp;
+        if (place.known) to_light = directions_to(place.position_eye, bounds.center_eye, place.padded_radius);
+        find_spot(light, to_light, factors);
+        if (factors.cone_misses_by > 0) return factors;  // and every term is 0
+    }
+    if (factors.reach == 0) return factors;
+    find_angles(bounds, to_light, faces, face_count, factors);
+    return factors;
+}
+
+}  // namespace twinlight

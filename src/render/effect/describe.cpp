@@ -1,0 +1,125 @@
+// The facts of an EffectSet in words.
+#include <fmt/format.h>
+
+#include <initializer_list>
+#include <utility>
+
+#include "render/effect/effect_set.h"
+
+namespace twinlight {
+namespace {
+
+std::string describe(const LightEffects& light) {
+    std::string text = light.directional ? "directional" : "positional";
+    const auto add = [&](bool fact, const char* name) {
+        if (fact) text += fmt::format(", {}", name);
+    };
+    add(light.attenuated, "attenuated");
+    add(light.spot, "spot");
+    add(light.spot_exponent == Power::kWhole, "whole spot exponent");
+    add(light.spot_exponent == Power::kReal, "spot exponent");
+    add(light.smooth_cone, "smooth cone");
+    add(light.ambient, "ambient");
+    add(light.diffuse, "diffuse");
+    add(light.specular, "specular");
+    return text;
+}
+
+// "emission, diffuse": the names of the facts that hold.
+std::string listed(std::initializer_list<std::pair<bool, const char*>> facts) {
+    std::string text;
+    for (const auto& [holds, name] : facts)
+        if (holds) text += (text.empty() ? "" : ", ") + std::string(name);
+    return text;
+}
+
+std::string tracked_names(const FaceEffects& face) {
+    return listed({{face.tracks_emission, "emission"},
+                   {face.tracks_ambient, "ambient"},
+                   {face.tracks_diffuse, "diffuse"},
+                   {face.tracks_specular, "specular"}});
+}
+
+std::string varying_names(const FaceEffects& face) {
+    return listed({{face.varies_emission, "emission"},
+                   {face.varies_ambient, "ambient"},
+                   {face.varies_diffuse, "diffuse"},
+                   {face.varies_specular, "specular"},
+                   {face.varies_shininess, "shininess"}});
+}
+
+const char* name_of(TextureEnvironment environment) {
+    switch (environment) {
+        case TextureEnvironment::kNone: return "none";
+        case TextureEnvironment::kModulate: return "modulate";
+        case TextureEnvironment::kDecal: return "decal";
+        case TextureEnvironment::kReplace: return "replace";
+        case TextureEnvironment::kBlend: return "blend";
+        case TextureEnvironment::kAdd: return "add";
+    }
+    return "";
+}
+
+const char* name_of(Texels texels) {
+    switch (texels) {
+        case Texels::kColor: return "a colour";
+        case Texels::kAlpha: return "an alpha";
+        case Texels::kColorAndAlpha: return "a colour and an alpha";
+        case Texels::kIntensity: return "an intensity";
+    }
+    return "";
+}
+
+std::string describe(const TextureEffects& texture) {
+    std::string text = fmt::format("{} texture of {}, {}", texture.one_dimensional ? "1D" : "2D",
+                                   name_of(texture.texels), name_of(texture.environment));
+    const auto add = [&](bool fact, const char* name) {
+        if (fact) text += fmt::format(", {}", name);
+    };
+    add(texture.matrix, "texture matrix");
+    add(texture.q, "division by q");
+    add(texture.clamp_s, "clamped s");
+    add(texture.clamp_t, "clamped t");
+    add(texture.gradients, "gradients");
+    return text;
+}
+
+}  // namespace
+
+std::string describe(const EffectSet& effects) {
+    std::string text;
+    const auto add = [&](bool fact, const std::string& line) {
+        if (fact) text += line + "\n";
+    };
+    add(effects.lighting, "lighting");
+    add(!effects.lighting, "no lighting");
+    add(effects.shading == Shading::kFlat, "flat shading");
+    add(effects.shading == Shading::kGouraud, "gouraud shading");
+    add(effects.shading == Shading::kPhong, "phong shading");
+    add(effects.clamp, "clamp");
+    add(effects.two_side, "two-sided");
+    add(effects.local_viewer, "local viewer");
+    add(effects.vertex_w, "division by w");
+    add(effects.normalize, "normalize");
+    add(effects.separate_specular, "separate specular colour");
+    add(effects.highlight == Highlight::kReflection, "specular by reflection");
+    add(effects.shininess == Power::kWhole, "whole shininess");
+    add(effects.shininess == Power::kReal, "shininess");
+    for (const auto& [face, name] : {std::pair{effects.front, "front"}, {effects.back, "back"}}) {
+        add(face.tracks(), fmt::format("{} material tracks: {}", name, tracked_names(face)));
+        add(face.varies(), fmt::format("{} material varies: {}", name, varying_names(face)));
+    }
+    for (std::size_t i = 0; i < effects.lights.size(); ++i)
+        add(true, fmt::format("light {}: {}", i, describe(effects.lights[i])));
+    add(effects.has_texture(), describe(effects.texture));
+    add(effects.fog == FogEffect::kLinear, "linear fog");
+    add(effects.fog == FogEffect::kExp, "exponential fog");
+    add(effects.fog == FogEffect::kExp2, "squared exponential fog");
+    add(effects.spectral_products, "spectral products");
+    add(effects.spectral_groups > 0, fmt::format("spectral groups: {}", effects.spectral_groups));
+    add(effects.srgb_coded, "coded as sRGB");
+    add(effects.clip_plane_count > 0, fmt::format("clip planes: {}", effects.clip_plane_count));
+    return text;
+}
+
+}  // namespace twinlight

@@ -1,0 +1,163 @@
+// EffectSet: the facts that change the code which lights a Draw and colours its fragments, and nothing else.
+//
+// Two Draws whose sets are equal are drawn by the same code with other numbers. The facts are canonical
+// (plan_effects sees to it): one that cannot matter has its default value, so the set may be the key of a
+// program cache as it is.
+//
+//   a fact may be set only if ...
+//   two_side to separate_specular, lights    lighting
+//   lighting                                 something of the lit colours is left after the texture
+//   shading kFlat                            the primitive has more than one vertex, and its colours are left
+//   clamp                                    the colours are left and may leave [0,1]
+//   two_side, back                           a back face can show
+//   local_viewer                             a light's highlight depends on the viewer
+//   vertex_w                                 a light is positional, or local_viewer, or there is fog
+//   normalize                                a light is diffuse or specular, and one factor does not make all normals unit
+//   separate_specular, specular_model        a light is specular
+//   shininess                                a light is specular
+//   spectral_products                        tracks_* or varies_* of an ambient, diffuse or specular colour
+//   spectral_groups                          no spectral_products; only where RenderOptions::fold_spectra is off
+//   tracks_*, varies_*                       that property of the material is called for; one of both at most
+//   lights[i].attenuated, .spot              the light is positional
+//   lights[i].spot without an exponent       its cone does not hold all of the Draw
+//   lights[i].ambient, .diffuse              the texture leaves something of the primary colour's red, green and blue
+//   texture.*                                texture.environment
+//   texture.texels kIntensity                the environment is kBlend or kAdd; in the others it is kColorAndAlpha
+//   texture.texels kAlpha                    the environment is kModulate (kBlend and kAdd are the same) or kReplace
+//   texture.clamp_t                          the texture has two dimensions
+//   texture.clamp_s, .clamp_t                a filter is linear: without one GL_CLAMP is GL_CLAMP_TO_EDGE
+//   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ
+//   texture.environment kDecal               the texels are kColorAndAlpha; of kColor it is kReplace
+//
+// NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/state/frame.h"
+
+namespace twinlight {
+
+// x^n as code: 1 for n = 0, repeated squaring for a whole n, pow for the rest.
+enum class Power : std::uint8_t { kOne, kWhole, kReal };
+inline Power power_of(double exponent) {
+    if (exponent == 0) return Power::kOne;
+    return exponent == std::floor(exponent) ? Power::kWhole : Power::kReal;
+}
+
+// GL's (n.h)^s and the lecture's (r.v)^s.
+enum class Highlight : std::uint8_t { kHalfVector, kReflection };
+
+struct LightEffects {
+    bool directional = false;  // w of the position is 0
+    bool attenuated = false;   // by a linear or quadratic factor; a constant one is folded into the products
+    bool spot = false;         // cutoff other than 180 degrees
+    Power spot_exponent = Power::kOne;
+    bool smooth_cone = false;  // the lecture's cone in the place of the spot's
+    bool ambient = false;      // an ambient term that is not the same at every vertex
+    bool diffuse = false;
+    bool specular = false;
+
+    friend auto operator<=>(const LightEffects&, const LightEffects&) = default;  // NOLINT
+};
+
+struct FaceEffects {
+    // Which colours of a face's material the vertex's colour replaces (2.14.3).
+    bool tracks_emission = false;
+    bool tracks_ambient = false;
+    bool tracks_diffuse = false;
+    bool tracks_specular = false;
+    // Which properties are another at another vertex: glMaterial between glBegin and glEnd (2.14.2).
+    bool varies_emission = false;
+    bool varies_ambient = false;
+    bool varies_diffuse = false;
+    bool varies_specular = false;
+    bool varies_shininess = false;
+
+    bool tracks() const { return tracks_emission || tracks_ambient || tracks_diffuse || tracks_specular; }
+    bool varies() const {
+        return varies_emission || varies_ambient || varies_diffuse || varies_specular || varies_shininess;
+    }
+
+    friend auto operator<=>(const FaceEffects&, const FaceEffects&) = default;  // NOLINT
+};
+
+// How the fragment's colour and the texel become one (3.8.13).
+enum class TextureEnvironment : std::uint8_t { kNone, kModulate, kDecal, kReplace, kBlend, kAdd };
+
+// What a texel gives, by its base internal format (table 3.22): RGB and LUMINANCE a colour, ALPHA an alpha, RGBA and
+// LUMINANCE_ALPHA both; INTENSITY both, treated alike.
+enum class Texels : std::uint8_t { kColor, kAlpha, kColorAndAlpha, kIntensity };
+
+struct TextureEffects {
+    TextureEnvironment environment = TextureEnvironment::kNone;
+    Texels texels = Texels::kColor;
+    bool one_dimensional = false;
+    bool matrix = false;   // the texture matrix is not the identity
+    bool q = false;        // a texture coordinate's q may be other than 1
+    bool clamp_s = false;  // GL_CLAMP, which core GL and some drivers do not have: done in the shader
+    bool clamp_t = false;
+    bool gradients = false;  // what is clamped chooses its filter and level as if it were not
+
+    bool has_color() const { return texels != Texels::kAlpha; }
+    bool has_alpha() const { return texels != Texels::kColor; }
+
+    friend auto operator<=>(const TextureEffects&, const TextureEffects&) = default;  // NOLINT
+};
+
+enum class FogEffect : std::uint8_t { kNone, kLinear, kExp, kExp2 };
+
+struct EffectSet {
+    bool lighting = false;
+    Shading shading = Shading::kGouraud;
+    bool clamp = false;  // a colour may leave [0,1] (2.14.6)
+    bool two_side = false;
+    bool local_viewer = false;
+    bool vertex_w = false;  // w in eye coordinates may be other than 1
+    bool normalize = false;
+    bool separate_specular = false;
+    Highlight highlight = Highlight::kHalfVector;
+    Power shininess = Power::kOne;
+    FaceEffects front, back;
+    std::vector<LightEffects> lights;  // in GL's order
+    TextureEffects texture;
+    FogEffect fog = FogEffect::kNone;
+    int clip_plane_count = 0;  // of the user (2.12)
+    // The colours of vertices meet lights in more samples than three: the products are a matrix times them.
+    bool spectral_products = false;
+    // Groups of three samples in which every point is lit; 0: in red, green and blue.
+    int spectral_groups = 0;
+    bool srgb_coded = false;  // a fragment's colour is linear light, and coded last
+
+    friend auto operator<=>(const EffectSet&, const EffectSet&) = default;  // NOLINT
+
+    // Whether any light is: needs_position(), say, for "a position in eye coordinates is called for".
+    bool any_light(bool LightEffects::*fact) const {
+        return std::any_of(lights.begin(), lights.end(), [fact](const LightEffects& light) { return light.*fact; });
+    }
+    bool needs_position_eye() const {
+        return local_viewer ||
+               std::any_of(lights.begin(), lights.end(), [](const LightEffects& light) { return !light.directional; });
+    }
+    bool needs_normal() const { return any_light(&LightEffects::diffuse) || any_light(&LightEffects::specular); }
+    // What the texture leaves of the primary colour.
+    bool needs_primary_rgb() const { return !replaces() || !texture.has_color(); }
+    bool needs_primary_alpha() const { return !replaces() || !texture.has_alpha(); }
+    bool needs_primary() const { return needs_primary_rgb() || needs_primary_alpha(); }
+    bool needs_color() const { return lighting ? front.tracks() || back.tracks() : needs_primary(); }
+    bool has_texture() const { return texture.environment != TextureEnvironment::kNone; }
+    bool has_fog() const { return fog != FogEffect::kNone; }
+
+  private:
+    bool replaces() const { return texture.environment == TextureEnvironment::kReplace; }
+};
+
+// One fact a line: "lighting", "light 0: positional, attenuated, diffuse".
+std::string describe(const EffectSet& effects);
+
+}  // namespace twinlight

@@ -1,0 +1,116 @@
+#include "render/effect/explanation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <map>
+
+#include "render/effect/surface_draw.h"
+
+namespace twinlight {
+namespace {
+
+// What a plan decides, without its numbers.
+std::string facts_of(const Plan& plan) {
+    std::string text = describe(plan.effects);
+    for (const LightBound& light : plan.light_bounds) text += fmt::format("{} ", static_cast<int>(light.fate));
+    for (const LeftOut& left_out : plan.left_out) text += left_out.what + "\n" + left_out.why + "\n";
+    return text;
+}
+
+// All that is said of it.
+std::string text_of(const Plan& plan) {
+    std::string text = facts_of(plan) + fmt::format("{:g}\n", plan.error_bound);
+    for (const LightBound& light : plan.light_bounds) text += reason(light) + "\n";
+    return text;
+}
+
+// Numbers that hold for both.
+void widen(Plan& plan, const Plan& other) {
+    plan.error_bound = std::max(plan.error_bound, other.error_bound);
+    for (std::size_t i = 0; i < plan.light_bounds.size(); ++i) {
+        LightBound& light = plan.light_bounds[i];
+        light.bound = glm::max(light.bound, other.light_bounds[i].bound);
+        light.deg = std::min(light.deg, other.light_bounds[i].deg);
+    }
+}
+
+// One for the parts of a shape that have the same facts.
+std::vector<ExplainedDraw> explain_shapes(const Frame& frame, const RenderOptions& options) {
+    std::vector<ExplainedDraw> draws;
+    std::map<std::string, std::size_t> of_shape;  // by facts
+    const Draw* last = nullptr;
+    int number = 0;
+    for (const auto& item : frame.items) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        if (!draw) continue;
+        ++number;
+        const bool is_first_part = !last || !are_one_shape(*last, *draw);
+        last = draw;
+        if (is_first_part) of_shape.clear();
+        const auto add = [&](Plan plan) {
+            const auto [known, is_new] = of_shape.try_emplace(facts_of(plan), draws.size());
+            if (is_new)
+                draws.push_back({.numbers = {}, .place = draw->place, .plan = std::move(plan)});
+            else
+                widen(draws[known->second].plan, plan);
+            std::vector<int>& numbers = draws[known->second].numbers;
+            if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
+        };
+        if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
+            add(plan_effects(*draw, options));
+        } else if (is_first_part) {
+            for (const SurfaceDraw& surface : surface_draws(*draw))
+                add(plan_effects(surface.draw, options, surface.facts));
+        }
+    }
+    return draws;
+}
+
+}  // namespace
+
+std::vector<ExplainedDraw> explain(const Frame& frame, const RenderOptions& options) {
+    std::vector<ExplainedDraw> draws;
+    std::map<std::string, std::size_t> by_text;
+    for (ExplainedDraw& shape : explain_shapes(frame, options)) {
+        const auto [known, is_new] = by_text.try_emplace(text_of(shape.plan), draws.size());
+        if (is_new) {
+            draws.push_back(std::move(shape));
+        } else {
+            std::vector<int>& numbers = draws[known->second].numbers;
+            numbers.insert(numbers.end(), shape.numbers.begin(), shape.numbers.end());
+        }
+    }
+    return draws;
+}
+
+double error_bound(const std::vector<ExplainedDraw>& draws) {
+    double largest = 0;
+    for (const ExplainedDraw& draw : draws) largest = std::max(largest, draw.plan.error_bound);
+    return largest;
+}
+
+std::vector<ExplainedLights> explain_lights(const Plan& plan) {
+    std::vector<ExplainedLights> rows;
+    int first = 0;
+    for (const LightBound& light : plan.light_bounds) {
+        const std::string why = reason(light);
+        if (!light.in() && !rows.empty() && rows.back().why == why) {
+            rows.back().names = light_name(first) + " to " + light_name(light.number);
+            continue;
+        }
+        first = light.number;
+        rows.push_back({.names = light_name(first), .in = light.in(), .why = why, .largest = light.largest()});
+    }
+    return rows;
+}
+
+std::string name_of(const ExplainedDraw& draw) {
+    const std::string first = fmt::format("draw {}, {}", draw.numbers.front(), draw.place.str());
+    return draw.numbers.size() == 1 ? first : fmt::format("{} draws, the first {}", draw.numbers.size(), first);
+}
+
+std::string in_codes(double error) { return error == 0 ? "nothing" : fmt::format("{:.3g} of 255 codes", 255 * error); }
+
+}  // namespace twinlight

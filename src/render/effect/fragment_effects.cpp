@@ -1,0 +1,106 @@
+#include "render/effect/fragment_effects.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/effect/keeps_w.h"
+
+namespace twinlight {
+namespace {
+
+void leave_out(Plan& plan, std::string what, std::string why) {
+    plan.left_out.push_back({std::move(what), std::move(why)});
+}
+
+// ---- The texture ----
+
+Texels texels_of(Enum base_format) {
+    switch (base_format) {
+        case kGL_ALPHA: return Texels::kAlpha;
+        case kGL_LUMINANCE:
+        case kGL_RGB: return Texels::kColor;
+        case kGL_INTENSITY: return Texels::kIntensity;
+        default: return Texels::kColorAndAlpha;
+    }
+}
+
+// 3.8.13, tables 3.22 and 3.23: the pairs of mode and format that are the same code are one.
+TextureEffects environment_of(Enum mode, Enum base_format) {
+    using Environment = TextureEnvironment;
+    const Texels texels = texels_of(base_format);
+    const Texels intensity_apart = texels == Texels::kIntensity ? Texels::kColorAndAlpha : texels;
+    switch (mode) {
+        case kGL_MODULATE: return {.environment = Environment::kModulate, .texels = intensity_apart};
+        case kGL_REPLACE: return {.environment = Environment::kReplace, .texels = intensity_apart};
+        case kGL_DECAL:
+            // RULING: the text defines this mode for RGB and RGBA alone; the fragment stays as it is in the others.
+            if (base_format == kGL_RGB) return {.environment = Environment::kReplace, .texels = texels};
+            if (base_format == kGL_RGBA) return {.environment = Environment::kDecal, .texels = texels};
+            return {};
+        case kGL_BLEND:
+        case kGL_ADD:
+            if (texels == Texels::kAlpha) return {.environment = Environment::kModulate, .texels = texels};
+            return {.environment = mode == kGL_BLEND ? Environment::kBlend : Environment::kAdd, .texels = texels};
+        default: return {};  // GL_COMBINE: among Frame::unsupported
+    }
+}
+
+bool q_is_1(const Draw& draw, const VertexFacts& vertices) {
+    return keeps_w(draw.texture.texture_matrix) && vertices.q_is_1;
+}
+
+void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
+    const Texture* texture = draw.texture.texture.get();
+    if (!texture) return leave_out(plan, "the texture", "none is enabled, or it is not complete");
+    TextureEffects& facts = plan.effects.texture;
+    facts = environment_of(draw.texture.env_mode, texture->levels.front().base_format);
+    if (!plan.effects.has_texture())
+        return leave_out(plan, "the texture", "its environment mode leaves a fragment as it is, with these texels");
+
+    facts.one_dimensional = texture->target == kGL_TEXTURE_1D;
+    facts.matrix = draw.texture.texture_matrix != glm::dmat4(1);
+    facts.q = !q_is_1(draw, vertices);
+    if (!facts.matrix) leave_out(plan, "the texture matrix", "it is the identity");
+    if (!facts.q) leave_out(plan, "the division by q", "q is 1 at every vertex");
+
+    const bool clamp_t = !facts.one_dimensional && texture->wrap_t == kGL_CLAMP;
+    const bool clamps = clamp_t || texture->wrap_s == kGL_CLAMP;
+    if (clamps && !filters_linearly(*texture))
+        return leave_out(plan, "GL_CLAMP", "without a linear filter it is GL_CLAMP_TO_EDGE");
+    facts.clamp_s = texture->wrap_s == kGL_CLAMP;
+    facts.clamp_t = clamp_t;
+    facts.gradients = clamps && texture->min_filter != texture->mag_filter;
+}
+
+// ---- The rest ----
+
+void plan_fog(const Draw& draw, Plan& plan) {
+    if (!draw.fog.enabled) return leave_out(plan, "fog", "GL_FOG is disabled");
+    if (draw.fog.mode == kGL_LINEAR) {
+        plan.effects.fog = FogEffect::kLinear;
+    } else if (draw.fog.density == 0) {
+        leave_out(plan, "fog", "GL_FOG_DENSITY is 0");
+    } else {
+        plan.effects.fog = draw.fog.mode == kGL_EXP2 ? FogEffect::kExp2 : FogEffect::kExp;
+    }
+}
+
+}  // namespace
+
+bool filters_linearly(const Texture& texture) {
+    return texture.mag_filter == kGL_LINEAR || texture.min_filter == kGL_LINEAR ||
+           texture.min_filter == kGL_LINEAR_MIPMAP_NEAREST || texture.min_filter == kGL_LINEAR_MIPMAP_LINEAR;
+}
+
+void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
+    plan_texture(draw, vertices, plan);
+    plan_fog(draw, plan);
+    const auto& planes = draw.raster.clip_planes_eye;
+    plan.effects.clip_plane_count = static_cast<int>(
+        std::count_if(planes.begin(), planes.end(), [](const auto& plane) { return plane.has_value(); }));
+    if (plan.effects.clip_plane_count == 0) leave_out(plan, "clip planes", "none is enabled");
+    if (draw.fragment.color_sum && !draw.lighting.enabled)
+        leave_out(plan, "the colour sum", "without lighting the secondary colour is black");
+}
+
+}  // namespace twinlight

@@ -1,0 +1,458 @@
+// plan_effects: from a Draw to the facts that change its code, with a reason for each that is left out.
+#include "render/effect/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <iterator>
+#include <utility>
+
+#include "render/effect/fragment_effects.h"
+#include "render/effect/keeps_w.h"
+#include "render/effect/plan_lights.h"
+
+namespace twinlight {
+namespace {
+
+constexpr double kSteepestSrgb = 12.92;  // the slope of its straight part
+
+bool is_zero(const glm::dvec3& c) { return c == glm::dvec3(0); }
+glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
+
+// ---- The state in force ----
+
+// 2.14.3: the colours of the material that color_material's mode names.
+FaceEffects tracked_by(Enum mode) {
+    const bool both = mode == kGL_AMBIENT_AND_DIFFUSE;
+    return {.tracks_emission = mode == kGL_EMISSION,
+            .tracks_ambient = mode == kGL_AMBIENT || both,
+            .tracks_diffuse = mode == kGL_DIFFUSE || both,
+            .tracks_specular = mode == kGL_SPECULAR};
+}
+
+void put_color(Material& material, const FaceEffects& tracked, const glm::dvec4& color) {
+    const auto put = [&](bool tracks, glm::dvec4& property, const Spectrum*& reflectance) {
+        if (!tracks) return;
+        property = color;
+        reflectance = nullptr;
+    };
+    if (tracked.tracks_emission) material.emission = color;
+    put(tracked.tracks_ambient, material.ambient, material.reflectances.ambient);
+    put(tracked.tracks_diffuse, material.diffuse, material.reflectances.diffuse);
+    put(tracked.tracks_specular, material.specular, material.reflectances.specular);
+}
+
+bool names_front(Enum face) { return face != kGL_BACK; }
+bool names_back(Enum face) { return face != kGL_FRONT; }
+
+// Whether a picture is off by no more than its Draws are, however many lie above each other: what is there and what comes are
+// weighted by factors that no light changes, and that add up to 1 at most; or one of both is taken.
+bool keeps_errors_apart(const FragmentState& fragment) {
+    if (!fragment.blend) return true;
+    const auto is_mean = [](Enum equation, Enum src, Enum dst) {
+        if (equation == kGL_MIN || equation == kGL_MAX) return true;
+        constexpr std::pair<Enum, Enum> kMeans[] = {
+            {kGL_ONE, kGL_ZERO},
+            {kGL_ZERO, kGL_ONE},
+            {kGL_SRC_ALPHA, kGL_ONE_MINUS_SRC_ALPHA},
+            {kGL_ONE_MINUS_SRC_ALPHA, kGL_SRC_ALPHA},
+            {kGL_CONSTANT_ALPHA, kGL_ONE_MINUS_CONSTANT_ALPHA},
+            {kGL_CONSTANT_COLOR, kGL_ONE_MINUS_CONSTANT_COLOR},
+        };
+        return std::ranges::find(kMeans, std::pair(src, dst)) != std::end(kMeans);
+    };
+    return is_mean(fragment.blend_equation, fragment.blend_src, fragment.blend_dst);
+}
+
+Material::Reflectances reflectances_of(const Material& material, const FaceEffects& face) {
+    const auto unless = [](bool vertex_has_it, const Spectrum* reflectance) {
+        return vertex_has_it ? nullptr : reflectance;
+    };
+    return {.ambient = unless(face.tracks_ambient || face.varies_ambient, material.reflectances.ambient),
+            .diffuse = unless(face.tracks_diffuse || face.varies_diffuse, material.reflectances.diffuse),
+            .specular = unless(face.tracks_specular || face.varies_specular, material.reflectances.specular)};
+}
+
+// ---- The planner ----
+
+class Planner {
+  public:
+    Planner(const Draw& draw, const RenderOptions& options, const VertexFacts& vertices)
+        : draw_(draw), options_(options), vertices_(vertices) {
+        plan_.vertices = vertices;
+    }
+
+    Plan plan() {
+        state().enabled = draw_.lighting.enabled;
+        plan_.budget = keeps_errors_apart(draw_.fragment) ? std::max(options_.budget, 0.0) : 0;
+        facts().srgb_coded = options_.lecture_variants && draw_.fragment.srgb_coded;
+        // sRGB's curve is steepest at black, and magnifies there what is off in linear light.
+        if (facts().srgb_coded) plan_.budget /= kSteepestSrgb;
+        plan_fragments(draw_, vertices_, plan_);
+        facts().shading =
+            options_.shading.value_or(draw_.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud);
+        // A mesh that is its own surface, and a surface (surface_draw.h), are lit at each fragment.
+        if (facts().shading == Shading::kExact) facts().shading = Shading::kPhong;
+        if (facts().shading == Shading::kFlat && draw_.mode == kGL_POINTS) {
+            facts().shading = Shading::kGouraud;
+            leave_out("flat shading", "a point has one vertex");
+        }
+        if (state().enabled)
+            plan_lit();
+        else
+            plan_unlit();
+        plan_colors_that_are_left();
+        plan_w();
+        if (facts().srgb_coded) {
+            plan_.error_bound *= kSteepestSrgb;
+            plan_.budget *= kSteepestSrgb;
+        }
+        return std::move(plan_);
+    }
+
+  private:
+    EffectSet& facts() { return plan_.effects; }
+    LightingState& state() { return plan_.lighting; }
+    void leave_out(std::string what, std::string why) { plan_.left_out.push_back({std::move(what), std::move(why)}); }
+
+    void plan_unlit() {
+        leave_out("lighting", "GL_LIGHTING is disabled: the vertex's colour is shown as it is");
+        if (facts().shading == Shading::kPhong) {
+            facts().shading = Shading::kGouraud;
+            leave_out("lighting per fragment", "GL_LIGHTING is disabled");
+        }
+        facts().clamp = glm::clamp(vertices_.color_low, 0.0, 1.0) != vertices_.color_low ||
+                        glm::clamp(vertices_.color_high, 0.0, 1.0) != vertices_.color_high;
+        if (!facts().clamp) leave_out("the clamp", "no vertex's colour leaves [0,1]");
+    }
+
+    void plan_lit() {
+        facts().lighting = true;
+        put_state_in_force();
+        plan_faces();
+        plan_color_material();
+        plan_materials();
+        plan_.constant_ambient = rgb(state().light_model.ambient);
+        const LightsToPlan lights{
+            .bounds = draw_bounds(draw_, vertices_, state(), facts().shading == Shading::kPhong),
+            .faces = {face_range(&Materials::front, facts().front), face_range(&Materials::back, facts().back)},
+            .primary = facts().needs_primary_rgb()};
+        plan_clamp(lights, plan_lights(lights, plan_));
+        plan_specular();
+        drop_idle_colors();
+        plan_spectral_products();
+        plan_shading_per_fragment();
+        plan_geometry(lights.bounds);
+    }
+
+    void plan_shading_per_fragment() {
+        if (facts().shading != Shading::kPhong || facts().needs_position_eye() || facts().needs_color() ||
+            facts().front.varies() || facts().back.varies())
+            return;
+        if (!facts().needs_normal()) {
+            leave_out("lighting per fragment", "nothing that it depends on varies over the primitive");
+        } else if (vertices_.normals_equal) {
+            leave_out("lighting per fragment", "all normals are equal, the lights directional, the viewer is distant");
+            state().normalize = true;  // as a fragment's normal would have been made unit
+        } else {
+            return;
+        }
+        facts().shading = Shading::kGouraud;
+    }
+
+    // GL_REPLACE may leave nothing of the primary colour; then only a separate specular colour is worth lighting.
+    void plan_colors_that_are_left() {
+        if (facts().needs_primary() || facts().separate_specular) return;
+        leave_out("lighting and colours", "GL_REPLACE by a texture with colour and alpha leaves nothing of them");
+        EffectSet left;
+        left.texture = facts().texture;
+        left.fog = facts().fog;
+        left.srgb_coded = facts().srgb_coded;
+        left.clip_plane_count = facts().clip_plane_count;
+        facts() = left;
+        state().enabled = false;
+        plan_.lights.clear();
+        plan_.error_bound = 0;
+        for (LightBound& light : plan_.light_bounds) {
+            if (light.fate != LightFate::kDisabled) light.fate = LightFate::kReplaced;
+            light.bound = glm::dvec3(0);
+        }
+    }
+
+    void plan_w() {
+        const bool w_is_1 = keeps_w(draw_.eye_from_object) && vertices_.w_is_1;
+        const bool w_matters = facts().needs_position_eye() || facts().has_fog();
+        facts().vertex_w = w_matters && !w_is_1;
+        if (w_matters && w_is_1) leave_out("the division by w", "w is 1 at every vertex");
+    }
+
+    void put_state_in_force() {
+        state() = draw_.lighting;
+        if (options_.lecture_variants) return;
+        const LightModel initial;
+        state().light_model.specular = initial.specular;
+        state().light_model.light_ambient = initial.light_ambient;
+        state().light_model.spectrum = nullptr;
+        for (LightSource& light : state().lights) light.smooth_cone.reset();
+    }
+
+    // 2.14.1: two-sided lighting; 2.13.1: what is culled is not seen.
+    void plan_faces() {
+        const RasterState& raster = draw_.raster;
+        const auto why_one_sided = [&]() -> std::string {
+            if (!state().light_model.two_side) return "GL_LIGHT_MODEL_TWO_SIDE is off";
+            if (!draws_polygons(draw_.mode)) return "points and lines are always front";
+            if (raster.cull_enabled && raster.cull_face != kGL_FRONT) return "back faces are culled";
+            return "";
+        }();
+        facts().two_side = why_one_sided.empty();
+        if (!facts().two_side) {
+            leave_out("two-sided lighting", why_one_sided);
+            state().back = state().front;
+        }
+        for (const std::uint32_t i : vertices_.materials) materials_.push_back(draw_.materials.at(i));
+        if (materials_.empty()) materials_.push_back({state().front, state().back});
+        if (!facts().two_side)
+            for (Materials& m : materials_) m.back = m.front;
+    }
+
+    void plan_color_material() {
+        ColorMaterial& tracking = state().color_material;
+        if (!tracking.enabled) {
+            leave_out("colour material", "GL_COLOR_MATERIAL is disabled");
+            return;
+        }
+        const FaceEffects tracked = tracked_by(tracking.mode);
+        const bool front = names_front(tracking.face);
+        const bool back = facts().two_side && names_back(tracking.face);
+        if (vertices_.colors_equal) {
+            const glm::dvec4& color = vertices_.color_low;
+            for (Materials& m : materials_) {
+                if (front) put_color(m.front, tracked, color);
+                if (back) put_color(m.back, tracked, color);
+            }
+            leave_out("colour material", "every vertex has the same colour: it is the material's");
+            tracking.enabled = false;
+        } else if (!front && !back) {
+            leave_out("colour material", "it tracks the back face's material, which is not shown");
+            tracking.enabled = false;
+        } else {
+            if (front) facts().front = tracked;
+            if (back) facts().back = tracked;
+        }
+    }
+
+    // 2.14.2: glMaterial between glBegin and glEnd. What is the same in all materials is no vertex's.
+    void plan_materials() {
+        state().front = materials_.front().front;
+        state().back = materials_.front().back;
+        const auto plan_face = [&](FaceEffects& face, Material Materials::*of) {
+            const auto varies = [&](auto Material::*property, bool tracked) {
+                return !tracked && std::any_of(materials_.begin(), materials_.end(), [&](const Materials& m) {
+                    return (m.*of).*property != (materials_.front().*of).*property;
+                });
+            };
+            face.varies_emission = varies(&Material::emission, face.tracks_emission);
+            face.varies_ambient = varies(&Material::ambient, face.tracks_ambient);
+            face.varies_diffuse = varies(&Material::diffuse, face.tracks_diffuse);
+            face.varies_specular = varies(&Material::specular, face.tracks_specular);
+            face.varies_shininess = varies(&Material::shininess, false);
+        };
+        plan_face(facts().front, &Materials::front);
+        if (facts().two_side) plan_face(facts().back, &Materials::back);
+        if (!draw_.materials.empty() && !facts().front.varies() && !facts().back.varies())
+            leave_out("materials of vertices", "every vertex has the same");
+    }
+
+    // What the face's materials may be, at a vertex or between some.
+    FaceRange face_range(Material Materials::*of, const FaceEffects& face) const {
+        const auto range = [&](glm::dvec4 Material::*color, bool tracked) {
+            if (tracked) return std::pair(vertices_.color_low, vertices_.color_high);
+            std::pair all((materials_.front().*of).*color, (materials_.front().*of).*color);
+            for (const Materials& m : materials_)
+                all = {glm::min(all.first, (m.*of).*color), glm::max(all.second, (m.*of).*color)};
+            return all;
+        };
+        const auto colors = [&](glm::dvec4 Material::*color, bool tracked) {
+            const auto [low, high] = range(color, tracked);
+            return ColorRange{rgb(low), rgb(high)};
+        };
+        const auto [least_shiny, most_shiny] =
+            std::ranges::minmax(materials_, {}, [of](const Materials& m) { return (m.*of).shininess; });
+        const auto [low, high] = range(&Material::diffuse, face.tracks_diffuse);
+        return {.emission = colors(&Material::emission, face.tracks_emission),
+                .ambient = colors(&Material::ambient, face.tracks_ambient),
+                .diffuse = colors(&Material::diffuse, face.tracks_diffuse),
+                .specular = colors(&Material::specular, face.tracks_specular),
+                .shininess = {(least_shiny.*of).shininess, (most_shiny.*of).shininess},
+                .alpha = {low.a, high.a},
+                .reflectances = reflectances_of(materials_.front().*of, face)};
+    }
+
+    // 2.14.6. What lies in [0,1] with all that its terms may come to, needs no clamp.
+    void plan_clamp(const LightsToPlan& lights, const ColorRange& of_lights) {
+        double low = 0, high = 0;
+        for (std::size_t i = 0; i < (facts().two_side ? 2 : 1); ++i) {
+            const FaceRange& face = lights.faces[i];
+            const ColorRange ambient =
+                product_of(state().light_model, {plan_.constant_ambient, {}}, face, &FaceRange::ambient);
+            for (int c = 0; c < 3; ++c) {
+                low = std::min(low, face.emission.low[c] + ambient.low[c] + of_lights.low[c]);
+                high = std::max(high, face.emission.high[c] + ambient.high[c] + of_lights.high[c]);
+            }
+            low = std::min(low, face.alpha.low);
+            high = std::max(high, face.alpha.high);
+        }
+        // Two colours are clamped each: a negative highlight is none then, whatever the primary colour is.
+        if (state().light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
+            for (int c = 0; c < 3; ++c) low = std::min(low, of_lights.low[c]);
+        facts().clamp = !(low >= 0 && high <= 1);
+        if (!facts().clamp)
+            leave_out("the clamp",
+                      fmt::format("all terms together come to {:.3g} at most, and none is negative", high));
+    }
+
+    void plan_specular() {
+        const LightModel& model = state().light_model;
+        if (!facts().any_light(&LightEffects::specular)) {
+            leave_out("specular highlights", "no light has a specular term");
+            return;
+        }
+        facts().separate_specular = model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+        if (!facts().separate_specular)
+            leave_out("a separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR");
+        facts().highlight = model.specular == Word::reflection ? Highlight::kReflection : Highlight::kHalfVector;
+        // What lies between two whole numbers is not whole.
+        const bool between =
+            facts().shading == Shading::kPhong && (facts().front.varies_shininess || facts().back.varies_shininess);
+        facts().shininess = between ? Power::kReal : Power::kOne;
+        for (const Materials& m : materials_)
+            facts().shininess = std::max({facts().shininess, power_of(m.front.shininess), power_of(m.back.shininess)});
+        facts().local_viewer = model.local_viewer && facts().shininess != Power::kOne;
+        if (facts().shininess == Power::kOne)
+            leave_out("the highlight's shape", "GL_SHININESS is 0: x^0 is 1 for every x");
+        if (!facts().local_viewer)
+            leave_out("the local viewer", model.local_viewer ? "with a GL_SHININESS of 0 no viewer matters"
+                                                             : "GL_LIGHT_MODEL_LOCAL_VIEWER is off");
+    }
+
+    // A colour of the vertex that meets no light is not called for. The diffuse colour is also the alpha.
+    void drop_idle_colors() {
+        const bool primary = facts().needs_primary_rgb();
+        const bool ambient = !is_zero(plan_.constant_ambient) || facts().any_light(&LightEffects::ambient);
+        const bool diffuse = facts().any_light(&LightEffects::diffuse);
+        const bool specular = facts().any_light(&LightEffects::specular);
+        const auto drop = [&](bool& fact, bool called_for, const char* what, const char* why) {
+            if (!fact || called_for) return;
+            fact = false;
+            leave_out(what, primary ? why : "the texture takes its place");
+        };
+        const auto drop_of_face = [&](FaceEffects& face, Material Materials::*of) {
+            const bool alpha = facts().needs_primary_alpha();
+            const bool alphas = alpha && std::any_of(materials_.begin(), materials_.end(), [&](const Materials& m) {
+                                    return (m.*of).diffuse.a != (materials_.front().*of).diffuse.a;
+                                });
+            drop(face.tracks_emission, primary, "the tracked emission", "");
+            drop(face.tracks_ambient, primary && ambient, "the tracked ambient colour", "there is no ambient light");
+            drop(face.tracks_diffuse, diffuse || alpha, "the tracked diffuse colour", "");
+            drop(face.tracks_specular, specular, "the tracked specular colour", "no light has a specular term");
+            drop(face.varies_emission, primary, "the vertices' emission", "");
+            drop(face.varies_ambient, primary && ambient, "the vertices' ambient colours", "there is no ambient light");
+            drop(face.varies_diffuse, diffuse || alphas, "the vertices' diffuse colours",
+                 "no light has a diffuse term");
+            drop(face.varies_specular, specular, "the vertices' specular colours", "no light has a specular term");
+            drop(face.varies_shininess, specular, "the vertices' shininess", "no light has a specular term");
+        };
+        drop_of_face(facts().front, &Materials::front);
+        drop_of_face(facts().back, &Materials::back);
+    }
+
+    // What is one for the Draw meets the lights before it is drawn, and costs the same with any number of samples.
+    void plan_spectral_products() {
+        if (!state().light_model.spectrum) return;
+        const auto brings_colors = [](const FaceEffects& face) {
+            return face.tracks_ambient || face.tracks_diffuse || face.tracks_specular || face.varies_ambient ||
+                   face.varies_diffuse || face.varies_specular;
+        };
+        facts().spectral_products = brings_colors(facts().front) || brings_colors(facts().back);
+        constexpr std::size_t kMostSampledLights = 8;
+        if (!options_.fold_spectra && !facts().spectral_products && facts().needs_primary_rgb() &&
+            facts().lights.size() <= kMostSampledLights) {
+            facts().spectral_groups = (state().light_model.spectrum->count() + 2) / 3;
+            return;
+        }
+        leave_out(fmt::format("{} samples of the spectrum", state().light_model.spectrum->count()),
+                  facts().spectral_products
+                      ? "the products with a light are linear in the vertices' colours: a matrix has them"
+                      : "the products of lights and materials are the same at every vertex: they are made red, green "
+                        "and blue before");
+    }
+
+    void plan_geometry(const DrawBounds& bounds) {
+        if (!facts().needs_position_eye())
+            leave_out("positions in eye coordinates", "no light is positional and the viewer is infinite");
+
+        facts().normalize = facts().needs_normal() && state().normalize;
+        if (!facts().needs_normal())
+            leave_out("normals", "no light has a diffuse or a specular term");
+        else if (!state().normalize)
+            leave_out("GL_NORMALIZE", state().rescale_normal
+                                          ? "it is disabled; GL_RESCALE_NORMAL's factor is in the normals' matrix"
+                                          : "it is disabled");
+        else
+            plan_normalize(bounds);
+    }
+
+    // 2.11.3: where the modelview matrix turns and scales alike in all directions, and all normals are unit vectors, they are
+    // unit in eye coordinates once they are multiplied by GL_RESCALE_NORMAL's factor, if that is not 1 anyway.
+    void plan_normalize(const DrawBounds& bounds) {
+        constexpr double kRounding = 1e-11;  // of double, and what the bounds add for it
+        const double shortest = vertices_.shortest_normal, longest = vertices_.longest_normal;
+        if (longest == 0) return;
+        const double off = bounds.unequal_normals + std::max(std::abs(shortest - 1), std::abs(longest - 1));
+        if (off > kRounding && !is_within_budget(off)) return;
+        facts().normalize = state().normalize = false;
+        state().rescale_normal = std::abs(bounds.normal_scale - 1) > kRounding;
+        leave_out("GL_NORMALIZE",
+                  state().rescale_normal
+                      ? "the normals are unit vectors and the scale is uniform: GL_RESCALE_NORMAL's factor "
+                        "in the normals' matrix is enough"
+                      : "the normals are unit vectors, and the modelview matrix only turns them");
+    }
+
+    // Normals whose lengths are off by that much: the diffuse terms are by as much, the highlights by their power. Adds it to
+    // what is left out if there is room. Fragments' normals are turned by it too, over the border of f_i.
+    bool is_within_budget(double off) {
+        if (facts().shading == Shading::kPhong || off > 1e-4) return false;
+        double exponent = 1;
+        for (const Materials& m : materials_) exponent = std::max({exponent, m.front.shininess, m.back.shininess});
+        if (facts().highlight == Highlight::kReflection) exponent *= 2;
+        double lights = 0;
+        for (const LightBound& light : plan_.light_bounds)
+            if (light.in()) lights += light.largest();
+        const double error = plan_.error_bound + lights * 1.01 * (std::exp(off * exponent) - 1);
+        if (!(error <= plan_.budget)) return false;
+        plan_.error_bound = error;
+        return true;
+    }
+
+    const Draw& draw_;
+    const RenderOptions& options_;
+    const VertexFacts& vertices_;
+    Plan plan_;
+    std::vector<Materials> materials_;  // in force, of the vertices; one where they have all the same
+};
+
+}  // namespace
+
+Plan plan_effects(const Draw& draw, const RenderOptions& options) {
+    return plan_effects(draw, options, vertex_facts(draw));
+}
+
+Plan plan_effects(const Draw& draw, const RenderOptions& options, const VertexFacts& vertices) {
+    return Planner(draw, options, vertices).plan();
+}
+
+}  // namespace twinlight

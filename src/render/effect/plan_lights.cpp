@@ -1,0 +1,280 @@
+#include "render/effect/plan_lights.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
+#include <utility>
+
+#include "render/effect/directional_spot.h"
+
+namespace twinlight {
+namespace {
+
+constexpr double kUp = 1 + 1e-12;  // what rounding may take from a sum of some thousand numbers
+
+glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
+
+// To a sum: the product times any factor of [0, largest].
+void add_term(ColorRange& sum, const ColorRange& product_range, double largest) {
+    for (int c = 0; c < 3; ++c) {
+        sum.low[c] += product(std::min(product_range.low[c], 0.0), largest);
+        sum.high[c] += product(std::max(product_range.high[c], 0.0), largest);
+    }
+}
+
+// One light whose terms are not all nothing.
+struct Candidate {
+    PlannedLight planned;
+    LightEffects effects{};
+    ColorRange range{};  // of what it adds, over the faces that show
+    std::size_t entry = 0;
+};
+
+class LightsPlanner {
+  public:
+    LightsPlanner(const LightsToPlan& what, Plan& plan)
+        : what_(what), plan_(plan), face_count_(plan.effects.two_side ? 2 : 1) {}
+
+    ColorRange run() {
+        const std::vector<LightSource>& lights = plan_.lighting.lights;
+        plan_.light_bounds.resize(lights.size());
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            plan_.light_bounds[i].number = static_cast<int>(i);
+            if (lights[i].enabled) ++enabled_;
+        }
+        for (std::size_t i = 0; i < lights.size(); ++i)
+            if (lights[i].enabled) plan_light(i);
+        leave_out_the_faint();
+        for (const Candidate& candidate : candidates_)
+            if (plan_.light_bounds[candidate.entry].in()) take(candidate);
+        return sum_;
+    }
+
+  private:
+    const LightSource& source(std::size_t i) const { return plan_.lighting.lights[i]; }
+    bool is_specular_separate() const {
+        return plan_.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+    }
+    bool is_unattenuated() const { return plan_.lighting.light_model.light_ambient == Word::unattenuated; }
+
+    ColorRange product_with(const LightColor& light, const FaceRange& face, ColorRange FaceRange::*material) const {
+        return product_of(plan_.lighting.light_model, light, face, material);
+    }
+
+    // Whether a colour of the light meets a material that is not black there: on a face that shows, in some channel.
+    bool meets(const LightColor& light, ColorRange FaceRange::*material) const {
+        for (std::size_t face = 0; face < face_count_; ++face) {
+            const ColorRange range = product_with(light, what_.faces[face], material);
+            if (range.low != glm::dvec3(0) || range.high != glm::dvec3(0)) return true;
+        }
+        return false;
+    }
+
+    void plan_light(std::size_t number) {
+        const LightSource& light = source(number);
+        Candidate candidate{.planned = {.number = static_cast<int>(number)}, .entry = number};
+        LightEffects& effects = candidate.effects;
+        double& constant_reach = candidate.planned.constant_reach;
+        const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
+        effects.directional = light.position_eye.w == 0;
+        if (effects.directional) {
+            constant_reach = directional_spot(light);
+        } else {
+            effects.attenuated = light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
+            const double k0 = light.constant_attenuation;
+            if (!effects.attenuated) constant_reach = k0 > 0 ? 1 / k0 : 0;  // RULING: 1/0 contributes nothing
+            effects.spot = is_spot && !light.smooth_cone;
+            effects.smooth_cone = light.smooth_cone.has_value();
+            if (effects.spot) effects.spot_exponent = power_of(light.spot_exponent);
+        }
+        const bool reaches = constant_reach > 0;
+        const bool ambient = what_.primary && meets(ambient_of(light), &FaceRange::ambient);
+        effects.diffuse = what_.primary && reaches && meets(diffuse_of(light), &FaceRange::diffuse);
+        effects.specular =
+            (what_.primary || is_specular_separate()) && reaches && meets(specular_of(light), &FaceRange::specular);
+
+        // The Draw's bounds, the cheap one first: what is fainter than its share is out whatever the angles are.
+        const double share = plan_.budget / static_cast<double>(enabled_) / kUp;
+        LightFactors factors;
+        bool within_share = false;
+        const auto find_range = [&] {
+            effects.ambient = reaches && ambient && !is_constant(effects);
+            candidate.range = range_of(light, effects, factors);
+            LightBound& entry = plan_.light_bounds[number];
+            // Of terms with different signs the larger counts, unless they go to different colours.
+            const glm::dvec3 &low = candidate.range.low, &high = candidate.range.high;
+            entry.bound = kUp * (is_specular_separate() ? high - low : glm::max(high, -low));
+            return entry.largest();
+        };
+        const bool any = effects.diffuse || effects.specular || (ambient && reaches && !is_constant(effects));
+        if (any) {
+            factors = quick_factors(what_.bounds, light);
+            within_share = find_range() <= share;
+            if (!within_share) {
+                factors = light_factors(what_.bounds, light, what_.faces, static_cast<int>(face_count_));
+                // A cone that holds all of the Draw, and does not fall off, is none.
+                if (effects.spot && effects.spot_exponent == Power::kOne && factors.cone_holds_all)
+                    effects.spot = false;
+                find_range();
+            }
+        }
+        // An ambient term that nothing weakens on its way belongs to the scene's.
+        const bool folded = ambient && (is_unattenuated() || (reaches && is_constant(effects)));
+        if (folded) plan_.constant_ambient += (is_unattenuated() ? 1 : constant_reach) * rgb(light.ambient);
+        decide(candidate, factors, folded, within_share);
+    }
+
+    bool is_constant(const LightEffects& effects) const {
+        return is_unattenuated() || !(effects.attenuated || effects.spot || effects.smooth_cone);
+    }
+
+    void decide(const Candidate& candidate, const LightFactors& factors, bool folded, bool within_share) {
+        LightBound& entry = plan_.light_bounds[candidate.entry];
+        const LightEffects& effects = candidate.effects;
+        const LightSource& light = source(candidate.entry);
+        constexpr double kDegPerRad = 180 / std::numbers::pi;
+        if (!effects.ambient && !effects.diffuse && !effects.specular) {
+            const bool reaches = candidate.planned.constant_reach > 0;
+            entry.fate = folded                      ? LightFate::kAmbientAlone
+                         : !what_.primary            ? LightFate::kReplaced
+                         : reaches                   ? LightFate::kBlack
+                         : light.position_eye.w == 0 ? LightFate::kOutsideCone
+                                                     : LightFate::kNoReach;
+        } else if (entry.largest() == 0 && factors.cone_misses_by > 0) {
+            entry.fate = LightFate::kConeMisses;
+            entry.deg = factors.cone_misses_by * kDegPerRad;
+        } else if (entry.largest() == 0 && factors.behind_by > 0) {
+            entry.fate = LightFate::kBehind;
+            entry.deg = factors.behind_by * kDegPerRad;
+        } else if (within_share) {
+            entry.fate = LightFate::kFaint;
+            faint_ += entry.bound;
+        } else {
+            entry.fate = LightFate::kIn;
+            candidates_.push_back(candidate);
+        }
+    }
+
+    // What the light adds on the faces that show.
+    ColorRange range_of(const LightSource& light, const LightEffects& effects, const LightFactors& factors) const {
+        ColorRange whole;
+        for (std::size_t face = 0; face < face_count_; ++face) {
+            const FaceRange& materials = what_.faces[face];
+            ColorRange sum;
+            const double reach = factors.reach;
+            if (effects.ambient) add_term(sum, product_with(ambient_of(light), materials, &FaceRange::ambient), reach);
+            if (effects.diffuse)
+                add_term(sum, product_with(diffuse_of(light), materials, &FaceRange::diffuse),
+                         product(reach, factors.n_dot_vp[face]));
+            if (effects.specular)
+                add_term(sum, product_with(specular_of(light), materials, &FaceRange::specular),
+                         product(reach, factors.highlight[face]));
+            whole = {glm::min(whole.low, sum.low), glm::max(whole.high, sum.high)};
+        }
+        return whole;
+    }
+
+    // After those that are within their share, in the order of their bounds, while the sum of all stays within the budget.
+    void leave_out_the_faint() {
+        std::vector<std::pair<double, std::size_t>> order;
+        for (const Candidate& candidate : candidates_) {
+            const double largest = plan_.light_bounds[candidate.entry].largest();
+            if (largest <= plan_.budget) order.emplace_back(largest, candidate.entry);
+        }
+        std::sort(order.begin(), order.end());
+        const auto error = [](const glm::dvec3& sum) { return kUp * std::max({sum.r, sum.g, sum.b}); };
+        for (const auto& [largest, number] : order) {
+            LightBound& entry = plan_.light_bounds[number];
+            if (error(faint_ + entry.bound) > plan_.budget) break;
+            faint_ += entry.bound;
+            entry.fate = LightFate::kFaint;
+        }
+        plan_.error_bound = error(faint_);
+    }
+
+    void take(const Candidate& candidate) {
+        const LightSource& light = source(candidate.entry);
+        const LightEffects& effects = candidate.effects;
+        const auto note = [&](const char* what, std::string why) {
+            plan_.left_out.push_back(
+                {fmt::format("{}'s {}", light_name(candidate.planned.number), what), std::move(why)});
+        };
+        const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
+        const double reach = candidate.planned.constant_reach;
+        if (effects.directional)
+            note("attenuation", "its position's w is 0: it is directional");
+        else if (!effects.attenuated)
+            note("attenuation", fmt::format("its factors are {}, 0, 0: it is {:.6g} at every vertex",
+                                            light.constant_attenuation, reach));
+        if (!is_spot)
+            note("cone", "GL_SPOT_CUTOFF is 180");
+        else if (effects.directional)
+            note("cone", fmt::format("it is directional: its spot factor is {:.6g} at every vertex", reach));
+        else if (!effects.spot && !effects.smooth_cone)
+            note("cone", "it holds all of the Draw, and GL_SPOT_EXPONENT is 0");
+        if (effects.spot && effects.spot_exponent == Power::kOne)
+            note("fall-off inside the cone", "GL_SPOT_EXPONENT is 0");
+        if (!effects.ambient && meets(ambient_of(light), &FaceRange::ambient))
+            note("ambient term", "it is the same at every vertex: it is added to the scene's ambient light");
+        else if (!effects.ambient)
+            note("ambient term", "the product of its and the material's ambient colours is 0");
+        if (!effects.diffuse) note("diffuse term", "the product of its and the material's diffuse colours is 0");
+        if (!effects.specular) note("specular term", "the product of its and the material's specular colours is 0");
+        plan_.lights.push_back(candidate.planned);
+        plan_.effects.lights.push_back(effects);
+        sum_ = {sum_.low + candidate.range.low, sum_.high + candidate.range.high};
+    }
+
+    const LightsToPlan& what_;
+    Plan& plan_;
+    const std::size_t face_count_;
+    int enabled_ = 0;
+    std::vector<Candidate> candidates_;
+    glm::dvec3 faint_{0};  // the sum of the bounds of those that are left out
+    ColorRange sum_;       // of the lights that are in
+};
+
+}  // namespace
+
+ColorRange plan_lights(const LightsToPlan& what, Plan& plan) { return LightsPlanner(what, plan).run(); }
+
+std::vector<LightBound> lights_by_bound(const Plan& plan) {
+    std::vector<LightBound> lights;
+    for (const PlannedLight& light : plan.lights)
+        lights.push_back(plan.light_bounds[static_cast<std::size_t>(light.number)]);
+    std::stable_sort(lights.begin(), lights.end(),
+                     [](const LightBound& a, const LightBound& b) { return a.largest() > b.largest(); });
+    return lights;
+}
+
+std::vector<LeftOut> lights_left_out(const Plan& plan) {
+    std::vector<LeftOut> left_out;
+    for (const LightBound& light : plan.light_bounds)
+        if (!light.in()) left_out.push_back({light_name(light.number), reason(light)});
+    return left_out;
+}
+
+std::string reason(const LightBound& light) {
+    const double codes = 255 * light.largest();
+    const std::string amount =
+        std::isfinite(codes) ? fmt::format("at most {:.3g} of 255 codes", codes) : "any amount, as far as can be told,";
+    switch (light.fate) {
+        case LightFate::kIn: return fmt::format("{} may reach a channel", amount);
+        case LightFate::kDisabled: return "it is not enabled";
+        case LightFate::kBlack: return "the products of its colours and the material's are 0";
+        case LightFate::kReplaced: return "the texture takes the place of the colours that it gives";
+        case LightFate::kAmbientAlone:
+            return "it has an ambient term alone, the same at every vertex: it is added to the scene's ambient light";
+        case LightFate::kOutsideCone: return "it is directional, and its direction is outside its cone";
+        case LightFate::kNoReach: return "its attenuation factors are 0, 0, 0: it contributes nothing";
+        case LightFate::kConeMisses:
+            return fmt::format("its cone misses the sphere around the Draw by {:.3g} degrees", light.deg);
+        case LightFate::kBehind: return fmt::format("every normal faces away from it, by {:.3g} degrees", light.deg);
+        case LightFate::kFaint: return fmt::format("{} of it reach a channel", amount);
+    }
+    return "";
+}
+
+}  // namespace twinlight

@@ -1,0 +1,184 @@
+// Driver: the names of objects. What it may read stands in driver_reads.cpp.
+#include <utility>
+#include <vector>
+
+#include "render/context/gl.h"
+#include "render/fixed/execute.h"
+#include "render/fixed/fixed.h"
+#include "scene/command/command_set.h"
+#include "scene/spectrum/commands.h"
+
+namespace twinlight::fixed {
+
+namespace {
+
+void generate_names(ObjectType type, GLsizei n, GLuint* names) {
+    if (type == ObjectType::kTexture) {
+        glGenTextures(n, names);
+    } else {
+        glGenBuffers(n, names);
+    }
+}
+
+void delete_names(ObjectType type, const std::set<std::uint32_t>& names) {
+    const std::vector<GLuint> list(names.begin(), names.end());
+    if (type == ObjectType::kTexture) {
+        glDeleteTextures(static_cast<GLsizei>(list.size()), list.data());
+    } else {
+        glDeleteBuffers(static_cast<GLsizei>(list.size()), list.data());
+    }
+}
+
+}  // namespace
+
+Driver::Driver(int width, int height) { initial_.emplace(width, height); }
+
+Driver::~Driver() {
+    if (selects_) {  // the buffers go with this
+        glRenderMode(GL_RENDER);
+        glSelectBuffer(0, nullptr);
+        glFeedbackBuffer(0, GL_2D, nullptr);
+    }
+    initial_.reset();  // what is bound is not deleted at once
+    for (const auto& [type, names] : names_) delete_names(type, names.all);
+    for (std::uint32_t list : lists_) glDeleteLists(list, 1);
+}
+
+std::uint32_t Driver::name_of(ObjectType type, std::uint32_t name) const {
+    if (type == ObjectType::kList || name == 0) return name;
+    const auto names = names_.find(type);
+    if (names == names_.end()) return 0;
+    const auto found = names->second.driver_from_scene.find(name);
+    return found == names->second.driver_from_scene.end() ? 0 : found->second;
+}
+
+// A name that stands for no other of the scene's: a driver may give one again that was deleted, but the scene's display
+// lists may still hold it. 0 where the driver gives none (between glBegin and glEnd).
+std::uint32_t Driver::new_name(ObjectType type) {
+    GLuint name = 0;
+    do {
+        name = 0;
+        generate_names(type, 1, &name);
+    } while (name != 0 && !names_[type].all.insert(name).second);
+    return name;
+}
+
+// glGenTextures, glGenBuffers: a name of the driver's for each of the scene's.
+void Driver::generate(const Command& command) {
+    const ObjectType type = *named_objects(command.sig().parameters[1]);
+    if (command.number(0) <= 0) return executor_.execute(command);  // the driver's error
+    for (double name : command.array()) {
+        std::uint32_t& given = names_[type].driver_from_scene[static_cast<std::uint32_t>(name)];
+        if (given == 0) given = new_name(type);
+    }
+}
+
+namespace {
+
+// How many values of a hit's or a feedback's buffer there are: what comes after them is cut off, as GL does, and a
+// scene cannot use any.
+constexpr GLsizei kMostHitValues = 1 << 16;
+
+// Queries whose answers' lengths State does not know: they change nothing, and are not sent.
+constexpr CommandSet kQueries = CommandSet::of({"elsewhere_query"});
+
+}  // namespace
+
+// The driver writes into buffers of our own: they stay while it may.
+void Driver::selection_buffer(GLsizei size) {
+    selects_ = true;
+    selection_.resize(kMostHitValues);
+    glSelectBuffer(std::min(size, kMostHitValues), selection_.data());
+}
+
+void Driver::feedback_buffer(GLsizei size, GLenum type) {
+    selects_ = true;
+    feedback_.resize(kMostHitValues);
+    glFeedbackBuffer(std::min(size, kMostHitValues), type, feedback_.data());
+}
+
+void Driver::execute(const Command& command) {
+    if (kQueries.contains(command.id)) return;
+    if (command.id == CommandId::pragma_texture) return execute(texture_command(command));
+    if (const auto color = gl_command_of_spectrum(command)) return execute(*color);
+    if (!may_see(command)) return;
+    switch (command.id) {
+        case CommandId::glGenTextures:
+        case CommandId::glGenBuffers: return generate(command);
+        case CommandId::glSelectBuffer: return selection_buffer(static_cast<GLsizei>(command.number(0)));
+        case CommandId::glFeedbackBuffer:
+            return feedback_buffer(static_cast<GLsizei>(command.number(0)), command.enumerant(1));
+        case CommandId::glRenderMode: selects_ = true; break;
+        case CommandId::glNewList:
+            lists_.insert(command.enumerant(0));
+            emptied_lists_.erase(command.enumerant(0));
+            break;
+        case CommandId::glDeleteLists: return delete_lists(command);
+        case CommandId::glGenLists:
+            // 5.4: the scene's own names make lists as well. What the driver would find is not used.
+            if (command.number(0) > 0) return;
+            break;
+        default: break;
+    }
+    executor_.execute(translated(command));
+    if (command.id == CommandId::glEndList) empty_lists();
+    arrays_may_differ_ |= command.sig().family == Family::kShape;  // sent by arrays
+}
+
+// A driver may look for every name of the range, of which there may be 2^31: it is given those that are there.
+void Driver::delete_lists(const Command& command) {
+    const double range = command.number(1), first = command.number(0);
+    if (range < 0 || !answers()) return executor_.execute(command);  // the driver's error
+    auto list = lists_.lower_bound(command.enumerant(0));
+    while (list != lists_.end() && *list < first + range) {
+        if (kept_lists_.contains(*list)) {
+            emptied_lists_.insert(*list++);
+            continue;
+        }
+        glDeleteLists(*list, 1);
+        list = lists_.erase(list);
+    }
+    empty_lists();
+}
+
+void Driver::make_empty_lists(const std::vector<std::uint32_t>& names) {
+    for (auto* lists : {&lists_, &kept_lists_, &emptied_lists_}) lists->insert(names.begin(), names.end());
+    empty_lists();
+}
+
+void Driver::empty_lists() {
+    if (emptied_lists_.empty() || is_compiling()) return;
+    for (std::uint32_t list : std::exchange(emptied_lists_, {})) {
+        glNewList(list, GL_COMPILE);
+        glEndList();
+    }
+}
+
+// The command with the driver's names.
+Command Driver::translated(const Command& command) {
+    Command result = command;
+    const std::vector<Parameter>& parameters = command.sig().parameters;
+    if (command.id == CommandId::glDrawRangeElements) {
+        // A driver may read all elements of the range, and an array may end before the range does.
+        const auto range = arrays_.index_range(command);
+        result.arguments[1] = range.first;
+        result.arguments[2] = range.second;
+    }
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const auto type = named_objects(parameters[i]);
+        if (!type || *type == ObjectType::kList) continue;
+        const std::size_t first = command.first(i), end = first + command.count(i);
+        for (std::size_t n = first; n < end; ++n) {
+            const auto name = static_cast<std::uint32_t>(command.number(n));
+            std::uint32_t driver_name = name_of(*type, name);
+            // 3.8.12, 2.9: binding a name that was never generated makes an object.
+            if (driver_name == 0 && name != 0 && parameters[i].extent == Extent::kValue) {
+                driver_name = names_[*type].driver_from_scene[name] = new_name(*type);
+            }
+            result.arguments[n] = driver_name;
+        }
+    }
+    return result;
+}
+
+}  // namespace twinlight::fixed

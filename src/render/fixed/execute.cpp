@@ -1,0 +1,222 @@
+// Commands to the driver, literally: for each row of commands.def that GL or GLU has, a call of that function with the
+// arguments in its own types.
+#include "render/fixed/execute.h"
+
+#include <array>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "render/context/gl.h"
+#include "render/fixed/draw_parts.h"
+#include "render/fixed/execute.h"
+#include "scene/shape/shape.h"
+
+namespace twinlight::fixed {
+
+namespace {
+
+// The C type of each Kind.
+template <Kind>
+struct CType;
+template <>
+struct CType<Kind::kEnum> {
+    using type = GLenum;
+};
+template <>
+struct CType<Kind::kBitfield> {
+    using type = GLbitfield;
+};
+template <>
+struct CType<Kind::kBoolean> {
+    using type = GLboolean;
+};
+template <>
+struct CType<Kind::kByte> {
+    using type = GLbyte;
+};
+template <>
+struct CType<Kind::kShort> {
+    using type = GLshort;
+};
+template <>
+struct CType<Kind::kInt> {
+    using type = GLint;
+};
+template <>
+struct CType<Kind::kSizei> {
+    using type = GLsizei;
+};
+template <>
+struct CType<Kind::kUbyte> {
+    using type = GLubyte;
+};
+template <>
+struct CType<Kind::kUshort> {
+    using type = GLushort;
+};
+template <>
+struct CType<Kind::kUint> {
+    using type = GLuint;
+};
+template <>
+struct CType<Kind::kFloat> {
+    using type = GLfloat;
+};
+template <>
+struct CType<Kind::kDouble> {
+    using type = GLdouble;
+};
+template <>
+struct CType<Kind::kSizeiptr> {
+    using type = GLsizeiptr;
+};
+
+// A row's parameter as C declares it.
+template <Kind kind>
+using Value = typename CType<kind>::type;
+template <Kind kind>
+using Input = const typename CType<kind>::type*;
+template <Kind kind>
+using Output = typename CType<kind>::type*;
+// What the function returns: no argument.
+template <class Returned>
+struct Result {};
+
+// The longest array of a fixed length that a command of the table reads or writes; shorter ones are padded with 0, so
+// that the driver never reads past the end whatever pname it is given.
+constexpr std::size_t kLongestArray = 16;
+
+// Commands hold only what their types can, but a float may be infinite.
+template <class T>
+struct Argument {
+    Argument(const Command& command, std::size_t i) : value(static_cast<T>(command.number(command.first(i)))) {}
+    T get() { return value; }
+    T value;
+};
+
+template <class Element>
+struct Argument<Element*> {
+    Argument(const Command& command, std::size_t i) {
+        const auto elements = command.values(i);
+        if (elements.size() > kLongestArray) many.resize(elements.size());
+        for (std::size_t n = 0; n < elements.size(); ++n) {
+            get()[n] = static_cast<std::remove_const_t<Element>>(elements[n]);
+        }
+    }
+    auto get() { return many.empty() ? few.data() : many.data(); }
+    std::array<std::remove_const_t<Element>, kLongestArray> few{};
+    std::vector<std::remove_const_t<Element>> many;
+};
+
+// A pointer into the command's memory, or the offset into a buffer object that stands in its place.
+template <>
+struct Argument<const void*> {
+    Argument(const Command& command, std::size_t i) {
+        const auto offset = static_cast<std::ptrdiff_t>(command.number(command.first(i)));
+        value = command.memory ? command.memory->bytes.data() + offset : nullptr;
+        if (!command.memory) value = reinterpret_cast<const void*>(offset);  // NOLINT: GL's way to give an offset
+    }
+    const void* get() { return value; }
+    const void* value = nullptr;
+};
+
+// Memory that a command would write: no such command gets here, see Driver.
+template <>
+struct Argument<void*> {
+    Argument(const Command&, std::size_t) {}
+    static void* get() { return nullptr; }
+};
+
+// `Declared` are the parameters as the table declares them: a row that disagrees with the header does not compile.
+template <class... Declared>
+struct Call {
+    template <std::size_t i>
+    using At = std::tuple_element_t<i, std::tuple<Declared..., void>>;
+    // glBitmap's memory is one of GLubyte in the header.
+    template <class D, class Actual>
+    static constexpr bool kAgree = std::is_same_v<D, Actual> ||
+                                   (std::is_same_v<D, const void*> && std::is_same_v<Actual, const GLubyte*>);
+
+    template <class Returned, class... Actual, std::size_t... I>
+    static void make(Returned (*function)(Actual...), const Command& command, std::index_sequence<I...>) {
+        static_assert((kAgree<At<I>, Actual> && ...), "commands.def disagrees with GL's header");
+        function(static_cast<Actual>(Argument<At<I>>(command, I).get())...);
+    }
+    template <class Returned, class... Actual>
+    static void make(Returned (*function)(Actual...), const Command& command) {
+        constexpr std::size_t kArguments = sizeof...(Actual);
+        using Last = std::tuple_element_t<kArguments, std::tuple<Declared..., void>>;
+        static_assert(sizeof...(Declared) == kArguments || std::is_same_v<Last, Result<Returned>>,
+                      "commands.def disagrees with GL's header");
+        make(function, command, std::index_sequence_for<Actual...>{});
+    }
+};
+
+}  // namespace
+
+Executor::Executor() : color_buffer_(draw_buffer()) {}
+
+void Executor::draw_shape(const Command& command) {
+    if (draws_quadric(command)) return quadrics_.execute(command);
+    draw_by_arrays(shape_parts(command));
+}
+
+// Of the pragmas GL can do one: it draws.
+void Executor::pragma(const Command& command) {
+    if (command.id == CommandId::pragma_shape) draw_shape(command);
+}
+
+void Executor::execute(const Command& command) {
+    // Offscreen there is one colour buffer, and it has another name than a window's.
+    if (command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE) return glDrawBuffer(color_buffer_);
+    if (command.id == CommandId::glReadBuffer) return;  // the picture is read from there
+    switch (command.id) {
+// clang-format off
+#define P(name, kind) Value<Kind::kind>
+#define A(name, kind, n) Input<Kind::kind>
+#define V(name, kind) Input<Kind::kind>
+#define Q(name, kind) Output<Kind::kind>
+#define R(name, kind) double
+#define B(name) const void*
+#define C(name, kind) Input<Kind::kind>
+#define N(name, kind) Output<Kind::kind>
+#define O(name, kind, n) Output<Kind::kind>
+#define W(name, kind) Output<Kind::kind>
+#define M(name) void*
+#define G(name, kind) Input<Kind::kind>
+#define I(name) const void*
+#define X(name, kind) Result<Value<Kind::kind>>
+#define GL_COMMAND(name, effect, ...) \
+    case CommandId::name: return Call<__VA_ARGS__>::make(&::name, command);
+#define SHAPE_COMMAND(name, effect, ...) \
+    case CommandId::name: return draw_shape(command);
+#define QUADRIC_COMMAND(name, effect, ...) \
+    case CommandId::name: return quadrics_.execute(command);
+#define PRAGMA_COMMAND(name, effect, ...) \
+    case CommandId::pragma_##name: return pragma(command);
+// clang-format on
+#include "scene/command/commands.def"
+#undef P
+#undef A
+#undef V
+#undef Q
+#undef R
+#undef B
+#undef C
+#undef N
+#undef X
+#undef O
+#undef W
+#undef M
+#undef G
+#undef I
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
+#undef PRAGMA_COMMAND
+    }
+}
+
+}  // namespace twinlight::fixed

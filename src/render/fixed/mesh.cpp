@@ -1,0 +1,184 @@
+#include "render/fixed/mesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "render/context/gl.h"
+#include "render/stages/buffers.h"
+
+namespace twinlight::fixed {
+namespace {
+
+template <class Property>
+bool all_share(const Draw& draw, Property Vertex::*property) {
+    return std::ranges::all_of(draw.vertices,
+                               [&](const Vertex& v) { return v.*property == draw.vertices.front().*property; });
+}
+
+}  // namespace
+
+Mesh::Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& options)
+    : sending_(options.sending), mode_(draw.mode) {
+    if (draw.vertices.empty()) return;
+    shared_ = draw.vertices.front();
+    const bool w_is_1 =
+        std::ranges::all_of(draw.vertices, [](const Vertex& vertex) { return vertex.position_object.w == 1; });
+    const auto add = [&](Attribute& attribute, int size) {
+        attribute = {size, stride_};
+        stride_ += static_cast<std::size_t>(size) * sizeof(float);
+    };
+    add(position_, w_is_1 ? 3 : 4);
+    if (contents.normal) add(normal_, 3);
+    if (contents.color && !all_share(draw, &Vertex::color)) add(color_, 4);
+    if (contents.tex_coord && !all_share(draw, &Vertex::tex_coord)) add(tex_coord_, 4);
+
+    const bool in_buffers = sending_ == Sending::kBuffers;
+    if (in_buffers) elements_.emplace(draw, options);
+    const bool has_flags = needs_edge_flags(draw);
+    values_.reserve(draw.vertices.size() * stride_ / sizeof(float));
+    for_each_vertex(draw, in_buffers ? elements_->vertices() : std::vector<std::uint32_t>{}, [&](const Vertex& vertex) {
+        const auto put = [&](const auto& v, const Attribute& attribute) {
+            for (int n = 0; n < attribute.size; ++n) values_.push_back(static_cast<float>(v[n]));
+        };
+        put(vertex.position_object, position_);
+        put(vertex.normal_object, normal_);
+        put(vertex.color, color_);
+        put(vertex.tex_coord, tex_coord_);
+        if (has_flags) flags_.push_back(vertex.edge_flag ? 1 : 0);
+    });
+    if (in_buffers) {
+        vertices_ = filled_buffer(GL_ARRAY_BUFFER, values_);
+        if (!flags_.empty()) edge_flags_ = filled_buffer(GL_ARRAY_BUFFER, flags_);
+        values_ = {};
+        glBindBuffer(GL_ARRAY_BUFFER, 0);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+        return;
+    }
+    count_ = static_cast<int>(draw.count());
+    indices_ = draw.indices;
+    if (sending_ == Sending::kDisplayList) {
+        list_ = glGenLists(1);
+        glNewList(list_, GL_COMPILE);
+        draw_immediately();
+        glEndList();
+    }
+}
+
+Mesh::~Mesh() {
+    for (const GLuint name : {vertices_, edge_flags_})
+        if (name != 0) glDeleteBuffers(1, &name);
+    if (list_ != 0) glDeleteLists(list_, 1);
+}
+
+void Mesh::draw() const {
+    if (stride_ == 0) return;
+    const glm::vec4 color(shared_.color), tex_coord(shared_.tex_coord);
+    glColor4fv(&color[0]);
+    glTexCoord4fv(&tex_coord[0]);
+    glEdgeFlag(shared_.edge_flag);
+    switch (sending_) {
+        case Sending::kBuffers:
+        case Sending::kClientArrays: return draw_arrays();
+        case Sending::kImmediate: return draw_immediately();
+        case Sending::kDisplayList: return glCallList(list_);
+    }
+}
+
+void Mesh::draw_arrays() const {
+    const auto stride = static_cast<GLsizei>(stride_);
+    // An array's address, or its offset into the buffer that is bound.
+    const auto* memory = reinterpret_cast<const char*>(values_.data());
+    const auto at = [&](const Attribute& attribute) {
+        return elements_ ? buffer_offset(attribute.offset) : memory + attribute.offset;
+    };
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glVertexPointer(position_.size, GL_FLOAT, stride, at(position_));
+    if (normal_.size != 0) {
+        glEnableClientState(GL_NORMAL_ARRAY);
+        glNormalPointer(GL_FLOAT, stride, at(normal_));
+    }
+    if (color_.size != 0) {
+        glEnableClientState(GL_COLOR_ARRAY);
+        glColorPointer(color_.size, GL_FLOAT, stride, at(color_));
+    }
+    if (tex_coord_.size != 0) {
+        glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+        glTexCoordPointer(tex_coord_.size, GL_FLOAT, stride, at(tex_coord_));
+    }
+    if (edge_flags_ != 0 || !flags_.empty()) {
+        glBindBuffer(GL_ARRAY_BUFFER, edge_flags_);
+        glEnableClientState(GL_EDGE_FLAG_ARRAY);
+        glEdgeFlagPointer(0, elements_ ? nullptr : flags_.data());
+    }
+    if (elements_)
+        elements_->draw();
+    else if (indices_.empty())
+        glDrawArrays(mode_, 0, count_);
+    else
+        glDrawElements(mode_, count_, GL_UNSIGNED_INT, indices_.data());
+    for (const GLenum array :
+         {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_EDGE_FLAG_ARRAY})
+        glDisableClientState(array);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+}
+
+void Mesh::draw_immediately() const {
+    const std::size_t stride = stride_ / sizeof(float);
+    glBegin(mode_);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        const std::size_t index = indices_.empty() ? i : indices_[i];
+        const float* vertex = values_.data() + index * stride;
+        const auto at = [&](const Attribute& attribute) { return vertex + attribute.offset / sizeof(float); };
+        if (!flags_.empty()) glEdgeFlag(flags_[index]);
+        if (normal_.size != 0) glNormal3fv(at(normal_));
+        if (color_.size != 0) glColor4fv(at(color_));
+        if (tex_coord_.size != 0) glTexCoord4fv(at(tex_coord_));
+        if (position_.size == 3)
+            glVertex3fv(at(position_));
+        else
+            glVertex4fv(at(position_));
+    }
+    glEnd();
+}
+
+// ---- With materials ----
+
+namespace {
+
+void send_material(GLenum face, const Material& material, const FaceEffects& varying) {
+    const auto send = [&](bool varies, GLenum name, const glm::dvec4& value) {
+        if (varies) glMaterialfv(face, name, &glm::vec4(value)[0]);
+    };
+    send(varying.varies_emission, GL_EMISSION, material.emission);
+    send(varying.varies_ambient, GL_AMBIENT, material.ambient);
+    send(varying.varies_diffuse, GL_DIFFUSE, material.diffuse);
+    send(varying.varies_specular, GL_SPECULAR, material.specular);
+    if (varying.varies_shininess) glMaterialf(face, GL_SHININESS, static_cast<float>(material.shininess));
+}
+
+}  // namespace
+
+void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceEffects& back) {
+    std::uint32_t current = std::numeric_limits<std::uint32_t>::max();
+    glBegin(draw.mode);
+    for (std::size_t i = 0; i < draw.count(); ++i) {
+        const Vertex& vertex = draw.vertices[draw.index(i)];
+        if (vertex.material != current) {
+            current = vertex.material;
+            const Materials& materials = draw.materials.at(current);
+            send_material(GL_FRONT, materials.front, front);
+            send_material(GL_BACK, materials.back, back);
+        }
+        glEdgeFlag(vertex.edge_flag);
+        glNormal3fv(&glm::vec3(vertex.normal_object)[0]);
+        glColor4fv(&glm::vec4(vertex.color)[0]);
+        glTexCoord4fv(&glm::vec4(vertex.tex_coord)[0]);
+        glVertex4fv(&glm::vec4(vertex.position_object)[0]);
+    }
+    glEnd();
+}
+
+}  // namespace twinlight::fixed

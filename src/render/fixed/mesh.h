@@ -1,0 +1,58 @@
+// Mesh: a Draw's vertices as the fixed function is sent them (RenderOptions::sending).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "render/effect/effect_set.h"
+#include "render/stages/elements.h"
+#include "scene/state/frame.h"
+
+namespace twinlight::fixed {
+
+// Which of a vertex's properties are sent; the others nothing reads.
+struct MeshContents {
+    bool normal = false, color = false, tex_coord = false;
+};
+
+class Mesh {
+  public:
+    Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& options);
+    ~Mesh();
+    Mesh(const Mesh&) = delete;
+    Mesh& operator=(const Mesh&) = delete;
+
+    // None of its arrays is enabled afterwards. A property that all vertices share is the current one.
+    void draw() const;
+
+  private:
+    struct Attribute {
+        int size = 0;  // floats; 0: not in the array
+        std::size_t offset = 0;
+    };
+
+    void draw_arrays() const;
+    void draw_immediately() const;
+
+    Sending sending_;
+    Attribute position_, normal_, color_, tex_coord_;
+    std::size_t stride_ = 0;
+    Vertex shared_;  // its properties are those that all share
+
+    // In the driver's buffers:
+    std::optional<Elements> elements_;
+    unsigned vertices_ = 0, edge_flags_ = 0;
+    // Or in memory:
+    Enum mode_ = 0;
+    std::vector<float> values_;
+    std::vector<std::uint8_t> flags_;  // empty: nothing asks for them
+    int count_ = 0;
+    std::vector<std::uint32_t> indices_;  // empty: 0, 1, 2, ...
+    unsigned list_ = 0;
+};
+
+// Between glBegin and glEnd, where glMaterial may stand as well: those properties of a face that vary.
+void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceEffects& back);
+
+}  // namespace twinlight::fixed

@@ -1,0 +1,337 @@
+#include "render/programmable/draw_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "render/effect/color_products.h"
+#include "render/programmable/attributes.h"
+
+namespace twinlight::programmable {
+namespace {
+
+// A cosine of two unit vectors in float may fall this much short of its value; "PV . s >= cos(cutoff)"
+// includes equality (2.14.1), so the shader compares with a border that is lower by as much.
+constexpr double kCosineRounding = 4.0 / (1 << 23);
+
+float to_float(double x) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(x, -kLargest, kLargest));
+}
+
+glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
+
+double largest_component(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// The zero vector has no direction and stays 0.
+glm::dvec3 unit(const glm::dvec3& v) {
+    const double biggest = largest_component(v);
+    if (!(biggest > 0)) return glm::dvec3(0);
+    const glm::dvec3 direction = glm::normalize(v / biggest);
+    return largest_component(direction) <= 1 ? direction : glm::dvec3(0);
+}
+
+double cos_deg(double deg) { return deg == 90 ? 0 : std::cos(deg * std::numbers::pi / 180); }
+
+// The power of two not above x; 1 where there is none.
+double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
+
+// ---- Ranges ----
+// The shader makes cubes of lengths, and a float's cube ends at 1e38 and 1e-38. Lighting does not depend on the
+// unit of length (but for attenuation, whose factors are converted), nor unit normals on theirs. So what is
+// far from 1 is measured in another unit: a power of two, so that nothing is rounded.
+
+bool ordinary(double size) { return size > 1e-12 && size < 1e12; }
+
+double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, const Plan& plan) {
+    double size = 0;
+    for (int row = 0; row < 3; ++row) {
+        double sum = 0;
+        for (int column = 0; column < 4; ++column) sum += std::abs(eye_from_object[column][row]) * reach[column];
+        size = std::max(size, sum);
+    }
+    for (const PlannedLight& planned : plan.lights) {
+        const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
+        if (p.w != 0) size = std::max(size, largest_component(rgb(p) / p.w));
+    }
+    return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
+}
+
+// The transposed inverse of the modelview matrix's upper 3x3 (2.11.3). RULING: a singular matrix takes every
+// normal to 0.
+glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
+    glm::dmat3 m(draw.eye_from_object);
+    double scale = 0;
+    for (int column = 0; column < 3; ++column) scale = std::max(scale, largest_component(m[column]));
+    scale = power_of_two(scale);
+    m /= scale;
+    if (glm::determinant(m) == 0) return glm::dmat3(0);
+    glm::dmat3 normals = glm::transpose(glm::inverse(m));
+    // Where normals are made unit, the matrix's scale is free.
+    if (makes_normals_unit(plan.effects)) return normals;
+    // RESCALE_NORMAL: 1 / sqrt(m31^2 + m32^2 + m33^2) of the inverse, whose third row is this third column.
+    if (plan.lighting.rescale_normal) return normals / glm::length(normals[2]);
+    return normals / scale;
+}
+
+// ---- Uniforms ----
+
+class Builder {
+  public:
+    Builder(const Draw& draw, const Plan& plan, const Code& code)
+        : draw_(draw),
+          plan_(plan),
+          effects_(code.effects),
+          form_(code.form),
+          lights_(code.lights),
+          origin_object_(code.origin_object) {
+        if (origin_object_) eye_from_object_ = glm::translate(draw.eye_from_object, *origin_object_);
+    }
+
+    Uniforms build() {
+        matrix("u_clip_from_object", draw_.clip_from_eye * eye_from_object_);
+        clip_planes();
+        fragments();
+        if (!effects_.lighting) return std::move(uniforms_);
+        if (form_.object_space)
+            object_space();
+        else
+            eye_space();
+
+        const LightColor ambient{plan_.constant_ambient, {}};
+        if (effects_.spectral_products)
+            matrix("u_constant_ambient", product_matrix(model(), ambient));
+        else
+            vector("u_constant_ambient", ambient.rgb);
+        if (effects_.spectral_groups > 0) spectral_samples();
+        face("front", plan_.lighting.front, effects_.front);
+        if (effects_.two_side) face("back", plan_.lighting.back, effects_.back);
+        for (std::size_t i = 0; i < lights_.size(); ++i) {
+            for (const std::size_t planned : lights_[i]) light(i, planned);
+            number(fmt::format("u_count_of_light{}", i), static_cast<double>(lights_[i].size()));
+        }
+        return std::move(uniforms_);
+    }
+
+  private:
+    // Given again, it is the next element of an array.
+    void number(const std::string& name, double value) { uniforms_[name].push_back(to_float(value)); }
+    template <class Vector>
+    void vector(const std::string& name, const Vector& v) {
+        for (int i = 0; i < Vector::length(); ++i) number(name, v[i]);
+    }
+    template <class Matrix>
+    void matrix(std::string name, const Matrix& m) {
+        std::vector<float>& values = uniforms_[std::move(name)];
+        for (int column = 0; column < Matrix::length(); ++column)
+            for (int row = 0; row < Matrix::length(); ++row) values.push_back(to_float(m[column][row]));
+    }
+
+    void eye_space() {
+        const VertexFacts& facts = plan_.vertices;
+        const glm::dvec4 reach = origin_object_ ? glm::dvec4(glm::dvec3(facts.radius_object), 1) : facts.position_reach;
+        unit_ = effects_.needs_position_eye() ? eye_unit(eye_from_object_, reach, plan_) : 1;
+        glm::dmat4 eye_from_object = eye_from_object_;
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
+        matrix("u_eye_from_object", eye_from_object);
+        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix(draw_, plan_));
+    }
+
+    // The viewer and the lights come to the vertices.
+    void object_space() {
+        unit_ = similarity_scale(eye_from_object_);
+        object_from_eye_ = glm::inverse(eye_from_object_);
+        vector("u_viewer_object", point(glm::dvec3(0)));
+        vector("u_viewer_dir", direction(glm::dvec3(0, 0, 1)));
+    }
+
+    // From eye coordinates to those that the shader lights in.
+    glm::dvec3 point(const glm::dvec3& eye) const {
+        return form_.object_space ? glm::dvec3(object_from_eye_ * glm::dvec4(eye, 1)) : eye / unit_;
+    }
+    glm::dvec3 direction(const glm::dvec3& eye) const {
+        return form_.object_space ? unit(glm::dmat3(object_from_eye_) * eye) : eye;
+    }
+
+    // A plane's product with an eye position is that of the plane times the modelview matrix with the object position.
+    void clip_planes() {
+        int count = 0;
+        for (const auto& plane_eye : draw_.raster.clip_planes_eye)
+            if (plane_eye) vector(fmt::format("u_clip_plane{}_object", count++), *plane_eye * eye_from_object_);
+    }
+
+    void fragments() {
+        if (effects_.texture.matrix) matrix("u_texture_matrix", draw_.texture.texture_matrix);
+        vector("u_texture_env_color", draw_.texture.env_color);
+        if (!effects_.has_fog()) return;
+        const glm::dmat4 rows = glm::transpose(eye_from_object_);
+        vector("u_eye_z_from_object", rows[2]);
+        vector("u_eye_w_from_object", rows[3]);
+        const Fog& fog = draw_.fog;
+        vector("u_fog_color", rgb(fog.color));
+        number("u_fog_density", fog.density);
+        number("u_fog_end", fog.end);
+        // RULING: fog that ends where it starts is a step there.
+        constexpr double kStep = 1e30;
+        number("u_fog_scale", fog.end == fog.start ? kStep : 1 / (fog.end - fog.start));
+    }
+
+    // Three a group; 0 behind the last.
+    void samples(const std::string& name, std::vector<double> values, double factor = 1) {
+        values.resize(3 * static_cast<std::size_t>(effects_.spectral_groups));
+        for (const double value : values) number(name, factor * value);
+    }
+
+    // What lights every point in samples: those of the faces and of the lights, and what each adds to red, green and blue.
+    void spectral_samples() {
+        const SpectralSamples& spectrum = *model().spectrum;
+        std::vector<double> weights;
+        for (int s = 0; s < spectrum.count(); ++s) {
+            const Vec3<double> w = spectrum.weight(static_cast<std::size_t>(s));
+            for (const double channel : {w.x, w.y, w.z}) weights.push_back(channel);
+        }
+        weights.resize(9 * static_cast<std::size_t>(effects_.spectral_groups));
+        for (const double weight : weights) number("u_rgb_from_samples", weight);
+        const auto of_face = [&](const std::string& name, const Material& m) {
+            const Material::Reflectances& r = m.reflectances;
+            samples(name + "_ambient_samples", samples_of(spectrum, MaterialColor{rgb(m.ambient), r.ambient}));
+            samples(name + "_diffuse_samples", samples_of(spectrum, MaterialColor{rgb(m.diffuse), r.diffuse}));
+            samples(name + "_specular_samples", samples_of(spectrum, MaterialColor{rgb(m.specular), r.specular}));
+        };
+        of_face("u_front", plan_.lighting.front);
+        if (effects_.two_side) of_face("u_back", plan_.lighting.back);
+        for (std::size_t i = 0; i < lights_.size(); ++i) {
+            const LightSource& light = source(lights_[i].front());
+            const double reach = plan_.lights[lights_[i].front()].constant_reach;
+            const std::string name = fmt::format("u_light{}", i);
+            samples(name + "_ambient_samples", samples_of(spectrum, ambient_of(light)), reach);
+            samples(name + "_diffuse_samples", samples_of(spectrum, diffuse_of(light)), reach);
+            samples(name + "_specular_samples", samples_of(spectrum, specular_of(light)), reach);
+        }
+    }
+
+    // e_cm + a_cm a_cs, but for what each vertex brings.
+    void face(const std::string& name, const Material& material, const FaceEffects& varying) {
+        glm::dvec3 base(0);
+        if (!varying.tracks_emission && !varying.varies_emission) base += rgb(material.emission);
+        const Material::Reflectances& reflectances = material.reflectances;
+        if (!varying.tracks_ambient && !varying.varies_ambient)
+            base += product_of(model(), {plan_.constant_ambient, {}}, {rgb(material.ambient), reflectances.ambient});
+        vector(fmt::format("u_{}_base", name), base);
+        number(fmt::format("u_{}_alpha", name), material.diffuse.a);
+        number(fmt::format("u_{}_shininess", name), material.shininess);
+        const auto light_products = [&](std::size_t i, std::size_t planned) {
+            const LightSource& light = source(planned);
+            const double reach = plan_.lights[planned].constant_reach;
+            const auto product = [&](const char* term, const LightColor& light_color, const MaterialColor& color,
+                                     bool varies) {
+                const std::string uniform = fmt::format("u_light{}_{}_{}", i, name, term);
+                if (!varies)
+                    vector(uniform, reach * product_of(model(), light_color, color));
+                else if (effects_.spectral_products)
+                    matrix(uniform, reach * product_matrix(model(), light_color));
+                else
+                    vector(uniform, reach * light_color.rgb);
+            };
+            product("ambient", ambient_of(light), {rgb(material.ambient), reflectances.ambient},
+                    varying.tracks_ambient || varying.varies_ambient);
+            product("diffuse", diffuse_of(light), {rgb(material.diffuse), reflectances.diffuse},
+                    varying.tracks_diffuse || varying.varies_diffuse);
+            product("specular", specular_of(light), {rgb(material.specular), reflectances.specular},
+                    varying.tracks_specular || varying.varies_specular);
+        };
+        for (std::size_t i = 0; i < lights_.size(); ++i)
+            for (const std::size_t planned : lights_[i]) light_products(i, planned);
+    }
+
+    void light(std::size_t i, std::size_t planned) {
+        const LightSource& light = source(planned);
+        const LightEffects& effects = effects_.lights[i];
+        const auto name = [&](const char* what) { return fmt::format("u_light{}_{}", i, what); };
+        const auto in_space = [&](const char* what) { return name(what) + (form_.object_space ? "_object" : "_eye"); };
+        if (effects.directional) {
+            const glm::dvec3 vp_dir = unit(rgb(light.position_eye));
+            vector(in_space("direction"), direction(vp_dir));
+            vector(name("half_dir"), direction(unit(vp_dir + glm::dvec3(0, 0, 1))));
+            return;
+        }
+        vector(in_space("position"), point(rgb(light.position_eye) / light.position_eye.w));
+        number(name("constant_attenuation"), light.constant_attenuation);
+        number(name("linear_attenuation"), light.linear_attenuation * unit_);
+        number(name("quadratic_attenuation"), light.quadratic_attenuation * unit_ * unit_);
+        vector(in_space("spot_direction"), direction(unit(light.spot_direction_eye)));
+        number(name("spot_cutoff_cosine"), cos_deg(light.spot_cutoff_deg) - kCosineRounding);
+        number(name("spot_exponent"), light.spot_exponent);
+        if (!light.smooth_cone) return;
+        // RULING: equal cones (and an inner one that is wider) are a step at the outer, which belongs to the
+        // cone: a slope as steep as rounding, below it.
+        const double outer = cos_deg(light.smooth_cone->outer_deg);
+        const double span = cos_deg(light.smooth_cone->inner_deg) - outer;
+        number(name("outer_cosine"), span > 0 ? outer : outer - 2 * kCosineRounding);
+        number(name("cone_slope"), 1 / (span > 0 ? span : kCosineRounding));
+    }
+
+    const LightModel& model() const { return plan_.lighting.light_model; }
+    const LightSource& source(std::size_t planned) const {
+        return plan_.lighting.lights[static_cast<std::size_t>(plan_.lights[planned].number)];
+    }
+
+    const Draw& draw_;
+    const Plan& plan_;
+    const EffectSet& effects_;
+    const Form& form_;
+    const std::vector<std::vector<std::size_t>>& lights_;
+    const std::optional<glm::dvec3> origin_object_;
+    glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to that
+    double unit_ = 1;                                     // of length where the shader lights, in eye coordinates
+    glm::dmat4 object_from_eye_{1};                       // form_.object_space
+    Uniforms uniforms_;
+};
+
+}  // namespace
+
+Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) { return Builder(draw, plan, code).build(); }
+
+std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, const std::vector<std::uint32_t>& vertices,
+                                const glm::dvec3& origin_object) {
+    const bool normals_made_unit = makes_normals_unit(effects);
+    const std::vector<VertexProperty> properties = vertex_properties(effects);
+    std::size_t floats_per_vertex = 0;
+    for (const Attribute& attribute : attributes(effects))
+        floats_per_vertex += static_cast<std::size_t>(attribute.size);
+    std::vector<float> values;
+    values.reserve(draw.vertices.size() * floats_per_vertex);
+    const auto add = [&](const auto& v, int size) {
+        for (int i = 0; i < size; ++i) values.push_back(to_float(v[i]));
+    };
+    for_each_vertex(draw, vertices, [&](const Vertex& vertex) {
+        add(vertex.position_object - glm::dvec4(origin_object * vertex.position_object.w, 0), 4);
+        if (effects.needs_normal()) {
+            const double size = largest_component(vertex.normal_object);
+            const bool rescaled = normals_made_unit && !ordinary(size);
+            add(rescaled ? vertex.normal_object / power_of_two(size) : vertex.normal_object, 3);
+            values.push_back(0);
+        }
+        if (effects.needs_color()) add(vertex.color, 4);
+        if (effects.has_texture()) add(vertex.tex_coord, 4);
+        for (const VertexProperty& property : properties) {
+            const Material& material = draw.materials.at(vertex.material).*property.face;
+            if (property.color)
+                add(material.*property.color, property.size);
+            else
+                values.push_back(to_float(material.shininess));
+        }
+    });
+    return values;
+}
+
+}  // namespace twinlight::programmable

@@ -1,0 +1,87 @@
+#include "render/programmable/form.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <map>
+
+#include "render/programmable/origin.h"
+
+namespace twinlight::programmable {
+namespace {
+
+constexpr double kFloatRounding = 0x1p-23;
+
+// Far from the ends of a float's range: squares and their sums stay within it.
+bool ordinary(double size) { return size > 1e-6 && size < 1e6; }
+
+bool ordinary_or_zero(const glm::dvec3& v) {
+    const double size = glm::length(v);
+    return size == 0 || ordinary(size);
+}
+
+bool lit_in_object_space(const Draw& draw, const Plan& plan, bool is_surface) {
+    const EffectSet& effects = plan.effects;
+    if (!effects.lighting || effects.vertex_w) return false;
+    // A mesh's fragment is lit in eye coordinates: there the lights stand still where the object moves. A surface's comes from
+    // its own space, with a normal that is made unit.
+    const bool by_fragment = effects.shading == Shading::kPhong;
+    if (by_fragment && !is_surface) return false;
+    const double scale = similarity_scale(draw.eye_from_object);
+    if (!ordinary(scale)) return false;
+    // The inverse's transpose has the rotation and 1 / scale, of which GL_NORMALIZE and GL_RESCALE_NORMAL leave nothing.
+    const bool scales_normals = !effects.normalize && !plan.lighting.rescale_normal && !by_fragment;
+    if (effects.needs_normal() && scales_normals && std::abs(scale - 1) > kFloatRounding) return false;
+    if (!effects.needs_position_eye()) return true;
+    // In object coordinates a distance must be as exact as in eye coordinates: nothing far away moves in between.
+    if (!ordinary_or_zero(glm::dvec3(draw.eye_from_object[3]))) return false;
+    return std::ranges::all_of(plan.lights, [&](const PlannedLight& planned) {
+        const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
+        return p.w == 0 || ordinary_or_zero(glm::dvec3(p) / p.w);
+    });
+}
+
+}  // namespace
+
+double similarity_scale(const glm::dmat4& eye_from_object) {
+    const glm::dmat4& m = eye_from_object;
+    if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1) return 0;
+    const glm::dmat3 linear(m);
+    const glm::dmat3 products = glm::transpose(linear) * linear;
+    const double square = products[0][0];
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (!(std::abs(products[column][row] - (column == row ? square : 0)) <= kFloatRounding * square)) return 0;
+    return std::sqrt(square);
+}
+
+Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {
+    const bool is_surface = surface.kind != SurfaceKind::kNone;
+    Code code{.effects = plan.effects,
+              .form = {.object_space = lit_in_object_space(draw, plan, is_surface),
+                       .position_w = !plan.vertices.w_is_1,
+                       .loops = {},
+                       .surface = surface},
+              .lights = {},
+              .origin_object = upload_origin(draw, plan.vertices)};
+    std::map<LightEffects, std::vector<std::size_t>> equal;
+    for (std::size_t i = 0; i < plan.effects.lights.size(); ++i) equal[plan.effects.lights[i]].push_back(i);
+    code.effects.lights.clear();
+    for (std::size_t i = 0; i < plan.effects.lights.size(); ++i) {
+        if (equal[plan.effects.lights[i]].size() > kMostWrittenOut) continue;
+        code.effects.lights.push_back(plan.effects.lights[i]);
+        code.lights.push_back({i});
+    }
+    for (const auto& [facts, lights] : equal) {
+        if (lights.size() <= kMostWrittenOut) continue;
+        code.effects.lights.push_back(facts);
+        code.form.loops.push_back(static_cast<int>(std::bit_ceil(lights.size())));  // the same text for some more
+        code.lights.push_back(lights);
+    }
+    return code;
+}
+
+}  // namespace twinlight::programmable

@@ -1,0 +1,161 @@
+#include "render/programmable/programmable.h"
+
+#include <list>
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/programmable/draw_values.h"
+#include "render/programmable/kept_meshes.h"
+#include "render/programmable/mesh.h"
+#include "render/programmable/precise.h"
+#include "render/programmable/programs.h"
+#include "render/programmable/surface_values.h"
+#include "render/stages/fixed_stages.h"
+#include "render/stages/textures.h"
+
+namespace twinlight::programmable {
+namespace {
+
+// What is left of a Draw once it is planned and its vertices are the driver's.
+struct PreparedDraw {
+    // mesh_of: gives the mesh for an EffectSet and what positions are relative to.
+    template <class MeshOf>
+    PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options, const MeshOf& mesh_of)
+        : code(options.precise && floats_suffice(draw, plan) ? precise_code(draw, plan) : code_for(draw, plan)),
+          numbers(code.form.precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code)),
+          mesh(mesh_of(code.effects, code.origin_object.value_or(glm::dvec3(0)))) {
+        keep_state(draw);
+    }
+    // One pass of an exact surface.
+    PreparedDraw(const SurfaceProgram& surface, const Uniforms& pass, std::shared_ptr<const Mesh> rectangle)
+        : code(surface.code), numbers(pass), mesh(std::move(rectangle)) {
+        keep_state(surface.draw);
+    }
+
+    void keep_state(const Draw& draw) {
+        stages.raster = draw.raster;
+        stages.fragment = draw.fragment;
+        stages.texture = draw.texture;
+    }
+
+    Code code;
+    Uniforms numbers;
+    std::shared_ptr<const Mesh> mesh;
+    Draw stages;  // without vertices: what is set as GL's state
+};
+
+PreparedDraw prepared(const Draw& draw, const RenderOptions& options) {
+    return {draw, plan_effects(draw, options), options, [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                return std::make_shared<const Mesh>(draw, effects, options, origin_object);
+            }};
+}
+
+PreparedDraw prepared(const Draw& draw, const RenderOptions& options, KeptMeshes& kept) {
+    const auto known = kept.known(draw);
+    return {draw, plan_effects(draw, options, known->facts), options,
+            [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                return kept.mesh(*known, draw, effects, options, origin_object);
+            }};
+}
+
+}  // namespace
+
+struct PreparedFrame::Impl {
+    // kept: null where the frame shares nothing with others.
+    Impl(const Frame& frame, RenderOptions options, KeptMeshes* kept) : tier(options.tier) {
+        if (options.precise) {
+            options = precise_options(options);
+            check_has_precise();
+        }
+        const Draw* last = nullptr;
+        for (const auto& item : frame.items) {
+            if (const Clear* clear = std::get_if<Clear>(&item)) {
+                items.emplace_back(*clear);
+                continue;
+            }
+            const Draw& draw = std::get<Draw>(item);
+            if (draw.count() == 0) continue;
+            if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
+                add_mesh(draw, options, kept);
+            else if (!last || !are_one_shape(*last, draw))  // the first part stands for all of the shape
+                add_surfaces(draw, options);
+            last = &draw;
+        }
+        glBindVertexArray(0);
+        glBindBuffer(GL_ARRAY_BUFFER, 0);
+    }
+
+    void add_mesh(const Draw& draw, const RenderOptions& options, KeptMeshes* kept) {
+        items.emplace_back(kept ? prepared(draw, options, *kept) : prepared(draw, options));
+    }
+
+    void add_surfaces(const Draw& draw, const RenderOptions& options) {
+        for (const SurfaceProgram& surface : surface_programs(draw, options)) {
+            const auto rectangle =
+                std::make_shared<const Mesh>(surface.draw, surface.code.effects, RenderOptions{}, glm::dvec3(0));
+            for (const Uniforms& pass : surface.passes) items.emplace_back(PreparedDraw(surface, pass, rectangle));
+        }
+    }
+
+    Tier tier;
+    std::list<std::variant<Clear, PreparedDraw>> items;
+};
+
+PreparedFrame::PreparedFrame(const Frame& frame, const RenderOptions& options)
+    : impl_(std::make_unique<Impl>(frame, options, nullptr)) {}
+PreparedFrame::PreparedFrame(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+PreparedFrame::~PreparedFrame() = default;
+
+struct Renderer::Impl {
+    explicit Impl(const Limits& limits) : programs(limits.programs), meshes(limits.mesh_bytes) {}
+
+    void draw(const PreparedDraw& what, const FixedStages& stages, Tier tier) {
+        stages.set(what.stages);
+        if (what.code.effects.has_texture()) textures.bind(what.stages.texture);
+        programs.use(what.code.effects, what.code.form, what.numbers, tier);
+        what.mesh->draw();
+    }
+
+    Programs programs;
+    KeptMeshes meshes;
+    Textures textures{Clamping::kShader};
+};
+
+Renderer::Renderer(const Limits& limits) : impl_(std::make_unique<Impl>(limits)) {}
+Renderer::~Renderer() = default;
+
+void Renderer::draw(const PreparedFrame& frame) {
+    const FixedStages stages;
+    stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
+    for (const auto& item : frame.impl_->items) {
+        if (const Clear* clear = std::get_if<Clear>(&item))
+            stages.clear(*clear);
+        else
+            impl_->draw(std::get<PreparedDraw>(item), stages, frame.impl_->tier);
+    }
+    impl_->textures.drop_unused();
+    impl_->programs.end_frame();
+    impl_->meshes.end_frame();
+}
+
+void Renderer::draw(const Frame& frame, const RenderOptions& options) {
+    KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
+    draw(PreparedFrame(std::make_unique<PreparedFrame::Impl>(frame, options, kept)));
+}
+
+Image Renderer::render(const Frame& frame, const RenderOptions& options) {
+    draw(frame, options);
+    return read_pixels(frame.width, frame.height);
+}
+
+Counters Renderer::counters() const {
+    Counters counters = impl_->programs.counters();
+    counters.textures = impl_->textures.upload_count();
+    counters.meshes = impl_->meshes.counters();
+    return counters;
+}
+
+}  // namespace twinlight::programmable

@@ -1,0 +1,12 @@
+// The GLSL pieces under render/programmable/shaders.
+#pragma once
+
+#include <vector>
+
+#include "base/math/embedded_file.h"
+
+namespace twinlight {
+
+extern const std::vector<EmbeddedFile> kShaderFiles;
+
+}  // namespace twinlight

@@ -1,0 +1,145 @@
+// The GLSL that draws a frame, for people to read.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "render/programmable/bake.h"
+#include "render/programmable/precise.h"
+#include "render/programmable/programmable.h"
+#include "render/programmable/surface_values.h"
+
+namespace twinlight::programmable {
+namespace {
+
+std::string commented(const std::string& text) {
+    std::string result;
+    for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
+        end = std::min(text.find('\n', at), text.size());
+        result += "//   " + text.substr(at, end - at) + "\n";
+    }
+    return result;
+}
+
+// What of the Draw no shader does, as far as it is not GL's initial state.
+std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
+    const RasterState& raster = draw.raster;
+    const FragmentState& fragment = draw.fragment;
+    const PolygonOffset& offset = raster.polygon_offset;
+    const std::pair<bool, const char*> rows[] = {
+        {raster.depth_near != 0 || raster.depth_far != 1, "the depth range (glDepthRange)"},
+        {raster.cull_enabled, "culling (glCullFace)"},
+        {draw.draws_borders(), "the polygon mode (glPolygonMode)"},
+        {offset.fill || offset.line || offset.point, "the polygon offset (glPolygonOffset)"},
+        {raster.line_width != 1, "the line width (glLineWidth)"},
+        {raster.point_size != 1, "the point size (glPointSize)"},
+        {fragment.scissor.enabled, "the scissor (glScissor)"},
+        {fragment.alpha_test, "the alpha test (glAlphaFunc; core GL has `discard`)"},
+        {raster.depth_test, "the depth test (glDepthFunc)"},
+        {fragment.blend, "blending (glBlendFunc, glBlendEquation)"},
+        {fragment.color_mask != FragmentState{}.color_mask, "the colour mask (glColorMask)"},
+        {plan.effects.has_texture(), "the texture's images, filters and wrapping (glTexParameter)"},
+    };
+    std::string text;
+    for (const auto& [is_set, what] : rows)
+        if (is_set) text += fmt::format("//   {}\n", what);
+    return text.empty() ? "" : "// What stays GL's state:\n" + text;
+}
+
+// Which lights each of the text's is.
+std::vector<std::vector<std::string>> light_names(const Plan& plan, const Code& code) {
+    std::vector<std::vector<std::string>> names;
+    if (code.form.precise) {
+        for (std::size_t i = 0; i < plan.lighting.lights.size(); ++i)
+            if (plan.lighting.enabled && plan.lighting.lights[i].enabled)
+                names.push_back({light_name(static_cast<int>(i))});
+    } else {
+        for (const std::vector<std::size_t>& lights : code.lights) {
+            names.emplace_back();
+            for (const std::size_t planned : lights) names.back().push_back(light_name(plan.lights[planned].number));
+        }
+    }
+    return names;
+}
+
+std::string program_text(const Draw& draw, const Plan& plan, const Code& code, const Uniforms& numbers) {
+    const bool precise = code.form.precise;
+    std::string text = "// What lights this Draw:\n" + commented(describe(precise ? code.effects : plan.effects));
+    const std::vector<std::vector<std::string>> lights = light_names(plan, code);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        text += fmt::format("// light{} is {}.\n", i, fmt::join(lights[i], ", "));
+    if (!precise) text += "// What is left out:\n";
+    for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
+        for (const LeftOut& left_out : list)
+            if (!precise) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
+
+    text += fixed_stages_text(draw, plan);
+
+    if (const auto& origin = code.origin_object)
+        text += fmt::format("// a_position is relative to ({}, {}, {}), subtracted in double.\n", origin->x, origin->y,
+                            origin->z);
+    const ShaderSource source = assemble(code.effects, code.form);
+    const auto names = uniform_names(source);
+    text += "// The uniforms' values:\n";
+    for (const auto& [name, values] : numbers)
+        if (names.contains(name)) text += fmt::format("//   {} = {}\n", name, fmt::join(values, " "));
+    text += fmt::format("\n// ---- Vertex shader ----\n\n{}\n// ---- Fragment shader ----\n\n{}", source.vertex,
+                        source.fragment);
+    return text;
+}
+
+}  // namespace
+
+std::string shader_source(const Frame& frame, const RenderOptions& asked) {
+    const RenderOptions options = asked.precise ? precise_options(asked) : asked;
+    // The Draws of each program; the first of them gives the values.
+    struct Use {
+        EffectSet effects;
+        Form form;
+        Place place;
+        int number;
+        std::string text;
+        int others = 0;
+    };
+    std::vector<Use> uses;
+    int number = 0;
+    const auto add = [&](const Draw& draw, const Plan& plan, const Code& code, const auto& numbers) {
+        const auto same = std::ranges::find_if(
+            uses, [&](const Use& use) { return use.effects == code.effects && use.form == code.form; });
+        if (same != uses.end())
+            ++same->others;
+        else
+            uses.push_back({.effects = code.effects,
+                            .form = code.form,
+                            .place = draw.place,
+                            .number = number,
+                            .text = program_text(draw, plan, code, numbers())});
+    };
+    const Draw* last = nullptr;
+    for (const auto& item : frame.items) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        if (!draw) continue;
+        ++number;
+        if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
+            const Plan plan = plan_effects(*draw, options);
+            const Code code =
+                options.precise && floats_suffice(*draw, plan) ? precise_code(*draw, plan) : code_for(*draw, plan);
+            add(*draw, plan, code,
+                [&] { return code.form.precise ? precise_uniforms(*draw, plan, code) : uniforms(*draw, plan, code); });
+        } else if (!last || !are_one_shape(*last, *draw)) {
+            for (const SurfaceProgram& surface : surface_programs(*draw, options))
+                add(surface.draw, surface.plan, surface.code, [&] { return surface.passes.front(); });
+        }
+        last = draw;
+    }
+    std::string text;
+    for (const Use& use : uses) {
+        text += fmt::format("// ==== Draw {}, {}", use.number, use.place.str());
+        if (use.others > 0) text += fmt::format("; {} more with other values", use.others);
+        text += "\n" + use.text + "\n";
+    }
+    return text;
+}
+
+}  // namespace twinlight::programmable

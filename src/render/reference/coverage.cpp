@@ -1,0 +1,122 @@
+#include "render/reference/coverage.h"
+
+#include <glm/common.hpp>
+
+namespace twinlight::reference {
+
+namespace {
+
+// In pixels. Where an edge meets two clipping planes at once, rounding leaves an edge of no length and of any
+// direction.
+constexpr double kShortestEdge = 1e-9;
+
+int floor_int(double x) { return static_cast<int>(std::floor(std::clamp(x, -1e9, 1e9))); }
+int ceil_int(double x) { return static_cast<int>(std::ceil(std::clamp(x, -1e9, 1e9))); }
+
+// The pixel column of a coordinate that is a little smaller than x: 3.4.1 moves every line by (-e, -e^2).
+int pixel_below(double x) { return ceil_int(x) - 1; }
+
+// Whether a point, moved by (-e, -e^2), lies in the diamond of its pixel.
+bool in_diamond(const glm::dvec2& p, int x, int y) {
+    const glm::dvec2 d = p - pixel_centre(x, y);
+    const double distance = std::abs(d.x) + std::abs(d.y);
+    return distance < 0.5 || (distance == 0.5 && d.x > 0);
+}
+
+}  // namespace
+
+PixelRect bounds(const std::vector<Corner>& polygon, const PixelRect& within, double margin) {
+    glm::dvec2 low = polygon[0].position_window, high = low;
+    for (const Corner& corner : polygon) {
+        low = {std::min(low.x, corner.position_window.x), std::min(low.y, corner.position_window.y)};
+        high = {std::max(high.x, corner.position_window.x), std::max(high.y, corner.position_window.y)};
+    }
+    return {std::max(within.x0, floor_int(low.x - margin)), std::max(within.y0, floor_int(low.y - margin)),
+            std::min(within.x1, floor_int(high.x + margin) + 1), std::min(within.y1, floor_int(high.y + margin) + 1)};
+}
+
+PixelRect bounds(const SurfaceRays& rays, const PixelRect& within) {
+    const glm::dvec2 low = rays.low_window(), high = rays.high_window();
+    return {std::max(within.x0, floor_int(low.x)), std::max(within.y0, floor_int(low.y)),
+            std::min(within.x1, floor_int(high.x) + 1), std::min(within.y1, floor_int(high.y) + 1)};
+}
+
+Edge::Edge(const Corner& from, const Corner& to) : origin_(from.edge_to_next) {
+    const glm::dvec2 a = from.position_window, b = to.position_window;
+    const bool forward = a.x < b.x || (a.x == b.x && a.y < b.y);
+    start_ = forward ? a : b;
+    way_ = forward ? b - a : a - b;
+    sign_ = forward ? 1 : -1;
+    const glm::dvec2 direction = b - a;
+    owns_centres_ = direction.y < 0 || (direction.y == 0 && direction.x > 0);
+}
+
+std::vector<Edge> edges_of(const std::vector<Corner>& polygon) {
+    std::vector<Edge> edges;
+    edges.reserve(polygon.size());
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Corner &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        const glm::dvec2 way = glm::abs(to.position_window - from.position_window);
+        if (way.x > kShortestEdge || way.y > kShortestEdge) edges.emplace_back(from, to);
+    }
+    return edges;
+}
+
+// 3.4.1, and 3.4.2.1 for other widths: the line is moved down (left, where it is higher than wide) by half of what the
+// width is beyond 1, and each fragment of the moved line is the lowest (leftmost) of `width` fragments.
+//
+// A line that is wider than high passes one pixel a column: where it passes the column's centre line it is within that
+// pixel's diamond. What is left are the ends: a line also leaves the diamond that it starts in, and does not leave the
+// diamond that it ends in. A line that is higher than wide is the same with x and y exchanged.
+std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_given, const glm::dvec2& to_given, int width,
+                                             const PixelRect& within) {
+    const glm::dvec2 d = to_given - from_given;
+    const int major = std::abs(d.x) >= std::abs(d.y) ? 0 : 1, minor = 1 - major;
+    if (d[major] == 0) return {};
+    glm::dvec2 from_window = from_given, to_window = to_given;
+    for (glm::dvec2* end : {&from_window, &to_window}) (*end)[minor] -= (width - 1) / 2.0;
+    const double slope = d[minor] / d[major];
+    const auto pixel_at = [&](int step) {  // where the line passes the centre of that column (row)
+        const double at = from_window[minor] + (step + 0.5 - from_window[major]) * slope;
+        // On a border the shift by (-e, -e^2) decides; along a rising line -e weighs more than -e^2.
+        const bool rising = major == 0 && slope > 0;
+        const int across = rising ? floor_int(at) : pixel_below(at);
+        return major == 0 ? std::pair(step, across) : std::pair(across, step);
+    };
+
+    const double low = std::min(from_window[major], to_window[major]);
+    const double high = std::max(from_window[major], to_window[major]);
+    const int first_visible = major == 0 ? within.x0 : within.y0, end_visible = major == 0 ? within.x1 : within.y1;
+    std::vector<std::pair<int, int>> pixels;
+    for (int step = std::max(first_visible, ceil_int(low - 0.5)); step < end_visible && step + 0.5 < high; ++step)
+        pixels.push_back(pixel_at(step));
+    if (d[major] < 0) std::reverse(pixels.begin(), pixels.end());
+
+    const std::pair start(pixel_below(from_window.x), pixel_below(from_window.y));
+    const std::pair end(pixel_below(to_window.x), pixel_below(to_window.y));
+    const bool ends_in_diamond = in_diamond(to_window, end.first, end.second);
+    if (in_diamond(from_window, start.first, start.second) && (pixels.empty() || pixels.front() != start))
+        pixels.insert(pixels.begin(), start);
+    if (ends_in_diamond && !pixels.empty() && pixels.back() == end) pixels.pop_back();
+
+    std::vector<std::pair<int, int>> seen;
+    seen.reserve(pixels.size());
+    const int low_across = major == 0 ? within.y0 : within.x0, high_across = major == 0 ? within.y1 : within.x1;
+    for (const auto& [x, y] : pixels) {
+        const int first = major == 0 ? y : x, step = major == 0 ? x : y;
+        if (step < first_visible || step >= end_visible) continue;
+        for (int i = std::max(first, low_across); i < std::min(first + width, high_across); ++i)
+            seen.emplace_back(major == 0 ? step : i, major == 0 ? i : step);
+    }
+    return seen;
+}
+
+PixelRect point_square(const glm::dvec2& position_window, int size, const PixelRect& within) {
+    const double to_centre = size % 2 == 0 ? 0.5 : 0;
+    const int x = floor_int(position_window.x + to_centre) - size / 2;
+    const int y = floor_int(position_window.y + to_centre) - size / 2;
+    return {std::max(x, within.x0), std::max(y, within.y0), std::min(x + size, within.x1),
+            std::min(y + size, within.y1)};
+}
+
+}  // namespace twinlight::reference

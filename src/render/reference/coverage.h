@@ -1,0 +1,104 @@
+// Which pixels a piece covers (3.3, 3.4.1, 3.5.1). In: a Piece. Out: calls, one a pixel; x and y are window
+// coordinates of the pixel's lower left corner, y up.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "render/reference/piece.h"
+#include "render/reference/surface_rays.h"
+
+namespace twinlight::reference {
+
+// The pixels that may be touched: whole columns and rows, the upper bounds excluded.
+struct PixelRect {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    bool contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
+};
+
+inline glm::dvec2 pixel_centre(int x, int y) { return {x + 0.5, y + 0.5}; }
+
+// The pixels whose squares, grown by `margin`, meet the polygon's bounding box.
+PixelRect bounds(const std::vector<Corner>& polygon, const PixelRect& within, double margin);
+
+// The pixels that may see the surface.
+PixelRect bounds(const SurfaceRays& rays, const PixelRect& within);
+
+// One edge of a counter-clockwise polygon.
+class Edge {
+  public:
+    Edge(const Corner& from, const Corner& to);
+
+    // The cross product of the edge with the way from its start to `p`: positive inside. Two polygons that
+    // share the edge in opposite directions get exactly opposite values, for both compute it from the same end.
+    double side(const glm::dvec2& p) const { return sign_ * (way_.x * (p.y - start_.y) - way_.y * (p.x - start_.x)); }
+    // RULING (3.5.1: a centre on a common edge belongs to exactly one polygon; which one is open): left and
+    // bottom edges are inside, as llvmpipe has it.
+    bool covers(const glm::dvec2& centre) const {
+        const double s = side(centre);
+        return s > 0 || (s == 0 && owns_centres_);
+    }
+    // The largest change of side() within a square of that half width about a point.
+    double reach(double half_width) const { return half_width * (std::abs(way_.x) + std::abs(way_.y)); }
+    EdgeOrigin origin() const { return origin_; }
+
+  private:
+    glm::dvec2 start_, way_;
+    double sign_;
+    bool owns_centres_;
+    EdgeOrigin origin_;
+};
+
+// The edges that have a direction; fewer than two of a polygon that is a point.
+std::vector<Edge> edges_of(const std::vector<Corner>& polygon);
+
+// The fragments of a line, in their order along it: of width 1 by the diamond exit rule; of another, that many side by
+// side across the line (3.4.2.1).
+std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_window, const glm::dvec2& to_window, int width,
+                                             const PixelRect& within);
+
+// The square of a point (3.3): about the pixel that holds it where the size is odd, about the nearest corner of a pixel
+// where it is even.
+PixelRect point_square(const glm::dvec2& position_window, int size, const PixelRect& within);
+
+// Calls fragment(x, y) for every pixel of `within` that the piece covers.
+template <class Fragment>
+void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment& fragment) {
+    switch (piece.shape) {
+        case Shape::kPoint: {
+            const PixelRect square = point_square(glm::dvec2(piece.from.position_window), piece.size, within);
+            for (int y = square.y0; y < square.y1; ++y)
+                for (int x = square.x0; x < square.x1; ++x) fragment(x, y);
+            break;
+        }
+        case Shape::kLine:
+            for (const auto& [x, y] : line_pixels(glm::dvec2(piece.from.position_window),
+                                                  glm::dvec2(piece.to.position_window), piece.size, within))
+                fragment(x, y);
+            break;
+        case Shape::kSurface: {
+            const PixelRect box = bounds(*piece.rays, within);
+            for (int y = box.y0; y < box.y1; ++y)
+                for (int x = box.x0; x < box.x1; ++x)
+                    if (piece.rays->point(pixel_centre(x, y), piece.point)) fragment(x, y);
+            break;
+        }
+        case Shape::kTriangle: {
+            const PixelRect box = bounds(piece.corners, within, 0);
+            if (box.y0 >= box.y1 || box.x0 >= box.x1) break;
+            const std::vector<Edge> edges = edges_of(piece.corners);
+            if (edges.size() < 2) break;
+            for (int y = box.y0; y < box.y1; ++y)
+                for (int x = box.x0; x < box.x1; ++x)
+                    if (std::all_of(edges.begin(), edges.end(),
+                                    [&](const Edge& edge) { return edge.covers(pixel_centre(x, y)); }))
+                        fragment(x, y);
+            break;
+        }
+    }
+}
+
+}  // namespace twinlight::reference

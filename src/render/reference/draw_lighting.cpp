@@ -1,0 +1,202 @@
+#include "render/reference/draw_lighting.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <iterator>
+#include <numbers>
+
+namespace twinlight::reference {
+
+namespace {
+
+Vec rgb(const glm::dvec4& color) { return vec3_cast<Vec>(color); }
+
+// The cosine of GL_SPOT_CUTOFF, rounded down: 2.14.1 lights the border, and long double, which gives back four of its own last
+// places, would not give back a double's.
+double cos_cutoff(double cutoff_deg) {
+    if (cutoff_deg == 90) return 0;
+    const long double exact = std::cos(cutoff_deg * std::numbers::pi_v<long double> / 180);
+    const auto nearest = static_cast<double>(exact);
+    return nearest <= exact ? nearest : std::nextafter(nearest, -1.0);
+}
+
+// Table 2.10's parameters of one light. Cosines and the spot's unit vector are taken here, once.
+template <class Real>
+lighting::Light<Real> light_of(const LightSource& source, bool lecture_variants) {
+    using Vec = Vec3<Real>;
+    lighting::Light<Real> light;
+    light.ambient = vec3_cast<Vec>(source.ambient);
+    light.diffuse = vec3_cast<Vec>(source.diffuse);
+    light.specular = vec3_cast<Vec>(source.specular);
+    place(light, vec3_cast<Vec>(source.position_eye), Real(source.position_eye.w));
+    light.spot_dir_eye = lighting::unit(vec3_cast<Vec>(source.spot_direction_eye));
+    light.spot_exponent = source.spot_exponent;
+    light.is_spot = source.spot_cutoff_deg != 180;
+    light.cos_cutoff = cos_cutoff(source.spot_cutoff_deg);
+    light.constant_attenuation = source.constant_attenuation;
+    light.linear_attenuation = source.linear_attenuation;
+    light.quadratic_attenuation = source.quadratic_attenuation;
+    if (lecture_variants && source.smooth_cone) {
+        light.has_smooth_cone = true;
+        light.cos_inner = lighting::cos_deg<Real>(source.smooth_cone->inner_deg);
+        light.cos_outer = lighting::cos_deg<Real>(source.smooth_cone->outer_deg);
+    }
+    return light;
+}
+
+// 2.14.3: which properties of `face` follow the current colour.
+bool tracks(const ColorMaterial& color_material, Face face, Enum property) {
+    const Enum other_face = face == Face::kFront ? kGL_BACK : kGL_FRONT;
+    if (!color_material.enabled || color_material.face == other_face) return false;
+    if (color_material.mode == kGL_AMBIENT_AND_DIFFUSE) return property == kGL_AMBIENT || property == kGL_DIFFUSE;
+    return color_material.mode == property;
+}
+
+template <class Real>
+std::vector<lighting::Light<Real>> lights_of(const LightingState& state, bool lecture_variants) {
+    std::vector<lighting::Light<Real>> lights;
+    for (const LightSource& source : state.lights)
+        if (source.enabled) lights.push_back(light_of<Real>(source, lecture_variants));
+    return lights;
+}
+
+}  // namespace
+
+std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants) {
+    return lights_of<lighting::Marked>(draw.lighting, lecture_variants);
+}
+
+lighting::Surface<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face) {
+    const Vec normal = vec3_cast<Vec>(normal_eye);
+    return {lighting::divided(vec3_cast<Vec>(position_eye), position_eye.w), face == Face::kFront ? normal : -normal};
+}
+
+DrawLighting::DrawLighting(const Draw& draw, bool lecture_variants)
+    : enabled_(draw.lighting.enabled),
+      two_side_(draw.lighting.light_model.two_side),
+      materials_(draw.materials),
+      color_material_(draw.lighting.color_material) {
+    const LightModel& light_model = draw.lighting.light_model;
+    if (materials_.empty()) materials_.push_back({draw.lighting.front, draw.lighting.back});
+    model_.ambient = rgb(light_model.ambient);
+    model_.local_viewer = light_model.local_viewer;
+    model_.separate_specular = light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+    model_.reflection = lecture_variants && light_model.specular == Word::reflection;
+    model_.ambient_unattenuated = lecture_variants && light_model.light_ambient == Word::unattenuated;
+    lights_ = lights_of<double>(draw.lighting, lecture_variants);
+    if (!lecture_variants || !light_model.spectrum) return;
+    std::vector<LightSource> enabled;
+    std::ranges::copy_if(draw.lighting.lights, std::back_inserter(enabled), &LightSource::enabled);
+    spectral_.emplace(light_model.spectrum, model_, lights_, enabled);
+}
+
+LitMaterial DrawLighting::material(const StageVertex& v, Face face) const {
+    assert(v.material < materials_.size());
+    const Materials& both = materials_[v.material];
+    const Material& base = face == Face::kFront ? both.front : both.back;
+    const auto value = [&](Enum property, const glm::dvec4& own) {
+        return tracks(color_material_, face, property) ? v.color : own;
+    };
+    const glm::dvec4 diffuse = value(kGL_DIFFUSE, base.diffuse);
+    LitMaterial material{{.emission = rgb(value(kGL_EMISSION, base.emission)),
+                          .ambient = rgb(value(kGL_AMBIENT, base.ambient)),
+                          .diffuse = rgb(diffuse),
+                          .specular = rgb(value(kGL_SPECULAR, base.specular)),
+                          .diffuse_alpha = diffuse.a,
+                          .shininess = base.shininess}};
+    if (spectral_) {
+        const auto own = [&](Enum property, const Spectrum* reflectance) {
+            return tracks(color_material_, face, property) ? nullptr : reflectance;
+        };
+        material.samples = spectral_->samples_of(material, {.ambient = own(kGL_AMBIENT, base.reflectances.ambient),
+                                                            .diffuse = own(kGL_DIFFUSE, base.reflectances.diffuse),
+                                                            .specular = own(kGL_SPECULAR, base.reflectances.specular)});
+    }
+    return material;
+}
+
+lighting::Lit<double> DrawLighting::light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
+                                                  lighting::LightTerms<double>* breakdown) const {
+    if (spectral_) return spectral_->light_surface(material, surface, breakdown);
+    return lighting::light_surface<double>(model_, material, surface, lights_, breakdown);
+}
+
+bool DrawLighting::has_one_material(Face face) const {
+    const Enum other_face = face == Face::kFront ? kGL_BACK : kGL_FRONT;
+    return !has_vertex_materials() && (!color_material_.enabled || color_material_.face == other_face);
+}
+
+Colors DrawLighting::lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
+                         Face face) const {
+    const lighting::Surface<double> surface = surface_of(position_eye, normal_eye, face);
+    const lighting::Lit<double> lit = light_surface(material, surface);
+    return {.primary = glm::dvec4(vec3_cast<glm::dvec3>(lit.primary), lit.alpha),
+            .secondary = glm::dvec4(vec3_cast<glm::dvec3>(lit.secondary), 1),
+            .magnitude = glm::dvec4(vec3_cast<glm::dvec3>(lit.magnitude), std::abs(lit.alpha))};
+}
+
+Colors DrawLighting::colors(const StageVertex& v, Face face) const {
+    if (!enabled_) return {.primary = v.color, .magnitude = glm::abs(v.color)};
+    return lit(v.position_eye, v.normal_eye, material(v, face), face);
+}
+
+PointBatch::PointBatch(const DrawLighting& lighting, Normals normals) : lighting_(lighting) {
+    lighting::Points none;
+    none.makes_unit_normals = normals == Normals::kMadeUnit;
+    for (Side& side : sides_) side.points.assign(lighting.spectral_ ? lighting.spectral_->group_count() : 1, none);
+}
+
+void PointBatch::add(const StageVertex& v, Face face, const std::function<LitMaterial()>& material) {
+    Side& side = sides_[face == Face::kFront ? 0 : 1];
+    if (side.places.empty() || !lighting_.has_one_material(face)) {
+        const LitMaterial own = material();
+        for (std::size_t g = 0; g < side.points.size(); ++g)
+            side.points[g].add(lighting_.spectral_ ? own.samples[g] : own);
+    }
+    const lighting::Surface<double> surface = surface_of(v.position_eye, v.normal_eye, face);
+    for (lighting::Points& points : side.points) points.add(surface);
+    side.places.push_back(count_++);
+}
+
+void PointBatch::clear() {
+    for (Side& side : sides_) {
+        for (lighting::Points& points : side.points) points.clear();
+        side.places.clear();
+    }
+    count_ = 0;
+}
+
+void PointBatch::light(const Side& side, const Arithmetic& arithmetic) {
+    if (lighting_.spectral_)
+        lighting_.spectral_->light_points(side.points, arithmetic, lit_);
+    else
+        lighting::light_points(lighting_.model(), lighting_.lights(), side.points.front(), arithmetic, lit_);
+}
+
+LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials) {
+    const auto add = [](lighting::Material<double>& sum, double weight, const lighting::Material<double>& m) {
+        sum.emission += weight * m.emission;
+        sum.ambient += weight * m.ambient;
+        sum.diffuse += weight * m.diffuse;
+        sum.specular += weight * m.specular;
+        sum.diffuse_alpha += weight * m.diffuse_alpha;
+        sum.shininess += weight * m.shininess;
+    };
+    const lighting::Material<double> nothing{.diffuse_alpha = 0};
+    LitMaterial sum{nothing, std::vector(materials[0].samples.size(), nothing)};
+    for (int i = 0; i < 3; ++i) {
+        const LitMaterial& m = materials[static_cast<std::size_t>(i)];
+        add(sum, weights[i], m);
+        for (std::size_t g = 0; g < sum.samples.size(); ++g) add(sum.samples[g], weights[i], m.samples[g]);
+    }
+    return sum;
+}
+
+glm::dvec4 clamped(const glm::dvec4& color) {
+    using lighting::clamp01;
+    return {clamp01(color.r), clamp01(color.g), clamp01(color.b), clamp01(color.a)};
+}
+
+}  // namespace twinlight::reference

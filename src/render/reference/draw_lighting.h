@@ -1,0 +1,128 @@
+// From a Draw's lighting state to the structs of the lighting equation.
+//
+// In: LightingState (GL's words, 2.14.2). Out: what equation.h takes, prepared once a Draw; then the two
+// colours of any point of a surface.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "lighting/equation.h"
+#include "lighting/marked.h"
+#include "lighting/points.h"
+#include "render/reference/spectral_lighting.h"
+#include "render/reference/vertex_stage.h"
+#include "scene/state/frame.h"
+
+namespace twinlight::reference {
+
+using Vec = Vec3<double>;
+
+struct Colors {
+    glm::dvec4 primary{0};
+    glm::dvec4 secondary{0, 0, 0, 1};
+    glm::dvec4 magnitude{0};  // the sum of the magnitudes of primary's terms
+};
+
+enum class Face : std::uint8_t { kFront, kBack };
+
+struct LitPoint;  // pixel.h
+
+// The enabled lights as the equation takes them, with the rulings that they come from.
+std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants);
+
+// What the equation takes of a point: V, and the normal, reversed for the back face (2.14.1).
+lighting::Surface<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face);
+
+class DrawLighting {
+  public:
+    // Without `lecture_variants` the lighting is GL's own.
+    DrawLighting(const Draw& draw, bool lecture_variants);
+
+    // The colours, unclamped, of a vertex, or of a point of a surface that has all that a vertex has. The back face is
+    // lit with its own material and the normal reversed (2.14.1). Without lighting: the current colour.
+    Colors colors(const StageVertex& v, Face face) const;
+    // With lighting, and with a material that need not be a vertex's.
+    Colors lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
+               Face face) const;
+    // The same term by term (pixel.h); with the rulings that the lights and the vertex come from.
+    LitPoint point(const StageVertex& v, const LitMaterial& material, Face face,
+                   const std::vector<lighting::Light<lighting::Marked>>& lights, const VertexRulings& rulings) const;
+    // What the vertex is lit with: its own material, with its colour where the material follows it (2.14.3).
+    LitMaterial material(const StageVertex& v, Face face) const;
+
+    const lighting::Model<double>& model() const { return model_; }
+    const std::vector<lighting::Light<double>>& lights() const { return lights_; }  // the enabled ones
+    bool enabled() const { return enabled_; }
+    // Whether the back face has colours of its own; GL uses the front's where it has not.
+    bool two_side() const { return enabled_ && two_side_; }
+    // Whether all points of a face have the same material, whatever their colour.
+    bool has_one_material(Face face) const;
+    // Whether vertices may differ in more of their material than what follows the current colour.
+    bool has_vertex_materials() const { return materials_.size() > 1; }
+
+  private:
+    friend class PointBatch;
+
+    lighting::Lit<double> light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
+                                        lighting::LightTerms<double>* breakdown = nullptr) const;
+
+    bool enabled_ = false;
+    bool two_side_ = false;
+    lighting::Model<double> model_;
+    std::vector<lighting::Light<double>> lights_;
+    std::vector<Materials> materials_;  // at least one
+    ColorMaterial color_material_;
+    std::optional<SpectralLighting> spectral_;
+};
+
+// Points of a lit Draw that are lit together, on all lanes that the processor has (lighting/points.h). The DrawLighting must
+// outlive it.
+class PointBatch {
+  public:
+    enum class Normals : std::uint8_t { kAsTheyAre, kMadeUnit };
+    // Of many points so many at a time: enough to be worth a batch, and few enough to stay in the processor's cache.
+    static constexpr std::size_t kPoints = 1024;
+
+    PointBatch(const DrawLighting& lighting, Normals normals);
+
+    // The material is asked for only where points differ in it.
+    void add(const StageVertex& v, Face face, const std::function<LitMaterial()>& material);
+    // Calls visit(i, primary, secondary) for each point, i as they were added: colours as DrawLighting::lit()'s.
+    template <class Visit>
+    void light(const Arithmetic& arithmetic, const Visit& visit) {
+        for (const Side& side : sides_) {
+            light(side, arithmetic);
+            const Vec3<lighting::Each> primary = lighting::each(lit_.primary),
+                                       secondary = lighting::each(lit_.secondary);
+            const lighting::Each alpha(lit_.alpha);
+            for (std::size_t i = 0; i < side.places.size(); ++i)
+                visit(side.places[i], glm::dvec4(primary.x[i], primary.y[i], primary.z[i], alpha[i]),
+                      glm::dvec4(secondary.x[i], secondary.y[i], secondary.z[i], 1));
+        }
+    }
+    // For other points in the same memory.
+    void clear();
+
+  private:
+    struct Side {                              // of a face
+        std::vector<lighting::Points> points;  // one; or one for each group of samples (spectral_lighting.h)
+        std::vector<std::size_t> places;       // among all
+    };
+    void light(const Side& side, const Arithmetic& arithmetic);
+
+    const DrawLighting& lighting_;
+    std::array<Side, 2> sides_;
+    lighting::Lit<lighting::Column> lit_;
+    std::size_t count_ = 0;
+};
+
+// The material between three, as far as `weights` says.
+LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials);
+
+// Every component to [0,1] (2.14.6).
+glm::dvec4 clamped(const glm::dvec4& color);
+
+}  // namespace twinlight::reference

@@ -1,0 +1,39 @@
+// Fog (3.10): f blends the fragment's colour with the fog's; alpha stays as it is.
+#pragma once
+
+#include <cmath>
+
+#include "render/reference/interval.h"
+#include "scene/state/frame.h"
+
+namespace twinlight::reference {
+
+// f, in [0,1], equations 3.24 to 3.26. `distance`: c, which is |z_eye| here; the text allows that in the place of the
+// distance from the eye.
+// RULING: linear fog that ends where it starts is the limit: none before, all fog from there on.
+template <class Real>
+Real fog_factor(const Fog& fog, Real distance) {
+    using lighting::select;
+    using std::exp;
+    const Real thickness = Real(fog.density) * distance;
+    switch (fog.mode) {
+        case kGL_LINEAR:
+            if (fog.end == fog.start) {
+                const Real step = select(distance < Real(fog.end), Real(1), Real(0));
+                return ruled(lighting::Ruling::kFogWithoutDepth, step);
+            }
+            return clamp01((Real(fog.end) - distance) / Real(fog.end - fog.start));
+        case kGL_EXP2: return clamp01(exp(-thickness * thickness));
+    }
+    return clamp01(exp(-thickness));  // GL_EXP
+}
+
+// C = f C_r + (1 - f) C_f.
+template <class Real>
+Channels<Real> fogged(const Fog& fog, Real f, const Channels<Real>& fragment) {
+    Channels<Real> result = fragment;
+    for (int i = 0; i < 3; ++i) result[i] = f * fragment[i] + (Real(1) - f) * Real(clamp01(fog.color[i]));
+    return result;
+}
+
+}  // namespace twinlight::reference

@@ -1,0 +1,257 @@
+#include "render/reference/piece.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "render/reference/surface_rays.h"
+
+namespace twinlight::reference {
+
+namespace {
+
+// 2.11.1: of depths, z_w = scale z_d + offset.
+struct DepthRange {
+    explicit DepthRange(const RasterState& raster)
+        : scale((raster.depth_far - raster.depth_near) / 2), offset((raster.depth_far + raster.depth_near) / 2) {}
+    double scale, offset;
+};
+
+WindowVertex window_vertex(const RasterState& raster, const ClipVertex& v) {
+    return {window_from_ndc(raster, glm::dvec3(v.position_clip) / v.position_clip.w), v.weights / v.position_clip.w};
+}
+
+// 3.3 and 3.4.2.1: widths without smoothing are rounded to whole pixels; what rounds to 0 is 1.
+// RULING: the largest width and size, which are the implementation's to choose, are llvmpipe's.
+int whole_pixels(double width) {
+    constexpr double kLargest = 255;
+    return static_cast<int>(std::clamp(std::floor(width + 0.5), 1.0, kLargest));
+}
+
+// Twice the signed area in window coordinates, positive when counter-clockwise (2.14.1, equation 2.6).
+double doubled_area(const std::vector<Corner>& corners) {
+    double sum = 0;
+    const glm::dvec2 origin = corners[0].position_window;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec2 a = corners[i].position_window - origin;
+        const glm::dvec2 b = corners[(i + 1) % corners.size()].position_window - origin;
+        sum += a.x * b.y - a.y * b.x;
+    }
+    return sum;
+}
+
+// A counter-clockwise polygon from a clockwise one: each edge keeps its origin.
+void reverse(std::vector<Corner>& corners) {
+    std::reverse(corners.begin(), corners.end());
+    const EdgeOrigin first = corners[0].edge_to_next;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) corners[i].edge_to_next = corners[i + 1].edge_to_next;
+    corners.back().edge_to_next = first;
+}
+
+// With the columns of M the (x, y, w) of three clip positions, a point of weights b has M b = w (x_ndc,
+// y_ndc, 1): so b / w = M^-1 (x_ndc, y_ndc, 1), linear in the window, whichever part of the triangle clipping
+// leaves (Olano and Greer, "Triangle scan conversion using 2D homogeneous coordinates", 1997). False if the
+// triangle is seen edge on.
+bool set_planes(Piece& piece, const RasterState& raster, const std::array<glm::dvec4, 3>& clip) {
+    const Viewport& viewport = raster.viewport;
+    glm::dmat3 m;
+    for (int i = 0; i < 3; ++i) m[i] = {clip[i].x, clip[i].y, clip[i].w};
+    if (glm::determinant(m) == 0) return false;
+    const glm::dmat3 weights_from_ndc = glm::inverse(m);
+    // ndc = scale * window + offset
+    const glm::dvec2 scale(2.0 / viewport.width, 2.0 / viewport.height);
+    const glm::dvec2 offset = -glm::dvec2(viewport.x, viewport.y) * scale - 1.0;
+    glm::dvec3 z_over_w(0);
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 row(weights_from_ndc[0][i], weights_from_ndc[1][i], weights_from_ndc[2][i]);
+        const glm::dvec3 plane(row.x * scale.x, row.y * scale.y, row.z + row.x * offset.x + row.y * offset.y);
+        piece.weight_over_w_planes[i] = plane;
+        z_over_w += clip[i].z * plane;
+    }
+    const DepthRange depth(raster);
+    piece.depth_plane = depth.scale * z_over_w + glm::dvec3(0, 0, depth.offset);
+    return true;
+}
+
+double on_plane(const glm::dvec3& plane, const glm::dvec2& position_window) {
+    return plane.x * position_window.x + plane.y * position_window.y + plane.z;
+}
+
+// How far along the line the nearest place to `position_window` is: 0 at `from`, 1 at `to`, by its major axis.
+double along(const Piece& line, const glm::dvec2& position_window) {
+    const glm::dvec2 from(line.from.position_window), d = glm::dvec2(line.to.position_window) - from;
+    const int major = std::abs(d.x) >= std::abs(d.y) ? 0 : 1;
+    return d[major] == 0 ? 0 : std::clamp((position_window[major] - from[major]) / d[major], 0.0, 1.0);
+}
+
+class PieceMaker {
+  public:
+    PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices)
+        : draw_(draw), draw_index_(draw_index), vertices_(vertices), volume_(draw.raster) {}
+
+    void add(const Primitive& primitive) {
+        switch (primitive.shape) {
+            case Shape::kPoint: point(primitive, Face::kFront, vertex(primitive, 0)); break;
+            case Shape::kLine: line(primitive, Face::kFront, vertex(primitive, 0), vertex(primitive, 1)); break;
+            case Shape::kTriangle: triangle(primitive); break;
+            case Shape::kSurface: break;
+        }
+    }
+    std::vector<Piece> take() { return std::move(pieces_); }
+
+  private:
+    ClipVertex vertex(const Primitive& primitive, int i) const {
+        const StageVertex& stage = vertices_[primitive.vertices[i]];
+        ClipVertex v{.position_clip = stage.position_clip, .position_eye = stage.position_eye};
+        v.weights[i] = 1;
+        v.edge_to_next = primitive.boundary[i] ? EdgeOrigin::kBoundary : EdgeOrigin::kInner;
+        return v;
+    }
+
+    Piece& append(const Primitive& primitive, Face face, Shape shape) {
+        pieces_.push_back({.primitive = primitive, .face = face, .draw = draw_index_, .shape = shape});
+        return pieces_.back();
+    }
+
+    void point(const Primitive& primitive, Face face, const ClipVertex& v, double depth_offset = 0) {
+        if (!volume_.contains(v)) return;
+        Piece& piece = append(primitive, face, Shape::kPoint);
+        piece.size = whole_pixels(draw_.raster.point_size);
+        piece.from = window_vertex(draw_.raster, v);
+        piece.from.position_window.z += depth_offset;
+    }
+
+    void line(const Primitive& primitive, Face face, const ClipVertex& from, const ClipVertex& to,
+              double depth_offset = 0) {
+        const std::vector<ClipVertex> ends = volume_.line(from, to);
+        if (ends.empty()) return;
+        Piece& piece = append(primitive, face, Shape::kLine);
+        piece.size = whole_pixels(draw_.raster.line_width);
+        piece.from = window_vertex(draw_.raster, ends[0]);
+        piece.to = window_vertex(draw_.raster, ends[1]);
+        for (WindowVertex* end : {&piece.from, &piece.to}) end->position_window.z += depth_offset;
+    }
+
+    void triangle(const Primitive& primitive) {
+        const RasterState& raster = draw_.raster;
+        const std::array<ClipVertex, 3> whole = {vertex(primitive, 0), vertex(primitive, 1), vertex(primitive, 2)};
+        const std::vector<ClipVertex> polygon = volume_.polygon(whole);
+        if (polygon.size() < 3) return;
+        std::vector<Corner> corners;
+        corners.reserve(polygon.size());
+        for (const ClipVertex& v : polygon)
+            corners.push_back({glm::dvec2(window_vertex(raster, v).position_window), v.edge_to_next});
+
+        // 2.14.1: an area that is not positive is a back face; GL_CW turns the sign.
+        const double area = doubled_area(corners);
+        const Face face = (raster.front_face == kGL_CW ? -area : area) > 0 ? Face::kFront : Face::kBack;
+        if (culled(raster, face)) return;
+        const Enum mode = face == Face::kFront ? raster.polygon_mode_front : raster.polygon_mode_back;
+        Piece piece{.primitive = primitive, .face = face, .draw = draw_index_, .shape = Shape::kTriangle};
+        const bool has_planes =
+            set_planes(piece, raster, {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip});
+        // RULING: the border of a polygon that is seen edge on has no slope to be offset by.
+        const double offset = polygon_offset(raster, mode, has_planes ? glm::dvec2(piece.depth_plane) : glm::dvec2(0));
+        if (mode == kGL_FILL) {
+            if (!has_planes) return;
+            piece.depth_plane.z += offset;
+            if (area < 0) reverse(corners);
+            piece.corners = std::move(corners);
+            pieces_.push_back(std::move(piece));
+            return;
+        }
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            if (polygon[i].edge_to_next == EdgeOrigin::kInner) continue;
+            if (mode == kGL_LINE)
+                line(primitive, face, polygon[i], polygon[(i + 1) % polygon.size()], offset);
+            else
+                point(primitive, face, polygon[i], offset);
+        }
+    }
+
+    const Draw& draw_;
+    const std::uint32_t draw_index_;
+    const std::vector<StageVertex>& vertices_;
+    const ClipVolume volume_;
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace
+
+glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc) {
+    const Viewport& viewport = raster.viewport;
+    const DepthRange depth(raster);
+    return {(ndc.x + 1) * 0.5 * viewport.width + viewport.x, (ndc.y + 1) * 0.5 * viewport.height + viewport.y,
+            ndc.z * depth.scale + depth.offset};
+}
+
+// o = m * factor + r * units, with m = max(|dz/dx|, |dz/dy|), which the text allows in the place of the length of the
+// gradient.
+double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& slope) {
+    const PolygonOffset& offset = raster.polygon_offset;
+    if (!offset.is_enabled_for(mode)) return 0;
+    return std::max(std::abs(slope.x), std::abs(slope.y)) * offset.factor + kDepthStep * offset.units;
+}
+
+bool culled(const RasterState& raster, Face face) {
+    if (!raster.cull_enabled) return false;
+    return raster.cull_face == kGL_FRONT_AND_BACK || (raster.cull_face == kGL_FRONT) == (face == Face::kFront);
+}
+
+std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_index) {
+    std::vector<Piece> pieces;
+    for (const Surface& surface : *draw.surfaces) {
+        const auto rays = std::make_shared<const SurfaceRays>(draw, surface);
+        for (int point = 0; point < rays->most_points(); ++point)
+            pieces.push_back({.primitive = {.shape = Shape::kSurface},
+                              .draw = draw_index,
+                              .shape = Shape::kSurface,
+                              .rays = rays,
+                              .point = point});
+    }
+    return pieces;
+}
+
+std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
+                               QuadCut cut) {
+    if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return {};
+    PieceMaker maker(draw, draw_index, vertices);
+    for (const Primitive& primitive : assemble(draw, cut)) maker.add(primitive);
+    return maker.take();
+}
+
+double depth_at(const Piece& piece, const glm::dvec2& position_window) {
+    if (piece.rays) return piece.rays->point(position_window, piece.point).value().depth;
+    double depth = piece.from.position_window.z;
+    if (piece.shape == Shape::kTriangle) depth = on_plane(piece.depth_plane, position_window);
+    if (piece.shape == Shape::kLine) depth += along(piece, position_window) * (piece.to.position_window.z - depth);
+    return std::clamp(depth, 0.0, 1.0);
+}
+
+Linear3 weights_over_w_at(const Piece& piece, const glm::dvec2& position_window) {
+    Linear3 result{.value = piece.from.weights_over_w};
+    if (piece.shape == Shape::kTriangle)
+        for (int i = 0; i < 3; ++i) {
+            const glm::dvec3& plane = piece.weight_over_w_planes[i];
+            result.value[i] = on_plane(plane, position_window);
+            result.per_x[i] = plane.x;
+            result.per_y[i] = plane.y;
+        }
+    if (piece.shape == Shape::kLine) {
+        const glm::dvec3 whole = piece.to.weights_over_w - piece.from.weights_over_w;
+        const double length =
+            glm::distance(glm::dvec2(piece.from.position_window), glm::dvec2(piece.to.position_window));
+        result.value += along(piece, position_window) * whole;
+        if (length > 0) result.per_x = whole / length;
+    }
+    return result;
+}
+
+glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window) {
+    const glm::dvec3 over_w = weights_over_w_at(piece, position_window).value;
+    return over_w / (over_w.x + over_w.y + over_w.z);
+}
+
+}  // namespace twinlight::reference

@@ -1,0 +1,87 @@
+// Primitives in window coordinates: viewport and depth range (2.11.1), facing (2.14.1), culling (3.5.1), polygon mode
+// (3.5.4), polygon offset (3.5.5), the widths of lines and points (3.4.2.1, 3.3).
+//
+// In: a Draw's stage vertices and primitives. Out: Pieces, which is what the rasteriser covers pixels with: a clipped
+// polygon, a line, or a point. A piece answers for any window position what the depth is there, and the
+// perspective-correct weights of its primitive's vertices.
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "render/reference/assembly.h"
+#include "render/reference/clip.h"
+#include "render/reference/draw_lighting.h"
+#include "render/reference/vertex_stage.h"
+
+namespace twinlight::reference {
+
+// One point of a piece.
+struct WindowVertex {
+    glm::dvec3 position_window{0};
+    glm::dvec3 weights_over_w{0};  // linear in window coordinates; their ratios are the weights (3.4.1, 3.5.1)
+};
+
+struct Corner {
+    glm::dvec2 position_window{0};
+    EdgeOrigin edge_to_next = EdgeOrigin::kInner;
+
+    friend bool operator==(const Corner&, const Corner&) = default;
+};
+
+class SurfaceRays;  // surface_rays.h
+
+struct Piece {
+    Primitive primitive;
+    Face face = Face::kFront;
+    std::uint32_t draw = 0;  // which of the frame's Draws
+
+    Shape shape = Shape::kPoint;    // how it is drawn: a triangle may be drawn as lines or points
+    int size = 1;                   // the width of a line, the side of a point's square; in pixels
+    std::vector<Corner> corners{};  // of a polygon: convex, counter-clockwise (y up)
+    WindowVertex from{}, to{};      // of a line; a point has only `from`
+
+    // Of a surface: which of the points that are seen at a pixel; each has its own face.
+    std::shared_ptr<const SurfaceRays> rays{};
+    int point = 0;
+
+    // Of a polygon: linear functions of the window position, c.x * x + c.y * y + c.z.
+    std::array<glm::dvec3, 3> weight_over_w_planes{};
+    glm::dvec3 depth_plane{0};
+};
+
+// A draw's face that is culled (3.5.1).
+bool culled(const RasterState& raster, Face face);
+
+// 2.11.1: the viewport and the depth range.
+glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc);
+
+// 3.5.5: what is added to depths; slope: how they change by a pixel along x and y. `mode`: how the polygon is drawn.
+double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& slope);
+
+// The pieces of one Draw, in the order of its primitives.
+std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
+                               QuadCut cut);
+
+// The same of the surfaces that a shape stands for: which fragments there are, only its rays tell.
+std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_index);
+
+// What keeps two depths apart in a depth buffer of 24 bits, which is what Twinlight's contexts have: r of 3.5.5.
+inline constexpr double kDepthStep = 1.0 / (1 << 24);
+
+// Depth and weights of a piece at a window position, of a line or point at its nearest place. Weights add up to 1.
+double depth_at(const Piece& piece, const glm::dvec2& position_window);
+glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window);
+
+// A quantity that is linear over the window, and how it changes by one pixel along x and y: of a line, by one pixel
+// along the line and not at all across it; of a point, nowhere.
+struct Linear3 {
+    glm::dvec3 value{0}, per_x{0}, per_y{0};
+};
+// The weights before they are made to add up to 1.
+Linear3 weights_over_w_at(const Piece& piece, const glm::dvec2& position_window);
+
+}  // namespace twinlight::reference

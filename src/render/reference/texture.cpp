@@ -1,0 +1,155 @@
+#include "render/reference/texture.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace twinlight::reference {
+
+namespace {
+
+// 3.8.7: the texture coordinate as the wrap mode leaves it, between 0 and 1 (and half a texel beyond for the border).
+double wrapped(Enum wrap, double coordinate, int size) {
+    const double half_texel = 0.5 / size;
+    switch (wrap) {
+        case kGL_CLAMP: return std::clamp(coordinate, 0.0, 1.0);
+        case kGL_CLAMP_TO_EDGE: return std::clamp(coordinate, half_texel, 1 - half_texel);
+        case kGL_CLAMP_TO_BORDER: return std::clamp(coordinate, -half_texel, 1 + half_texel);
+        case kGL_MIRRORED_REPEAT: {  // every second period runs backwards
+            const double period = std::floor(coordinate), rest = coordinate - period;
+            const bool backwards = std::fmod(period, 2) != 0;
+            return std::clamp(backwards ? 1 - rest : rest, half_texel, 1 - half_texel);
+        }
+    }
+    return coordinate - std::floor(coordinate);  // GL_REPEAT
+}
+
+int floor_int(double x) { return static_cast<int>(std::floor(x)); }
+
+glm::dvec4 border_texel(const glm::dvec4& color, Enum base_format) {
+    const glm::dvec4 c = glm::clamp(color, 0.0, 1.0);
+    switch (base_format) {  // table 3.15
+        case kGL_ALPHA: return {0, 0, 0, c.a};
+        case kGL_LUMINANCE: return {c.r, c.r, c.r, 1};
+        case kGL_LUMINANCE_ALPHA: return {c.r, c.r, c.r, c.a};
+        case kGL_INTENSITY: return {c.r, c.r, c.r, c.r};
+        case kGL_RGB: return {c.r, c.g, c.b, 1};
+    }
+    return c;
+}
+
+const TextureImage& image_of(const Texture& texture, int level) {
+    return texture.levels[static_cast<std::size_t>(level)];
+}
+
+}  // namespace
+
+int nearest_texel(Enum wrap, double coordinate, int size) {
+    const int i = floor_int(size * wrapped(wrap, countable(coordinate), size));
+    // A coordinate of 1 is in the last texel; rounding may take one below 1 there too.
+    return wrap == kGL_CLAMP_TO_BORDER ? i : std::min(i, size - 1);
+}
+
+TexelPair linear_texels(Enum wrap, double coordinate, int size) {
+    const double u = size * wrapped(wrap, countable(coordinate), size) - 0.5;
+    TexelPair pair{.first = floor_int(u), .second = floor_int(u) + 1, .weight = u - std::floor(u)};
+    if (wrap == kGL_REPEAT) {
+        pair.first = (pair.first + size) % size;
+        pair.second %= size;
+    } else if (wrap == kGL_CLAMP_TO_EDGE || wrap == kGL_MIRRORED_REPEAT) {
+        // Beyond the last texel the weight is 0: no border, whichever texel is named.
+        pair.first = std::clamp(pair.first, 0, size - 1);
+        pair.second = std::clamp(pair.second, 0, size - 1);
+    }
+    return pair;
+}
+
+glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, int i, int j) {
+    if (i < 0 || i >= image.width || j < 0 || j >= image.height)
+        return border_texel(texture.border_color, image.base_format);
+    glm::dvec4 texel(image.texel(i, j));
+    if (image.base_format == kGL_INTENSITY) texel.a = texel.r;  // table 3.21: A_s is I_t
+    return texel;
+}
+
+glm::dvec4 sample_image(const Texture& texture, const TextureImage& image, Enum filter, const glm::dvec2& st) {
+    const bool flat = texture.target == kGL_TEXTURE_1D;
+    if (filter == kGL_NEAREST) {
+        const int i = nearest_texel(texture.wrap_s, st.x, image.width);
+        return texel_at(texture, image, i, flat ? 0 : nearest_texel(texture.wrap_t, st.y, image.height));
+    }
+    const TexelPair i = linear_texels(texture.wrap_s, st.x, image.width);
+    const auto row = [&](int j) {
+        return glm::mix(texel_at(texture, image, i.first, j), texel_at(texture, image, i.second, j), i.weight);
+    };
+    if (flat) return row(0);
+    const TexelPair j = linear_texels(texture.wrap_t, st.y, image.height);
+    return glm::mix(row(j.first), row(j.second), j.weight);
+}
+
+double scale_factor(const Texture& texture, const TexturePlace& place) {
+    if (place.of_point) return 1;
+    const TextureImage& base = image_of(texture, 0);
+    const glm::dvec2 size(base.width, texture.target == kGL_TEXTURE_1D ? 0 : base.height);
+    return std::max(glm::length(size * place.per_x), glm::length(size * place.per_y));
+}
+
+double level_of_detail(double rho, double lod_bias) {
+    constexpr double kLimit = 1000;  // TEXTURE_MIN_LOD and TEXTURE_MAX_LOD (table 3.18)
+    return std::clamp((rho > 0 ? std::log2(rho) : -kLimit) + lod_bias, -kLimit, kLimit);
+}
+
+double magnification_limit(const Texture& texture) {
+    const bool sharper = texture.mag_filter == kGL_LINEAR && (texture.min_filter == kGL_NEAREST_MIPMAP_NEAREST ||
+                                                              texture.min_filter == kGL_NEAREST_MIPMAP_LINEAR);
+    return sharper ? 0.5 : 0;
+}
+
+int last_level(const Texture& texture) {
+    const TextureImage& base = image_of(texture, 0);
+    const int halvings = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(base.width, base.height)))) - 1;
+    return std::min(halvings, static_cast<int>(texture.levels.size()) - 1);
+}
+
+Enum image_filter(Enum min_filter) {
+    const bool nearest = min_filter == kGL_NEAREST || min_filter == kGL_NEAREST_MIPMAP_NEAREST ||
+                         min_filter == kGL_NEAREST_MIPMAP_LINEAR;
+    return nearest ? kGL_NEAREST : kGL_LINEAR;
+}
+
+LevelChoice level_choice(Enum min_filter) {
+    if (min_filter == kGL_NEAREST || min_filter == kGL_LINEAR) return LevelChoice::kBase;
+    const bool nearest = min_filter == kGL_NEAREST_MIPMAP_NEAREST || min_filter == kGL_LINEAR_MIPMAP_NEAREST;
+    return nearest ? LevelChoice::kNearest : LevelChoice::kTwo;
+}
+
+// 3.8.8, equation 3.20: between two levels, the nearer one; half way, the finer one.
+int nearest_level(const Texture& texture, double lambda) {
+    const int last = last_level(texture);
+    if (lambda <= 0.5) return 0;
+    return lambda > last + 0.5 ? last : static_cast<int>(std::ceil(lambda + 0.5)) - 1;
+}
+
+glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda) {
+    assert(!texture.levels.empty() && !image_of(texture, 0).texels.empty());
+    const auto level = [&](int number, Enum filter) {
+        return sample_image(texture, image_of(texture, number), filter, st);
+    };
+    if (lambda <= magnification_limit(texture)) return level(0, texture.mag_filter);
+    const Enum filter = image_filter(texture.min_filter);
+    switch (level_choice(texture.min_filter)) {
+        case LevelChoice::kBase: break;
+        case LevelChoice::kNearest: return level(nearest_level(texture, lambda), filter);
+        case LevelChoice::kTwo: {  // equation 3.21
+            const int last = last_level(texture), finer = std::min(floor_int(lambda), last);
+            if (finer == last) return level(last, filter);
+            return glm::mix(level(finer, filter), level(finer + 1, filter), lambda - finer);
+        }
+    }
+    return level(0, filter);
+}
+
+}  // namespace twinlight::reference

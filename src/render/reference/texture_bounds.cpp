@@ -1,0 +1,144 @@
+#include "render/reference/texture_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <optional>
+#include <vector>
+
+namespace twinlight::reference {
+
+namespace {
+
+constexpr double kWeightStep = 1.0 / 256;   // of GL_LINEAR's weights
+constexpr double kRoundedMean = 0.5 / 255;  // what rounding a mean of two to 8 bits changes
+// Lambda between two levels, or with a bias: log2 of rho squared where the mantissa m of 1 to 2 stands for 1 + log2(m),
+// which is up to 0.0861 too little (at m = 1 / ln 2); and cut to the weights' 8 bits.
+constexpr double kLogTooSmall = 0.0861 / 2 + kWeightStep;
+constexpr double kSwitchError = 1.0 / 256;  // lambda's where it only chooses: drivers compare rho itself
+
+void join(TexelBounds& all, const TexelBounds& more) {
+    all.has_choice = all.has_choice || more.has_choice;
+    for (std::size_t i = 0; i < 4; ++i) all.texel[i] = hull(all.texel[i], more.texel[i]);
+}
+
+TexelBounds exactly(const glm::dvec4& texel) { return {channels<Interval>(texel), false}; }
+
+// The outcomes of a choice between `a` and `b`.
+TexelBounds choice(const TexelBounds& a, const TexelBounds& b) {
+    TexelBounds result = a;
+    join(result, b);
+    result.has_choice = result.has_choice || a.texel != b.texel;
+    return result;
+}
+
+// Coordinates of one axis that together see all that an interval of it may show: of GL_NEAREST the ends; of GL_LINEAR
+// also the centres of texels between, where the weights turn.
+std::vector<double> looks(Enum filter, double coordinate, double error, int size) {
+    std::vector<double> result = {coordinate - error, coordinate + error};
+    if (filter == kGL_NEAREST) return result;
+    constexpr double kMost = 4;  // centres; an interval that holds more says nothing anyway
+    const double first = std::ceil((coordinate - error) * size - 0.5);
+    const double last = std::min(std::floor((coordinate + error) * size - 0.5), first + kMost);
+    for (double centre = first; centre <= last; ++centre) result.push_back((centre + 0.5) / size);
+    return result;
+}
+
+class Sampler {
+  public:
+    Sampler(const Texture& texture, const glm::dvec2& st, const glm::dvec2& st_error)
+        : texture_(texture), st_(st), st_error_(st_error) {}
+
+    TexelBounds level(int number, Enum filter) const {
+        const TextureImage& image = texture_.levels[static_cast<std::size_t>(number)];
+        const bool flat = texture_.target == kGL_TEXTURE_1D;
+        const glm::dvec2 size(image.width, image.height);
+        const glm::dvec2 error = filter == kGL_NEAREST ? st_error_ : st_error_ + kWeightStep / size;
+        std::optional<TexelBounds> all;
+        for (double s : looks(filter, st_.x, error.x, image.width))
+            for (double t : flat ? std::vector<double>{0} : looks(filter, st_.y, error.y, image.height)) {
+                const TexelBounds one = exactly(sample_image(texture_, image, filter, {s, t}));
+                if (!all)
+                    all = one;
+                else if (filter == kGL_NEAREST)
+                    all = choice(*all, one);
+                else
+                    join(*all, one);
+            }
+        if (filter == kGL_LINEAR) round_means(*all, flat ? 1 : 2);
+        return *all;
+    }
+
+    // Between the levels of two lambdas: piecewise linear in it.
+    TexelBounds between_levels(const Interval& lambda, Enum filter) const {
+        const int last = last_level(texture_);
+        std::vector<double> looked = {lambda.low, lambda.high};
+        for (double k = std::ceil(lambda.low); k < lambda.high && k <= last; ++k) looked.push_back(k);
+        std::optional<TexelBounds> all;
+        for (double at : looked) {
+            const double clamped_lambda = std::clamp(at, 0.0, static_cast<double>(last));
+            const int finer = std::min(static_cast<int>(clamped_lambda), last);
+            TexelBounds one = level(finer, filter);
+            if (finer < last) {
+                const TexelBounds coarser = level(finer + 1, filter);
+                const double weight = clamped_lambda - finer;
+                for (std::size_t i = 0; i < 4; ++i)
+                    one.texel[i] = one.texel[i] * Interval(1 - weight) + coarser.texel[i] * Interval(weight);
+                one.has_choice = one.has_choice || (weight > 0 && coarser.has_choice);
+                round_means(one, 1);
+            }
+            if (!all) all = one;
+            join(*all, one);
+        }
+        return *all;
+    }
+
+  private:
+    // Means of equal texels stay what they are: only what has a width is rounded.
+    static void round_means(TexelBounds& bounds, int means) {
+        for (Interval& channel : bounds.texel)
+            if (channel.width() > 0) channel = clamp01(widened(channel, means * kRoundedMean));
+    }
+
+    const Texture& texture_;
+    const glm::dvec2 st_, st_error_;
+};
+
+}  // namespace
+
+TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
+                          const Interval& rho) {
+    const Texture& texture = *unit.texture;
+    const Sampler sampler(texture, st, st_error);
+    const LevelChoice levels = level_choice(texture.min_filter);
+    const Enum filter = image_filter(texture.min_filter);
+    if (levels == LevelChoice::kBase && filter == texture.mag_filter) return sampler.level(0, filter);
+
+    const bool takes_log = levels == LevelChoice::kTwo || unit.lod_bias != 0;
+    const Interval lambda(level_of_detail(rho.low, unit.lod_bias) - (takes_log ? kLogTooSmall : kSwitchError),
+                          level_of_detail(rho.high, unit.lod_bias) + (takes_log ? 0 : kSwitchError));
+    // 3.8.9's constant c is 0.5 for some pairs of filters; GL 3.1 and later let it be 0 for all.
+    const bool may_be_magnified = lambda.low <= magnification_limit(texture);
+    const bool may_be_minified = lambda.high > 0;
+
+    std::optional<TexelBounds> minified;
+    if (may_be_minified) {
+        const Interval above(std::max(lambda.low, 0.0), lambda.high);
+        switch (levels) {
+            case LevelChoice::kBase: minified = sampler.level(0, filter); break;
+            case LevelChoice::kNearest:
+                for (int i = nearest_level(texture, above.low); i <= nearest_level(texture, above.high); ++i)
+                    minified = minified ? choice(*minified, sampler.level(i, filter)) : sampler.level(i, filter);
+                break;
+            case LevelChoice::kTwo: minified = sampler.between_levels(above, filter); break;
+        }
+    }
+    if (!may_be_magnified) return *minified;
+    const TexelBounds magnified = sampler.level(0, texture.mag_filter);
+    if (!minified) return magnified;
+    if (filter != texture.mag_filter) return choice(magnified, *minified);
+    join(*minified, magnified);
+    return *minified;
+}
+
+}  // namespace twinlight::reference

@@ -1,0 +1,96 @@
+#include "render/reference/texture_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace twinlight::reference {
+
+namespace {
+
+// s, t and q over w, which are linear in the window.
+Linear3 stq_over_w(const std::vector<StageVertex>& vertices, const Piece& piece, const glm::dvec2& position_window) {
+    const Linear3 weights = weights_over_w_at(piece, position_window);
+    Linear3 result;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec4& t = vertices[piece.primitive.vertices[i]].tex_coord;
+        const glm::dvec3 stq(t.x, t.y, t.w);
+        result.value += weights.value[i] * stq;
+        result.per_x += weights.per_x[i] * stq;
+        result.per_y += weights.per_y[i] * stq;
+    }
+    return result;
+}
+
+glm::dvec2 divided(const glm::dvec3& stq) { return {quotient(stq.x, stq.z), quotient(stq.y, stq.z)}; }
+
+// The rho of differences over any 2 x 2 pixels that hold this one: implementations take those for derivatives (3.8.8 lets
+// them approximate), and which 2 x 2 is theirs to choose. Together with that of the derivatives themselves.
+Interval rho_of_differences(const Texture& texture, const Linear3& stq, const TexturePlace& place, double st_error) {
+    const auto at = [&](int x, int y) {
+        return divided(stq.value + static_cast<double>(x) * stq.per_x + static_cast<double>(y) * stq.per_y);
+    };
+    const glm::dvec2 size(texture.levels[0].width, texture.target == kGL_TEXTURE_1D ? 0 : texture.levels[0].height);
+    Interval along_x(glm::length(size * place.per_x)), along_y(glm::length(size * place.per_y));
+    for (int across = -1; across <= 1; ++across)
+        for (int step = -1; step <= 0; ++step) {
+            along_x = hull(along_x, glm::length(size * (at(step + 1, across) - at(step, across))));
+            along_y = hull(along_y, glm::length(size * (at(across, step + 1) - at(across, step))));
+        }
+    const double error = 2 * st_error * std::max(size.x, size.y);
+    return {std::max(0.0, std::max(along_x.low, along_y.low) - error), std::max(along_x.high, along_y.high) + error};
+}
+
+}  // namespace
+
+TexturePlace texture_place(const std::vector<StageVertex>& vertices, const Piece& piece,
+                           const glm::dvec2& position_window) {
+    const Linear3 stq = stq_over_w(vertices, piece, position_window);
+    TexturePlace place{.st = divided(stq.value), .of_point = piece.shape == Shape::kPoint};
+    const auto change = [&](const glm::dvec3& d) {  // the quotient rule
+        return glm::dvec2(quotient(d.x - place.st.x * d.z, stq.value.z), quotient(d.y - place.st.y * d.z, stq.value.z));
+    };
+    place.per_x = change(stq.per_x);
+    place.per_y = change(stq.per_y);
+    return place;
+}
+
+lighting::RulingSet texture_rulings(const std::vector<StageVertex>& vertices, const Piece& piece,
+                                    const glm::dvec2& position_window) {
+    using lighting::Marked;
+    const glm::dvec3 stq = stq_over_w(vertices, piece, position_window).value;
+    const Marked s = quotient(Marked(stq.x), Marked(stq.z)), t = quotient(Marked(stq.y), Marked(stq.z));
+    return countable(s).rulings | countable(t).rulings;
+}
+
+TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices, const Piece& piece,
+                                        const glm::dvec2& position_window, const Texture& texture) {
+    // Float arithmetic: the roundings of texture matrix, plane (a constant, a slope a pixel times the pixel's number) and
+    // division, each of them at most half a unit in the last place of what is added up.
+    constexpr double kRoundings = 8 * 0x1p-24;
+    const TexturePlace place = texture_place(vertices, piece, position_window);
+    Linear3 stq = stq_over_w(vertices, piece, position_window);
+    const glm::dvec3 added_up = glm::abs(stq.value) + glm::abs(stq.per_x) * std::abs(position_window.x) +
+                                glm::abs(stq.per_y) * std::abs(position_window.y);
+    const double q = std::abs(stq.value.z);
+    const glm::dvec2 arithmetic = kRoundings * glm::dvec2(quotient(added_up.x + std::abs(place.st.x) * added_up.z, q),
+                                                          quotient(added_up.y + std::abs(place.st.y) * added_up.z, q));
+
+    TexturePlaceBounds bounds{.st = place.st,
+                              .st_error = arithmetic + kSnap * (glm::abs(place.per_x) + glm::abs(place.per_y)),
+                              .rho = Interval(scale_factor(texture, place))};
+    if (place.of_point) return bounds;
+    const double st_error = std::max(arithmetic.x, arithmetic.y);
+    bounds.rho = rho_of_differences(texture, stq, place, st_error);
+    if (piece.shape == Shape::kLine) {
+        // 3.8.8 takes the change along the line; drivers take that along x or y, whichever the line is longer in.
+        const glm::dvec2 way = glm::abs(glm::dvec2(piece.to.position_window - piece.from.position_window));
+        const double longer = quotient(glm::length(way), std::max(way.x, way.y));
+        stq.per_x *= longer;
+        bounds.rho = hull(bounds.rho, rho_of_differences(texture, stq, place, st_error));
+    }
+    return bounds;
+}
+
+}  // namespace twinlight::reference

@@ -1,0 +1,125 @@
+#include "render/reference/vertex_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "render/reference/draw_lighting.h"
+#include "render/reference/reference.h"
+#include "scene/state/origin.h"
+
+namespace twinlight::reference {
+
+namespace {
+
+glm::dvec3 unit(const glm::dvec3& v) { return vec3_cast<glm::dvec3>(lighting::unit(vec3_cast<Vec>(v))); }
+
+// 2.11.3: 1 / sqrt(m31^2 + m32^2 + m33^2), m the inverse of the modelview matrix. Its third row is the third
+// column of the normal matrix.
+double rescale_factor(const glm::dmat3& normal_eye_from_object) {
+    const double row = lighting::unit_and_length(vec3_cast<Vec>(normal_eye_from_object[2])).length;
+    return row > 0 ? 1 / row : 0;
+}
+
+}  // namespace
+
+glm::dmat3 normal_matrix(const glm::dmat4& eye_from_object) {
+    // Scaled by its largest element, so that neither a scale of 1e-120 nor of 1e120 loses the determinant.
+    glm::dmat3 m(eye_from_object);
+    double largest = 0;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
+    if (!(largest > 0) || !std::isfinite(1 / largest)) return glm::dmat3(0);
+    m /= largest;
+    if (glm::determinant(m) == 0) return glm::dmat3(0);
+    return glm::transpose(glm::inverse(m)) / largest;
+}
+
+std::vector<StageVertex> vertex_stage(const Draw& draw) {
+    const glm::dmat3 normal_eye_from_object = normal_matrix(draw.eye_from_object);
+    const double rescale = draw.lighting.rescale_normal ? rescale_factor(normal_eye_from_object) : 1;
+    std::vector<StageVertex> result;
+    result.reserve(draw.vertices.size());
+    for (const Vertex& vertex : draw.vertices) {
+        StageVertex v;
+        v.position_eye = draw.eye_from_object * vertex.position_object;
+        v.position_clip = draw.clip_from_eye * v.position_eye;
+        v.normal_eye = normal_eye_from_object * vertex.normal_object;
+        v.normal_eye = draw.lighting.normalize ? unit(v.normal_eye) : v.normal_eye * rescale;
+        v.color = vertex.color;
+        v.tex_coord = draw.texture.texture_matrix * vertex.tex_coord;
+        v.material = vertex.material;
+        result.push_back(v);
+    }
+    return result;
+}
+
+namespace {
+
+VertexRulings rulings_under(const Draw& draw, const Vertex& vertex, bool normalize) {
+    using lighting::Ruling;
+    VertexRulings rulings;
+    if (is_far_from_origin(draw, vertex.position_object)) rulings.position |= {Ruling::kFarFromOrigin};
+    const LightingState& state = draw.lighting;
+    const glm::dmat3 normal_eye_from_object = normal_matrix(draw.eye_from_object);
+    const Vec normal_eye = vec3_cast<Vec>(normal_eye_from_object * vertex.normal_object);
+    if (normal_eye_from_object == glm::dmat3(0))
+        rulings.normal |= {Ruling::kSingularModelview};
+    else if (normal_eye == Vec{})
+        rulings.normal |= {Ruling::kZeroNormal};
+    if (normalize)
+        rulings.normal |= rulings_of(lighting::unit(vec3_cast<Vec3<lighting::Marked>>(normal_eye)));
+    else if (state.rescale_normal && normal_eye != Vec{}) {
+        // Decides where the answer that 2.11.3 allows as well, a unit vector, is another.
+        constexpr double kRounding = 1e-6;  // of normals that a program calls unit
+        const double rescaled = lighting::unit_and_length(normal_eye).length * rescale_factor(normal_eye_from_object);
+        if (std::abs(rescaled - 1) > kRounding) rulings.normal |= {Ruling::kRescaled};
+    }
+    return rulings;
+}
+
+}  // namespace
+
+VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex) {
+    return rulings_under(draw, vertex, draw.lighting.normalize);
+}
+
+VertexRulings surface_rulings(const Draw& draw, const Vertex& point) { return rulings_under(draw, point, true); }
+
+std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& options, bool clamp) {
+    const DrawLighting lighting(draw, options.lecture_variants);
+    const auto finish = [&](const glm::dvec4& color) { return clamp ? clamped(color) : color; };
+    const std::vector<StageVertex> vertices = vertex_stage(draw);
+    std::vector<LitVertex> result;
+    for (const StageVertex& v : vertices) {
+        const Colors front = lighting.colors(v, Face::kFront);
+        const Colors back = lighting.two_side() ? lighting.colors(v, Face::kBack) : front;
+        result.push_back({.position_clip = v.position_clip,
+                          .front_primary = finish(front.primary),
+                          .front_secondary = finish(front.secondary),
+                          .back_primary = finish(back.primary),
+                          .back_secondary = finish(back.secondary),
+                          .front_magnitude = front.magnitude,
+                          .back_magnitude = back.magnitude});
+    }
+    if (options.arithmetic == Arithmetic{} || !lighting.enabled()) return result;
+    // In other numbers than double: as pictures are lit.
+    PointBatch fronts(lighting, PointBatch::Normals::kAsTheyAre), backs = fronts;
+    for (const StageVertex& v : vertices) {
+        fronts.add(v, Face::kFront, [&] { return lighting.material(v, Face::kFront); });
+        const Face back = lighting.two_side() ? Face::kBack : Face::kFront;
+        backs.add(v, back, [&] { return lighting.material(v, back); });
+    }
+    fronts.light(options.arithmetic, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
+        result[i].front_primary = finish(primary);
+        result[i].front_secondary = finish(secondary);
+    });
+    backs.light(options.arithmetic, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
+        result[i].back_primary = finish(primary);
+        result[i].back_secondary = finish(secondary);
+    });
+    return result;
+}
+
+}  // namespace twinlight::reference

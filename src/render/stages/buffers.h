@@ -1,0 +1,23 @@
+// Buffers of vertices, flags and indices that stay as they are.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "render/context/gl.h"
+
+namespace twinlight {
+
+inline const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }  // NOLINT: GL's
+
+// A new buffer with the values, bound to the target, GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER. The caller deletes it.
+template <class Value>
+GLuint filled_buffer(GLenum target, const std::vector<Value>& values) {
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    glBindBuffer(target, name);
+    glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), GL_STATIC_DRAW);
+    return name;
+}
+
+}  // namespace twinlight

@@ -1,0 +1,95 @@
+#include "render/stages/fixed_stages.h"
+
+#include <algorithm>
+
+#include "render/context/gl.h"
+
+namespace twinlight {
+namespace {
+
+void set_enabled(GLenum capability, bool enabled) { (enabled ? glEnable : glDisable)(capability); }
+
+void set_raster(const RasterState& raster) {
+    const Viewport& v = raster.viewport;
+    glViewport(v.x, v.y, v.width, v.height);
+    glDepthRange(raster.depth_near, raster.depth_far);
+    glFrontFace(raster.front_face);
+    set_enabled(GL_CULL_FACE, raster.cull_enabled);
+    glCullFace(raster.cull_face);
+    glPolygonMode(GL_FRONT, raster.polygon_mode_front);
+    glPolygonMode(GL_BACK, raster.polygon_mode_back);
+    const PolygonOffset& offset = raster.polygon_offset;
+    set_enabled(GL_POLYGON_OFFSET_POINT, offset.point);
+    set_enabled(GL_POLYGON_OFFSET_LINE, offset.line);
+    set_enabled(GL_POLYGON_OFFSET_FILL, offset.fill);
+    glPolygonOffset(static_cast<float>(offset.factor), static_cast<float>(offset.units));
+    glLineWidth(static_cast<float>(raster.line_width));
+    glPointSize(static_cast<float>(raster.point_size));
+    // The program has a clip distance for each plane that is enabled, without gaps.
+    const auto count = std::count_if(raster.clip_planes_eye.begin(), raster.clip_planes_eye.end(),
+                                     [](const auto& plane) { return plane.has_value(); });
+    for (int i = 0; i < kMaxClipPlanes; ++i) set_enabled(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i), i < count);
+    set_enabled(GL_DEPTH_TEST, raster.depth_test);
+    glDepthFunc(raster.depth_func);
+    glDepthMask(raster.depth_mask);
+}
+
+void set_scissor(const Scissor& scissor) {
+    set_enabled(GL_SCISSOR_TEST, scissor.enabled);
+    glScissor(scissor.box.x, scissor.box.y, scissor.box.width, scissor.box.height);
+}
+
+void set_color_mask(const std::array<bool, 4>& mask) { glColorMask(mask[0], mask[1], mask[2], mask[3]); }
+
+void set_fragment_operations(const FragmentState& fragment) {
+    set_scissor(fragment.scissor);
+    set_enabled(GL_ALPHA_TEST, fragment.alpha_test);
+    glAlphaFunc(fragment.alpha_func, static_cast<float>(fragment.alpha_ref));
+    set_enabled(GL_BLEND, fragment.blend);
+    glBlendFuncSeparate(fragment.blend_src, fragment.blend_dst, fragment.blend_src_alpha, fragment.blend_dst_alpha);
+    glBlendEquationSeparate(fragment.blend_equation, fragment.blend_equation_alpha);
+    const glm::vec4 color(fragment.blend_color);
+    glBlendColor(color.r, color.g, color.b, color.a);
+    set_color_mask(fragment.color_mask);
+}
+
+}  // namespace
+
+FixedStages::FixedStages() {
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
+    for (GLenum capability :
+         {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_LINE_STIPPLE, GL_POLYGON_SMOOTH, GL_POLYGON_STIPPLE, GL_POINT_SPRITE,
+          GL_VERTEX_PROGRAM_POINT_SIZE, GL_VERTEX_PROGRAM_TWO_SIDE, GL_DEPTH_CLAMP, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP,
+          GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
+        glDisable(capability);
+    glActiveTexture(GL_TEXTURE0);
+    glEdgeFlag(GL_TRUE);
+}
+
+FixedStages::~FixedStages() {
+    glUseProgram(0);
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+    glPopClientAttrib();
+    glPopAttrib();
+}
+
+void FixedStages::set(const Draw& draw) const {
+    set_raster(draw.raster);
+    set_fragment_operations(draw.fragment);
+}
+
+// 4.2.3: what clearing obeys.
+void FixedStages::clear(const Clear& what) const {
+    set_scissor(what.scissor);
+    set_color_mask(what.color_mask);
+    glDepthMask(GL_TRUE);  // a Clear of depth that the mask keeps from it has no `depth`
+    const glm::vec4 color(what.clear_color);
+    glClearColor(color.r, color.g, color.b, color.a);
+    glClearDepth(what.clear_depth);
+    glClear((what.color ? GL_COLOR_BUFFER_BIT : 0u) | (what.depth ? GL_DEPTH_BUFFER_BIT : 0u));
+}
+
+}  // namespace twinlight

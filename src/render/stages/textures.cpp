@@ -1,0 +1,135 @@
+#include "render/stages/textures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "render/context/gl.h"
+#include "render/effect/fragment_effects.h"
+
+namespace twinlight {
+namespace {
+
+// The texels lie in order, as nothing else is said to glPixelStore and glPixelTransfer.
+void set_unpacking() {
+    for (GLenum name : {GL_UNPACK_SWAP_BYTES, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS})
+        glPixelStorei(name, 0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+}
+
+void upload(const Texture& texture) {
+    set_unpacking();
+    for (std::size_t i = 0; i < texture.levels.size(); ++i) {
+        const TextureImage& image = texture.levels[i];
+        if (image.texels.empty()) continue;
+        // The internal format that was asked for: the driver then has as many bits as for the commands themselves.
+        const auto level = static_cast<GLint>(i), format = static_cast<GLint>(image.internal_format);
+        if (texture.target == kGL_TEXTURE_1D)
+            glTexImage1D(GL_TEXTURE_1D, level, format, image.width, 0, GL_RGBA, GL_FLOAT, image.texels.data());
+        else
+            glTexImage2D(GL_TEXTURE_2D, level, format, image.width, image.height, 0, GL_RGBA, GL_FLOAT,
+                         image.texels.data());
+        if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+            throw std::runtime_error(
+                fmt::format("the driver refuses level {} of a texture, {} x {} texels: GL error {:#x}", level,
+                            image.width, image.height, error));
+    }
+}
+
+void set_parameters(const Texture& texture, Clamping clamping) {
+    const auto set = [&](GLenum name, Enum value) { glTexParameteri(texture.target, name, static_cast<GLint>(value)); };
+    set(GL_TEXTURE_MIN_FILTER, texture.min_filter);
+    set(GL_TEXTURE_MAG_FILTER, texture.mag_filter);
+    // Where the shader clamps, half of the border is in a linear filter's sight.
+    Enum clamped = filters_linearly(texture) ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
+    if (clamping == Clamping::kDriver) clamped = kGL_CLAMP;
+    set(GL_TEXTURE_WRAP_S, texture.wrap_s == kGL_CLAMP ? clamped : texture.wrap_s);
+    set(GL_TEXTURE_WRAP_T, texture.wrap_t == kGL_CLAMP ? clamped : texture.wrap_t);
+    const glm::vec4 border(texture.border_color);
+    glTexParameterfv(texture.target, GL_TEXTURE_BORDER_COLOR, &border[0]);
+}
+
+// A texture object that has all of it.
+GLuint uploaded(const Texture& texture, Clamping clamping) {
+    constexpr int kErrorsOfOthers = 16;
+    for (int i = 0; i < kErrorsOfOthers && glGetError() != GL_NO_ERROR; ++i) {
+    }
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glBindTexture(texture.target, name);
+    set_parameters(texture, clamping);
+    try {
+        upload(texture);
+    } catch (...) {
+        glDeleteTextures(1, &name);
+        throw;
+    }
+    return name;
+}
+
+// All of two images; a member more would not compile.
+bool are_same(const TextureImage& a, const TextureImage& b) {
+    const auto& [width, height, base_format, internal_format, texels] = a;
+    static_assert(sizeof(glm::vec4) == 4 * sizeof(float));
+    return width == b.width && height == b.height && base_format == b.base_format &&
+           internal_format == b.internal_format && texels.size() == b.texels.size() &&
+           (texels.empty() || std::memcmp(texels.data(), b.texels.data(), texels.size() * sizeof(glm::vec4)) == 0);
+}
+
+// The same of two textures.
+bool are_same(const Texture& a, const Texture& b) {
+    const auto& [target, levels, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority, generate_mipmap] = a;
+    return target == b.target && min_filter == b.min_filter && mag_filter == b.mag_filter && wrap_s == b.wrap_s &&
+           wrap_t == b.wrap_t && border_color == b.border_color && priority == b.priority &&
+           generate_mipmap == b.generate_mipmap &&
+           std::ranges::equal(levels, b.levels,
+                              [](const TextureImage& x, const TextureImage& y) { return are_same(x, y); });
+}
+
+}  // namespace
+
+Textures::~Textures() {
+    for (const auto& [key, uploaded] : uploaded_) glDeleteTextures(1, &uploaded.name);
+}
+
+void Textures::bind(const TextureUnit& unit) {
+    const Texture& texture = *unit.texture;
+    auto found = uploaded_.find(&texture);
+    if (found == uploaded_.end()) found = known_again(unit.texture);
+    if (found == uploaded_.end()) {
+        ++upload_count_;
+        found =
+            uploaded_.emplace(&texture, Uploaded{.texture = unit.texture, .name = uploaded(texture, clamping_)}).first;
+    }
+    found->second.used = true;
+    glBindTexture(texture.target, found->second.name);
+    // 3.8.8 adds the unit's bias to the texture's own, which a Texture does not have.
+    glTexParameterf(texture.target, GL_TEXTURE_LOD_BIAS, static_cast<float>(unit.lod_bias));
+}
+
+Textures::Map::iterator Textures::known_again(const std::shared_ptr<const Texture>& texture) {
+    const auto same = std::ranges::find_if(
+        uploaded_, [&](const auto& entry) { return !entry.second.used && are_same(*entry.second.texture, *texture); });
+    if (same == uploaded_.end()) return same;
+    Map::node_type node = uploaded_.extract(same);
+    node.key() = texture.get();
+    node.mapped().texture = texture;
+    return uploaded_.insert(std::move(node)).position;
+}
+
+void Textures::drop_unused() {
+    for (auto at = uploaded_.begin(); at != uploaded_.end();) {
+        if (!std::exchange(at->second.used, false)) {
+            glDeleteTextures(1, &at->second.name);
+            at = uploaded_.erase(at);
+        } else {
+            ++at;
+        }
+    }
+}
+
+}  // namespace twinlight

@@ -1,0 +1,48 @@
+// CommandSet: the commands of the table that are told by their effects.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+
+#include "scene/command/command.h"
+
+namespace twinlight {
+
+// By CommandId.
+inline constexpr std::string_view kEffects[] = {
+#define GL_COMMAND(name, effect, ...) #effect,
+#define SHAPE_COMMAND(name, effect, ...) #effect,
+#define QUADRIC_COMMAND(name, effect, ...) #effect,
+#define PRAGMA_COMMAND(name, effect, ...) #effect,
+#include "scene/command/commands.def"
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
+#undef PRAGMA_COMMAND
+};
+
+class CommandSet {
+  public:
+    // An effect that no command has does not compile.
+    static consteval CommandSet of(std::initializer_list<std::string_view> effects) {
+        CommandSet set;
+        for (const std::string_view effect : effects) {
+            bool is_known = false;
+            for (std::size_t i = 0; i < std::size(kEffects); ++i)
+                if (kEffects[i] == effect) is_known = set.has_[i] = true;
+            if (!is_known) throw std::invalid_argument("no command of commands.def has this effect");
+        }
+        return set;
+    }
+
+    constexpr bool contains(CommandId id) const { return has_[static_cast<std::size_t>(id)]; }
+
+  private:
+    std::array<bool, std::size(kEffects)> has_{};
+};
+
+}  // namespace twinlight

@@ -1,0 +1,170 @@
+#include "scene/command/lexer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/command/text.h"
+
+namespace twinlight {
+
+namespace {
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
+
+}  // namespace
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t kLongest = 40;
+    std::string shown = "'";
+    for (char c : text.substr(0, kLongest)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 && byte < 0x7F) {
+            shown += c;
+        } else {
+            shown += fmt::format("\\x{:02x}", byte);
+        }
+    }
+    return shown + (text.size() > kLongest ? "...'" : "'");
+}
+
+void fail(const Place& place, const std::string& message) {
+    throw SceneError(fmt::format("{}: {}", place.str(), message));
+}
+
+Lexer::Lexer(std::string_view text, const std::string& file) : text_(text) {
+    place_.file = std::make_shared<const std::string>(file);
+    place_.line = place_.column = 1;
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (at(kByteOrderMark)) position_ = kByteOrderMark.size();
+}
+
+// One byte on; columns count characters, so the later bytes of a UTF-8 character do not count.
+void Lexer::advance() {
+    const char c = text_[position_++];
+    if (c == '\n') {
+        ++place_.line;
+        place_.column = 1;
+        line_start_ = true;
+    } else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) {
+        ++place_.column;
+    }
+}
+
+void Lexer::skip_space_and_comments() {
+    while (position_ < text_.size()) {
+        if (is_space(text_[position_])) {
+            if (in_pragma_ && text_[position_] == '\n') return;
+            advance();
+        } else if (at("//")) {
+            while (position_ < text_.size() && text_[position_] != '\n') advance();
+        } else if (at("/*")) {
+            const Place start = place_;
+            while (position_ < text_.size() && !at("*/")) advance();
+            if (position_ >= text_.size()) fail(start, "this comment is never closed; end it with */");
+            advance();
+            advance();
+        } else {
+            return;
+        }
+    }
+}
+
+// A line that starts with '#'. Afterwards either pragma_found_ is set or the line has been passed over.
+void Lexer::directive() {
+    const Place start = place_;
+    const std::size_t line_end = std::min(text_.find('\n', position_), text_.size());
+    std::string_view line = text_.substr(position_, line_end - position_);
+    const auto word = [&line] {
+        while (!line.empty() && is_space(line.front())) line.remove_prefix(1);
+        std::size_t n = 0;
+        while (n < line.size() && is_letter(line[n])) ++n;
+        const std::string_view found = line.substr(0, n);
+        line.remove_prefix(n);
+        return found;
+    };
+    line.remove_prefix(1);  // '#'
+    const std::string_view name = word();
+    if (name == "pragma" && word() == "twinlight") {
+        pragma_found_ = in_pragma_ = true;
+        const std::size_t words = line_end - line.size();
+        while (position_ < words) advance();
+        return;
+    }
+    const bool asks_for_prototypes = name == "define" && line.ends_with("GL_GLEXT_PROTOTYPES");
+    if (name != "include" && name != "pragma" && !asks_for_prototypes) {
+        fail(start,
+             fmt::format("#{} is not part of a scene; only #include (passed over) and #pragma twinlight are", name));
+    }
+    while (position_ < line_end) advance();
+}
+
+// From '"' to '"'. Strings are names of files: they have no escapes.
+void Lexer::string() {
+    const Place start = place_;
+    advance();
+    while (position_ < text_.size() && text_[position_] != '"') {
+        const auto byte = static_cast<unsigned char>(text_[position_]);
+        if (byte == '\n') break;
+        if (byte < 0x20 || byte == 0x7F || byte == '\\') {
+            fail(place_, fmt::format("a string cannot hold {}", quoted(text_.substr(position_, 1))));
+        }
+        advance();
+    }
+    if (position_ >= text_.size() || text_[position_] != '"') {
+        fail(start, "this string is not closed on its line; end it with \"");
+    }
+    advance();
+}
+
+Token Lexer::next() {
+    while (true) {
+        skip_space_and_comments();
+        if (position_ >= text_.size() || text_[position_] != '#' || !line_start_) break;
+        const Place start = place_;
+        directive();
+        if (pragma_found_) {
+            pragma_found_ = line_start_ = false;
+            return {TokenKind::kPragma, "#pragma twinlight", start};
+        }
+    }
+    line_start_ = false;
+    Token token{TokenKind::kPunctuation, ";", place_};
+    if (in_pragma_ && (position_ >= text_.size() || text_[position_] == '\n')) {
+        in_pragma_ = false;
+        return token;
+    }
+    if (position_ >= text_.size()) return {TokenKind::kEnd, "the end of the scene", place_};
+
+    const std::size_t start = position_;
+    const char c = text_[position_];
+    const bool starts_number = is_digit(c) || (c == '.' && start + 1 < text_.size() && is_digit(text_[start + 1]));
+    if (is_letter(c)) {
+        token.kind = TokenKind::kName;
+        while (position_ < text_.size() && (is_letter(text_[position_]) || is_digit(text_[position_]))) advance();
+    } else if (starts_number) {
+        token.kind = TokenKind::kNumber;
+        const bool hex = at("0x") || at("0X");
+        while (position_ < text_.size()) {
+            const char d = text_[position_];
+            const char before = text_[position_ - (position_ > start ? 1 : 0)];
+            const bool exponent_sign = (d == '+' || d == '-') && !hex && (before == 'e' || before == 'E');
+            if (!is_letter(d) && !is_digit(d) && d != '.' && !exponent_sign) break;
+            advance();
+        }
+    } else if (c == '"') {
+        token.kind = TokenKind::kString;
+        string();
+    } else if (std::string_view("(){}[],;=+-*/|&").find(c) != std::string_view::npos) {
+        advance();
+    } else {
+        fail(place_, fmt::format("{} has no place in a scene; expected C statements such as glEnable(GL_LIGHTING);",
+                                 quoted(text_.substr(position_, 1))));
+    }
+    token.text = text_.substr(start, position_ - start);
+    return token;
+}
+
+}  // namespace twinlight

@@ -1,0 +1,284 @@
+// Printing commands as C. What is printed compiles, and reads back as the same commands.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include "scene/command/memory.h"
+#include "scene/command/object_names.h"
+#include "scene/command/text.h"
+
+namespace twinlight {
+
+namespace {
+
+// The shortest decimal that reads back as the same value of its type.
+std::string print_real(double value, bool is_float) {
+    if (std::isnan(value)) return "NAN";
+    if (std::isinf(value)) return value < 0 ? "-INFINITY" : "INFINITY";
+    if (value == 0 && std::signbit(value)) return "-0.0";
+    if (is_float) {
+        // A decimal that is shortest for the float is read as a double first and rounded again: it nearly always comes
+        // back the same; where it does not, the double's own digits do.
+        const std::string shortest = fmt::format("{}", static_cast<float>(value));
+        if (static_cast<double>(static_cast<float>(std::strtod(shortest.c_str(), nullptr))) == value) return shortest;
+    }
+    return fmt::format("{}", value);
+}
+
+std::string print_number(double value, Kind kind) {
+    switch (kind) {
+        case Kind::kFloat: return print_real(value, true);
+        case Kind::kDouble: return print_real(value, false);
+        case Kind::kBitfield: return bit_names(static_cast<Enum>(value));
+        case Kind::kWord: return std::string(word_name(static_cast<Word>(static_cast<Enum>(value))));
+        case Kind::kQuadric: return fmt::format("quadric{}", value);
+        default: return fmt::format("{}", static_cast<std::int64_t>(value));
+    }
+}
+
+// Whether the values that a pname asks for are names: glFogi(GL_FOG_MODE, GL_LINEAR).
+bool takes_names(const Command& command) {
+    const ParameterInfo* info = parameter_info(command);
+    return info && info->meaning == Meaning::kEnum;
+}
+
+// glPushClientAttrib's bits share values with glPushAttrib's.
+std::string client_bit_names(Enum mask) {
+    if (mask == kGL_CLIENT_ALL_ATTRIB_BITS) return "GL_CLIENT_ALL_ATTRIB_BITS";
+    if (mask == kGL_CLIENT_PIXEL_STORE_BIT) return "GL_CLIENT_PIXEL_STORE_BIT";
+    if (mask == kGL_CLIENT_VERTEX_ARRAY_BIT) return "GL_CLIENT_VERTEX_ARRAY_BIT";
+    return fmt::format("{:#x}", mask);
+}
+
+std::string print_value(const Command& command, const Parameter& parameter, double value) {
+    if (parameter.kind == Kind::kEnum) {
+        const Enum e = static_cast<Enum>(value);
+        return command.id == CommandId::glBegin ? primitive_name(e) : enum_name(e);
+    }
+    if (command.id == CommandId::glPushClientAttrib) return client_bit_names(static_cast<Enum>(value));
+    const bool named = parameter.name.starts_with("param") && takes_names(command) && value > kGL_POLYGON &&
+                       value == std::trunc(value) && value <= 0xFFFF;
+    if (named) return enum_name(static_cast<Enum>(value));
+    if (parameter.kind == Kind::kBoolean && (value == 0 || value == 1)) return value == 0 ? "GL_FALSE" : "GL_TRUE";
+    return print_number(value, parameter.kind);
+}
+
+std::string print_array(const Command& command, std::size_t i) {
+    const Parameter& parameter = command.sig().parameters[i];
+    const std::string_view type = c_type_name(parameter.kind);
+    if (parameter.extent == Extent::kOutput) {
+        constexpr int kLongestAnswer = 64;  // longer than GL's answers to any name that the table has not
+        const std::optional<Enum> pname =
+            parameter.count == 0 ? std::optional(command.enumerant(command.first(i) - 1)) : std::nullopt;
+        return fmt::format("({}[{}]){{0}}", type, array_length(command.id, pname).value_or(kLongestAnswer));
+    }
+    if (parameter.extent == Extent::kOutputByCount) {
+        return fmt::format("({}[{}]){{0}}", type, std::max<std::size_t>(1, command.counted(i)));
+    }
+    std::vector<std::string> values;
+    for (double value : command.values(i)) values.push_back(print_value(command, parameter, value));
+    const bool is_counted = parameter.extent == Extent::kByCount || parameter.extent == Extent::kNames ||
+                            parameter.extent == Extent::kControlPoints;
+    if (is_counted && values.empty()) return fmt::format("({}[1]){{0}}", type);  // C has no empty arrays
+    return fmt::format("({}[]){{{}}}", type, fmt::join(values, ", "));
+}
+
+// ---- Memory ----
+
+// Memory of so many bytes for a command to write to.
+std::string print_written(double bytes) { return bytes == 0 ? "NULL" : fmt::format("(GLubyte[{}]){{0}}", bytes); }
+
+// The values, broken into lines that start with `indent` where that is given.
+std::string print_values(const Memory& memory, Kind kind, std::string_view indent) {
+    constexpr std::size_t kColumns = 110;
+    std::string printed;
+    std::size_t column = 0;
+    const std::size_t size = size_of(kind);
+    for (std::size_t at = 0; at < memory.bytes.size(); at += size) {
+        const double value = load(std::span(memory.bytes).subspan(at), kind);
+        const std::string text = is_real(kind) ? print_real(value, kind == Kind::kFloat)
+                                               : fmt::format("{}", static_cast<std::int64_t>(value));
+        if (at > 0) printed += ",";
+        if (!indent.empty() && (at == 0 || column + text.size() > kColumns)) {
+            printed.append("\n").append(indent);
+            column = 0;
+        } else if (at > 0) {
+            printed += " ";
+        }
+        printed += text;
+        column += text.size() + 2;
+    }
+    return printed;
+}
+
+// Whether every value reads back with its own bits (a NaN may not), and none is left over.
+bool survives(const Memory& memory) {
+    const std::size_t size = size_of(memory.kind);
+    if (memory.bytes.size() % size != 0) return false;
+    if (memory.kind == Kind::kSizeiptr) {  // more digits than a double has
+        for (std::size_t at = 0; at < memory.bytes.size(); at += size) {
+            if (std::abs(load(std::span(memory.bytes).subspan(at), memory.kind)) >= 0x1p53) return false;
+        }
+    }
+    if (!is_real(memory.kind)) return true;
+    for (std::size_t at = 0; at < memory.bytes.size(); at += size) {
+        if (std::isnan(load(std::span(memory.bytes).subspan(at), memory.kind))) return false;
+    }
+    return true;
+}
+
+// A memory in C: the name of an array or a compound literal, and the kind of its values.
+struct PrintedArray {
+    std::string text;
+    Kind kind = Kind::kUbyte;
+};
+
+PrintedArray print_literal(const Memory& memory) {
+    const Kind kind = survives(memory) ? memory.kind : Kind::kUbyte;
+    return {fmt::format("(const {}[]){{{}}}", c_type_name(kind), print_values(memory, kind, "")), kind};
+}
+
+// The arrays that a printed scene declares: each memory once, however many commands use it.
+class MemoryNames {
+  public:
+    // The declaration is added to `text` where the memory is new.
+    PrintedArray name(const Memory& memory, std::string_view indent, std::string& text) {
+        if (memory.bytes.empty()) return print_literal(memory);  // C declares no such array
+        const auto [known, is_new] = names_.try_emplace(&memory);
+        if (!is_new) return known->second;
+        const std::string_view bytes(reinterpret_cast<const char*>(memory.bytes.data()), memory.bytes.size());
+        PrintedArray& equal = equals_[{memory.kind, bytes}];  // the same bytes need not stand twice
+        if (equal.text.empty()) {
+            equal = {fmt::format("memory{}", equals_.size()), survives(memory) ? memory.kind : Kind::kUbyte};
+            text += fmt::format("{}static const {} {}[] = {{{}}};\n", indent, c_type_name(equal.kind), equal.text,
+                                print_values(memory, equal.kind, fmt::format("{}    ", indent)));
+        }
+        return known->second = equal;
+    }
+
+  private:
+    std::map<const Memory*, PrintedArray> names_;
+    std::map<std::pair<Kind, std::string_view>, PrintedArray> equals_;
+};
+
+// `array` is the command's memory, if it has one.
+std::string print_pointer(const Command& command, std::size_t i, const PrintedArray& array) {
+    const auto offset = static_cast<std::int64_t>(command.number(command.first(i)));
+    if (!command.memory) return offset == 0 ? "NULL" : fmt::format("(const void*){}", offset);
+    const auto size = static_cast<std::int64_t>(size_of(array.kind));
+    if (offset == 0) return array.text;
+    return offset % size == 0 ? fmt::format("{} + {}", array.text, offset / size)
+                              : fmt::format("(const char*){} + {}", array.text, offset);
+}
+
+std::string print(const Command& command, const PrintedArray& array) {
+    const Signature& sig = command.sig();
+    if (command.id == CommandId::gluNewQuadric) {
+        return fmt::format("GLUquadric* {} = gluNewQuadric();", print_number(command.number(0), Kind::kQuadric));
+    }
+    std::vector<std::string> arguments;
+    for (std::size_t i = 0; i < sig.parameters.size(); ++i) {
+        const Parameter& parameter = sig.parameters[i];
+        switch (parameter.extent) {
+            case Extent::kValue:
+                arguments.push_back(print_value(command, parameter, command.number(command.first(i))));
+                break;
+            case Extent::kImage: arguments.push_back(fmt::format("\"{}\"", command.memory->file)); break;
+            case Extent::kPointer: arguments.push_back(print_pointer(command, i, array)); break;
+            case Extent::kRest:
+                for (double value : command.values(i)) arguments.push_back(print_number(value, parameter.kind));
+                break;
+            case Extent::kArray:
+            case Extent::kByPname:
+            case Extent::kOutput:
+            case Extent::kByCount:
+            case Extent::kNames:
+            case Extent::kOutputByCount:
+            case Extent::kControlPoints: arguments.push_back(print_array(command, i)); break;
+            case Extent::kOutputMemory: arguments.push_back(print_written(command.number(command.first(i)))); break;
+            case Extent::kResult: break;
+        }
+    }
+    if (sig.family == Family::kPragma) {
+        return fmt::format("#pragma twinlight {}({})", sig.name, fmt::join(arguments, ", "));
+    }
+    return fmt::format("{}({});", sig.name, fmt::join(arguments, ", "));
+}
+
+// Line by line, each from `indent` on; pragmas stand at the left.
+std::string print_lines(const CommandList& scene, std::string_view indent) {
+    std::string text;
+    MemoryNames memories;
+    ObjectNames names;
+    for (const Command& command : scene.commands) {
+        const bool has_array = command.memory && command.id != CommandId::pragma_texture;
+        const PrintedArray array = has_array ? memories.name(*command.memory, indent, text) : PrintedArray{};
+        // What a reader could not know.
+        const Signature& sig = command.sig();
+        const bool has_result = sig.c_arguments() < sig.parameters.size();
+        const auto type = has_result ? named_objects(sig.parameters.back()) : std::nullopt;
+        if (type) {
+            const auto range = static_cast<std::uint32_t>(std::max(0.0, command.number(0)));
+            const double expected = range == 0 ? 0 : names.next(*type, range);
+            if (command.arguments.back() != expected) {
+                text += fmt::format("#pragma twinlight returns({})\n", command.arguments.back());
+            }
+        }
+        names.follow(command);
+        if (sig.family != Family::kPragma) text += indent;
+        text += print(command, array) + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string print_command(const Command& command) {
+    const bool has_array = command.memory && command.id != CommandId::pragma_texture;
+    return print(command, has_array ? print_literal(*command.memory) : PrintedArray{});
+}
+
+std::string print_scene(const CommandList& scene) { return print_lines(scene, ""); }
+
+std::string print_c_function(const CommandList& scene) {
+    return "static void draw_scene(void) {\n" + print_lines(scene, "    ") + "}\n";
+}
+
+std::string print_c_program(const CommandList& scene) {
+    std::string title;  // a name must not end the comment
+    for (char c : scene.name) title += (c >= 0x20 && c < 0x7F && c != '*') ? c : '_';
+    std::string text = fmt::format(
+        "/* {}: a scene of Twinlight as a C program.\n"
+        "   Build it with: cc -std=c99 FILE.c -lglut -lGLU -lGL -lm */\n"
+        "#define GL_GLEXT_PROTOTYPES\n"
+        "#include <GL/freeglut.h>\n#include <math.h>\n\n",
+        title);
+    text += print_c_function(scene);
+    text +=
+        "\n"
+        "static void display(void) {\n"
+        "    /* The scene sets all its state itself, so start each picture from GL's own. */\n"
+        "    glPushAttrib(GL_ALL_ATTRIB_BITS);\n"
+        "    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
+        "    glMatrixMode(GL_PROJECTION);\n    glLoadIdentity();\n"
+        "    glMatrixMode(GL_MODELVIEW);\n    glLoadIdentity();\n"
+        "    draw_scene();\n"
+        "    glPopAttrib();\n"
+        "    glutSwapBuffers();\n"
+        "}\n\n"
+        "int main(int argc, char** argv) {\n"
+        "    glutInit(&argc, argv);\n"
+        "    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);\n"
+        "    glutInitWindowSize(640, 480);\n"
+        "    glutCreateWindow(argv[0]);\n"
+        "    glutDisplayFunc(display);\n"
+        "    glutMainLoop();\n"
+        "    return 0;\n"
+        "}\n";
+    return text;
+}
+
+}  // namespace twinlight

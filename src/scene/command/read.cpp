@@ -1,0 +1,374 @@
+// Reading the C dialect: declarations of scalars and arrays, calls, pragmas. A recursive-descent parser over Lexer's
+// tokens; expressions are evaluated as they are read, with C's types (so 4/3 is 1).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "scene/command/memory.h"
+#include "scene/command/reader.h"
+#include "scene/command/text.h"
+
+namespace twinlight {
+
+std::size_t Object::length() const {
+    return std::accumulate(dimensions.begin(), dimensions.end(), std::size_t{1}, std::multiplies<>());
+}
+
+std::string shown(const Token& token) {
+    return token.kind == TokenKind::kEnd ? std::string(token.text) : quoted(token.text);
+}
+
+std::vector<Command> Reader::read() {
+    while (token_.kind != TokenKind::kEnd && !program_read_) statement();
+    return std::move(commands_);
+}
+
+// ---- Tokens ----
+
+void Reader::advance() {
+    token_ = std::move(ahead_);
+    if (!primed_) {
+        primed_ = true;
+        token_ = lexer_.next();
+    }
+    if (token_.kind == TokenKind::kEnd) {
+        ahead_ = token_;
+    } else {
+        ahead_ = lexer_.next();
+    }
+}
+
+bool Reader::accept(std::string_view text) {
+    if (!token_.is(text)) return false;
+    advance();
+    return true;
+}
+
+void Reader::expect(std::string_view text, std::string_view where) {
+    if (accept(text)) return;
+    fail(token_.place, fmt::format("expected '{}' {}, found {}", text, where, shown(token_)));
+}
+
+// ---- Statements ----
+
+void Reader::statement() {
+    forget_literals();
+    if (accept(";")) return;
+    if (token_.kind == TokenKind::kPragma) return pragma();
+    if (token_.kind != TokenKind::kName) {
+        fail(token_.place, fmt::format("expected a statement such as glEnable(GL_LIGHTING); found {}", shown(token_)));
+    }
+    if (token_.is("static") && ahead_.is("void")) return program();
+    for (std::string_view word : {"for", "while", "do", "if", "else", "switch", "return", "void", "struct", "char"}) {
+        if (token_.is(word)) {
+            fail(token_.place,
+                 fmt::format("'{}' is not part of a scene: write the calls out one after the other", word));
+        }
+    }
+    if (token_.is("const") || token_.is("static") || at_type()) return declaration();
+    if (ahead_.is("=") || ahead_.is("[")) return assignment();
+    const std::string name(token_.text);
+    call();
+    expect(";", fmt::format("after {}(...)", name));
+}
+
+// A C program as print_c_program writes it: the scene is the body of its first function, draw_scene; what follows only
+// opens a window, and is not read.
+void Reader::program() {
+    const Token first = token_;
+    if (in_program_) fail(first.place, "a function cannot stand inside another");
+    in_program_ = true;
+    advance();
+    advance();
+    if (!token_.is("draw_scene")) {
+        fail(first.place,
+             fmt::format("functions are not part of a scene, but for draw_scene of an exported program: write "
+                         "what {} calls one after the other",
+                         quoted(token_.text)));
+    }
+    advance();
+    expect("(", "after draw_scene");
+    expect("void", "in draw_scene(void)");
+    expect(")", "after draw_scene(void");
+    if (!token_.is("{"))
+        fail(token_.place, fmt::format("expected '{{' after draw_scene(void), found {}", shown(token_)));
+    advance();
+    while (!token_.is("}")) {
+        if (token_.kind == TokenKind::kEnd) fail(first.place, "this function is never closed; end it with }");
+        statement();
+    }
+    program_read_ = true;
+}
+
+void Reader::declaration() {
+    bool is_static = false;  // C sets static objects to 0
+    while (token_.is("const") || token_.is("static")) {
+        is_static |= token_.is("static");
+        advance();
+    }
+    const Kind kind = type_name();
+    do {
+        if (kind == Kind::kQuadric) expect("*", "after GLUquadric: scenes have pointers to quadrics only");
+        const Token name = token_;
+        if (name.kind != TokenKind::kName) {
+            fail(name.place, fmt::format("expected a variable's name, found {}{}", shown(name),
+                                         name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : ""));
+        }
+        advance();
+        if (token_.is("(")) {
+            fail(name.place, fmt::format("functions are not part of a scene: write what {} calls one after the other",
+                                         quoted(name.text)));
+        }
+        if (variables_.contains(name.text)) {
+            fail(name.place,
+                 fmt::format("{} is declared already, at {}", quoted(name.text), variables_.at(name.text).place.str()));
+        }
+        Object object{.kind = kind,
+                      .dimensions = dimensions_in_brackets(),
+                      .shown = quoted(name.text),
+                      .place = name.place,
+                      .known = is_static,
+                      .unknown_because = "it was declared without a value"};
+        initialise(object, name);
+        variables_.emplace(name.text, std::move(object));
+    } while (accept(","));
+    expect(";", "after the declaration");
+}
+
+// The rest of a declaration from its "=" on, if there is one.
+void Reader::initialise(Object& object, const Token& name) {
+    if (object.kind == Kind::kQuadric) return quadric_declaration(object);
+    if (object.dimensions.empty()) {
+        allocate(object, name.place);
+        if (!accept("=")) return;
+        if (ahead_.is("(") && find_command_or_extension(token_.text)) return assign_result({&object, 0, {}});
+        const Place place = token_.place;
+        const double value = converted(number(), object.kind, place, fmt::format("the value of {}", object.shown));
+        return fill(object, {value});
+    }
+    std::vector<double> values;
+    const bool has_values = accept("=");
+    if (has_values) {
+        arrays_values(object.kind, object.dimensions, values, 0, true);
+        if (object.dimensions[0] == 0) {
+            object.dimensions[0] = 1;
+            const std::size_t row = object.length();
+            object.dimensions[0] = (values.size() + row - 1) / row;
+        }
+        if (values.size() > object.length()) {
+            fail(name.place,
+                 fmt::format("{} has {} values, but its length is {}", object.shown, values.size(), object.length()));
+        }
+    }
+    if (object.length() == 0) {
+        fail(name.place, fmt::format("{} needs a length or values: GLfloat {}[4];", object.shown, name.text));
+    }
+    allocate(object, name.place);
+    if (has_values) fill(object, values);
+}
+
+// The one assignment there is: of what a command returns.
+void Reader::assignment() {
+    const Token name = token_;
+    const auto refuse = [&] {
+        fail(name.place, fmt::format("assignments are not part of a scene: give {} its value where it is declared",
+                                     quoted(name.text)));
+    };
+    advance();
+    const std::optional<Lvalue> target = lvalue(name);
+    if (target && target->object->kind == Kind::kQuadric) return quadric_assignment(*target->object);
+    if (!target || !accept("=") || !ahead_.is("(") || !find_command_or_extension(token_.text)) refuse();
+    if (!target->dimensions.empty()) refuse();
+    assign_result(*target);
+    expect(";", "after the assignment");
+}
+
+void Reader::assign_result(const Lvalue& target) {
+    const Token name = token_;
+    const Command& command = call();
+    const Signature& sig = command.sig();
+    if (sig.c_arguments() == sig.parameters.size()) fail(name.place, fmt::format("{} returns nothing", sig.name));
+    if (sig.parameters.back().kind == Kind::kQuadric) {
+        fail(name.place,
+             fmt::format("{} returns a quadric: declare {} as a GLUquadric*", sig.name, target.object->shown));
+    }
+    const double value = converted(integer(static_cast<std::int64_t>(command.arguments.back())), target.object->kind,
+                                   name.place, fmt::format("what {} returns", sig.name));
+    const std::span<std::byte> bytes = writable(*target.object).bytes;
+    store(bytes.subspan(target.offset), target.object->kind, value);
+    target.object->known = named_objects(sig.parameters.back()).has_value();
+    target.object->unknown_because = fmt::format("what {} returns is known only when it runs", sig.name);
+}
+
+const Command& Reader::call() {
+    const Token name = token_;
+    const std::optional<CommandId> id = find_command_or_extension(name.text);
+    if (!id) {
+        std::vector<std::string_view> names;
+        for (const Signature& sig : signatures()) {
+            if (sig.family != Family::kPragma) names.push_back(sig.name);
+        }
+        const auto near = nearest(name.text, names);
+        fail(name.place, fmt::format("unknown command {}{}", quoted(name.text),
+                                     near ? fmt::format("; did you mean {}?", *near)
+                                          : "; docs/scene-language.md lists the commands of a scene"));
+    }
+    advance();
+    Command command{*id, {}, name.place};
+    expect("(", fmt::format("after {}", name.text));
+    arguments(command, signature(*id));
+    names_.follow(command);
+    commands_.push_back(std::move(command));
+    return commands_.back();
+}
+
+void Reader::pragma() {
+    const Place place = token_.place;
+    advance();
+    const Token name = token_;
+    if (name.is("returns")) return returns_pragma();
+    const std::optional<CommandId> id = name.kind == TokenKind::kName ? find_pragma(name.text) : std::nullopt;
+    if (!id) {
+        std::vector<std::string_view> names{"returns"};
+        for (const Signature& sig : signatures()) {
+            if (sig.family == Family::kPragma) names.push_back(sig.name);
+        }
+        const auto near = nearest(name.text, names);
+        fail(name.place, fmt::format("unknown pragma {}; {}", shown(name),
+                                     near ? fmt::format("did you mean {}?", *near)
+                                          : fmt::format("Twinlight knows {}", fmt::join(names, ", "))));
+    }
+    advance();
+    Command command{*id, {}, place};
+    expect("(", fmt::format("after #pragma twinlight {}", name.text));
+    arguments(command, signature(*id));
+    expect(";", fmt::format("or the line's end after {}(...)", name.text));
+    commands_.push_back(std::move(command));
+}
+
+// #pragma twinlight returns(7): the names that the next glGenLists gives start at 7.
+void Reader::returns_pragma() {
+    returns_place_ = token_.place;
+    advance();
+    expect("(", "after #pragma twinlight returns");
+    const Place place = token_.place;
+    returns_ = converted(number(), Kind::kUint, place, "what the next call returns");
+    expect(")", "after the number");
+    expect(";", "or the line's end after returns(...)");
+}
+
+// ---- Objects ----
+
+// "[8][3]", "[][3]" or nothing; a length that is left open is 0.
+Dimensions Reader::dimensions_in_brackets() {
+    constexpr std::size_t kMaxDimensions = 8;
+    Dimensions dimensions;
+    std::size_t total = 1;
+    while (token_.is("[")) {
+        const Place place = token_.place;
+        advance();
+        if (dimensions.size() == kMaxDimensions) {
+            fail(place, fmt::format("an array has at most {} dimensions", kMaxDimensions));
+        }
+        if (dimensions.empty() && accept("]")) {
+            dimensions.push_back(0);
+            continue;
+        }
+        const Place length_place = token_.place;
+        const Value length = number();
+        expect("]", "after the array's length");
+        if (!length.is_integer() || length.integer < 1 ||
+            length.integer > static_cast<std::int64_t>(kMaxArrayLength / total)) {
+            fail(length_place, fmt::format("an array's length is a whole number from 1 to {}", kMaxArrayLength));
+        }
+        dimensions.push_back(static_cast<std::size_t>(length.integer));
+        total *= dimensions.back();
+    }
+    return dimensions;
+}
+
+// {1, 2, 3}, {{1, 2}, {3, 4}}: into values[start...]. Rows may stand without braces of their own, as in C. Only the
+// outermost array (is_open) may be longer than its dimensions say; the caller tells that.
+void Reader::arrays_values(Kind kind, std::span<const std::size_t> dimensions, std::vector<double>& values,
+                           std::size_t start, bool is_open) {
+    const std::size_t row =
+        std::accumulate(dimensions.begin() + 1, dimensions.end(), std::size_t{1}, std::multiplies<>());
+    const std::size_t end = is_open ? kMaxArrayLength : start + row * dimensions[0];
+    std::size_t position = start;
+    expect("{", "at the start of the array's values");
+    while (!token_.is("}")) {
+        const Place place = token_.place;
+        if (position >= end) {
+            fail(place, is_open ? fmt::format("an array has at most {} values", kMaxArrayLength)
+                                : fmt::format("this row has more than {} values", end - start));
+        }
+        if (token_.is("{")) {
+            if (dimensions.size() == 1) fail(place, "these braces are one level too deep: expected a value");
+            if ((position - start) % row != 0) fail(place, "this row starts in the middle of another");
+            arrays_values(kind, dimensions.subspan(1), values, position, false);
+            position += row;
+        } else {
+            const double value = converted(number(), kind, place, "this value");
+            values.resize(std::max(values.size(), position + 1));
+            values[position++] = value;
+        }
+        if (!accept(",")) break;
+    }
+    values.resize(std::max(values.size(), position));
+    expect("}", "after the array's values");
+}
+
+void Reader::hold(std::size_t bytes, const Place& place) {
+    if (bytes > kMaxMemoryBytes - bytes_) {
+        fail(place, fmt::format("all arrays of a scene hold {} MiB at the most together", kMaxMemoryBytes >> 20));
+    }
+    bytes_ += bytes;
+}
+
+void Reader::allocate(Object& object, const Place& place) {
+    const std::size_t bytes = object.length() * size_of(object.kind);
+    hold(bytes, place);
+    object.memory = std::make_shared<Memory>(Memory{object.kind, std::vector<std::byte>(bytes)});
+}
+
+// C sets what is not given to 0.
+void Reader::fill(Object& object, const std::vector<double>& values) {
+    const std::size_t size = size_of(object.kind);
+    const std::span<std::byte> bytes = object.memory->bytes;
+    for (std::size_t i = 0; i < values.size(); ++i) store(bytes.subspan(i * size), object.kind, values[i]);
+    object.known = true;
+}
+
+Memory& Reader::writable(Object& object) {
+    if (object.memory.use_count() > 1) {
+        hold(object.memory->bytes.size(), object.place);
+        object.memory = std::make_shared<Memory>(*object.memory);
+    }
+    return *object.memory;
+}
+
+// Compound literals live as long as their statement, and as the commands that point into them.
+void Reader::forget_literals() {
+    for (const Object& literal : literals_) {
+        if (literal.memory.use_count() == 1) bytes_ -= literal.memory->bytes.size();
+    }
+    literals_.clear();
+}
+
+ImageFile no_images(const std::string&) {
+    throw std::runtime_error(
+        "this scene stands in no folder that the picture could be read from; save it to a file beside the picture");
+}
+
+CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
+                       const ImageLoader& load_image) {
+    if (text.size() > kMaxSceneBytes) {
+        throw SceneError(
+            fmt::format("{}: this scene has {} bytes; at most {} are read", file, text.size(), kMaxSceneBytes));
+    }
+    return {name, Reader(text, file, load_image).read()};
+}
+
+}  // namespace twinlight

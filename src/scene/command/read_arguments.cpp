@@ -1,0 +1,268 @@
+// Reading the arguments of a call, each as the table of commands says.
+#include <fmt/format.h>
+
+#include "scene/command/memory.h"
+#include "scene/command/reader.h"
+#include "scene/command/text.h"
+
+namespace twinlight {
+
+// The arguments after "(", and the ")".
+void Reader::arguments(Command& command, const Signature& sig) {
+    const std::size_t wanted = sig.c_arguments();
+    const auto wrong_count = [&](const Place& place, std::string_view found) {
+        fail(place, fmt::format("{} takes {} argument{}: {}; {}", sig.name, wanted, wanted == 1 ? "" : "s", sig.usage(),
+                                found));
+    };
+    std::size_t given = 0;
+    for (; given < wanted; ++given) {
+        if (sig.parameters[given].extent == Extent::kRest) {
+            rest_arguments(command, sig.parameters[given]);
+            break;
+        }
+        if (token_.is(")")) wrong_count(token_.place, fmt::format("only {} given", given));
+        if (given > 0) expect(",", fmt::format("between the arguments of {}", sig.name));
+        if (token_.is(")")) wrong_count(token_.place, fmt::format("only {} given", given));
+        argument(command, given);
+    }
+    if (token_.is(",")) wrong_count(token_.place, "more are given");
+    expect(")", fmt::format("after the arguments of {}", sig.name));
+    if (wanted < sig.parameters.size()) {
+        command.arguments.push_back(result(command, sig.parameters.back()));
+    } else if (returns_) {
+        fail(returns_place_, fmt::format("the next call is {}, which returns nothing", sig.name));
+    }
+}
+
+void Reader::argument(Command& command, std::size_t i) {
+    const Parameter& parameter = command.sig().parameters[i];
+    switch (parameter.extent) {
+        case Extent::kPointer: return pointer_argument(command, parameter);
+        case Extent::kImage: return image_argument(command);
+        case Extent::kArray:
+        case Extent::kByPname:
+        case Extent::kOutput:
+        case Extent::kByCount:
+        case Extent::kNames:
+        case Extent::kOutputByCount:
+        case Extent::kControlPoints: return array_argument(command, i);
+        case Extent::kOutputMemory: return written_argument(command, parameter);
+        case Extent::kValue:
+        case Extent::kRest:
+        case Extent::kResult: break;
+    }
+    if (parameter.kind == Kind::kWord) {
+        command.arguments.push_back(word_argument(parameter));
+        return;
+    }
+    if (parameter.kind == Kind::kQuadric) {
+        command.arguments.push_back(quadric_argument(command));
+        return;
+    }
+    const Place place = token_.place;
+    command.arguments.push_back(converted(number(), parameter.kind, place,
+                                          fmt::format("the argument {} of {}", parameter.name, command.name())));
+}
+
+void Reader::rest_arguments(Command& command, const Parameter& parameter) {
+    const bool is_first = command.arguments.empty();
+    for (std::size_t given = 0; given > 0 || !is_first ? accept(",") : !token_.is(")"); ++given) {
+        const Place place = token_.place;
+        if (given >= kMaxArrayLength) fail(place, "too many arguments");
+        command.arguments.push_back(converted(number(), parameter.kind, place,
+                                              fmt::format("the argument {} of {}", parameter.name, command.name())));
+    }
+}
+
+double Reader::word_argument(const Parameter& parameter) {
+    const std::optional<Enum> word = token_.kind == TokenKind::kName ? find_word(token_.text) : std::nullopt;
+    if (!word) {
+        std::vector<std::string_view> names;
+        for (const NamedValue& known : words()) names.push_back(known.name);
+        const auto near = nearest(token_.text, names);
+        fail(token_.place, fmt::format("expected a word for {}, found {}{}", parameter.name, shown(token_),
+                                       near ? fmt::format("; did you mean {}?", *near) : ""));
+    }
+    advance();
+    return *word;
+}
+
+// An array, a place in one, NULL, or an offset into a buffer object in a pointer's clothes: (const void*)12.
+void Reader::pointer_argument(Command& command, const Parameter& parameter) {
+    const Token start = token_;
+    const Value given = expression();
+    if (!given.is_pointer() && !(given.is_integer() && given.integer == 0)) {
+        fail(start.place, fmt::format("the argument {} of {} is a pointer: an array, NULL, or an offset into a buffer "
+                                      "object such as (const void*)12",
+                                      parameter.name, command.name()));
+    }
+    if (given.object) {
+        if (!given.object->known) {
+            fail(start.place,
+                 fmt::format("{} has no value here: {}", given.object->shown, given.object->unknown_because));
+        }
+        command.memory = given.object->memory;
+    }
+    command.arguments.push_back(static_cast<double>(given.offset));
+}
+
+// A picture's file in the scene's folder, "brick.png", read once however often it is named.
+void Reader::image_argument(Command& command) {
+    const Token name = token_;
+    if (name.kind != TokenKind::kString) {
+        fail(name.place,
+             fmt::format("expected the name of a picture in quotes, such as \"brick.png\", found {}", shown(name)));
+    }
+    advance();
+    const std::string file(name.text.substr(1, name.text.size() - 2));
+    auto found = images_.find(file);
+    if (found == images_.end()) {
+        try {
+            ImageFile image = load_image_(file);
+            if (image.rgba.size() > kMaxMemoryBytes - bytes_) {
+                throw std::runtime_error(fmt::format(
+                    "all arrays and pictures of a scene hold {} MiB at the most together", kMaxMemoryBytes >> 20));
+            }
+            bytes_ += image.rgba.size();
+            auto memory = std::make_shared<const Memory>(Memory{Kind::kUbyte, std::move(image.rgba), file});
+            found = images_.emplace(file, LoadedImage{image.width, image.height, std::move(memory)}).first;
+        } catch (const std::runtime_error& error) {
+            fail(name.place, fmt::format("{}: {}", quoted(file), error.what()));
+        }
+    }
+    command.arguments.push_back(found->second.width);
+    command.arguments.push_back(found->second.height);
+    command.memory = found->second.memory;
+}
+
+namespace {
+
+// "glLightfv with GL_POSITION": for messages.
+std::string with_pname(std::string_view name, std::optional<Enum> pname) {
+    for (const NamedValue& row : gl_names()) {
+        if (pname && row.value == *pname) return fmt::format("{} with {}", name, row.name);
+    }
+    return std::string(name);
+}
+
+bool is_answer(const Parameter& parameter) {
+    return parameter.extent == Extent::kOutput || parameter.extent == Extent::kOutputByCount;
+}
+
+bool is_written(const Parameter& parameter) { return is_answer(parameter) || parameter.extent == Extent::kNames; }
+
+// The object holds what a driver answered.
+void forget_values(Object& object, const Command& command) {
+    object.known = false;
+    object.unknown_because =
+        fmt::format("{} at {} writes to it, and a scene cannot use the answer", command.name(), command.place.str());
+}
+
+// How many values of an array the command reads or writes; nothing where that is not known.
+std::optional<std::size_t> length_of(const Command& command, std::size_t i, std::optional<Enum> pname) {
+    switch (command.sig().parameters[i].extent) {
+        case Extent::kByPname:
+        case Extent::kOutput: {
+            const std::optional<int> by_table = array_length(command.id, pname);
+            return by_table ? std::optional(static_cast<std::size_t>(*by_table)) : std::nullopt;
+        }
+        case Extent::kOutputByCount: return command.counted(i);
+        default: return command.count(i);
+    }
+}
+
+}  // namespace
+
+// An array of any type that the command writes to, or NULL. What is kept is how many bytes there are.
+void Reader::written_argument(Command& command, const Parameter& parameter) {
+    const Token start = token_;
+    const Value given = expression();
+    const bool is_null = !given.object && (given.is_pointer() || given.is_integer()) &&
+                         (given.is_pointer() ? given.offset : given.integer) == 0;
+    if (!given.object && !is_null) {
+        fail(start.place,
+             fmt::format("the argument {} of {} is an array that it writes to, or NULL; a scene reads nothing "
+                         "back into buffer objects",
+                         parameter.name, command.name()));
+    }
+    if (given.object) forget_values(*given.object, command);
+    command.arguments.push_back(given.object ? static_cast<double>(given.object->memory->bytes.size()) -
+                                                   static_cast<double>(given.offset)
+                                             : 0.0);
+}
+
+void Reader::array_argument(Command& command, std::size_t i) {
+    const Parameter& parameter = command.sig().parameters[i];
+    const std::string_view name = command.name();
+    const Token start = token_;
+    const Value given = expression();
+    if (!given.object) {
+        fail(start.place,
+             fmt::format("expected an array such as (GLfloat[]){{1, 0, 0, 1}} or the name of one, found {}",
+                         shown(start)));
+    }
+    Object& object = *given.object;
+    const Kind kind = given.kind.value_or(parameter.kind);
+    if (c_type(kind) != c_type(parameter.kind)) {
+        fail(start.place, fmt::format("{} takes an array of {}, but {} is one of {}", name,
+                                      c_type_name(c_type(parameter.kind)), object.shown, c_type_name(c_type(kind))));
+    }
+    const std::size_t size = size_of(kind);
+    const std::size_t available = (object.memory->bytes.size() - static_cast<std::size_t>(given.offset)) / size;
+
+    const bool by_pname =
+        parameter.extent == Extent::kByPname || (parameter.extent == Extent::kOutput && parameter.count == 0);
+    const std::optional<Enum> pname =
+        by_pname ? std::optional(command.enumerant(command.arguments.size() - 1)) : std::nullopt;
+    const std::size_t length = length_of(command, i, pname).value_or(available);
+    if (available < length) {
+        fail(start.place, fmt::format("{} {} {} value{}, but {} has {}", with_pname(name, pname),
+                                      is_written(parameter) ? "writes" : "reads", length, length == 1 ? "" : "s",
+                                      object.shown, available));
+    }
+    if (is_answer(parameter)) return forget_values(object, command);
+    constexpr std::size_t kShort = 16;  // what the text itself has room for
+    if (length > kShort) hold(length * sizeof(double), start.place);
+    if (parameter.extent == Extent::kNames) return give_names(command, *named_objects(parameter), given, length);
+    if (!object.known && length > 0) {
+        fail(start.place, fmt::format("{} has no value here: {}", object.shown, object.unknown_because));
+    }
+    const std::span<const std::byte> bytes = object.memory->bytes;
+    for (std::size_t n = 0; n < length; ++n) {
+        command.arguments.push_back(load(bytes.subspan(static_cast<std::size_t>(given.offset) + n * size), kind));
+    }
+}
+
+// The names of `count` new objects, recorded and written to the array. A compound literal may say them itself: where it
+// is not 0, (GLuint[]){7, 9}.
+void Reader::give_names(Command& command, ObjectType type, const Value& array, std::size_t count) {
+    const std::span<std::byte> bytes =
+        std::span(writable(*array.object).bytes).subspan(static_cast<std::size_t>(array.offset));
+    std::vector<double> names(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (array.object->is_literal) names[i] = load(bytes.subspan(i * sizeof(std::uint32_t)), Kind::kUint);
+        names_.take(type, names[i], 1);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (names[i] == 0) names[i] = names_.next(type, 1);
+        names_.take(type, names[i], 1);
+        store(bytes.subspan(i * sizeof(std::uint32_t)), Kind::kUint, names[i]);
+    }
+    array.object->known = true;
+    command.arguments.insert(command.arguments.end(), names.begin(), names.end());
+}
+
+// What a command returns, as far as a scene can know: the names of new lists.
+double Reader::result(const Command& command, const Parameter& parameter) {
+    if (returns_) {
+        const double said = *returns_;
+        returns_.reset();
+        return said;
+    }
+    if (parameter.kind == Kind::kQuadric) return ++quadrics_;
+    const std::optional<ObjectType> type = named_objects(parameter);
+    if (!type || command.number(0) < 1) return 0;
+    return names_.next(*type, static_cast<std::uint32_t>(command.number(0)));
+}
+
+}  // namespace twinlight

@@ -1,0 +1,502 @@
+// Reading expressions: numbers with C's types, and pointers into arrays.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+#include "scene/command/memory.h"
+#include "scene/command/reader.h"
+#include "scene/command/text.h"
+
+namespace twinlight {
+
+namespace {
+
+struct NamedType {
+    std::string_view name;
+    Kind kind;
+};
+
+constexpr NamedType kTypes[] = {
+    {"float", Kind::kFloat},
+    {"GLfloat", Kind::kFloat},
+    {"GLclampf", Kind::kFloat},
+    {"double", Kind::kDouble},
+    {"GLdouble", Kind::kDouble},
+    {"GLclampd", Kind::kDouble},
+    {"int", Kind::kInt},
+    {"GLint", Kind::kInt},
+    {"GLsizei", Kind::kSizei},
+    {"GLuint", Kind::kUint},
+    {"GLenum", Kind::kEnum},
+    {"GLbitfield", Kind::kBitfield},
+    {"short", Kind::kShort},
+    {"GLshort", Kind::kShort},
+    {"GLushort", Kind::kUshort},
+    {"GLbyte", Kind::kByte},
+    {"GLubyte", Kind::kUbyte},
+    {"GLboolean", Kind::kBoolean},
+    {"unsigned", Kind::kUint},
+    {"GLsizeiptr", Kind::kSizeiptr},
+    {"GLintptr", Kind::kSizeiptr},
+    {"GLUquadric", Kind::kQuadric},
+    {"GLUquadricObj", Kind::kQuadric},
+};
+
+// Types that only pointers point at here, byte by byte.
+bool is_byte_type(const Token& token) {
+    return token.is("void") || token.is("GLvoid") || token.is("char") || token.is("GLchar");
+}
+
+struct Range {
+    double smallest, largest;
+};
+
+// Of the types of whole numbers.
+Range range_of(Kind kind) {
+    switch (kind) {
+        case Kind::kByte: return {-128, 127};
+        case Kind::kShort: return {-32768, 32767};
+        case Kind::kInt:
+        case Kind::kSizei: return {-2147483648.0, 2147483647.0};
+        case Kind::kUbyte:
+        case Kind::kBoolean: return {0, 255};
+        case Kind::kUshort: return {0, 65535};
+        case Kind::kEnum:
+        case Kind::kBitfield:
+        case Kind::kUint:
+        case Kind::kQuadric:
+        case Kind::kWord: return {0, 4294967295.0};
+        case Kind::kSizeiptr: return {-9007199254740992.0, 9007199254740992.0};  // what a double holds exactly
+        case Kind::kFloat:
+        case Kind::kDouble: break;  // real numbers have no such range
+    }
+    return {0, 0};
+}
+
+std::size_t product_of(std::span<const std::size_t> lengths) {
+    return std::accumulate(lengths.begin(), lengths.end(), std::size_t{1}, std::multiplies<>());
+}
+
+}  // namespace
+
+std::optional<Kind> find_type(std::string_view name) {
+    for (const NamedType& type : kTypes) {
+        if (type.name == name) return type.kind;
+    }
+    return std::nullopt;
+}
+
+Value integer(std::int64_t value) { return {.type = Value::Type::kInteger, .integer = value}; }
+Value real(double value, bool is_float) {
+    return is_float ? Value{.type = Value::Type::kFloat, .real = static_cast<double>(static_cast<float>(value))}
+                    : Value{.type = Value::Type::kDouble, .real = value};
+}
+
+// ---- Types ----
+
+bool Reader::at_type() const {
+    return token_.is("signed") || token_.is("unsigned") || find_type(token_.text).has_value();
+}
+
+Kind Reader::type_name() {
+    while (accept("const")) {
+    }
+    const bool is_unsigned = token_.is("unsigned");
+    if (is_unsigned || token_.is("signed")) {
+        advance();
+        if (accept("char")) return is_unsigned ? Kind::kUbyte : Kind::kByte;
+        if (accept("short")) return is_unsigned ? Kind::kUshort : Kind::kShort;
+        accept("int");
+        return is_unsigned ? Kind::kUint : Kind::kInt;
+    }
+    const std::optional<Kind> kind = find_type(token_.text);
+    if (token_.kind != TokenKind::kName || !kind) {
+        fail(token_.place, fmt::format("expected a type such as GLfloat, found {}", shown(token_)));
+    }
+    advance();
+    while (accept("const")) {
+    }
+    return *kind;
+}
+
+// ---- Operators ----
+
+Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) {
+    const char o = op.text[0];
+    if (a.is_integer() && b.is_integer()) {
+        std::int64_t result = 0;
+        bool overflow = false;
+        switch (o) {
+            case '+': overflow = __builtin_add_overflow(a.integer, b.integer, &result); break;
+            case '-': overflow = __builtin_sub_overflow(a.integer, b.integer, &result); break;
+            case '*': overflow = __builtin_mul_overflow(a.integer, b.integer, &result); break;
+            case '|': result = a.integer | b.integer; break;
+            default:
+                if (b.integer == 0) fail(op.place, "division of whole numbers by 0");
+                overflow = a.integer == std::numeric_limits<std::int64_t>::min() && b.integer == -1;
+                if (!overflow) result = a.integer / b.integer;
+        }
+        if (overflow) fail(op.place, "this whole number is too large");
+        return integer(result);
+    }
+    if (a.is_pointer() && b.is_integer() && (o == '+' || o == '-')) return moved(op, a, b);
+    if (b.is_pointer() && a.is_integer() && o == '+') return moved(op, b, a);
+    if (a.is_pointer() || b.is_pointer()) {
+        fail(op.place,
+             fmt::format("'{}' cannot join an array and this; a whole number is added to an array's name", o));
+    }
+    if (o == '|') fail(op.place, "'|' joins whole numbers, such as GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
+    const bool is_float = a.type != Value::Type::kDouble && b.type != Value::Type::kDouble;
+    const double x = a.number(), y = b.number();
+    return real(o == '+' ? x + y : o == '-' ? x - y : o == '*' ? x * y : x / y, is_float);
+}
+
+// A pointer some elements further on, or back.
+Value Reader::moved(const Token& op, Value pointer, const Value& by) {
+    const auto step = static_cast<std::int64_t>(pointer.step);
+    std::int64_t bytes = 0;
+    const bool overflow = __builtin_mul_overflow(by.integer, step, &bytes) ||
+                          (op.text == "-" ? __builtin_sub_overflow(pointer.offset, bytes, &pointer.offset)
+                                          : __builtin_add_overflow(pointer.offset, bytes, &pointer.offset));
+    const auto last = pointer.object ? static_cast<std::int64_t>(pointer.object->memory->bytes.size())
+                                     : static_cast<std::int64_t>(range_of(Kind::kSizeiptr).largest);
+    if (overflow || pointer.offset < 0 || pointer.offset > last) {
+        fail(op.place, pointer.object ? fmt::format("this place lies outside {}, which has {} values",
+                                                    pointer.object->shown, pointer.object->length())
+                                      : std::string("this offset is too large, or below 0"));
+    }
+    return pointer;
+}
+
+Value Reader::expression() {
+    if (++nesting_ > kMaxNesting) {
+        fail(token_.place, fmt::format("this expression is nested deeper than {}", kMaxNesting));
+    }
+    Value value = sum();
+    while (token_.is("|")) {
+        const Token op = token_;
+        advance();
+        value = arithmetic(op, value, sum());
+    }
+    --nesting_;
+    return value;
+}
+
+Value Reader::number() {
+    const Token start = token_;
+    const Value value = expression();
+    if (!value.is_pointer()) return value;
+    fail(start.place,
+         value.object
+             ? fmt::format("{} is an array, and a single number is needed here; choose an element{}",
+                           value.object->shown, value.object->is_literal ? "" : fmt::format(": {}[0]", start.text))
+             : "a pointer stands here, and a number is needed");
+}
+
+Value Reader::sum() {
+    Value value = product();
+    while (token_.is("+") || token_.is("-")) {
+        const Token op = token_;
+        advance();
+        value = arithmetic(op, value, product());
+    }
+    return value;
+}
+
+Value Reader::product() {
+    Value value = unary();
+    while (token_.is("*") || token_.is("/")) {
+        const Token op = token_;
+        advance();
+        value = arithmetic(op, value, unary());
+    }
+    return value;
+}
+
+Value Reader::unary() {
+    const Token start = token_;
+    bool negative = false;
+    while (token_.is("-") || token_.is("+")) {
+        negative ^= token_.is("-");
+        advance();
+    }
+    const bool has_sign = token_.place.column != start.place.column || token_.place.line != start.place.line;
+    Value value = primary();
+    if (has_sign && value.is_pointer()) fail(start.place, "an array has no sign");
+    if (!negative) return value;
+    if (value.integer == std::numeric_limits<std::int64_t>::min()) fail(token_.place, "this whole number is too large");
+    value.integer = -value.integer;
+    value.real = -value.real;
+    return value;
+}
+
+// ---- Primary expressions ----
+
+Value Reader::primary() {
+    const Token token = token_;
+    if (token.is("(")) return parenthesis();
+    advance();
+    if (token.is("&")) {
+        const Token name = token_;
+        if (name.kind != TokenKind::kName) fail(name.place, "'&' stands before the name of an array or a variable");
+        advance();
+        const std::optional<Lvalue> place = lvalue(name);
+        if (!place) unknown_name(name);
+        if (place->object->kind == Kind::kQuadric) fail(name.place, "a scene has no pointers to pointers to quadrics");
+        return address_of(*place);
+    }
+    if (token.kind == TokenKind::kNumber) return literal(token);
+    if (token.is("sizeof")) return size_of_operand();
+    if (token.kind == TokenKind::kName) return named_value(token);
+    fail(token.place, fmt::format("expected a number or a GL name, found {}", shown(token)));
+}
+
+// (1 + 2), (GLfloat)1, (const void*)12, (GLfloat[]){1, 0, 0, 1}
+Value Reader::parenthesis() {
+    if (++nesting_ > kMaxNesting) {
+        fail(token_.place, fmt::format("this expression is nested deeper than {}", kMaxNesting));
+    }
+    const Place place = token_.place;
+    advance();
+    Value value;
+    if (token_.is("const") || at_type() || is_byte_type(token_)) {
+        value = cast(place);
+    } else {
+        value = expression();
+        expect(")", "to close the parenthesis");
+    }
+    --nesting_;
+    return value;
+}
+
+// The rest of a cast or a compound literal after its "(".
+Value Reader::cast(const Place& place) {
+    while (accept("const")) {
+    }
+    std::optional<Kind> kind;
+    if (is_byte_type(token_)) {
+        advance();
+        while (accept("const")) {
+        }
+    } else {
+        kind = type_name();
+    }
+    if (kind && token_.is("[")) return compound_literal(*kind, place);
+    int stars = 0;
+    while (token_.is("*") || token_.is("const")) {
+        stars += token_.is("*") ? 1 : 0;
+        advance();
+    }
+    expect(")", "after the type");
+    Value value = unary();
+    if (stars == 0) {
+        if (value.is_pointer() || !kind) fail(place, "this cast makes no number");
+        if (is_real(*kind)) return real(value.number(), *kind == Kind::kFloat);
+        const double whole = std::trunc(value.number());
+        if (!(std::abs(whole) <= 0x1p53)) fail(place, "this number is too large for the cast");
+        return integer(static_cast<std::int64_t>(
+            converted(integer(static_cast<std::int64_t>(whole)), *kind, place, "what is cast")));
+    }
+    if (!value.is_pointer()) {
+        if (!value.is_integer() || value.integer < 0) fail(place, "a pointer is an array, NULL or an offset from 0 on");
+        value = {.type = Value::Type::kPointer, .offset = value.integer};
+    }
+    value.kind = kind;
+    value.step = stars > 1 ? sizeof(void*) : kind ? size_of(*kind) : 1;
+    return value;
+}
+
+Value Reader::compound_literal(Kind kind, const Place& place) {
+    Object& object = literals_.emplace_back(Object{.kind = kind,
+                                                   .dimensions = dimensions_in_brackets(),
+                                                   .shown = "this array",
+                                                   .place = place,
+                                                   .is_literal = true});
+    expect(")", "after the array's type");
+    std::vector<double> values;
+    arrays_values(kind, object.dimensions, values, 0, true);
+    if (object.dimensions[0] == 0) {
+        const std::size_t row = product_of(std::span(object.dimensions).subspan(1));
+        object.dimensions[0] = (values.size() + row - 1) / row;
+    }
+    if (values.size() > object.length()) {
+        fail(place, fmt::format("this array has {} values, but its length is {}", values.size(), object.length()));
+    }
+    allocate(object, place);
+    fill(object, values);
+    return value_of({&object, 0, object.dimensions}, place);
+}
+
+Value Reader::literal(const Token& token) {
+    std::string_view digits = token.text;
+    const bool hex = digits.starts_with("0x") || digits.starts_with("0X");
+    const auto is_suffix = [](char c) { return std::string_view("uUlL").find(c) != std::string_view::npos; };
+    const bool has_point = !hex && digits.find_first_of(".eE") != std::string_view::npos;
+    const auto bad = [&] { fail(token.place, fmt::format("{} is not a number", quoted(token.text))); };
+    if (has_point) {
+        const bool is_float = digits.ends_with('f') || digits.ends_with('F');
+        if (is_float || digits.ends_with('l') || digits.ends_with('L')) digits.remove_suffix(1);
+        double value = 0;
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (end != digits.data() + digits.size() || error == std::errc::invalid_argument) bad();
+        if (error == std::errc::result_out_of_range) {
+            // Too small is 0 or a denormal, as in C; too large is an error.
+            value = std::strtod(std::string(digits).c_str(), nullptr);
+            if (std::isinf(value)) fail(token.place, fmt::format("{} is too large for a double", quoted(token.text)));
+        }
+        return real(value, is_float);
+    }
+    while (!digits.empty() && is_suffix(digits.back())) digits.remove_suffix(1);
+    const bool octal = !hex && digits.size() > 1 && digits[0] == '0';
+    const std::string_view significant = digits.substr(hex ? 2 : 0);
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(significant.data(), significant.data() + significant.size(), value,
+                                              hex     ? 16
+                                              : octal ? 8
+                                                      : 10);
+    if (error == std::errc::result_out_of_range) {
+        fail(token.place, fmt::format("{} is too large; write it with a point for a double", quoted(token.text)));
+    }
+    if (significant.empty() || end != significant.data() + significant.size()) bad();
+    return integer(value);
+}
+
+// sizeof(GLfloat), sizeof(GLfloat[3]), sizeof(void*), sizeof(name), sizeof name[0]
+Value Reader::size_of_operand() {
+    const bool in_parentheses = accept("(");
+    std::size_t size = 0;
+    if (in_parentheses && (token_.is("const") || at_type() || is_byte_type(token_))) {
+        while (accept("const")) {
+        }
+        const bool is_byte = is_byte_type(token_);
+        if (is_byte) advance();
+        size = is_byte ? 1 : size_of(type_name());
+        while (token_.is("*") || token_.is("const")) {
+            if (token_.is("*")) size = sizeof(void*);
+            advance();
+        }
+        size *= product_of(dimensions_in_brackets());
+    } else {
+        const Token name = token_;
+        if (name.kind != TokenKind::kName) fail(name.place, "sizeof takes a type, an array or a variable");
+        advance();
+        const std::optional<Lvalue> operand = lvalue(name);
+        if (!operand) unknown_name(name);
+        size = size_of(operand->object->kind) * product_of(operand->dimensions);
+    }
+    if (in_parentheses) expect(")", "after sizeof");
+    return integer(static_cast<std::int64_t>(size));
+}
+
+// ---- Names ----
+
+// A variable's name, which has been read, with the subscripts after it; nothing for what is no variable.
+std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
+    const auto found = variables_.find(name.text);
+    if (name.kind != TokenKind::kName || found == variables_.end()) return std::nullopt;
+    Object& object = found->second;
+    Lvalue result{&object, 0, object.dimensions};
+    while (!result.dimensions.empty() && accept("[")) {
+        const Place place = token_.place;
+        const Value index = number();
+        expect("]", "after the index");
+        const std::size_t length = result.dimensions.front();
+        if (!index.is_integer() || index.integer < 0 || index.integer >= static_cast<std::int64_t>(length)) {
+            fail(place, fmt::format("this index lies outside {}, which has {} {}", object.shown, length,
+                                    result.dimensions.size() > 1 ? "rows" : "values"));
+        }
+        result.dimensions.erase(result.dimensions.begin());
+        result.offset += static_cast<std::size_t>(index.integer) * product_of(result.dimensions) * size_of(object.kind);
+    }
+    return result;
+}
+
+// What an lvalue is worth: a number, or, of an array, a pointer to its first element.
+Value Reader::value_of(const Lvalue& lvalue, const Place& place) {
+    Object& object = *lvalue.object;
+    if (!lvalue.dimensions.empty()) {
+        return {.type = Value::Type::kPointer,
+                .object = &object,
+                .offset = static_cast<std::int64_t>(lvalue.offset),
+                .kind = object.kind,
+                .step = size_of(object.kind) * product_of(std::span(lvalue.dimensions).subspan(1))};
+    }
+    if (object.kind == Kind::kQuadric) {
+        fail(place, fmt::format("{} is a quadric, and a number is needed here", object.shown));
+    }
+    if (!object.known) fail(place, fmt::format("{} has no value here: {}", object.shown, object.unknown_because));
+    const double value = load(std::span(object.memory->bytes).subspan(lvalue.offset), object.kind);
+    if (is_real(object.kind)) return real(value, object.kind == Kind::kFloat);
+    return integer(static_cast<std::int64_t>(value));
+}
+
+Value Reader::address_of(const Lvalue& lvalue) {
+    return {.type = Value::Type::kPointer,
+            .object = lvalue.object,
+            .offset = static_cast<std::int64_t>(lvalue.offset),
+            .kind = lvalue.object->kind,
+            .step = size_of(lvalue.object->kind) * product_of(lvalue.dimensions)};
+}
+
+Value Reader::named_value(const Token& name) {
+    if (name.text == "M_PI") return real(M_PI, false);
+    if (name.text == "M_PI_2") return real(M_PI_2, false);
+    if (name.text == "M_PI_4") return real(M_PI_4, false);
+    if (name.text == "M_SQRT2") return real(M_SQRT2, false);
+    if (name.text == "INFINITY") return real(std::numeric_limits<double>::infinity(), true);
+    if (name.text == "NAN") return real(std::numeric_limits<double>::quiet_NaN(), true);
+    if (name.text == "NULL") return {.type = Value::Type::kPointer};
+    if (const std::optional<Enum> value = find_gl_name_or_extension(name.text)) return integer(*value);
+    const std::optional<Lvalue> variable = lvalue(name);
+    if (!variable) unknown_name(name);
+    return value_of(*variable, name.place);
+}
+
+void Reader::unknown_name(const Token& name) {
+    std::vector<std::string_view> names = visible_names();
+    for (const NamedValue& row : gl_names()) names.push_back(row.name);
+    const auto near = nearest(name.text, names);
+    fail(name.place, fmt::format("unknown name {}{}", quoted(name.text),
+                                 near             ? fmt::format("; did you mean {}?", *near)
+                                 : token_.is("(") ? "; a call cannot stand inside an expression"
+                                                  : ""));
+}
+
+std::vector<std::string_view> Reader::visible_names() const {
+    std::vector<std::string_view> names;
+    for (const auto& [name, object] : variables_) names.push_back(name);
+    return names;
+}
+
+// ---- Conversion ----
+
+// The value as the C type of `kind` holds it.
+double Reader::converted(const Value& number, Kind kind, const Place& place, std::string_view what) {
+    const double value = number.number();
+    if (is_real(kind)) {
+        if (!std::isfinite(value) || kind == Kind::kDouble) return value;
+        const auto rounded = static_cast<float>(value);
+        if (std::isinf(rounded)) {
+            fail(place, fmt::format("{} is {}, which does not fit into a GLfloat", what, value));
+        }
+        return static_cast<double>(rounded);
+    }
+    if (kind == Kind::kEnum && !number.is_integer()) {
+        fail(place, fmt::format("{} must be a GL name such as GL_LIGHT0, not the number {}", what, value));
+    }
+    if (!(value == std::trunc(value))) {
+        fail(place, fmt::format("{} must be a whole number, not {}", what, value));
+    }
+    const Range range = range_of(kind);
+    if (value < range.smallest || value > range.largest) {
+        fail(place, fmt::format("{} is {}; it must be from {} to {}", what, value, range.smallest, range.largest));
+    }
+    return value;
+}
+
+}  // namespace twinlight

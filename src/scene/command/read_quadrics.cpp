@@ -1,0 +1,54 @@
+// Reading GLU's quadrics: variables that point to them, gluNewQuadric(). They are numbered from 1 as they are made.
+#include <fmt/format.h>
+
+#include "scene/command/memory.h"
+#include "scene/command/reader.h"
+
+namespace twinlight {
+
+// The rest of GLUquadric* q = gluNewQuadric(); after the name.
+void Reader::quadric_declaration(Object& object) {
+    if (!object.dimensions.empty()) fail(object.place, "arrays of quadrics are not part of a scene: declare each");
+    allocate(object, object.place);
+    if (!accept("=")) return;
+    fill(object, {quadric_value()});
+}
+
+// The rest of q = gluNewQuadric(); after the name.
+void Reader::quadric_assignment(Object& object) {
+    expect("=", fmt::format("after {}", object.shown));
+    fill(object, {quadric_value()});
+    expect(";", "after the assignment");
+}
+
+// gluNewQuadric(), the name of a quadric, NULL or 0 for none.
+double Reader::quadric_value() {
+    const Token token = token_;
+    if (token.is("gluNewQuadric")) return call().arguments.back();
+    advance();
+    if (token.is("NULL") || (token.kind == TokenKind::kNumber && token.text == "0")) return 0;
+    const auto found = variables_.find(token.text);
+    if (token.kind != TokenKind::kName || found == variables_.end() || found->second.kind != Kind::kQuadric) {
+        const auto near = nearest(token.text, visible_names());
+        fail(token.place,
+             fmt::format("expected gluNewQuadric() or the name of a GLUquadric*, found {}{}", shown(token),
+                         near && found == variables_.end() ? fmt::format("; did you mean {}?", *near) : ""));
+    }
+    const Object& object = found->second;
+    if (!object.known) {
+        fail(token.place, fmt::format("{} has no value here: {}; write {} = gluNewQuadric();", object.shown,
+                                      object.unknown_because, token.text));
+    }
+    return load(object.memory->bytes, Kind::kQuadric);
+}
+
+double Reader::quadric_argument(const Command& command) {
+    const Place place = token_.place;
+    const double quadric = quadric_value();
+    if (quadric == 0) {
+        fail(place, fmt::format("{} is given no quadric; make one by gluNewQuadric()", command.name()));
+    }
+    return quadric;
+}
+
+}  // namespace twinlight

@@ -1,0 +1,174 @@
+// Reader: the parser of the C dialect, and what its expressions come to. Used by read*.cpp alone.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/command/lexer.h"
+#include "scene/command/object_names.h"
+#include "scene/command/text.h"
+
+namespace twinlight {
+
+// The lengths of an array of arrays, the outermost first; none for a single value.
+using Dimensions = std::vector<std::size_t>;
+
+// What a declaration or a compound literal makes: its bytes, and whether they mean anything.
+struct Object {
+    Kind kind{};
+    Dimensions dimensions;
+    std::shared_ptr<Memory> memory{};  // shared with the commands that point into it; copied before it changes then
+    std::string shown;                 // for messages: its name, or "this array"
+    Place place;
+    bool is_literal = false;
+    bool known = false;  // false: declared without a value, or written by a glGet*
+    std::string unknown_because{};
+
+    std::size_t length() const;  // in values
+};
+
+// What an expression comes to: a number with its C type - int (64 bits here, so that every GL type fits), float or
+// double - or a pointer.
+struct Value {
+    enum class Type : std::uint8_t { kInteger, kFloat, kDouble, kPointer };
+    Type type = Type::kInteger;
+    std::int64_t integer = 0;
+    double real = 0;
+
+    // Of a pointer: where it points, in bytes from the object's start (from 0, without an object: NULL is 0); the type
+    // that it points at (none for void and char, of size 1), and that type's size.
+    Object* object = nullptr;
+    std::int64_t offset = 0;
+    std::optional<Kind> kind{};
+    std::size_t step = 1;
+
+    bool is_pointer() const { return type == Type::kPointer; }
+    bool is_integer() const { return type == Type::kInteger; }
+    double number() const { return is_integer() ? static_cast<double>(integer) : real; }
+};
+
+class Reader {
+  public:
+    Reader(std::string_view text, const std::string& file, const ImageLoader& load_image)
+        : lexer_(text, file), load_image_(load_image) {
+        advance();
+    }
+
+    std::vector<Command> read();
+
+  private:
+    // An object's part that a name with its subscripts stands for; without dimensions it is one value.
+    struct Lvalue {
+        Object* object = nullptr;
+        std::size_t offset = 0;  // in bytes
+        Dimensions dimensions;
+    };
+
+    // -- tokens --
+    void advance();
+    bool accept(std::string_view text);
+    void expect(std::string_view text, std::string_view where);
+
+    // -- statements (read.cpp) --
+    void statement();
+    void declaration();
+    void initialise(Object& object, const Token& name);
+    void assignment();
+    void program();
+    void pragma();
+    void returns_pragma();
+    // name(arguments): the command is recorded; the answer is its place among the commands.
+    const Command& call();
+    // A call on the right of "=".
+    void assign_result(const Lvalue& target);
+    void arrays_values(Kind kind, std::span<const std::size_t> dimensions, std::vector<double>& values,
+                       std::size_t start, bool is_open);
+    Dimensions dimensions_in_brackets();
+    void hold(std::size_t bytes, const Place& place);
+    void allocate(Object& object, const Place& place);
+    void fill(Object& object, const std::vector<double>& values);
+    Memory& writable(Object& object);
+    void forget_literals();
+
+    // -- arguments (read_arguments.cpp) --
+    void arguments(Command& command, const Signature& sig);
+    void argument(Command& command, std::size_t parameter);
+    double word_argument(const Parameter& parameter);
+    void pointer_argument(Command& command, const Parameter& parameter);
+    void written_argument(Command& command, const Parameter& parameter);
+    void array_argument(Command& command, std::size_t parameter);
+    void rest_arguments(Command& command, const Parameter& parameter);
+    void image_argument(Command& command);
+    void give_names(Command& command, ObjectType type, const Value& array, std::size_t count);
+    double result(const Command& command, const Parameter& parameter);
+
+    // -- GLU's quadrics: the value of a pointer to one is its number (read_quadrics.cpp) --
+    void quadric_declaration(Object& object);
+    void quadric_assignment(Object& object);
+    double quadric_value();
+    double quadric_argument(const Command& command);
+
+    // -- expressions: bitwise or, sum, product, unary, primary; C's precedence (read_expressions.cpp) --
+    Value expression();
+    Value number();  // an expression that is no pointer
+    Value sum();
+    Value product();
+    Value unary();
+    Value primary();
+    Value parenthesis();
+    Value cast(const Place& place);
+    Value literal(const Token& token);
+    Value compound_literal(Kind kind, const Place& place);
+    Value named_value(const Token& name);
+    Value size_of_operand();
+    std::optional<Lvalue> lvalue(const Token& name);
+    [[noreturn]] void unknown_name(const Token& name);
+    static Value value_of(const Lvalue& lvalue, const Place& place);
+    static Value address_of(const Lvalue& lvalue);
+    static Value arithmetic(const Token& op, const Value& a, const Value& b);
+    static Value moved(const Token& op, Value pointer, const Value& by);
+
+    bool at_type() const;
+    Kind type_name();
+    double converted(const Value& number, Kind kind, const Place& place, std::string_view what);
+    std::vector<std::string_view> visible_names() const;
+
+    Lexer lexer_;
+    Token token_, ahead_;
+    bool primed_ = false;
+    std::size_t nesting_ = 0;
+    bool in_program_ = false;
+    bool program_read_ = false;
+    std::map<std::string_view, Object> variables_;
+    std::deque<Object> literals_;  // of the statement that is being read
+    // That all objects and images hold, older contents of objects that commands point into, and long arguments.
+    std::size_t bytes_ = 0;
+    const ImageLoader& load_image_;
+    struct LoadedImage {
+        int width = 0, height = 0;
+        std::shared_ptr<const Memory> memory;
+    };
+    std::map<std::string, LoadedImage, std::less<>> images_;  // by their files' names
+    ObjectNames names_;
+    std::optional<double> returns_;  // what the next call returns, where a pragma says so
+    Place returns_place_;
+    std::vector<Command> commands_;
+    double quadrics_ = 0;  // made so far
+};
+
+// "'GL_LIGHTT0'", or "the end of the scene".
+std::string shown(const Token& token);
+
+// The kind of a GL or C type's name.
+std::optional<Kind> find_type(std::string_view name);
+
+Value integer(std::int64_t value);
+Value real(double value, bool is_float);
+
+}  // namespace twinlight

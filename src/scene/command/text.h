@@ -1,0 +1,46 @@
+// Scenes as text: reading C statements, and printing them as C that compiles (DESIGN section 1 names the grammar;
+// docs/scene-language.md describes it for people). Reading what was printed gives the same commands.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/command/command.h"
+
+namespace twinlight {
+
+// Bad input. what() is one line: "file:line:column: what is wrong; how to mend it".
+struct SceneError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Limits on untrusted text.
+inline constexpr std::size_t kMaxSceneBytes = 64u << 20;
+inline constexpr std::size_t kMaxNesting = 64;  // parentheses in an expression
+inline constexpr std::size_t kMaxArrayLength = 1 << 24;
+inline constexpr std::size_t kMaxMemoryBytes = 256u << 20;  // of all arrays together
+
+// Red, green, blue and alpha of each pixel, a byte each; row by row, the lowest first, as GL has them.
+struct ImageFile {
+    int width = 0, height = 0;
+    std::vector<std::byte> rgba;
+};
+// Reads the image that #pragma twinlight texture(...) names. Throws std::runtime_error: why it cannot, and what to do.
+using ImageLoader = std::function<ImageFile(const std::string& name)>;
+// For scenes that stand in no folder: refuses every name.
+ImageFile no_images(const std::string& name);
+
+// Reads the C dialect. `file` is used in places; `name` in reports. Throws SceneError.
+CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
+                       const ImageLoader& load_image = no_images);
+
+std::string print_command(const Command& command);       // "glEnable(GL_LIGHT0);", no newline
+std::string print_scene(const CommandList& scene);       // a line a command
+std::string print_c_function(const CommandList& scene);  // "static void draw_scene(void) { ... }"
+std::string print_c_program(const CommandList& scene);   // a freeglut program that draws the scene
+
+}  // namespace twinlight

@@ -1,0 +1,83 @@
+#include "scene/scenes/load.h"
+
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "base/image/file.h"
+#include "scene/command/text.h"
+#include "scene/scenes/images.h"
+#include "scene/scenes/scenes.h"
+#include "scene/trace/trace.h"
+
+namespace twinlight {
+
+namespace {
+
+// One byte more than the limit tells a text that is too long from one that just fits.
+constexpr std::size_t kReadAtMost = kMaxSceneBytes + 1;
+
+CommandList read_limited(const std::string& text, const std::string& file, const std::string& name,
+                         const ImageLoader& load_image = no_images) {
+    if (text.size() > kMaxSceneBytes) {
+        throw SceneError(file + ": is larger than " + std::to_string(kMaxSceneBytes >> 20) +
+                         " MiB; a scene is a program's commands, without its data");
+    }
+    return read_scene(text, file, name, load_image);
+}
+
+// What the front of a file, or of standard input, says that it is. apitrace's newest containers have no mark of their own.
+bool holds_trace(std::string_view front, const std::filesystem::path& path) {
+    return trace::is_trace(front) || (path.extension() == ".trace" && !trace::is_dump(front));
+}
+
+std::shared_ptr<const Recording> load_standard_input() {
+    const std::string front = read_standard_input(trace::kTellingBytes);
+    if (trace::is_trace(front) || trace::is_dump(front)) return trace::open_standard_input(front);
+    return std::make_shared<CommandList>(
+        read_limited(front + read_standard_input(kReadAtMost - front.size()), "<stdin>", "stdin"));
+}
+
+}  // namespace
+
+std::shared_ptr<const Recording> load_recording(const std::string& scene) {
+    if (scene == "-") return load_standard_input();
+    std::vector<std::string_view> names;
+    for (const EmbeddedFile& file : kSceneFiles) {
+        names.push_back(file.name.substr(0, file.name.rfind(".gl")));
+        if (names.back() == scene) {
+            return std::make_shared<CommandList>(read_scene(file.text, std::string(file.name), scene));
+        }
+    }
+    const std::filesystem::path path = scene;
+    // A word that is no file was meant as a name.
+    std::error_code ignored;
+    if (!path.has_parent_path() && !path.has_extension() && !std::filesystem::exists(path, ignored)) {
+        const auto near = nearest(scene, names);
+        throw SceneError(scene + ": there is no built-in scene and no file of this name; " +
+                         (near ? "did you mean '" + std::string(*near) + "'?" : "'twinlight scenes' lists the scenes"));
+    }
+    // A pipe can be read once.
+    const bool again = std::filesystem::is_regular_file(path, ignored);
+    const std::string front = read_file(scene, again ? trace::kTellingBytes : kReadAtMost);
+    if (holds_trace(front, path) || trace::is_dump(front)) {
+        if (!again) throw SceneError(scene + ": a recorded program is read from a file, or from standard input as -");
+        return holds_trace(front, path) ? trace::open_trace(scene) : trace::open_dump(scene);
+    }
+    return std::make_shared<CommandList>(read_limited(again ? read_file(scene, kReadAtMost) : front, scene,
+                                                      path.filename().string(),
+                                                      again ? images_beside(path) : ImageLoader(no_images)));
+}
+
+CommandList load_scene(const std::string& scene) {
+    const auto list = std::dynamic_pointer_cast<const CommandList>(load_recording(scene));
+    if (!list) {
+        throw SceneError(scene +
+                         ": a recorded program cannot be shown here; 'twinlight render', 'compare' and 'export' "
+                         "read it");
+    }
+    return *list;
+}
+
+}  // namespace twinlight

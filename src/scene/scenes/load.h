@@ -1,0 +1,19 @@
+// SCENE as both programs take it on their command lines.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "scene/command/command.h"
+
+namespace twinlight {
+
+// A built-in scene's name, a file, or - for standard input; what it holds tells what it is. Throws SceneError, and
+// FileError where a file cannot be read.
+//
+// A scene in C is a CommandList; an apitrace .trace, or the text of its dump, is read as it is gone through.
+std::shared_ptr<const Recording> load_recording(const std::string& scene);
+// The same; refuses recorded programs.
+CommandList load_scene(const std::string& scene);
+
+}  // namespace twinlight

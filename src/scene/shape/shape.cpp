@@ -1,0 +1,145 @@
+// Which construction a command asks for, and the checks that stand before it.
+#include "scene/shape/shape.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/shape/freeglut_shapes.h"
+#include "scene/shape/report_shapes.h"
+
+namespace twinlight {
+namespace {
+
+template <class... Parts>
+[[noreturn]] void refuse(fmt::format_string<Parts...> message, Parts&&... parts) {
+    throw std::invalid_argument(fmt::format(message, std::forward<Parts>(parts)...));
+}
+
+// ---- The pragma: shape(kind, sizes...) ----
+
+// The sizes after the kind, checked against what the usage names.
+class Sizes {
+  public:
+    Sizes(const Command& command, std::string_view usage, std::size_t expected) : command_(command), usage_(usage) {
+        const std::size_t given = command.arguments.size() - 1;
+        if (given != expected) refuse("sizes given: {}; write shape({})", given, usage_);
+    }
+
+    double length(std::size_t i, std::string_view name) const {
+        const double value = command_.number(i);
+        if (value > 0 && std::isfinite(value)) return value;
+        refuse("{} of shape({}) is {}; it must be greater than 0", name, usage_, value);
+    }
+
+    int count(std::size_t i, std::string_view name, int least) const {
+        const double value = command_.number(i);
+        if (!(value >= least) || value != std::floor(value)) {
+            refuse("{} of shape({}) is {}; it must be a whole number, {} or more", name, usage_, value, least);
+        }
+        limit_shape(fmt::format("shape({})", usage_), value, 1);
+        return static_cast<int>(value);
+    }
+
+  private:
+    const Command& command_;
+    std::string_view usage_;
+};
+
+constexpr std::string_view kKinds = "cube, cylinder, cylinder_triangles, cone or sphere";
+constexpr int kLeastSlices = 3;  // fewer enclose nothing
+constexpr int kLeastStacks = 2;
+
+// cylinder, cylinder_triangles and cone have the same sizes.
+std::vector<ShapePart> tall_shape(const Command& command, std::string_view usage,
+                                  std::vector<ShapePart> construct(double radius, double height, int slices)) {
+    const Sizes sizes(command, usage, 3);
+    return construct(sizes.length(1, "radius"), sizes.length(2, "height"), sizes.count(3, "slices", kLeastSlices));
+}
+
+std::vector<ShapePart> pragma_shape(const Command& command) {
+    if (command.arguments.empty()) refuse("shape needs a kind: {}", kKinds);
+    switch (command.word(0)) {
+        case Word::cube: return report_cube(Sizes(command, "cube, size", 1).length(1, "size"));
+        case Word::cylinder: return tall_shape(command, "cylinder, radius, height, slices", report_cylinder);
+        case Word::cylinder_triangles:
+            return tall_shape(command, "cylinder_triangles, radius, height, slices", report_cylinder_triangles);
+        case Word::cone: return tall_shape(command, "cone, radius, height, slices", report_cone);
+        case Word::sphere: {
+            constexpr std::string_view kUsage = "sphere, radius, slices, stacks";
+            const Sizes sizes(command, kUsage, 3);
+            const int slices = sizes.count(2, "slices", kLeastSlices);
+            const int stacks = sizes.count(3, "stacks", kLeastStacks);
+            limit_shape("shape(sphere)", slices, stacks);
+            return report_sphere(sizes.length(1, "radius"), slices, stacks);
+        }
+        default: break;  // a word of other pragmas
+    }
+    refuse("{} is no shape; a shape is {}", word_name(command.word(0)), kKinds);
+}
+
+// ---- freeglut's ----
+
+// 12 vertices and 4 faces a tetrahedron, 4 times as many with each level.
+void limit_sponge(std::string_view name, double levels, bool wire) {
+    const double tetrahedra = std::exp2(2 * levels);
+    if (12 * tetrahedra <= static_cast<double>(kMaxShapeVertices) &&
+        (!wire || 4 * tetrahedra <= static_cast<double>(kMaxShapeParts))) {
+        return;
+    }
+    refuse("{} of {} levels would have {:.3g} tetrahedra; give it fewer levels", name, levels, tetrahedra);
+}
+
+// Its name says what is drawn, "glutSolid" or "glutWire" and the kind of shape.
+std::vector<ShapePart> freeglut_shape(const Command& command) {
+    constexpr std::string_view kSolid = "glutSolid", kWire = "glutWire";
+    const bool wire = command.name().starts_with(kWire);
+    const std::string_view kind = command.name().substr(wire ? kWire.size() : kSolid.size());
+    const auto number = [&](std::size_t i) { return command.number(i); };
+    const auto count = [&](std::size_t i) { return static_cast<int>(command.number(i)); };
+
+    if (kind == "Cube") return freeglut_cube(number(0), wire);
+    if (kind == "Tetrahedron") return freeglut_tetrahedron(wire);
+    if (kind == "Octahedron") return freeglut_octahedron(wire);
+    if (kind == "Dodecahedron") return freeglut_dodecahedron(wire);
+    if (kind == "Icosahedron") return freeglut_icosahedron(wire);
+    if (kind == "RhombicDodecahedron") return freeglut_rhombic_dodecahedron(wire);
+    if (kind == "Teapot") return freeglut_teapot(number(0), wire);
+    if (kind == "Teacup") return freeglut_teacup(number(0), wire);
+    if (kind == "Teaspoon") return freeglut_teaspoon(number(0), wire);
+    if (kind == "SierpinskiSponge") {
+        limit_sponge(command.name(), number(0), wire);
+        return freeglut_sponge(count(0), {number(1), number(2), number(3)}, number(4), wire);
+    }
+    // Of all others the last two arguments are the counts.
+    const std::size_t counts = command.arguments.size() - 2;
+    limit_shape(command.name(), std::max(number(counts), 0.0), std::max(number(counts + 1), 0.0));
+    if (kind == "Sphere") return freeglut_sphere(number(0), count(1), count(2), wire);
+    if (kind == "Cone") return freeglut_cone(number(0), number(1), count(2), count(3), wire);
+    if (kind == "Cylinder") return freeglut_cylinder(number(0), number(1), count(2), count(3), wire);
+    if (kind == "Torus") return freeglut_torus(number(0), number(1), count(2), count(3), wire);
+    refuse("{} draws no shape", command.name());
+}
+
+}  // namespace
+
+// A solid sends about two vertices for each of slices * stacks, and a part a stack; wires have a part for each of both. In
+// double, where nothing overflows.
+void limit_shape(std::string_view name, double slices, double stacks) {
+    constexpr double kCapStacks = 3;  // both caps of a cylinder, and the closing of each turn
+    if (2 * (slices + 1) * (stacks + kCapStacks) > static_cast<double>(kMaxShapeVertices)) {
+        throw ShapeTooLarge(fmt::format("{} would have more than {} vertices; give it fewer slices or stacks", name,
+                                        kMaxShapeVertices));
+    }
+    if (slices + stacks + kCapStacks > static_cast<double>(kMaxShapeParts)) {
+        throw ShapeTooLarge(fmt::format("{} would have more than {} strips and loops; give it fewer slices or stacks",
+                                        name, kMaxShapeParts));
+    }
+}
+
+std::vector<ShapePart> shape_parts(const Command& command) {
+    return command.id == CommandId::pragma_shape ? pragma_shape(command) : freeglut_shape(command);
+}
+
+}  // namespace twinlight

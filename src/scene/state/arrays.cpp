@@ -1,0 +1,250 @@
+// The commands that say where vertex arrays are (2.8), and the client's attribute stack (6.1.14).
+#include "scene/state/arrays.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace twinlight {
+
+namespace {
+
+GlError refused(Enum code, const Command& c, std::string message) { return {code, c.place, std::move(message), false}; }
+
+// The types and sizes that each pointer command takes (table 2.4).
+struct Allowed {
+    int smallest, largest;  // size
+    std::vector<Enum> types;
+};
+
+Allowed allowed_for(CommandId id) {
+    switch (id) {
+        case CommandId::glNormalPointer: return {3, 3, {kGL_BYTE, kGL_SHORT, kGL_INT, kGL_FLOAT, kGL_DOUBLE}};
+        case CommandId::glColorPointer:
+            return {3,
+                    4,
+                    {kGL_BYTE, kGL_UNSIGNED_BYTE, kGL_SHORT, kGL_UNSIGNED_SHORT, kGL_INT, kGL_UNSIGNED_INT, kGL_FLOAT,
+                     kGL_DOUBLE}};
+        case CommandId::glTexCoordPointer: return {1, 4, {kGL_SHORT, kGL_INT, kGL_FLOAT, kGL_DOUBLE}};
+        case CommandId::glEdgeFlagPointer: return {1, 1, {kGL_UNSIGNED_BYTE}};
+        default: return {2, 4, {kGL_SHORT, kGL_INT, kGL_FLOAT, kGL_DOUBLE}};
+    }
+}
+
+// Table 2.5: the formats of glInterleavedArrays, from GL_V2F on. Sizes of 0: no such array. Offsets in floats: c, four
+// bytes of colour, takes the place of one.
+struct Interleaved {
+    int tex_coord, color, vertex;
+    bool bytes_of_color, normal;
+    int color_at, normal_at, vertex_at, stride;
+};
+
+constexpr Interleaved kInterleaved[] = {
+    {0, 0, 2, false, false, 0, 0, 0, 2},   // V2F
+    {0, 0, 3, false, false, 0, 0, 0, 3},   // V3F
+    {0, 4, 2, true, false, 0, 0, 1, 3},    // C4UB_V2F
+    {0, 4, 3, true, false, 0, 0, 1, 4},    // C4UB_V3F
+    {0, 3, 3, false, false, 0, 0, 3, 6},   // C3F_V3F
+    {0, 0, 3, false, true, 0, 0, 3, 6},    // N3F_V3F
+    {0, 4, 3, false, true, 0, 4, 7, 10},   // C4F_N3F_V3F
+    {2, 0, 3, false, false, 0, 0, 2, 5},   // T2F_V3F
+    {4, 0, 4, false, false, 0, 0, 4, 8},   // T4F_V4F
+    {2, 4, 3, true, false, 2, 0, 3, 6},    // T2F_C4UB_V3F
+    {2, 3, 3, false, false, 2, 0, 5, 8},   // T2F_C3F_V3F
+    {2, 0, 3, false, true, 0, 2, 5, 8},    // T2F_N3F_V3F
+    {2, 4, 3, false, true, 2, 6, 9, 12},   // T2F_C4F_N3F_V3F
+    {4, 4, 4, false, true, 4, 8, 11, 15},  // T4F_C4F_N3F_V4F
+};
+
+}  // namespace
+
+bool draws_arrays(CommandId id) {
+    return id == CommandId::glDrawArrays || id == CommandId::glDrawElements || id == CommandId::glDrawRangeElements ||
+           id == CommandId::glArrayElement;
+}
+
+std::optional<GlError> VertexArrays::apply(const Command& c) {
+    switch (c.id) {
+        case CommandId::glEnableClientState:
+        case CommandId::glDisableClientState: return enable(c);
+        case CommandId::glVertexPointer:
+        case CommandId::glNormalPointer:
+        case CommandId::glColorPointer:
+        case CommandId::glTexCoordPointer:
+        case CommandId::glEdgeFlagPointer: return set_pointer(c);
+        case CommandId::glInterleavedArrays: return interleaved(c);
+        case CommandId::glClientActiveTexture: return active_texture(c);
+        case CommandId::glPushClientAttrib: return push(c);
+        case CommandId::glPopClientAttrib: return pop(c);
+        case CommandId::glGenBuffers: return generate(c);
+        case CommandId::glDeleteBuffers: return remove(c);
+        case CommandId::glBindBuffer: return bind(c);
+        case CommandId::glBufferData: return data(c);
+        case CommandId::glBufferSubData: return sub_data(c);
+        case CommandId::glMapBuffer: return map(c);
+        case CommandId::glUnmapBuffer: return unmap(c);
+        default: return std::nullopt;
+    }
+}
+
+bool* VertexArrays::enabled(Enum array) {
+    switch (array) {
+        case kGL_VERTEX_ARRAY: return &client_.vertex.enabled;
+        case kGL_NORMAL_ARRAY: return &client_.normal.enabled;
+        case kGL_COLOR_ARRAY: return &client_.color.enabled;
+        case kGL_EDGE_FLAG_ARRAY: return &client_.edge_flag.enabled;
+        case kGL_TEXTURE_COORD_ARRAY: return &client_.tex_coord[client_.active_unit].enabled;
+        case kGL_INDEX_ARRAY: return client_.elsewhere.data();
+        case kGL_SECONDARY_COLOR_ARRAY: return &client_.elsewhere[1];
+        case kGL_FOG_COORD_ARRAY: return &client_.elsewhere[2];
+        default: return nullptr;
+    }
+}
+
+std::optional<GlError> VertexArrays::enable(const Command& c) {
+    bool* on = enabled(c.enumerant(0));
+    if (!on) {
+        return refused(kGL_INVALID_ENUM, c,
+                       fmt::format("{} is given {}; expected GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, "
+                                   "GL_TEXTURE_COORD_ARRAY or GL_EDGE_FLAG_ARRAY",
+                                   c.name(), enum_name(c.enumerant(0))));
+    }
+    *on = c.id == CommandId::glEnableClientState;
+    return std::nullopt;
+}
+
+void VertexArrays::point(ArrayPointer& array, int size, Enum type, int stride, const Command& c, double offset) const {
+    array.size = size;
+    array.type = type;
+    array.stride = stride;
+    array.buffer = client_.array_buffer;
+    array.memory = c.memory;
+    array.offset = offset;
+}
+
+// glVertexPointer(size, type, stride, pointer); a normal has no size, an edge flag no type either.
+std::optional<GlError> VertexArrays::set_pointer(const Command& c) {
+    const Allowed allowed = allowed_for(c.id);
+    const bool has_size = allowed.smallest != allowed.largest, has_type = allowed.types.size() > 1;
+    std::size_t next = 0;
+    const double size = has_size ? c.number(next++) : allowed.smallest;
+    const Enum type = has_type ? c.enumerant(next++) : allowed.types[0];
+    const double stride = c.number(next++), offset = c.number(next);
+    if (stride < 0) return refused(kGL_INVALID_VALUE, c, fmt::format("the stride of {} is {}", c.name(), stride));
+    if (std::find(allowed.types.begin(), allowed.types.end(), type) == allowed.types.end()) {
+        std::vector<std::string> names;
+        for (Enum one : allowed.types) names.push_back(enum_name(one));
+        return refused(
+            kGL_INVALID_ENUM, c,
+            fmt::format("{} is given the type {}; expected {}", c.name(), enum_name(type), fmt::join(names, ", ")));
+    }
+    if (size < allowed.smallest || size > allowed.largest) {
+        return refused(kGL_INVALID_VALUE, c,
+                       fmt::format("{} is given the size {}; it must be in [{}, {}]", c.name(), size, allowed.smallest,
+                                   allowed.largest));
+    }
+    ArrayPointer& array = c.id == CommandId::glNormalPointer     ? client_.normal
+                          : c.id == CommandId::glColorPointer    ? client_.color
+                          : c.id == CommandId::glTexCoordPointer ? client_.tex_coord[client_.active_unit]
+                          : c.id == CommandId::glEdgeFlagPointer ? client_.edge_flag
+                                                                 : client_.vertex;
+    point(array, static_cast<int>(size), type, static_cast<int>(stride), c, offset);
+    return std::nullopt;
+}
+
+std::optional<GlError> VertexArrays::interleaved(const Command& c) {
+    const Enum format = c.enumerant(0);
+    const double stride = c.number(1), offset = c.number(2);
+    if (stride < 0) return refused(kGL_INVALID_VALUE, c, fmt::format("the stride of {} is {}", c.name(), stride));
+    if (format < kGL_V2F || format > kGL_T4F_C4F_N3F_V4F) {
+        return refused(kGL_INVALID_ENUM, c,
+                       fmt::format("{} is given the format {}; expected GL_V2F to GL_T4F_C4F_N3F_V4F", c.name(),
+                                   enum_name(format)));
+    }
+    const Interleaved& row = kInterleaved[format - kGL_V2F];
+    const int step = stride > 0 ? static_cast<int>(stride) : row.stride * 4;
+    const auto place = [&](ArrayPointer& array, int size, Enum type, int at) {
+        array.enabled = size > 0;
+        if (size > 0) point(array, size, type, step, c, offset + at * 4);
+    };
+    client_.edge_flag.enabled = false;
+    client_.elsewhere = {};
+    place(client_.tex_coord[client_.active_unit], row.tex_coord, kGL_FLOAT, 0);
+    place(client_.color, row.color, row.bytes_of_color ? kGL_UNSIGNED_BYTE : kGL_FLOAT, row.color_at);
+    place(client_.normal, row.normal ? 3 : 0, kGL_FLOAT, row.normal_at);
+    place(client_.vertex, row.vertex, kGL_FLOAT, row.vertex_at);
+    return std::nullopt;
+}
+
+std::optional<GlError> VertexArrays::active_texture(const Command& c) {
+    const Enum texture = c.enumerant(0);
+    if (texture < kGL_TEXTURE0 || texture >= kGL_TEXTURE0 + kMaxTextureUnits) {
+        return refused(kGL_INVALID_ENUM, c,
+                       fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(texture),
+                                   kMaxTextureUnits - 1));
+    }
+    client_.active_unit = texture - kGL_TEXTURE0;
+    return std::nullopt;
+}
+
+// ---- The client's attribute stack; what GL_CLIENT_PIXEL_STORE_BIT saves is State's ----
+
+std::optional<GlError> VertexArrays::push(const Command& c) {
+    if (stack_.size() >= kClientAttributeStackDepth) {
+        return refused(kGL_STACK_OVERFLOW, c,
+                       fmt::format("the client's attribute stack holds {} levels; a glPopClientAttrib is missing",
+                                   kClientAttributeStackDepth));
+    }
+    stack_.push_back({client_, c.enumerant(0)});
+    return std::nullopt;
+}
+
+std::optional<GlError> VertexArrays::pop(const Command& c) {
+    if (stack_.empty()) {
+        return refused(kGL_STACK_UNDERFLOW, c, "glPopClientAttrib without a glPushClientAttrib");
+    }
+    if ((stack_.back().mask & kGL_CLIENT_VERTEX_ARRAY_BIT) != 0) client_ = std::move(stack_.back().client);
+    stack_.pop_back();
+    return std::nullopt;
+}
+
+// ---- Queries ----
+
+std::vector<double> VertexArrays::get(Enum pname) const {
+    const auto one = [](auto value) { return std::vector<double>{static_cast<double>(value)}; };
+    const ArrayPointer& tex_coord = client_.tex_coord[client_.active_unit];
+    struct Row {
+        Enum array, size, type, stride, buffer;
+        const ArrayPointer* pointer;
+    };
+    const Row rows[] = {
+        {kGL_VERTEX_ARRAY, kGL_VERTEX_ARRAY_SIZE, kGL_VERTEX_ARRAY_TYPE, kGL_VERTEX_ARRAY_STRIDE,
+         kGL_VERTEX_ARRAY_BUFFER_BINDING, &client_.vertex},
+        {kGL_NORMAL_ARRAY, 0, kGL_NORMAL_ARRAY_TYPE, kGL_NORMAL_ARRAY_STRIDE, kGL_NORMAL_ARRAY_BUFFER_BINDING,
+         &client_.normal},
+        {kGL_COLOR_ARRAY, kGL_COLOR_ARRAY_SIZE, kGL_COLOR_ARRAY_TYPE, kGL_COLOR_ARRAY_STRIDE,
+         kGL_COLOR_ARRAY_BUFFER_BINDING, &client_.color},
+        {kGL_TEXTURE_COORD_ARRAY, kGL_TEXTURE_COORD_ARRAY_SIZE, kGL_TEXTURE_COORD_ARRAY_TYPE,
+         kGL_TEXTURE_COORD_ARRAY_STRIDE, kGL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, &tex_coord},
+        {kGL_EDGE_FLAG_ARRAY, 0, 0, kGL_EDGE_FLAG_ARRAY_STRIDE, kGL_EDGE_FLAG_ARRAY_BUFFER_BINDING, &client_.edge_flag},
+    };
+    for (const Row& row : rows) {
+        if (pname == 0) break;
+        if (pname == row.array) return one(row.pointer->enabled);
+        if (pname == row.size) return one(row.pointer->size);
+        if (pname == row.type) return one(row.pointer->type);
+        if (pname == row.stride) return one(row.pointer->stride);
+        if (pname == row.buffer) return one(row.pointer->buffer);
+    }
+    switch (pname) {
+        case kGL_ARRAY_BUFFER_BINDING: return one(client_.array_buffer);
+        case kGL_ELEMENT_ARRAY_BUFFER_BINDING: return one(client_.element_buffer);
+        case kGL_PIXEL_PACK_BUFFER_BINDING: return one(pixel_pack_);
+        case kGL_PIXEL_UNPACK_BUFFER_BINDING: return one(pixel_unpack_);
+        case kGL_CLIENT_ACTIVE_TEXTURE: return one(kGL_TEXTURE0 + client_.active_unit);
+        case kGL_CLIENT_ATTRIB_STACK_DEPTH: return one(stack_.size());
+        default: return {};
+    }
+}
+
+}  // namespace twinlight

@@ -1,0 +1,126 @@
+// glEnable and glDisable: which capabilities there are, and which of them State follows.
+#include "scene/state/capabilities.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+// Those marked false change no pixel of what Twinlight draws.
+std::span<const Elsewhere> capabilities_elsewhere() {
+    static constexpr Elsewhere kRows[] = {
+        {kGL_POINT_SMOOTH, kGL_POINT_BIT, true},
+        {kGL_LINE_SMOOTH, kGL_LINE_BIT, true},
+        {kGL_LINE_STIPPLE, kGL_LINE_BIT, true},
+        {kGL_POLYGON_SMOOTH, kGL_POLYGON_BIT, true},
+        {kGL_POLYGON_STIPPLE, kGL_POLYGON_BIT, true},
+        {kGL_STENCIL_TEST, kGL_STENCIL_BUFFER_BIT, true},
+        {kGL_COLOR_LOGIC_OP, kGL_COLOR_BUFFER_BIT, true},
+        {kGL_INDEX_LOGIC_OP, kGL_COLOR_BUFFER_BIT, false},
+        {kGL_DITHER, kGL_COLOR_BUFFER_BIT, false},
+        {kGL_TEXTURE_GEN_S, kGL_TEXTURE_BIT, true},
+        {kGL_TEXTURE_GEN_T, kGL_TEXTURE_BIT, true},
+        {kGL_TEXTURE_GEN_R, kGL_TEXTURE_BIT, false},  // of no use to textures of one and two dimensions
+        {kGL_TEXTURE_GEN_Q, kGL_TEXTURE_BIT, true},
+        {kGL_TEXTURE_3D, kGL_TEXTURE_BIT, true},
+        {kGL_TEXTURE_CUBE_MAP, kGL_TEXTURE_BIT, true},
+        {kGL_TEXTURE_RECTANGLE, kGL_TEXTURE_BIT, true},
+        {kGL_MULTISAMPLE, kGL_MULTISAMPLE_BIT, false},
+        {kGL_SAMPLE_ALPHA_TO_COVERAGE, kGL_MULTISAMPLE_BIT, false},
+        {kGL_SAMPLE_ALPHA_TO_ONE, kGL_MULTISAMPLE_BIT, false},
+        {kGL_SAMPLE_COVERAGE, kGL_MULTISAMPLE_BIT, false},
+        {kGL_AUTO_NORMAL, kGL_EVAL_BIT, false},
+        // Evaluators draw only where a command says so, which is named.
+        {kGL_MAP1_COLOR_4, kGL_EVAL_BIT, false},
+        {kGL_MAP1_INDEX, kGL_EVAL_BIT, false},
+        {kGL_MAP1_NORMAL, kGL_EVAL_BIT, false},
+        {kGL_MAP1_TEXTURE_COORD_1, kGL_EVAL_BIT, false},
+        {kGL_MAP1_TEXTURE_COORD_2, kGL_EVAL_BIT, false},
+        {kGL_MAP1_TEXTURE_COORD_3, kGL_EVAL_BIT, false},
+        {kGL_MAP1_TEXTURE_COORD_4, kGL_EVAL_BIT, false},
+        {kGL_MAP1_VERTEX_3, kGL_EVAL_BIT, false},
+        {kGL_MAP1_VERTEX_4, kGL_EVAL_BIT, false},
+        {kGL_MAP2_COLOR_4, kGL_EVAL_BIT, false},
+        {kGL_MAP2_INDEX, kGL_EVAL_BIT, false},
+        {kGL_MAP2_NORMAL, kGL_EVAL_BIT, false},
+        {kGL_MAP2_TEXTURE_COORD_1, kGL_EVAL_BIT, false},
+        {kGL_MAP2_TEXTURE_COORD_2, kGL_EVAL_BIT, false},
+        {kGL_MAP2_TEXTURE_COORD_3, kGL_EVAL_BIT, false},
+        {kGL_MAP2_TEXTURE_COORD_4, kGL_EVAL_BIT, false},
+        {kGL_MAP2_VERTEX_3, kGL_EVAL_BIT, false},
+        {kGL_MAP2_VERTEX_4, kGL_EVAL_BIT, false},
+        {kGL_VERTEX_PROGRAM_POINT_SIZE, 0, false},
+        {kGL_POINT_SPRITE, kGL_POINT_BIT, true},
+        {kGL_DEPTH_CLAMP, kGL_TRANSFORM_BIT, true},
+    };
+    return kRows;
+}
+
+const Elsewhere& capability_elsewhere(Enum cap) {
+    const auto rows = capabilities_elsewhere();
+    return *std::find_if(rows.begin(), rows.end(), [cap](const Elsewhere& row) { return row.cap == cap; });
+}
+
+bool* State::followed_capability(Enum cap) {
+    if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMaxLights) return &a_.lighting.lights[cap - kGL_LIGHT0].enabled;
+    if (cap >= kGL_CLIP_PLANE0 && cap < kGL_CLIP_PLANE0 + kMaxClipPlanes) {
+        return &a_.clip_planes[cap - kGL_CLIP_PLANE0].enabled;
+    }
+    switch (cap) {
+        case kGL_LIGHTING: return &a_.lighting.enabled;
+        case kGL_COLOR_MATERIAL: return &a_.lighting.color_material.enabled;
+        case kGL_NORMALIZE: return &a_.lighting.normalize;
+        case kGL_RESCALE_NORMAL: return &a_.lighting.rescale_normal;
+        case kGL_CULL_FACE: return &a_.raster.cull_enabled;
+        case kGL_DEPTH_TEST: return &a_.raster.depth_test;
+        case kGL_POLYGON_OFFSET_POINT: return &a_.raster.polygon_offset.point;
+        case kGL_POLYGON_OFFSET_LINE: return &a_.raster.polygon_offset.line;
+        case kGL_POLYGON_OFFSET_FILL: return &a_.raster.polygon_offset.fill;
+        case kGL_SCISSOR_TEST: return &a_.fragment.scissor.enabled;
+        case kGL_ALPHA_TEST: return &a_.fragment.alpha_test;
+        case kGL_BLEND: return &a_.fragment.blend;
+        case kGL_COLOR_SUM: return &a_.fragment.color_sum;
+        case kGL_FOG: return &a_.fog.enabled;
+        case kGL_TEXTURE_1D: return &unit().enabled_1d;
+        case kGL_TEXTURE_2D: return &unit().enabled_2d;
+        default: return nullptr;
+    }
+}
+
+void State::set_capability(const Command& c, bool enabled) {
+    const Enum cap = c.enumerant(0);
+    if (bool* followed = followed_capability(cap)) {
+        *followed = enabled;
+        // 2.14.3: from the moment of glEnable on the material follows the colour.
+        if (cap == kGL_COLOR_MATERIAL) track_color();
+        return;
+    }
+    if (!known_capability(c)) return;
+    const Elsewhere& row = capability_elsewhere(cap);
+    const std::pair key(cap, row.of_unit() ? a_.active_unit : 0);
+    if (enabled) {
+        a_.elsewhere.emplace(key, c.place);
+    } else {
+        a_.elsewhere.erase(key);
+    }
+}
+
+bool State::known_capability(const Command& c) {
+    const Enum cap = c.enumerant(0);
+    const auto rows = capabilities_elsewhere();
+    if (followed_capability(cap) ||
+        std::any_of(rows.begin(), rows.end(), [cap](const Elsewhere& r) { return r.cap == cap; }))
+        return true;
+    raise(kGL_INVALID_ENUM, c,
+          fmt::format("{} is given {}, which is no capability; expected GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, ...",
+                      c.name(), enum_name(cap)));
+    return false;
+}
+
+void State::enable(const Command& c) { set_capability(c, true); }
+void State::disable(const Command& c) { set_capability(c, false); }
+
+}  // namespace twinlight

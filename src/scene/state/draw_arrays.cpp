@@ -1,0 +1,85 @@
+// Drawing from vertex arrays (2.8): what the arrays hold becomes Draws; for the arrays themselves see arrays.h.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+void State::client_arrays(const Command& c) {
+    if (const auto error = arrays_.apply(c)) return raise(*error);
+    // The other half of the client's attributes (6.1.14).
+    if (c.id == CommandId::glPushClientAttrib) {
+        saved_pixel_stores_.push_back((c.enumerant(0) & kGL_CLIENT_PIXEL_STORE_BIT) != 0 ? std::optional(pixel_store_)
+                                                                                         : std::nullopt);
+    } else if (c.id == CommandId::glPopClientAttrib) {
+        if (saved_pixel_stores_.back()) pixel_store_ = *saved_pixel_stores_.back();
+        saved_pixel_stores_.pop_back();
+    } else if (c.id == CommandId::glEnableClientState) {
+        const Enum array = c.enumerant(0);
+        if (array == kGL_SECONDARY_COLOR_ARRAY || array == kGL_FOG_COORD_ARRAY) {
+            outside(fmt::format("{}({})", c.name(), enum_name(array)), c.place);
+        }
+    }
+}
+
+std::optional<ArrayVertices> State::array_vertices(const Command& c) {
+    if (const auto error = arrays_.check(c)) {
+        raise(*error);
+        return std::nullopt;
+    }
+    ArrayVertices read = arrays_.read(c, options_.signed_rule);
+    for (Vertex& v : read.vertices) represent(v);
+    return read;
+}
+
+namespace {
+
+// What no array gives has the current values.
+Vertex complete(Vertex vertex, const ArrayVertices& read, const Vertex& current) {
+    if (!read.has_normal) vertex.normal_object = current.normal_object;
+    if (!read.has_color) vertex.color = current.color;
+    if (!read.has_tex_coord) vertex.tex_coord = current.tex_coord;
+    if (!read.has_edge_flag) vertex.edge_flag = current.edge_flag;
+    return vertex;
+}
+
+}  // namespace
+
+// The current values afterwards are left open by 2.8. RULING: they stay.
+void State::draw_arrays(const Command& c) {
+    if (const auto read = array_vertices(c)) draw(c, *read);
+}
+
+void State::draw(const Command& c, const ArrayVertices& read) {
+    if (!read.has_position || read.vertices.empty()) return;  // 2.8: no primitives are constructed
+    const std::size_t bytes =
+        bytes_of_draw() + read.vertices.size() * sizeof(Vertex) + read.indices.size() * sizeof(int);
+    if (!has_room(c, bytes)) return;
+    Draw draw = new_draw(read.mode, c.place);
+    draw.vertices.reserve(read.vertices.size());
+    for (const Vertex& v : read.vertices) draw.vertices.push_back(complete(v, read, a_.current));
+    for (Vertex& v : draw.vertices) v.material = 0;
+    draw.indices = read.indices;
+    show(std::move(draw));
+}
+
+// 2.8: as if glEdgeFlag, glTexCoord, glColor, glNormal and, last, glVertex were called, for the arrays that are enabled.
+void State::array_element(const Command& c) {
+    if (const auto read = array_vertices(c)) send_element(c, *read);
+}
+
+void State::send_element(const Command& c, const ArrayVertices& element) {
+    const Vertex values = complete(element.vertices.front(), element, a_.current);
+    a_.current.normal_object = values.normal_object;
+    a_.current.tex_coord = values.tex_coord;
+    a_.current.edge_flag = values.edge_flag;
+    a_.current.color = values.color;
+    if (element.has_color) track_color();
+    if (!element.has_position || !open_ || !has_room(c, sizeof(Vertex))) return;
+    a_.current.position_object = values.position_object;
+    open_->vertices.push_back(a_.current);
+}
+
+}  // namespace twinlight

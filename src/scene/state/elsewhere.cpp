@@ -1,0 +1,176 @@
+// Commands that the driver carries out and State does not follow.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/state/pixels.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+namespace {
+
+// How many points of a map a command evaluates (5.1). A count up to the largest integer never ends in Mesa.
+double evaluated_points(const Command& c) {
+    const auto between = [&c](std::size_t from) {
+        constexpr double kLargest = 2147483647;
+        const double first = c.number(from), last = c.number(from + 1);
+        return last == kLargest ? kLargest : std::max(0.0, last - first + 1);
+    };
+    if (c.id == CommandId::glEvalMesh1) return between(1);
+    if (c.id == CommandId::glEvalMesh2) return between(1) * between(3);
+    return 1;
+}
+
+}  // namespace
+
+// These set what changes a picture only under a capability, or for a command, that is named itself.
+void State::elsewhere_state(const Command&) {}
+// The same, and legal between Begin and End: fog coordinates, and the indices of color index mode.
+void State::elsewhere_attribute(const Command&) {}
+
+// What these answer a scene cannot use, and what names they know is the driver's.
+void State::elsewhere_query(const Command&) {}
+
+// These change the picture.
+void State::elsewhere_drawing(const Command& c) {
+    if (!has_time(c, evaluated_points(c))) return;
+    note_unsupported(std::string(c.name()), c.place, {"programmable", "reference"});
+}
+
+// The same, and legal between Begin and End.
+void State::elsewhere_vertex(const Command& c) { elsewhere_drawing(c); }
+
+// ---- Values that change what is drawn with them ----
+
+namespace {
+
+bool adds_secondary_color(const Draw& draw) { return draw.fragment.color_sum && !draw.lighting.enabled; }
+
+}  // namespace
+
+// 3.9: the current secondary colour is added without lighting only, and with GL_COLOR_SUM.
+void State::elsewhere_secondary_color(const Command& c) {
+    const bool is_black = std::all_of(c.arguments.begin(), c.arguments.end(), [](double v) { return v == 0; });
+    a_.secondary_color.reset();
+    if (is_black) return;
+    a_.secondary_color = c.place;
+    if (open_ && adds_secondary_color(*open_)) {
+        note_unsupported("glSecondaryColor", c.place, {"programmable", "reference"});
+    }
+}
+
+// 3.3, table 6.12.
+void State::elsewhere_point_parameter(const Command& c) {
+    const Enum pname = c.enumerant(0);
+    const auto values = parameter_values(c, Owner::kPoint, pname);
+    if (!values) return;
+    // The largest size and the fading are the driver's own choice at first: they are taken as changed.
+    const bool is_initial = pname == kGL_POINT_SIZE_MIN               ? values->front() == 0
+                            : pname == kGL_POINT_DISTANCE_ATTENUATION ? *values == std::vector<double>{1, 0, 0}
+                            : pname == kGL_POINT_SPRITE_COORD_ORIGIN
+                                ? values->front() == kGL_UPPER_LEFT
+                                : pname == kGL_POINT_FADE_THRESHOLD_SIZE;  // of multisampling only
+    if (is_initial) {
+        a_.point_parameters.erase(pname);
+    } else {
+        a_.point_parameters[pname] = c.place;
+    }
+}
+
+void State::note_draws_elsewhere(const Draw& draw) {
+    const auto note = [this](const std::string& name, const Place& place) {
+        note_unsupported(name, place, {"programmable", "reference"});
+    };
+    if (a_.secondary_color && adds_secondary_color(draw)) note("glSecondaryColor", *a_.secondary_color);
+    if (a_.fog_coordinates && draw.fog.enabled) note("glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)", *a_.fog_coordinates);
+    if (!draw.draws_points()) return;
+    for (const auto& [pname, place] : a_.point_parameters) {
+        note(fmt::format("glPointParameter({})", enum_name(pname)), place);
+    }
+}
+
+// 3.6.3: scales and biases what every glTexImage gives.
+void State::elsewhere_pixel_transfer(const Command& c) {
+    const Enum pname = c.enumerant(0);
+    if (!known(c, pname,
+               {kGL_MAP_COLOR, kGL_MAP_STENCIL, kGL_INDEX_SHIFT, kGL_INDEX_OFFSET, kGL_RED_SCALE, kGL_GREEN_SCALE,
+                kGL_BLUE_SCALE, kGL_ALPHA_SCALE, kGL_DEPTH_SCALE, kGL_RED_BIAS, kGL_GREEN_BIAS, kGL_BLUE_BIAS,
+                kGL_ALPHA_BIAS, kGL_DEPTH_BIAS}))
+        return;
+    const bool scales = pname == kGL_RED_SCALE || pname == kGL_GREEN_SCALE || pname == kGL_BLUE_SCALE ||
+                        pname == kGL_ALPHA_SCALE || pname == kGL_DEPTH_SCALE;
+    if (c.number(1) != (scales ? 1 : 0)) note_lasting(fmt::format("glPixelTransfer({})", enum_name(pname)), c.place);
+}
+
+// ---- Pixels ----
+
+// 3.7. Without pixels it moves the raster position, and nothing is drawn.
+void State::elsewhere_bitmap(const Command& c) {
+    const int width = static_cast<int>(c.number(0)), height = static_cast<int>(c.number(1));
+    if (width < 0 || height < 0) {
+        return raise(kGL_INVALID_VALUE, c, fmt::format("glBitmap is given the size {} x {}", width, height));
+    }
+    const std::size_t needed = bitmap_bytes(width, height, pixel_store_);
+    if (needed == 0) return;
+    const double there = c.memory ? static_cast<double>(c.memory->bytes.size()) - c.number(6) : 0;
+    if (!arrays_.pixel_unpack_buffer() && static_cast<double>(needed) > there) {
+        return raise(
+            kGL_INVALID_OPERATION, c,
+            fmt::format("glBitmap reads {} bytes, but the memory it is given has {}; mind GL_UNPACK_ALIGNMENT, "
+                        "{} here",
+                        needed, there, pixel_store_.unpack_alignment));
+    }
+    elsewhere_drawing(c);
+}
+
+// 3.5.2: 32 x 32 bits, unpacked as a bitmap is. GL_POLYGON_STIPPLE is named where it is on.
+void State::elsewhere_stipple(const Command& c) {
+    constexpr int kSide = 32;
+    const std::size_t needed = bitmap_bytes(kSide, kSide, pixel_store_);
+    if (needed > c.array().size()) {
+        raise(kGL_INVALID_OPERATION, c,
+              fmt::format("glPolygonStipple reads {} bytes with this glPixelStore, but it is given {}", needed,
+                          c.array().size()));
+    }
+}
+
+// 3.8.2: the image is there from now on, and what it shows only the driver knows.
+void State::elsewhere_copy_image(const Command& c) {
+    note_lasting(c.name(), c.place);
+    const bool two = c.id == CommandId::glCopyTexImage2D;
+    if ((!two && c.id != CommandId::glCopyTexImage1D) || c.enumerant(0) != (two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D))
+        return;
+    const int level = static_cast<int>(c.number(1)), width = static_cast<int>(c.number(5)),
+              height = two ? static_cast<int>(c.number(6)) : 1;
+    const std::optional<InternalFormat> format = internal_format(c.number(2));
+    const bool fits = level >= 0 && level < kMaxTextureLevels && width >= 0 && height >= 0 &&
+                      width <= kMaxTextureSize >> level && height <= kMaxTextureSize >> level;
+    const auto count = static_cast<std::size_t>(std::max(0, width)) * static_cast<std::size_t>(std::max(0, height));
+    if (!fits) {
+        return raise(kGL_INVALID_VALUE, c,
+                     fmt::format("{} is given the level {} and the size {} x {}", c.name(), level, width, height));
+    }
+    if (!format) return;  // of depth, say
+    if (!has_texels(c, static_cast<double>(count))) return;
+    Texture* texture = writable_texture(c, c.enumerant(0));
+    if (!texture) return;
+    textures_.texels -= texels_of(*texture);
+    std::vector<TextureImage>& levels = texture->levels;
+    if (levels.size() <= static_cast<std::size_t>(level)) levels.resize(static_cast<std::size_t>(level) + 1);
+    levels[static_cast<std::size_t>(level)] = {width, height, format->base_format, c.enumerant(2),
+                                               std::vector<glm::vec4>(count, glm::vec4(0, 0, 0, 1))};
+    textures_.texels += texels_of(*texture);
+}
+
+// 4.2.1. A picture here has one colour buffer, whatever its name.
+void State::draw_buffer(const Command& c) {
+    const Enum mode = c.enumerant(0);
+    if (!known(c, mode,
+               {kGL_NONE, kGL_FRONT, kGL_BACK, kGL_LEFT, kGL_RIGHT, kGL_FRONT_AND_BACK, kGL_FRONT_LEFT, kGL_FRONT_RIGHT,
+                kGL_BACK_LEFT, kGL_BACK_RIGHT}))
+        return;
+    a_.draws_color = mode != kGL_NONE;
+}
+
+}  // namespace twinlight

@@ -1,0 +1,26 @@
+// An error as GL raises it (2.5), with the place of the command and what to do about it.
+#pragma once
+
+#include <string>
+
+#include "scene/command/command.h"
+
+namespace twinlight {
+
+struct GlError {
+    Enum code = kGL_NO_ERROR;  // GL_INVALID_ENUM, ...
+    Place place;
+    std::string message;  // "GL_SPOT_CUTOFF is 120; it must be in [0, 90] or 180"
+    // GL raises no such error: it leaves open what happens, such as a read beyond the memory that a command is given. No
+    // driver must see the command.
+    bool is_undefined = false;
+};
+
+// How signed integers become colours and normals: (2c+1)/(2^b-1) up to GL 4.1, max(c/(2^(b-1)-1), -1) from 4.2 on
+// (GL 2.1 table 2.9; GL 4.2 section 2.3.4.1).
+enum class SignedRule : std::uint8_t { kGl21, kGl42 };
+
+// A colour's or a normal's component as a real number: integers become [-1,1] or [0,1].
+double real_from(double c, Kind kind, SignedRule rule);
+
+}  // namespace twinlight

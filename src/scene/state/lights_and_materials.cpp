@@ -1,0 +1,335 @@
+// glLight, glMaterial, glLightModel, glColorMaterial, glShadeModel, their queries, and the lecture's variants
+// (2.14.2, 2.14.3, 2.14.7).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+namespace {
+
+glm::dvec4 vec4(const std::vector<double>& v) { return {v[0], v[1], v[2], v[3]}; }
+
+// The property of a material that a pname names; null for GL_SHININESS and GL_AMBIENT_AND_DIFFUSE.
+glm::dvec4* color_of(Material& material, Enum pname) {
+    switch (pname) {
+        case kGL_AMBIENT: return &material.ambient;
+        case kGL_DIFFUSE: return &material.diffuse;
+        case kGL_SPECULAR: return &material.specular;
+        case kGL_EMISSION: return &material.emission;
+        default: return nullptr;
+    }
+}
+
+// Which of the reflectances; null where a material has none of that property.
+const Spectrum** reflectance_of(Material& material, Enum pname) {
+    switch (pname) {
+        case kGL_AMBIENT: return &material.reflectances.ambient;
+        case kGL_DIFFUSE: return &material.reflectances.diffuse;
+        case kGL_SPECULAR: return &material.reflectances.specular;
+        default: return nullptr;
+    }
+}
+
+// What has a colour of its own is no spectrum's any more.
+void set_color(Material& material, Enum pname, const glm::dvec4& color, const Spectrum* reflectance = nullptr) {
+    *color_of(material, pname) = color;
+    if (const Spectrum** of = reflectance_of(material, pname)) *of = reflectance;
+}
+
+// Which simple properties a pname or colour-material mode stands for.
+std::vector<Enum> properties(Enum pname) {
+    if (pname == kGL_AMBIENT_AND_DIFFUSE) return {kGL_AMBIENT, kGL_DIFFUSE};
+    return {pname};
+}
+
+bool covers(Enum face, Enum one_face) { return face == one_face || face == kGL_FRONT_AND_BACK; }
+
+bool tracks(const ColorMaterial& color_material, Enum one_face, Enum property) {
+    const std::vector<Enum> tracked = properties(color_material.mode);
+    return color_material.enabled && covers(color_material.face, one_face) &&
+           std::find(tracked.begin(), tracked.end(), property) != tracked.end();
+}
+
+}  // namespace
+
+LightSource* State::light_source(const Command& c, Enum light) {
+    if (light >= kGL_LIGHT0 && light < kGL_LIGHT0 + kMaxLights) return &a_.lighting.lights[light - kGL_LIGHT0];
+    raise(kGL_INVALID_ENUM, c,
+          fmt::format("{} is given {}; expected a light, GL_LIGHT0 to GL_LIGHT7", c.name(), enum_name(light)));
+    return nullptr;
+}
+
+// 2.14.2: which pnames there are, which of them take a single value, their ranges; table 2.9 for integer colours.
+std::optional<std::vector<double>> State::parameter_values(const Command& c, Owner owner, Enum pname) {
+    const ParameterInfo* info = find_parameter(owner, pname);
+    const Parameter& last = c.sig().parameters.back();
+    const bool is_vector = last.extent != Extent::kValue;
+    if (!info) {
+        std::vector<std::string> names;
+        for (const ParameterInfo& row : parameter_infos()) {
+            if (row.owner == owner) names.push_back(enum_name(row.pname));
+        }
+        raise(kGL_INVALID_ENUM, c,
+              fmt::format("{} is given {}; expected {}", c.name(), enum_name(pname), fmt::join(names, ", ")));
+        return std::nullopt;
+    }
+    if (!is_vector && info->count > 1) {
+        raise(kGL_INVALID_ENUM, c,
+              fmt::format("{} sets one value, and {} has {}; use {}v", c.name(), enum_name(pname), info->count,
+                          c.name()));
+        return std::nullopt;
+    }
+    const std::size_t first = c.sig().parameters.size() - 1;
+    std::vector<double> values(c.arguments.begin() + static_cast<std::ptrdiff_t>(first), c.arguments.end());
+    values.resize(static_cast<std::size_t>(info->count), 0.0);
+    if (info->meaning == Meaning::kColor) {
+        for (double& v : values) v = to_real(v, last.kind);
+    }
+    if (owner == Owner::kPixelStore) values[0] = std::round(values[0]);  // 3.6.1
+    const bool is_cutoff = pname == kGL_SPOT_CUTOFF;
+    const double value = values[0];
+    const bool in_range =
+        value >= info->smallest && value <= info->largest && !(is_cutoff && value > 90 && value != 180);
+    if (info->meaning == Meaning::kScalar && !in_range) {
+        const std::string range = is_cutoff ? "in [0, 90] or 180"
+                                  : std::isinf(info->largest)
+                                      ? "0 or more"
+                                      : fmt::format("in [{}, {}]", info->smallest, info->largest);
+        raise(kGL_INVALID_VALUE, c, fmt::format("{} is {}; it must be {}", enum_name(pname), value, range));
+        return std::nullopt;
+    }
+    return values;
+}
+
+void State::light(const Command& c) {
+    LightSource* source = light_source(c, c.enumerant(0));
+    if (!source) return;
+    const Enum pname = c.enumerant(1);
+    if (const auto values = parameter_values(c, Owner::kLight, pname)) set_light(*source, pname, *values);
+}
+
+void State::set_light(LightSource& source, Enum pname, const std::vector<double>& values) const {
+    switch (pname) {
+        case kGL_AMBIENT: source.ambient = vec4(values); break;
+        case kGL_DIFFUSE:
+            source.diffuse = vec4(values);
+            source.diffuse_illuminant = {};
+            break;
+        case kGL_SPECULAR:
+            source.specular = vec4(values);
+            source.specular_illuminant = {};
+            break;
+        // 2.14.1: transformed by the modelview matrix in force at the call; a direction by its upper left 3x3.
+        case kGL_POSITION: source.position_eye = modelview() * vec4(values); break;
+        case kGL_SPOT_DIRECTION:
+            source.spot_direction_eye = glm::dmat3(modelview()) * glm::dvec3(values[0], values[1], values[2]);
+            break;
+        case kGL_SPOT_EXPONENT: source.spot_exponent = values.front(); break;
+        case kGL_SPOT_CUTOFF: source.spot_cutoff_deg = values.front(); break;
+        case kGL_CONSTANT_ATTENUATION: source.constant_attenuation = values.front(); break;
+        case kGL_LINEAR_ATTENUATION: source.linear_attenuation = values.front(); break;
+        case kGL_QUADRATIC_ATTENUATION: source.quadratic_attenuation = values.front(); break;
+        default: break;
+    }
+}
+
+void State::material(const Command& c) { set_material(c, nullptr); }
+
+void State::set_material(const Command& c, const Spectrum* reflectance) {
+    const Enum face = c.enumerant(0), pname = c.enumerant(1);
+    if (!known(c, face, {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK})) return;
+    const auto values = parameter_values(c, Owner::kMaterial, pname);
+    if (!values) return;
+    for (Enum one_face : {kGL_FRONT, kGL_BACK}) {
+        if (!covers(face, one_face)) continue;
+        Material& material = one_face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
+        if (pname == kGL_SHININESS) material.shininess = values->front();
+        if (pname == kGL_COLOR_INDEXES) material.color_indexes = {(*values)[0], (*values)[1], (*values)[2]};
+        for (Enum property : properties(pname)) {
+            // 2.14.3: what tracks the current colour is not changed by glMaterial.
+            if (color_of(material, property) && !tracks(a_.lighting.color_material, one_face, property))
+                set_color(material, property, vec4(*values), reflectance);
+        }
+    }
+    if (!open_) return;
+    // 2.14.2: legal between Begin and End. Before the first vertex it is the Draw's material, after it the vertices'.
+    if (open_->vertices.empty()) {
+        open_->lighting = a_.lighting;
+        return;
+    }
+    // Shaders take one reflectance for a whole Draw, and vertices' colours.
+    const auto has_reflectance = [](const Material& m) {
+        return m.reflectances.ambient || m.reflectances.diffuse || m.reflectances.specular;
+    };
+    if (a_.lighting.light_model.spectrum &&
+        (has_reflectance(open_->lighting.front) || has_reflectance(open_->lighting.back)))
+        note_unsupported("glMaterial between glBegin and glEnd, where the material has a reflectance", c.place,
+                         {"programmable"});
+    std::vector<Materials>& materials = open_->materials;
+    if (materials.empty()) materials.push_back({open_->lighting.front, open_->lighting.back});
+    const Materials now{a_.lighting.front, a_.lighting.back};
+    if (open_->vertices.back().material + 1 == materials.size()) {
+        if (!has_room(c, sizeof(Materials))) return;
+        materials.push_back(now);
+    } else {
+        materials.back() = now;  // no vertex had the last one
+    }
+    a_.current.material = static_cast<std::uint32_t>(materials.size() - 1);
+}
+
+void State::light_model(const Command& c) {
+    const Enum pname = c.enumerant(0);
+    const auto values = parameter_values(c, Owner::kLightModel, pname);
+    if (!values) return;
+    LightModel& model = a_.lighting.light_model;
+    switch (pname) {
+        case kGL_LIGHT_MODEL_AMBIENT: model.ambient = vec4(*values); break;
+        case kGL_LIGHT_MODEL_LOCAL_VIEWER: model.local_viewer = values->front() != 0; break;
+        case kGL_LIGHT_MODEL_TWO_SIDE: model.two_side = values->front() != 0; break;
+        case kGL_LIGHT_MODEL_COLOR_CONTROL: {
+            const auto control = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
+            if (known(c, control, {kGL_SINGLE_COLOR, kGL_SEPARATE_SPECULAR_COLOR})) model.color_control = control;
+            break;
+        }
+        default: break;
+    }
+}
+
+void State::shade_model(const Command& c) {
+    if (known(c, c.enumerant(0), {kGL_FLAT, kGL_SMOOTH})) a_.lighting.shade_model = c.enumerant(0);
+}
+
+// ---- Colour material (2.14.3) ----
+
+void State::color_material(const Command& c) {
+    if (!known(c, c.enumerant(0), {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK})) return;
+    if (!known(c, c.enumerant(1), {kGL_EMISSION, kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_AMBIENT_AND_DIFFUSE}))
+        return;
+    a_.lighting.color_material.face = c.enumerant(0);
+    a_.lighting.color_material.mode = c.enumerant(1);
+    track_color();
+}
+
+void State::track_color() {
+    if (!a_.lighting.color_material.enabled) return;
+    for (Enum one_face : {kGL_FRONT, kGL_BACK}) {
+        Material& material = one_face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
+        for (Enum property : properties(a_.lighting.color_material.mode)) {
+            if (covers(a_.lighting.color_material.face, one_face)) set_color(material, property, a_.current.color);
+        }
+    }
+}
+
+// ---- Queries (6.1.3) ----
+
+std::vector<double> State::get_light(Enum light, Enum pname) const {
+    if (light < kGL_LIGHT0 || light >= kGL_LIGHT0 + kMaxLights) return {};
+    const LightSource& source = a_.lighting.lights[light - kGL_LIGHT0];
+    const auto list = [](const glm::dvec4& v) { return std::vector<double>{v.x, v.y, v.z, v.w}; };
+    switch (pname) {
+        case kGL_AMBIENT: return list(source.ambient);
+        case kGL_DIFFUSE: return list(source.diffuse);
+        case kGL_SPECULAR: return list(source.specular);
+        case kGL_POSITION: return list(source.position_eye);
+        case kGL_SPOT_DIRECTION:
+            return {source.spot_direction_eye.x, source.spot_direction_eye.y, source.spot_direction_eye.z};
+        case kGL_SPOT_EXPONENT: return {source.spot_exponent};
+        case kGL_SPOT_CUTOFF: return {source.spot_cutoff_deg};
+        case kGL_CONSTANT_ATTENUATION: return {source.constant_attenuation};
+        case kGL_LINEAR_ATTENUATION: return {source.linear_attenuation};
+        case kGL_QUADRATIC_ATTENUATION: return {source.quadratic_attenuation};
+        default: return {};
+    }
+}
+
+std::vector<double> State::get_material(Enum face, Enum pname) const {
+    if (face != kGL_FRONT && face != kGL_BACK) return {};
+    Material material = face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
+    if (pname == kGL_SHININESS) return {material.shininess};
+    if (pname == kGL_COLOR_INDEXES) {
+        return {material.color_indexes.x, material.color_indexes.y, material.color_indexes.z};
+    }
+    const glm::dvec4* color = color_of(material, pname);
+    return color ? std::vector<double>{color->r, color->g, color->b, color->a} : std::vector<double>{};
+}
+
+void State::get_light(const Command& c) {
+    const auto self = static_cast<const State*>(this);
+    if (!light_source(c, c.enumerant(0))) return;
+    if (self->get_light(c.enumerant(0), c.enumerant(1)).empty()) {
+        raise(kGL_INVALID_ENUM, c,
+              fmt::format("{} is given {}, which lights do not have", c.name(), enum_name(c.enumerant(1))));
+    }
+}
+
+void State::get_material(const Command& c) {
+    const auto self = static_cast<const State*>(this);
+    if (!known(c, c.enumerant(0), {kGL_FRONT, kGL_BACK})) return;
+    if (self->get_material(c.enumerant(0), c.enumerant(1)).empty()) {
+        raise(kGL_INVALID_ENUM, c,
+              fmt::format("{} is given {}, which cannot be asked of a material", c.name(), enum_name(c.enumerant(1))));
+    }
+}
+
+// ---- The lecture's variants: pragmas ----
+
+void State::specular_model(const Command& c) {
+    if (c.word(0) == Word::half_vector || c.word(0) == Word::reflection) {
+        a_.lighting.light_model.specular = c.word(0);
+    } else {
+        raise(kGL_INVALID_ENUM, c,
+              fmt::format("specular({}); expected half_vector or reflection", word_name(c.word(0))));
+    }
+}
+
+void State::ambient_model(const Command& c) {
+    if (c.word(0) == Word::attenuated || c.word(0) == Word::unattenuated) {
+        a_.lighting.light_model.light_ambient = c.word(0);
+    } else {
+        raise(kGL_INVALID_ENUM, c,
+              fmt::format("ambient({}); expected attenuated or unattenuated", word_name(c.word(0))));
+    }
+}
+
+void State::spot_cone(const Command& c) {
+    LightSource* source = light_source(c, c.enumerant(0));
+    if (!source) return;
+    for (double degrees : {c.number(1), c.number(2)}) {
+        if (degrees < 0 || degrees > 180) {
+            return raise(kGL_INVALID_VALUE, c,
+                         fmt::format("the cone's half angle is {} degrees; it must be in [0, 180]", degrees));
+        }
+    }
+    source->smooth_cone = LightSource::SmoothCone{c.number(1), c.number(2)};
+}
+
+// A light that GL does not have: it is there, and on, from the first time that it is named.
+void State::extra_light(const Command& c) {
+    const double number = c.number(0);
+    if (!(number >= kMaxLights && number < kMaxExtraLights)) {
+        return raise(kGL_INVALID_ENUM, c,
+                     fmt::format("light({}); expected a number from {} to {}: GL_LIGHT0 to GL_LIGHT7 are glLight's",
+                                 number, kMaxLights, kMaxExtraLights - 1));
+    }
+    const Enum pname = c.enumerant(1);
+    const ParameterInfo* info = find_parameter(Owner::kLight, pname);
+    if (info && c.arguments.size() != 2 + static_cast<std::size_t>(info->count)) {
+        return raise(kGL_INVALID_VALUE, c,
+                     fmt::format("{} has {} value{}, here {}", enum_name(pname), info->count,
+                                 info->count == 1 ? "" : "s", c.arguments.size() - 2));
+    }
+    const auto values = parameter_values(c, Owner::kLight, pname);
+    if (!values) return;
+    std::vector<LightSource>& lights = a_.lighting.lights;
+    const auto i = static_cast<std::size_t>(number);
+    if (i >= lights.size()) lights.resize(i + 1);
+    lights[i].enabled = true;
+    set_light(lights[i], pname, *values);
+}
+
+}  // namespace twinlight

@@ -1,0 +1,297 @@
+// glNewList, glCallList and what belongs to them (5.4).
+#include "scene/state/lists.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "scene/command/command_set.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+namespace {
+
+// 5.4: commands that are executed at once while a list is compiled: those on lists, on the client's state, on objects'
+// names, and the queries. GLU's quadrics are no GL.
+constexpr CommandSet kNeverCompiled = CommandSet::of(
+    {"new_list",     "end_list",        "gen_lists",        "delete_lists",  "pixel_store",         "flush",
+     "gen_textures", "delete_textures", "client_arrays",    "get_light",     "get_material",        "render_mode",
+     "hit_buffer",   "is_enabled",      "query_clip_plane", "query_tex_env", "query_tex_parameter", "elsewhere_query",
+     "new_quadric",  "delete_quadric",  "set_quadric"});
+
+// Commands that send vertices or what belongs to them.
+constexpr CommandSet kSendsVertices =
+    CommandSet::of({"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element",
+                    "draw_arrays", "rect", "shape", "quadric_shape", "elsewhere_vertex"});
+
+bool reads_pixels(const Command& c) {
+    const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels"; };
+    return std::ranges::any_of(c.sig().parameters, names_pixels);
+}
+
+template <class T>
+T value_at(const std::byte* at) {
+    T value;
+    std::memcpy(&value, at, sizeof value);
+    return value;
+}
+
+}  // namespace
+
+std::uint32_t list_name(std::span<const std::byte> bytes, Enum type) {
+    const std::byte* at = bytes.data();
+    const auto byte = [at](int i) { return std::to_integer<std::uint32_t>(at[i]); };
+    switch (type) {
+        case kGL_BYTE: return static_cast<std::uint32_t>(value_at<std::int8_t>(at));
+        case kGL_UNSIGNED_BYTE: return byte(0);
+        case kGL_SHORT: return static_cast<std::uint32_t>(value_at<std::int16_t>(at));
+        case kGL_UNSIGNED_SHORT: return value_at<std::uint16_t>(at);
+        case kGL_FLOAT: {
+            const auto real = value_at<float>(at);
+            if (std::isnan(real)) return 0;
+            return static_cast<std::uint32_t>(
+                static_cast<std::int64_t>(std::clamp(real, -2147483648.0F, 4294967040.0F)));
+        }
+        case kGL_2_BYTES: return byte(0) << 8 | byte(1);
+        case kGL_3_BYTES: return byte(0) << 16 | byte(1) << 8 | byte(2);
+        case kGL_4_BYTES: return byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
+        default: return value_at<std::uint32_t>(at);
+    }
+}
+
+int list_name_bytes(Enum type) {
+    switch (type) {
+        case kGL_BYTE:
+        case kGL_UNSIGNED_BYTE: return 1;
+        case kGL_SHORT:
+        case kGL_UNSIGNED_SHORT:
+        case kGL_2_BYTES: return 2;
+        case kGL_3_BYTES: return 3;
+        case kGL_INT:
+        case kGL_UNSIGNED_INT:
+        case kGL_FLOAT:
+        case kGL_4_BYTES: return 4;
+        default: return 0;
+    }
+}
+
+std::size_t ListedCommand::bytes() const {
+    std::size_t bytes = sizeof *this + command.arguments.size() * sizeof(double);
+    if (arrays) {
+        bytes +=
+            sizeof *arrays + arrays->vertices.size() * sizeof(Vertex) + arrays->indices.size() * sizeof(std::uint32_t);
+    }
+    if (pixel_store) bytes += sizeof *pixel_store;
+    if (quadric) bytes += sizeof *quadric;
+    return bytes + (error ? sizeof *error + error->message.size() : 0);
+}
+
+// Whether a command goes into the list that is open and is done with that. GL_COMPILE_AND_EXECUTE does both.
+bool State::compile(const Command& c) {
+    if (lists_.open_name == 0 || lists_.nesting > 0 || kNeverCompiled.contains(c.id)) return false;
+    if (draws_quadric(c) && !can_send(c)) return true;  // GLU itself refuses it, and calls nothing
+    ListedCommand listed{.command = c};
+    std::size_t bytes = 0;  // beside those that the listed command counts
+    if (draws_arrays(c.id)) {
+        // The arrays are read now (5.4). What is wrong with the arguments is told when the list is executed.
+        auto error = arrays_.check(c);
+        if (error && error->is_undefined) {
+            raise(*error);
+            return true;
+        }
+        if (error) {
+            listed.error = std::make_shared<const GlError>(std::move(*error));
+        } else {
+            ArrayVertices read = arrays_.read(c, options_.signed_rule);
+            for (Vertex& v : read.vertices) represent(v);
+            listed.arrays = std::make_shared<const ArrayVertices>(std::move(read));
+        }
+    } else if (c.memory || c.id == CommandId::glPolygonStipple) {
+        listed.pixel_store = std::make_shared<const PixelStore>(pixel_store_);
+    } else if (const BufferObject* buffer = arrays_.pixel_unpack_buffer(); buffer && reads_pixels(c)) {
+        listed.pixel_store = std::make_shared<const PixelStore>(pixel_store_);
+        listed.command.memory = std::make_shared<const Memory>(Memory{.bytes = buffer->bytes});
+        bytes += buffer->bytes.size();
+    }
+    if (draws_quadric(c)) listed.quadric = std::make_shared<const Quadric>(*quadric(c));
+    if (c.id == CommandId::glCallList || c.id == CommandId::glCallLists) bytes += compile_calls(c);
+    lists_.open->sends_vertices |= kSendsVertices.contains(c.id);
+    bytes += listed.bytes();
+    if (bytes > kMaxListedBytes - lists_.bytes - lists_.open->bytes) {
+        raise(kGL_OUT_OF_MEMORY, c,
+              fmt::format("all display lists hold {} MiB at the most together", kMaxListedBytes >> 20));
+        return true;
+    }
+    lists_.open->bytes += bytes;
+    lists_.open->commands.push_back(std::move(listed));
+    return lists_.open_mode == kGL_COMPILE;
+}
+
+// What the list that is being compiled calls; how many bytes are kept of it.
+std::size_t State::compile_calls(const Command& c) {
+    std::vector<std::uint32_t> names;
+    if (c.id == CommandId::glCallList) {
+        names.push_back(c.enumerant(0));
+    } else if (const int size = list_name_bytes(c.enumerant(1)); size > 0 && c.memory && has_time(c, c.number(0))) {
+        const double offset = c.number(2), count = c.number(0);
+        if (offset < 0 || offset + count * size > static_cast<double>(c.memory->bytes.size())) return 0;
+        const std::byte* at = c.memory->bytes.data() + static_cast<std::size_t>(offset);
+        for (double i = 0; i < count; ++i, at += size)
+            names.push_back(list_name({at, static_cast<std::size_t>(size)}, c.enumerant(1)));
+        if (std::ranges::find(names, 0U) != names.end()) {
+            note_unsupported("glCallLists with a name 0, in a list", c.place, {"fixed"});
+        }
+    }
+    std::vector<std::uint32_t>& calls = lists_.open->calls;
+    for (std::uint32_t name : names) {
+        if (name != 0 && !lists_.named.contains(name)) lists_.called_before_made.insert(name);
+        if (name != 0) calls.push_back(name);
+    }
+    constexpr std::size_t kBytesOfName = 64;  // in a set
+    return names.size() * kBytesOfName;
+}
+
+// Where a list sends vertices, Mesa (22.3) goes at its glEndList through all lists that it calls and that these call, by
+// their bare names, however deep and however often. So that it comes back, this goes the same way first.
+bool State::walk_calls(const Command& c, const DisplayList& list) {
+    struct Level {
+        std::shared_ptr<const DisplayList> held;
+        const DisplayList* list = nullptr;
+        std::size_t next = 0;
+    };
+    if (list.calls.empty() || !list.sends_vertices) return true;
+    std::vector<Level> levels{{nullptr, &list}};
+    while (!levels.empty()) {
+        Level& level = levels.back();
+        if (level.next == level.list->calls.size()) {
+            levels.pop_back();
+            continue;
+        }
+        const auto found = lists_.named.find(level.list->calls[level.next++]);
+        if (found == lists_.named.end()) continue;
+        if (!has_time(c, 1 + static_cast<double>(found->second->commands.size()))) return false;
+        if (levels.size() >= kMaxListDepth) {
+            raise(
+                kGL_OUT_OF_MEMORY, c,
+                fmt::format("this list sends vertices and calls lists that stand deeper than {} in each other, or in a "
+                            "circle",
+                            kMaxListDepth));
+            return false;
+        }
+        levels.push_back({found->second, found->second.get()});
+    }
+    return true;
+}
+
+void State::gen_lists(const Command& c) {
+    // The names are those of empty lists from now on. No command can tell such a list from none, so none is kept.
+    if (c.number(0) < 0) raise(kGL_INVALID_VALUE, c, fmt::format("glGenLists is asked for {} lists", c.number(0)));
+}
+
+void State::new_list(const Command& c) {
+    const std::uint32_t name = c.enumerant(0);
+    if (name == 0) return raise(kGL_INVALID_VALUE, c, "glNewList is given the name 0; names begin at 1");
+    if (!known(c, c.enumerant(1), {kGL_COMPILE, kGL_COMPILE_AND_EXECUTE})) return;
+    if (lists_.named.size() >= kMaxLists && !lists_.named.contains(name)) {
+        return raise(kGL_OUT_OF_MEMORY, c, fmt::format("there are {} lists at the most", kMaxLists));
+    }
+    if (lists_.open_name != 0) {
+        return raise(
+            kGL_INVALID_OPERATION, c,
+            fmt::format("glNewList inside glNewList; the first, at {}, has no glEndList yet", lists_.opened.str()));
+    }
+    lists_.open_name = name;
+    lists_.open_mode = c.enumerant(1);
+    lists_.opened = c.place;
+    lists_.open = std::make_shared<DisplayList>();
+}
+
+void State::end_list(const Command& c) {
+    if (lists_.open_name == 0) return raise(kGL_INVALID_OPERATION, c, "glEndList without a glNewList");
+    if (!walk_calls(c, *lists_.open)) return;
+    std::shared_ptr<const DisplayList>& list = lists_.named[lists_.open_name];
+    lists_.bytes += lists_.open->bytes - (list ? list->bytes : 0);
+    list = std::move(lists_.open);
+    lists_.open_name = 0;
+}
+
+void State::delete_lists(const Command& c) {
+    if (c.number(1) < 0) {
+        return raise(kGL_INVALID_VALUE, c, fmt::format("glDeleteLists is given the range {}", c.number(1)));
+    }
+    const double first = c.number(0), end = first + c.number(1);
+    auto it = lists_.named.lower_bound(c.enumerant(0));
+    while (it != lists_.named.end() && it->first < end) {
+        lists_.bytes -= it->second->bytes;
+        it = lists_.named.erase(it);
+    }
+}
+
+void State::list_base(const Command& c) { a_.list_base = c.enumerant(0); }
+
+void State::call_list(const Command& c) { execute_list(c, c.enumerant(0)); }
+
+void State::call_lists(const Command& c) {
+    const double count = c.number(0);
+    const Enum type = c.enumerant(1);
+    const int size = list_name_bytes(type);
+    if (size == 0) {
+        return raise(
+            kGL_INVALID_ENUM, c,
+            fmt::format("glCallLists is given the type {}; expected GL_UNSIGNED_BYTE, GL_INT, ...", enum_name(type)));
+    }
+    if (count < 0) return raise(kGL_INVALID_VALUE, c, fmt::format("glCallLists is given {} names", count));
+    if (count == 0 || !c.memory) return;
+    const double offset = c.number(2), bytes = static_cast<double>(c.memory->bytes.size());
+    if (offset < 0 || offset + count * size > bytes) {
+        return raise(kGL_INVALID_OPERATION, c,
+                     fmt::format("glCallLists reads {} names of {} bytes, but the memory it is given has {} bytes",
+                                 count, size, std::max(0.0, bytes - offset)));
+    }
+    const std::byte* names = c.memory->bytes.data() + static_cast<std::size_t>(offset);
+    const std::uint32_t base = a_.list_base;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count) && !exhausted_; ++i) {
+        execute_list(
+            c, base + list_name({names + i * static_cast<std::size_t>(size), static_cast<std::size_t>(size)}, type));
+    }
+}
+
+// A name without a list does nothing (5.4); nor does what is nested too deep, such as a list that calls itself.
+void State::execute_list(const Command& c, std::uint32_t name) {
+    const auto found = lists_.named.find(name);
+    if (!has_time(c, 1) || found == lists_.named.end() || lists_.nesting >= kMaxListNesting) return;
+    const std::shared_ptr<const DisplayList> list = found->second;  // held: it may be replaced while it runs
+    if (lists_.nesting == 0) lists_.called = c.place;
+    ++lists_.nesting;
+    for (const ListedCommand& listed : list->commands) {
+        if (exhausted_ || !has_time(c, 1 + static_cast<double>(listed.elements()))) break;
+        lists_.quadric = listed.quadric.get();
+        execute_listed(listed);
+    }
+    lists_.quadric = nullptr;
+    --lists_.nesting;
+}
+
+void State::execute_listed(const ListedCommand& listed) {
+    if (listed.error) {
+        raise(*listed.error);
+    } else if (listed.arrays && listed.command.id == CommandId::glArrayElement) {
+        send_element(listed.command, *listed.arrays);
+    } else if (listed.arrays && open_) {
+        raise_inside(listed.command);
+    } else if (listed.arrays) {
+        draw(listed.command, *listed.arrays);
+    } else if (listed.pixel_store) {
+        const PixelStore now = std::exchange(pixel_store_, *listed.pixel_store);
+        carry_out(listed.command);
+        pixel_store_ = now;
+    } else {
+        carry_out(listed.command);
+    }
+}
+
+}  // namespace twinlight

@@ -1,0 +1,139 @@
+// gluBuild1DMipmaps and gluBuild2DMipmaps: GLU's own arithmetic (libglu 9.0.2, libutil/mipmap.c), which works in the
+// type of the pixels.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/state/pixels.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+namespace {
+
+// An image of GLU's, RGBA; `largest` is what a whole-number type calls 1, and 0 for the others.
+struct Pixels {
+    int width = 0, height = 0;
+    std::vector<glm::dvec4> rgba;
+    double largest = 0;
+
+    const glm::dvec4& at(int x, int y) const {
+        return rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
+    // A mean as the type holds it: cut off, after `rounding` of a unit was added.
+    glm::dvec4 held(const glm::dvec4& mean, double rounding) const {
+        constexpr double kDust = 1e-6;  // what sums of quotients by 255 fall short of a whole number
+        return largest == 0 ? mean : glm::floor(mean * largest + rounding + kDust) / largest;
+    }
+};
+
+// nearestPower(): 3 becomes 4, 5 becomes 4, 6 becomes 8.
+int nearest_power(int value) {
+    int power = 1;
+    for (;; value /= 2, power *= 2) {
+        if (value == 1) return power;
+        if (value == 3) return power * 4;
+    }
+}
+
+// scale_internal_*(): each new pixel is the mean of the area that it covers.
+Pixels scaled(const Pixels& image, int width, int height) {
+    Pixels result{width, height, {}, image.largest};
+    const double step_x = static_cast<double>(image.width) / width;
+    const double step_y = static_cast<double>(image.height) / height;
+    const auto overlap = [](double low, double high, int cell) {
+        return std::max(0.0, std::min(high, cell + 1.0) - std::max(low, static_cast<double>(cell)));
+    };
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const double x0 = x * step_x, x1 = x0 + step_x, y0 = y * step_y, y1 = y0 + step_y;
+            glm::dvec4 sum(0);
+            for (int v = static_cast<int>(y0); v < std::min<double>(image.height, y1); ++v) {
+                for (int u = static_cast<int>(x0); u < std::min<double>(image.width, x1); ++u) {
+                    sum += image.at(u, v) * (overlap(x0, x1, u) * overlap(y0, y1, v));
+                }
+            }
+            result.rgba.push_back(result.held(sum / (step_x * step_y), 0));
+        }
+    }
+    return result;
+}
+
+// halveImage_*(): of four pixels (sum + 2) / 4, of two sum / 2, in whole numbers.
+Pixels halved(const Pixels& image) {
+    Pixels result{std::max(1, image.width / 2), std::max(1, image.height / 2), {}, image.largest};
+    const int dx = image.width > 1 ? 1 : 0, dy = image.height > 1 ? 1 : 0;
+    for (int y = 0; y < result.height; ++y) {
+        for (int x = 0; x < result.width; ++x) {
+            const int u = x * (1 + dx), v = y * (1 + dy);
+            const glm::dvec4 mean =
+                (image.at(u, v) + image.at(u + dx, v) + image.at(u, v + dy) + image.at(u + dx, v + dy)) / 4.0;
+            result.rgba.push_back(result.held(mean, dx + dy == 2 ? 0.5 : 0));
+        }
+    }
+    return result;
+}
+
+// The image and its halves, down to 1 x 1.
+void fill_levels(std::vector<TextureImage>& levels, Pixels image, const InternalFormat& format, Enum internal_format) {
+    for (std::size_t level = 0;; ++level) {
+        if (levels.size() <= level) levels.resize(level + 1);
+        levels[level] = {image.width, image.height, format.base_format, internal_format, {}};
+        levels[level].texels.reserve(image.rgba.size());
+        for (const glm::dvec4& rgba : image.rgba) levels[level].texels.push_back(stored(rgba, format));
+        if (image.width == 1 && image.height == 1) return;
+        image = halved(image);
+    }
+}
+
+double largest_of(Enum type) {
+    switch (type) {
+        case kGL_UNSIGNED_BYTE: return 255;
+        case kGL_UNSIGNED_SHORT: return 65535;
+        case kGL_UNSIGNED_INT: return 4294967295.0;
+        default: return 0;
+    }
+}
+
+}  // namespace
+
+// GLU answers a wrong argument with an error code of its own and leaves the texture as it is; so does this.
+void State::build_mipmaps(const Command& c) {
+    const bool two = c.id == CommandId::gluBuild2DMipmaps;
+    const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
+    const std::size_t after_size = two ? 4 : 3;
+    const PixelSource source{.width = static_cast<int>(c.number(2)),
+                             .height = two ? static_cast<int>(c.number(3)) : 1,
+                             .format = c.enumerant(after_size),
+                             .type = c.enumerant(after_size + 1)};
+    const std::optional<InternalFormat> format = internal_format(c.number(1));
+    const bool fits =
+        source.width >= 1 && source.height >= 1 && source.width <= kMaxTextureSize && source.height <= kMaxTextureSize;
+    if (c.enumerant(0) != target || !format || !fits || !pixel_bytes(source.format, source.type)) return;
+    if (!c.memory) return raise(kGL_INVALID_OPERATION, c, fmt::format("{} is given no pixels", c.name()));
+    const int width = nearest_power(source.width), height = nearest_power(source.height);
+    // The arithmetic holds its images in four times the memory.
+    const double largest =
+        std::max(static_cast<double>(width) * height, static_cast<double>(source.width) * source.height);
+    if (!has_texels(c, 4 * largest)) return;
+    const auto rows = pixels(c, source);
+    if (!rows) return;
+    Pixels image{source.width, source.height, {}, largest_of(source.type)};
+    image.rgba.reserve(static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height));
+    std::vector<glm::dvec4> row;
+    for (int y = 0; y < source.height; ++y) {
+        rows->unpack(y, row);
+        image.rgba.insert(image.rgba.end(), row.begin(), row.end());
+    }
+    if (width != source.width || height != source.height) image = scaled(image, width, height);
+    Texture* texture = writable_texture(c, target);
+    if (!texture) return;
+    textures_.texels -= texels_of(*texture);
+    fill_levels(texture->levels, std::move(image), *format, static_cast<Enum>(c.number(1)));
+    textures_.texels += texels_of(*texture);
+}
+
+void State::texture_file(const Command& c) { build_mipmaps(texture_command(c)); }
+
+}  // namespace twinlight

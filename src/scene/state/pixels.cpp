@@ -1,0 +1,283 @@
+#include "scene/state/pixels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <glm/common.hpp>
+#include <limits>
+
+namespace twinlight {
+
+namespace {
+
+// ---- Types (tables 3.5 and 3.8) ----
+
+// A packed type's components from the first on: their bits, and whether the first stands in the lowest bits (_REV).
+struct Packed {
+    Enum type;
+    int bytes;
+    int bits[4];  // 0: not there
+    bool reversed;
+};
+
+constexpr Packed kPacked[] = {
+    {kGL_UNSIGNED_BYTE_3_3_2, 1, {3, 3, 2, 0}, false},
+    {kGL_UNSIGNED_BYTE_2_3_3_REV, 1, {3, 3, 2, 0}, true},
+    {kGL_UNSIGNED_SHORT_5_6_5, 2, {5, 6, 5, 0}, false},
+    {kGL_UNSIGNED_SHORT_5_6_5_REV, 2, {5, 6, 5, 0}, true},
+    {kGL_UNSIGNED_SHORT_4_4_4_4, 2, {4, 4, 4, 4}, false},
+    {kGL_UNSIGNED_SHORT_4_4_4_4_REV, 2, {4, 4, 4, 4}, true},
+    {kGL_UNSIGNED_SHORT_5_5_5_1, 2, {5, 5, 5, 1}, false},
+    {kGL_UNSIGNED_SHORT_1_5_5_5_REV, 2, {5, 5, 5, 1}, true},
+    {kGL_UNSIGNED_INT_8_8_8_8, 4, {8, 8, 8, 8}, false},
+    {kGL_UNSIGNED_INT_8_8_8_8_REV, 4, {8, 8, 8, 8}, true},
+    {kGL_UNSIGNED_INT_10_10_10_2, 4, {10, 10, 10, 2}, false},
+    {kGL_UNSIGNED_INT_2_10_10_10_REV, 4, {10, 10, 10, 2}, true},
+};
+
+const Packed* find_packed(Enum type) {
+    for (const Packed& row : kPacked) {
+        if (row.type == type) return &row;
+    }
+    return nullptr;
+}
+
+std::optional<int> element_bytes(Enum type) {
+    switch (type) {
+        case kGL_BYTE:
+        case kGL_UNSIGNED_BYTE: return 1;
+        case kGL_SHORT:
+        case kGL_UNSIGNED_SHORT: return 2;
+        case kGL_INT:
+        case kGL_UNSIGNED_INT:
+        case kGL_FLOAT: return 4;
+        default: return std::nullopt;
+    }
+}
+
+// The unsigned number of `size` bytes at `at`, in this machine's order or, with UNPACK_SWAP_BYTES, the other.
+std::uint32_t number_at(const std::byte* at, int size, bool swapped) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < size; ++i) {
+        const bool low_first = (std::endian::native == std::endian::little) != swapped;
+        const int shift = 8 * (low_first ? i : size - 1 - i);
+        value |= std::to_integer<std::uint32_t>(at[i]) << shift;
+    }
+    return value;
+}
+
+// Table 2.9: whole numbers as [0,1] or [-1,1].
+double element_at(const std::byte* at, Enum type, bool swapped) {
+    const auto from_signed = [](double c, int bits) { return (2 * c + 1) / (std::exp2(bits) - 1); };
+    const std::uint32_t raw = number_at(at, *element_bytes(type), swapped);
+    switch (type) {
+        case kGL_UNSIGNED_BYTE: return raw / 255.0;
+        case kGL_BYTE: return from_signed(static_cast<std::int8_t>(raw), 8);
+        case kGL_UNSIGNED_SHORT: return raw / 65535.0;
+        case kGL_SHORT: return from_signed(static_cast<std::int16_t>(raw), 16);
+        case kGL_UNSIGNED_INT: return raw / 4294967295.0;
+        case kGL_INT: return from_signed(static_cast<std::int32_t>(raw), 32);
+        default: return static_cast<double>(std::bit_cast<float>(raw));
+    }
+}
+
+// The values of one pixel, in the order of its format.
+void read_pixel(const std::byte* at, Enum type, int count, bool swapped, double* values) {
+    if (const Packed* packed = find_packed(type)) {
+        const std::uint32_t raw = number_at(at, packed->bytes, swapped);
+        int shift = packed->reversed ? 0 : 8 * packed->bytes;
+        for (int i = 0; i < count; ++i) {
+            const int bits = packed->bits[i];
+            if (!packed->reversed) shift -= bits;
+            const std::uint32_t largest = (1u << bits) - 1;
+            values[i] = ((raw >> shift) & largest) / static_cast<double>(largest);
+            if (packed->reversed) shift += bits;
+        }
+        return;
+    }
+    const int size = *element_bytes(type);
+    for (int i = 0; i < count; ++i) values[i] = element_at(at + i * size, type, swapped);
+}
+
+// 3.6.4, "Conversion to RGB" and "Final expansion to RGBA".
+glm::dvec4 rgba(Enum format, const double* v) {
+    switch (format) {
+        case kGL_RED: return {v[0], 0, 0, 1};
+        case kGL_GREEN: return {0, v[0], 0, 1};
+        case kGL_BLUE: return {0, 0, v[0], 1};
+        case kGL_ALPHA: return {0, 0, 0, v[0]};
+        case kGL_RGB: return {v[0], v[1], v[2], 1};
+        case kGL_BGR: return {v[2], v[1], v[0], 1};
+        case kGL_RGBA: return {v[0], v[1], v[2], v[3]};
+        case kGL_BGRA: return {v[2], v[1], v[0], v[3]};
+        case kGL_LUMINANCE: return {v[0], v[0], v[0], 1};
+        default: return {v[0], v[0], v[0], v[1]};  // GL_LUMINANCE_ALPHA
+    }
+}
+
+std::size_t row_pixels(const PixelSource& source, const PixelStore& store) {
+    return static_cast<std::size_t>(store.unpack_row_length > 0 ? store.unpack_row_length : source.width);
+}
+
+// 3.6.4, formula 3.13: bytes from a row to the next. Packed types count as one element.
+std::size_t row_bytes(const PixelSource& source, const PixelStore& store) {
+    const auto bytes = static_cast<std::size_t>(*pixel_bytes(source.format, source.type)) * row_pixels(source, store);
+    const auto alignment = static_cast<std::size_t>(store.unpack_alignment);
+    return (bytes + alignment - 1) / alignment * alignment;
+}
+
+}  // namespace
+
+std::optional<InternalFormat> internal_format(double name) {
+    if (!(name >= 1 && name <= 0xFFFF) || name != std::trunc(name)) return std::nullopt;
+    const auto same = [](Enum base, int bits) { return InternalFormat{base, bits, bits, bits, bits}; };
+    switch (static_cast<Enum>(name)) {
+        case 1:
+        case kGL_LUMINANCE:
+        case kGL_LUMINANCE4:
+        case kGL_LUMINANCE8: return same(kGL_LUMINANCE, 8);
+        case 2:
+        case kGL_LUMINANCE_ALPHA:
+        case kGL_LUMINANCE6_ALPHA2:
+        case kGL_LUMINANCE8_ALPHA8: return same(kGL_LUMINANCE_ALPHA, 8);
+        case 3:
+        case kGL_RGB:
+        case kGL_RGB8: return same(kGL_RGB, 8);
+        case 4:
+        case kGL_RGBA:
+        case kGL_RGBA8: return same(kGL_RGBA, 8);
+        case kGL_ALPHA:
+        case kGL_ALPHA4:
+        case kGL_ALPHA8: return same(kGL_ALPHA, 8);
+        case kGL_INTENSITY:
+        case kGL_INTENSITY4:
+        case kGL_INTENSITY8: return same(kGL_INTENSITY, 8);
+        case kGL_ALPHA12:
+        case kGL_ALPHA16: return same(kGL_ALPHA, 16);
+        case kGL_LUMINANCE12:
+        case kGL_LUMINANCE16: return same(kGL_LUMINANCE, 16);
+        case kGL_LUMINANCE12_ALPHA4:
+        case kGL_LUMINANCE12_ALPHA12:
+        case kGL_LUMINANCE16_ALPHA16: return same(kGL_LUMINANCE_ALPHA, 16);
+        case kGL_INTENSITY12:
+        case kGL_INTENSITY16: return same(kGL_INTENSITY, 16);
+        case kGL_LUMINANCE4_ALPHA4: return same(kGL_LUMINANCE_ALPHA, 4);
+        case kGL_R3_G3_B2: return InternalFormat{kGL_RGB, 3, 3, 2, 8};
+        case kGL_RGB4: return same(kGL_RGB, 4);
+        case kGL_RGB5: return same(kGL_RGB, 5);
+        case kGL_RGB10: return same(kGL_RGB, 10);
+        case kGL_RGB12:
+        case kGL_RGB16: return same(kGL_RGB, 16);
+        case kGL_RGBA2:
+        case kGL_RGBA4: return same(kGL_RGBA, 4);
+        case kGL_RGB5_A1: return InternalFormat{kGL_RGBA, 5, 5, 5, 1};
+        case kGL_RGB10_A2: return InternalFormat{kGL_RGBA, 10, 10, 10, 2};
+        case kGL_RGBA12:
+        case kGL_RGBA16: return same(kGL_RGBA, 16);
+        default: return std::nullopt;
+    }
+}
+
+std::optional<int> components_of(Enum format) {
+    switch (format) {
+        case kGL_RED:
+        case kGL_GREEN:
+        case kGL_BLUE:
+        case kGL_ALPHA:
+        case kGL_LUMINANCE: return 1;
+        case kGL_LUMINANCE_ALPHA: return 2;
+        case kGL_RGB:
+        case kGL_BGR: return 3;
+        case kGL_RGBA:
+        case kGL_BGRA: return 4;
+        default: return std::nullopt;
+    }
+}
+
+std::optional<int> pixel_bytes(Enum format, Enum type) {
+    const std::optional<int> components = components_of(format);
+    if (!components) return std::nullopt;
+    if (const Packed* packed = find_packed(type)) {
+        const bool fits = packed->bits[3] == 0 ? format == kGL_RGB : *components == 4;
+        return fits ? std::optional(packed->bytes) : std::nullopt;
+    }
+    const std::optional<int> element = element_bytes(type);
+    return element ? std::optional(*element * *components) : std::nullopt;
+}
+
+std::size_t bitmap_bytes(int width, int height, const PixelStore& store) {
+    if (width <= 0 || height <= 0) return 0;
+    const auto at_least_0 = [](int value) { return static_cast<std::size_t>(std::max(0, value)); };
+    const auto alignment = at_least_0(store.unpack_alignment);
+    const std::size_t row_pixels = at_least_0(store.unpack_row_length > 0 ? store.unpack_row_length : width);
+    const std::size_t row = (row_pixels + 8 * alignment - 1) / (8 * alignment) * alignment;
+    const std::size_t rows = at_least_0(store.unpack_skip_rows) + at_least_0(height) - 1;
+    return rows * row + (at_least_0(store.unpack_skip_pixels) + at_least_0(width) + 7) / 8;
+}
+
+std::optional<int> pixel_bytes_elsewhere(Enum format, Enum type) {
+    if (format != kGL_COLOR_INDEX && format != kGL_DEPTH_COMPONENT && format != kGL_STENCIL_INDEX) return std::nullopt;
+    return element_bytes(type);
+}
+
+std::size_t bytes_read(const PixelSource& source, const PixelStore& store) {
+    if (source.width <= 0 || source.height <= 0) return 0;
+    const auto pixel = static_cast<std::size_t>(*pixel_bytes(source.format, source.type));
+    const auto rows = static_cast<std::size_t>(store.unpack_skip_rows) + static_cast<std::size_t>(source.height) - 1;
+    const auto pixels = static_cast<std::size_t>(store.unpack_skip_pixels) + static_cast<std::size_t>(source.width);
+    // Rows may be 2^31 of 2^35 bytes each. In double it is exact where it matters.
+    const double bytes = static_cast<double>(rows) * static_cast<double>(row_bytes(source, store)) +
+                         static_cast<double>(pixels) * static_cast<double>(pixel);
+    return bytes < 0x1p53 ? static_cast<std::size_t>(bytes) : std::numeric_limits<std::size_t>::max();
+}
+
+void PixelRows::unpack(int y, std::vector<glm::dvec4>& row) const {
+    row.assign(static_cast<std::size_t>(source.width), glm::dvec4(0));
+    if (!bytes.data()) return;
+    const int components = *components_of(source.format);
+    const auto pixel = static_cast<std::size_t>(*pixel_bytes(source.format, source.type));
+    const auto rows = static_cast<std::size_t>(store.unpack_skip_rows) + static_cast<std::size_t>(y);
+    const std::byte* at =
+        bytes.data() + rows * row_bytes(source, store) + static_cast<std::size_t>(store.unpack_skip_pixels) * pixel;
+    for (glm::dvec4& texel : row) {
+        double values[4] = {};
+        read_pixel(at, source.type, components, store.unpack_swap_bytes, values);
+        texel = rgba(source.format, values);
+        at += pixel;
+    }
+}
+
+glm::vec4 stored(const glm::dvec4& rgba, const InternalFormat& format) {
+    const auto rounded = [](double v, int bits) {
+        const double largest = std::exp2(bits) - 1;
+        const double inside = v > 0 ? std::min(v, 1.0) : 0;  // NaN is 0
+        return static_cast<float>(std::floor(inside * largest + 0.5) / largest);
+    };
+    const float r = rounded(rgba.r, format.red), a = rounded(rgba.a, format.alpha);
+    switch (format.base_format) {  // table 3.15
+        case kGL_ALPHA: return {0, 0, 0, a};
+        case kGL_LUMINANCE: return {r, r, r, 1};
+        case kGL_LUMINANCE_ALPHA: return {r, r, r, a};
+        case kGL_INTENSITY: return {r, r, r, r};
+        case kGL_RGB: return {r, rounded(rgba.g, format.green), rounded(rgba.b, format.blue), 1};
+        default: return {r, rounded(rgba.g, format.green), rounded(rgba.b, format.blue), a};
+    }
+}
+
+TextureImage half(const TextureImage& image, const InternalFormat& format) {
+    TextureImage result{
+        std::max(1, image.width / 2), std::max(1, image.height / 2), image.base_format, image.internal_format, {}};
+    const int dx = image.width > 1 ? 1 : 0, dy = image.height > 1 ? 1 : 0;
+    for (int y = 0; y < result.height; ++y) {
+        for (int x = 0; x < result.width; ++x) {
+            const int x0 = x * (1 + dx), y0 = y * (1 + dy);
+            const glm::dvec4 sum = glm::dvec4(image.texel(x0, y0)) + glm::dvec4(image.texel(x0 + dx, y0)) +
+                                   glm::dvec4(image.texel(x0, y0 + dy)) + glm::dvec4(image.texel(x0 + dx, y0 + dy));
+            result.texels.push_back(stored(sum / 4.0, format));
+        }
+    }
+    return result;
+}
+
+}  // namespace twinlight

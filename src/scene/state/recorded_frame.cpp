@@ -1,0 +1,238 @@
+#include "scene/state/recorded_frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "scene/command/text.h"
+
+namespace twinlight {
+
+namespace {
+
+constexpr int kDefaultWidth = 640, kDefaultHeight = 480;
+constexpr int kLargestSide = 8192;  // what every driver's viewport can hold
+constexpr std::size_t kCommandsBetweenProgress = 1 << 16;
+
+const Command kEnd{CommandId::glEnd, {}, {}};
+
+// The start of a recording: its first steps, and a glEnd where they stop inside glBegin.
+class Beginning final : public Recording {
+  public:
+    Beginning(std::shared_ptr<const Recording> whole, std::size_t steps, bool ends_inside_begin, std::string given_name)
+        : Recording(std::move(given_name)),
+          whole_(std::move(whole)),
+          steps_(steps),
+          ends_inside_begin_(ends_inside_begin) {}
+
+    void for_each(const std::function<bool(const Step&)>& visit) const override {
+        std::size_t left = steps_;
+        bool go_on = true;
+        if (left > 0) {
+            whole_->for_each([&](const Step& step) {
+                go_on = visit(step);
+                return --left > 0 && go_on;
+            });
+        }
+        if (ends_inside_begin_ && go_on) visit({.command = kEnd});
+    }
+
+  private:
+    std::shared_ptr<const Recording> whole_;
+    std::size_t steps_;
+    bool ends_inside_begin_;
+};
+
+// What ends a frame.
+enum class FrameEnd : std::uint8_t { kSwap, kFlush };
+
+class Player {
+  public:
+    Player(const FrameChoice& choice, FrameEnd frame_end, int width, int height)
+        : choice_(choice),
+          frame_end_(frame_end),
+          width_(width),
+          height_(height),
+          state_({.width = width, .height = height, .signed_rule = choice.signed_rule}) {}
+
+    // Plays the recording up to the end of the frame that was asked for; whether it is there.
+    bool play(const Recording& recording) {
+        bool found = false;
+        recording.for_each([&](const Step& step) {
+            found = take(step);
+            return !found;
+        });
+        return found || take_end();
+    }
+
+    bool swaps() const { return swaps_; }
+    int frames() const { return frame_; }  // that were whole before the one that was asked for
+    // What the recording says of itself, after a sentence: "; ...".
+    std::string also() const { return notes_.empty() ? "" : "; " + notes_.back(); }
+    RecordedFrame result(const std::shared_ptr<const Recording>& recording);
+
+    // The smallest picture that holds all viewports; nothing where they are empty.
+    std::optional<std::pair<int, int>> size() const {
+        if (reach_x_ <= 0 || reach_y_ <= 0) return std::nullopt;
+        return std::pair(static_cast<int>(std::min<std::int64_t>(reach_x_, kLargestSide + 1)),
+                         static_cast<int>(std::min<std::int64_t>(reach_y_, kLargestSide + 1)));
+    }
+    // Whether something was drawn in the viewport that the state began with.
+    bool draws_in_initial_viewport() const { return draws_in_initial_viewport_; }
+
+  private:
+    bool take(const Step& step);
+    bool take_end();
+    void command(const Command& command);
+    bool end_frame();
+    void reach(const Viewport& viewport) {
+        reach_x_ = std::max(reach_x_, std::int64_t{viewport.x} + viewport.width);
+        reach_y_ = std::max(reach_y_, std::int64_t{viewport.y} + viewport.height);
+    }
+    static bool is_flush(const Step& step) {
+        return step.kind == Step::Kind::kCommand &&
+               (step.command.id == CommandId::glFlush || step.command.id == CommandId::glFinish);
+    }
+
+    const FrameChoice& choice_;
+    FrameEnd frame_end_;
+    int width_, height_;
+    State state_;
+    std::size_t steps_ = 0;
+    int frame_ = 0;
+    bool swaps_ = false;
+    bool changed_ = false;  // since the last frame's end: something was drawn or cleared
+    bool drawn_ = false;    // something was drawn
+    bool ended_inside_begin_ = false;
+    bool draws_in_initial_viewport_ = false;
+    std::int64_t reach_x_ = 0, reach_y_ = 0;
+    std::vector<std::string> notes_;
+};
+
+// True once the frame is whole.
+bool Player::take(const Step& step) {
+    if (step.kind == Step::Kind::kFrameEnd && frame_end_ == FrameEnd::kSwap) {
+        swaps_ = true;
+        if (end_frame()) return true;
+        state_.drop_picture();
+    }
+    ++steps_;
+    if (choice_.progress && steps_ % kCommandsBetweenProgress == 0) choice_.progress(frame_, steps_);
+    switch (step.kind) {
+        case Step::Kind::kCommand: command(step.command); break;
+        case Step::Kind::kOutside: state_.outside(step.text, step.command.place); break;
+        case Step::Kind::kCutOff: notes_.emplace_back(step.text); break;
+        case Step::Kind::kFrameEnd: break;
+    }
+    return frame_end_ == FrameEnd::kFlush && is_flush(step) && changed_ && !state_.inside_begin() && end_frame();
+}
+
+// What comes after the last frame's end.
+bool Player::take_end() {
+    if (state_.inside_begin()) {
+        ended_inside_begin_ = true;
+        command(kEnd);
+    }
+    return changed_ && end_frame();
+}
+
+void Player::command(const Command& command) {
+    const std::size_t before = state_.items().size();
+    state_.apply(command);
+    if (const auto& error = state_.exhausted()) {
+        throw SceneError(fmt::format("{}: {}; this recording cannot be drawn", error->place.str(), error->message));
+    }
+    if (command.id == CommandId::glViewport) reach(state_.raster().viewport);
+    if (state_.items().size() == before) return;
+    changed_ = true;
+    for (auto item = state_.items().begin() + static_cast<std::ptrdiff_t>(before); item != state_.items().end();
+         ++item) {
+        const Draw* draw = std::get_if<Draw>(&*item);
+        if (!draw) continue;
+        const Viewport& viewport = draw->raster.viewport;
+        drawn_ = true;
+        draws_in_initial_viewport_ |=
+            viewport.x == 0 && viewport.y == 0 && viewport.width == width_ && viewport.height == height_;
+        reach(viewport);
+    }
+    // What no later picture shows is not kept.
+    const bool earlier_frame = choice_.number && frame_ < *choice_.number;
+    if (earlier_frame && frame_end_ == FrameEnd::kSwap) {
+        state_.drop_picture();
+    } else {
+        state_.drop_hidden();
+    }
+}
+
+// Whether the frame that ends here is the one.
+bool Player::end_frame() {
+    if (choice_.number ? frame_ == *choice_.number : drawn_) return true;
+    ++frame_;
+    changed_ = drawn_ = false;
+    return false;
+}
+
+RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) {
+    if (!drawn_) {
+        throw SceneError(fmt::format("{}: frame {} draws nothing; without --frame the first that draws is taken",
+                                     recording->name, frame_));
+    }
+    if (state_.inside_begin()) {
+        ended_inside_begin_ = true;
+        command(kEnd);
+    }
+    reach(state_.raster().viewport);
+    RecordedFrame result;
+    result.number = frame_;
+    result.error_count = state_.error_count();
+    if (!state_.errors().empty()) result.first_error = state_.errors().front();
+    result.notes = std::move(notes_);
+    result.frame = state_.take_frame(std::make_shared<const Beginning>(
+        recording, steps_, ended_inside_begin_, fmt::format("{}, frame {}", recording->name, frame_)));
+    return result;
+}
+
+}  // namespace
+
+RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& recording, const FrameChoice& choice) {
+    int width = choice.width.value_or(kDefaultWidth), height = choice.height.value_or(kDefaultHeight);
+    FrameEnd frame_end = FrameEnd::kSwap;
+    while (true) {
+        Player player(choice, frame_end, width, height);
+        const bool found = player.play(*recording);
+        if (!player.swaps() && frame_end == FrameEnd::kSwap) {
+            frame_end = FrameEnd::kFlush;
+            continue;
+        }
+        if (!found) {
+            const int frames = player.frames();
+            if (!choice.number || frames == 0) {
+                throw SceneError(recording->name + ": this recording draws nothing" + player.also());
+            }
+            throw SceneError(
+                fmt::format("{}: there is no frame {}; the recording has {}", recording->name, *choice.number,
+                            frames == 1 ? "one, frame 0" : fmt::format("{}, 0 to {}", frames, frames - 1)));
+        }
+        RecordedFrame result = player.result(recording);
+        if (choice.width && choice.height) return result;
+        const auto [reach_x, reach_y] = player.size().value_or(std::pair(width, height));
+        if (std::max(reach_x, reach_y) > kLargestSide) {
+            throw SceneError(
+                fmt::format("{}: a viewport reaches beyond {} pixels; choose the picture's size with --size",
+                            recording->name, kLargestSide));
+        }
+        const bool same = reach_x == width && reach_y == height;
+        if (!same && player.draws_in_initial_viewport()) {  // the first viewport is the picture's: play it again
+            width = reach_x;
+            height = reach_y;
+            continue;
+        }
+        result.frame.width = reach_x;
+        result.frame.height = reach_y;
+        return result;
+    }
+}
+
+}  // namespace twinlight

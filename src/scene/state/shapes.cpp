@@ -1,0 +1,109 @@
+// Shapes become Draws, a part each; GLU's quadrics say how theirs are sent (GLU 1.3 chapter 6).
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "scene/shape/shape.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+namespace {
+
+// What is too large is beyond Twinlight's limits; the libraries would send it.
+Enum code_of(const std::invalid_argument& error, Enum otherwise) {
+    return dynamic_cast<const ShapeTooLarge*>(&error) != nullptr ? kGL_OUT_OF_MEMORY : otherwise;
+}
+
+}  // namespace
+
+void State::shape(const Command& c) {
+    try {
+        send_shape(c, shape_parts(c), shape_surfaces(c));
+    } catch (const std::invalid_argument& error) {
+        raise(code_of(error, kGL_INVALID_VALUE), c, error.what());
+    }
+}
+
+// What a part does not send is what is current. Sent between glBegin and glEnd it becomes current itself (2.7).
+// RULING: sent by vertex arrays it does not, which 2.8 leaves open.
+void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vector<Surface> surfaces) {
+    std::shared_ptr<const std::vector<Surface>> shared;
+    if (!surfaces.empty()) shared = std::make_shared<const std::vector<Surface>>(std::move(surfaces));
+    for (ShapePart& part : parts) {
+        if (!has_time(c, static_cast<double>(part.vertices.size()))) return;
+        const std::size_t bytes =
+            bytes_of_draw() + part.vertices.size() * sizeof(Vertex) + part.indices.size() * sizeof(std::uint32_t);
+        if (!has_room(c, bytes)) return;
+        Draw draw = new_draw(part.mode, c.place);
+        draw.vertices.reserve(part.vertices.size());
+        const Vertex before = a_.current;
+        for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+            const ShapeVertex& sent = part.vertices[i];
+            if (i >= part.first_normal) a_.current.normal_object = sent.normal_object;
+            if (part.sends_tex_coords) a_.current.tex_coord = glm::dvec4(sent.tex_coord, 0, 1);
+            Vertex& vertex = draw.vertices.emplace_back(a_.current);
+            vertex.position_object = glm::dvec4(sent.position_object, 1);
+            vertex.material = 0;
+        }
+        if (!part.immediate) a_.current = before;
+        draw.indices = std::move(part.indices);
+        draw.surfaces = shared;
+        show(std::move(draw));
+    }
+}
+
+void State::new_quadric(const Command& c) {
+    quadrics_[c.number(0)] = {};
+    deleted_quadrics_.erase(c.number(0));
+}
+
+void State::delete_quadric(const Command& c) {
+    if (!quadric(c)) return;
+    quadrics_.erase(c.number(0));
+    deleted_quadrics_[c.number(0)] = c.place;
+}
+
+void State::set_quadric(const Command& c) {
+    Quadric* q = quadric(c);
+    if (q && !set(*q, c)) {
+        raise(kGLU_INVALID_ENUM, c,
+              fmt::format("{} is given {}; expected {}", c.name(), enum_name(c.enumerant(1)), choices(c.id)));
+    }
+}
+
+void State::quadric_shape(const Command& c) {
+    const Quadric* q = lists_.quadric ? lists_.quadric : quadric(c);
+    if (!q) return;
+    try {
+        send_shape(c, quadric_parts(*q, c), quadric_surfaces(*q, c));
+    } catch (const std::invalid_argument& error) {
+        raise(code_of(error, kGLU_INVALID_VALUE), c, error.what());
+    }
+}
+
+bool State::can_send(const Command& c) {
+    const Quadric* q = quadric(c);
+    if (!q) return false;
+    try {
+        quadric_parts(*q, c);
+        return true;
+    } catch (const std::invalid_argument& error) {
+        raise(code_of(error, kGLU_INVALID_VALUE), c, error.what());
+        return false;
+    }
+}
+
+Quadric* State::quadric(const Command& c) {
+    const auto found = quadrics_.find(c.number(0));
+    if (found != quadrics_.end()) return &found->second;
+    const auto deleted = deleted_quadrics_.find(c.number(0));
+    raise(kGL_INVALID_VALUE, c,
+          deleted == deleted_quadrics_.end()
+              ? fmt::format("{} is given no quadric; make one by gluNewQuadric()", c.name())
+              : fmt::format("{} is given the quadric that gluDeleteQuadric has deleted at {}", c.name(),
+                            deleted->second.str()));
+    return nullptr;
+}
+
+}  // namespace twinlight

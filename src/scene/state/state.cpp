@@ -1,0 +1,354 @@
+// The state machine's frame: dispatch from the table of commands, errors, Begin and End, the Draws.
+// What the commands do stands in lights_and_materials.cpp, matrices.cpp, raster.cpp and shapes.cpp.
+#include "scene/state/state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+
+#include "scene/command/command_set.h"
+#include "scene/command/text.h"
+#include "scene/state/capabilities.h"
+
+namespace twinlight {
+
+namespace {
+
+// What may stand between Begin and End (2.6.3). begin, end and perspective say themselves what is wrong; GLU's quadrics are no
+// GL.
+constexpr CommandSet kLegalInside = CommandSet::of(
+    {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
+     "elsewhere_vertex", "elsewhere_attribute", "elsewhere_secondary_color", "call_list", "call_lists", "array_element",
+     "perspective", "new_quadric", "delete_quadric", "set_quadric"});
+
+// What a vertex is given may be any number.
+constexpr CommandSet kTakesAnyNumber = CommandSet::of(
+    {"vertex", "normal", "color", "tex_coord", "multi_tex_coord", "elsewhere_secondary_color", "elsewhere_attribute"});
+
+// Counts one more of `name`.
+void count(std::vector<Unsupported>& list, std::string_view name, const Place& place,
+           std::vector<std::string> renderers) {
+    const auto find = [&] {
+        return std::find_if(list.begin(), list.end(), [&](const Unsupported& u) { return u.name == name; });
+    };
+    auto found = find();
+    if (found == list.end() && list.size() >= kMaxUnsupportedKept) {
+        name = "more commands";
+        found = find();
+    }
+    if (found != list.end()) {
+        found->count += found->count < std::numeric_limits<int>::max() ? 1 : 0;
+    } else {
+        list.push_back({std::string(name), 1, place, std::move(renderers)});
+    }
+}
+
+}  // namespace
+
+State::State(const StateOptions& options) : options_(options) {
+    a_.raster.viewport = a_.fragment.scissor.box = {0, 0, options.width, options.height};
+}
+
+void State::apply(const Command& command) {
+    if (!compile(command)) carry_out(command);
+}
+
+void State::carry_out(const Command& command) {
+    static constexpr void (State::*kCarriedOutBy[])(const Command&) = {
+#define GL_COMMAND(name, effect, ...) &State::effect,
+#define SHAPE_COMMAND(name, effect, ...) &State::effect,
+#define QUADRIC_COMMAND(name, effect, ...) &State::effect,
+#define PRAGMA_COMMAND(name, effect, ...) &State::effect,
+#include "scene/command/commands.def"
+#undef GL_COMMAND
+#undef SHAPE_COMMAND
+#undef QUADRIC_COMMAND
+#undef PRAGMA_COMMAND
+    };
+    if (open_ && !kLegalInside.contains(command.id)) return raise_inside(command);
+    // RULING: GL leaves NaN and infinity open (2.1.1); here they are refused, so that no later value is either. A vertex may
+    // be given them, for programs do so: represent() says what becomes of it.
+    const auto is_finite = [](double v) { return std::isfinite(v); };
+    if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite)) {
+        return raise(kGL_INVALID_VALUE, command, fmt::format("{} is given a value that is not finite", command.name()));
+    }
+    (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
+}
+
+void State::raise(Enum code, const Command& command, std::string message) {
+    raise({code, command.place, std::move(message), false});
+}
+
+void State::raise(GlError error) {
+    ++error_count_;
+    if (error.code == kGL_OUT_OF_MEMORY && !exhausted_) exhausted_ = error;
+    if (errors_.size() >= kMaxErrorsKept) return;
+    if (lists_.nesting > 0) {
+        error.message += fmt::format("; this stands in the list that is called at {}", lists_.called.str());
+    }
+    errors_.push_back(std::move(error));
+}
+
+void State::raise_inside(const Command& command) {
+    raise(kGL_INVALID_OPERATION, command,
+          fmt::format("{} cannot stand between glBegin and glEnd; the glBegin is at {}", command.name(),
+                      open_->place.str()));
+}
+
+bool State::has_room(const Command& command, std::size_t bytes) {
+    if (bytes <= kMaxFrameBytes - item_bytes_) {
+        item_bytes_ += bytes;
+        return true;
+    }
+    raise(kGL_OUT_OF_MEMORY, command,
+          fmt::format("one picture's vertices and state fill {} MiB at the most", kMaxFrameBytes >> 20));
+    return false;
+}
+
+bool State::has_time(const Command& command, double work) {
+    work_ += work;
+    if (work_ <= static_cast<double>(kMaxFrameWork)) return true;
+    raise(kGL_OUT_OF_MEMORY, command,
+          fmt::format("one picture's display lists, images and shapes come to {} commands, texels and vertices at the "
+                      "most",
+                      kMaxFrameWork));
+    return false;
+}
+
+bool State::known(const Command& command, Enum value, std::initializer_list<Enum> allowed) {
+    if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return true;
+    std::vector<std::string> names;
+    for (Enum e : allowed) names.push_back(enum_name(e));
+    raise(kGL_INVALID_ENUM, command,
+          fmt::format("{} is given {}; expected {}", command.name(), enum_name(value), fmt::join(names, ", ")));
+    return false;
+}
+
+// ---- Begin, End and what stands between them (2.6, 2.7) ----
+
+void State::begin(const Command& c) {
+    if (open_) {
+        return raise(kGL_INVALID_OPERATION, c,
+                     fmt::format("glBegin inside glBegin; the first, at {}, has no glEnd yet", open_->place.str()));
+    }
+    if (c.enumerant(0) > kGL_POLYGON) {
+        return raise(kGL_INVALID_ENUM, c,
+                     fmt::format("glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
+                                 enum_name(c.enumerant(0))));
+    }
+    if (!has_room(c, bytes_of_draw())) return;
+    open_ = new_draw(c.enumerant(0), c.place);
+}
+
+void State::end(const Command& c) {
+    if (!open_) return raise(kGL_INVALID_OPERATION, c, "glEnd without a glBegin");
+    if (open_->vertices.empty()) {
+        item_bytes_ -= std::min(item_bytes_, bytes_of_draw());
+    } else {
+        show(std::move(*open_));
+    }
+    open_.reset();
+    a_.current.material = 0;  // what is drawn next has materials of its own
+}
+
+void State::vertex(const Command& c) {
+    if (!open_) return;  // 2.7: undefined outside Begin and End, no error; here it does nothing, as in the driver
+    if (!has_room(c, sizeof(Vertex))) return;
+    a_.current.position_object = {0, 0, 0, 1};
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+        a_.current.position_object[static_cast<int>(i)] = c.number(i);
+    }
+    represent(a_.current);
+    open_->vertices.push_back(a_.current);
+}
+
+void State::normal(const Command& c) {
+    const Kind kind = c.sig().parameters[0].kind;
+    for (int i = 0; i < 3; ++i) a_.current.normal_object[i] = to_real(c.number(static_cast<std::size_t>(i)), kind);
+    represent(a_.current);
+}
+
+void State::color(const Command& c) {
+    const Kind kind = c.sig().parameters[0].kind;
+    a_.current.color.a = 1;
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+        a_.current.color[static_cast<int>(i)] = to_real(c.number(i), kind);
+    }
+    represent(a_.current);
+    track_color();
+}
+
+void State::tex_coord(const Command& c) {
+    a_.current.tex_coord = {0, 0, 0, 1};
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+        a_.current.tex_coord[static_cast<int>(i)] = c.number(i);
+    }
+    represent(a_.current);
+}
+
+void represent(Vertex& vertex) {
+    const auto is_finite = [](const auto& v) { return std::isfinite(glm::dot(v, v * 0.0)); };
+    if (!is_finite(vertex.position_object)) vertex.position_object = glm::dvec4(0);
+    if (!is_finite(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
+    for (int i = 0; i < 4; ++i) {
+        if (!std::isfinite(vertex.color[i])) vertex.color[i] = 0;
+        if (!std::isfinite(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
+    }
+}
+
+// 2.7. RULING: coordinates of further units are dropped; where such a unit has a texture, that is named.
+void State::multi_tex_coord(const Command& c) {
+    const Enum target = c.enumerant(0);
+    if (target < kGL_TEXTURE0 || target >= kGL_TEXTURE0 + kMaxTextureUnits) {
+        return raise(kGL_INVALID_ENUM, c,
+                     fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(target),
+                                 kMaxTextureUnits - 1));
+    }
+    if (target != kGL_TEXTURE0) return;
+    a_.current.tex_coord = {0, 0, 0, 1};
+    for (std::size_t i = 1; i < c.arguments.size(); ++i) {
+        a_.current.tex_coord[static_cast<int>(i) - 1] = c.number(i);
+    }
+    represent(a_.current);
+}
+
+double State::to_real(double c, Kind kind) const { return real_from(c, kind, options_.signed_rule); }
+
+// ---- Draws ----
+
+Draw State::new_draw(Enum mode, const Place& place) {
+    Draw draw;
+    draw.mode = mode;
+    draw.lighting = a_.lighting;
+    draw.raster = a_.raster;
+    draw.eye_from_object = modelview();
+    draw.clip_from_eye = projection();
+    draw.place = place;
+    draw.texture = {.texture = complete_texture(a_.units[0]),
+                    .env_mode = a_.units[0].env_mode,
+                    .env_color = a_.units[0].env_color,
+                    .lod_bias = a_.units[0].lod_bias,
+                    .texture_matrix = texture_[0].back().matrix};
+    if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) {
+        note_unsupported("glTexEnv(GL_COMBINE)", place, {"programmable", "reference"});
+    }
+    for (std::size_t i = 1; i < a_.units.size(); ++i) {
+        if (!complete_texture(a_.units[i])) continue;
+        note_unsupported(fmt::format("texture unit {}", i), place, {"programmable", "reference"});
+    }
+    draw.fog = a_.fog;
+    draw.fragment = a_.fragment;
+    if (!a_.draws_color) draw.fragment.color_mask.fill(false);
+    for (std::size_t i = 0; i < a_.clip_planes.size(); ++i) {
+        if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
+    }
+    for (const auto& [capability, where] : a_.elsewhere) {
+        const Elsewhere& row = capability_elsewhere(capability.first);
+        // Textures of further units are named above.
+        const bool is_idle = row.generates_coordinates() && (capability.second > 0 || !draw.texture.texture);
+        if (!row.changes_pixels || is_idle) continue;
+        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where, {"programmable", "reference"});
+    }
+    note_draws_elsewhere(draw);
+    return draw;
+}
+
+// 5.2, 5.3: in the other modes no fragments are produced, and clearing changes nothing.
+void State::show(std::variant<Clear, Draw> item) {
+    if (render_mode_ == kGL_RENDER) items_.push_back(std::move(item));
+}
+
+// 2.10: as if GL_POLYGON stood between Begin and End.
+void State::rect(const Command& c) {
+    if (!has_room(c, bytes_of_draw() + 4 * sizeof(Vertex))) return;
+    const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
+    Draw draw = new_draw(kGL_POLYGON, c.place);
+    for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {
+        a_.current.position_object = {x, y, 0, 1};
+        draw.vertices.push_back(a_.current);
+    }
+    show(std::move(draw));
+}
+
+void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {
+    if (render_mode_ != kGL_RENDER) return;
+    count(unsupported_, name, place, std::move(renderers));
+}
+
+void State::note_lasting(std::string_view name, const Place& place) {
+    count(outside_, name, place, {"programmable", "reference"});
+}
+
+void State::outside(std::string_view function, const Place& place) {
+    count(outside_, function, place, {"fixed", "programmable", "reference"});
+}
+
+std::optional<GlError> State::unfinished() const {
+    if (lists_.open_name != 0) {
+        return GlError{kGL_INVALID_OPERATION, lists_.opened, "this glNewList has no glEndList"};
+    }
+    if (open_) return GlError{kGL_INVALID_OPERATION, open_->place, "this glBegin has no glEnd"};
+    std::vector<const MatrixStack*> stacks{&modelview_, &projection_};
+    for (const MatrixStack& one : texture_) stacks.push_back(&one);
+    for (const MatrixStack* s : stacks) {
+        if (s->size() > 1) return GlError{kGL_STACK_OVERFLOW, s->back().pushed, "this glPushMatrix has no glPopMatrix"};
+    }
+    if (!attribute_stack_.empty()) {
+        return GlError{kGL_STACK_OVERFLOW, attribute_stack_.back().pushed, "this glPushAttrib has no glPopAttrib"};
+    }
+    return std::nullopt;
+}
+
+Frame State::take_frame(std::shared_ptr<const Recording> commands) {
+    Frame frame{options_.width, options_.height, std::move(items_), outside_, std::move(commands)};
+    std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
+    frame.lists_called_before_made.assign(lists_.called_before_made.begin(), lists_.called_before_made.end());
+    drop_picture();
+    return frame;
+}
+
+void State::drop_picture() {
+    items_.clear();
+    item_bytes_ = 0;
+    work_ = 0;
+    unsupported_.clear();
+}
+
+void State::drop_hidden() {
+    const Clear* clear = items_.size() > 1 ? std::get_if<Clear>(&items_.back()) : nullptr;
+    const bool hides = clear && clear->color && clear->depth && !clear->scissor.enabled &&
+                       clear->color_mask == std::array{true, true, true, true};
+    if (!hides) return;
+    items_.erase(items_.begin(), items_.end() - 1);
+    item_bytes_ = 0;
+    unsupported_.clear();
+}
+
+Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& options) {
+    State state(options);
+    const auto refuse = [](const GlError& error) {
+        throw SceneError(fmt::format("{}: {} ({})", error.place.str(), error.message, enum_name(error.code)));
+    };
+    for (const Command& command : scene->commands) {
+        state.apply(command);
+        if (!state.errors().empty()) refuse(state.errors().front());
+    }
+    if (const auto error = state.unfinished()) {
+        throw SceneError(fmt::format("{}: {}", error->place.str(), error->message));
+    }
+    Frame frame = state.take_frame(scene);
+    const bool draws = std::any_of(frame.items.begin(), frame.items.end(),
+                                   [](const auto& item) { return std::holds_alternative<Draw>(item); });
+    if (!draws) {
+        throw SceneError(
+            fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);", scene->name));
+    }
+    return frame;
+}
+
+}  // namespace twinlight

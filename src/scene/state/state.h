@@ -1,0 +1,303 @@
+// State: GL's state machine in double precision. Commands go in, a Frame comes out, errors are raised as GL raises them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/command/command.h"
+#include "scene/shape/quadric.h"
+#include "scene/state/arrays.h"
+#include "scene/state/attributes.h"
+#include "scene/state/frame.h"
+#include "scene/state/gl_error.h"
+#include "scene/state/lists.h"
+#include "scene/state/pixels.h"
+
+namespace twinlight {
+
+struct StateOptions {
+    int width = 640;  // of the window
+    int height = 480;
+    SignedRule signed_rule = SignedRule::kGl21;
+};
+
+// Limits of Twinlight's own, so that a hostile scene ends with an error (GL_OUT_OF_MEMORY) and not with the machine's memory
+// or a day's work: what a picture's clears and draws may hold together, with the textures that they were drawn with and
+// that have changed since; and what its display lists, images, shapes and evaluators may come to, counted in commands,
+// texels, vertices and points (64 lists that call the next one twice would be 2^64). A recording ends there: the driver
+// knows no such limit.
+inline constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 30;
+inline constexpr std::size_t kMaxFrameWork = 50'000'000;
+// How many errors are kept; GL itself keeps one.
+inline constexpr std::size_t kMaxErrorsKept = 100;
+inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; what is beyond counts under one of its own
+
+// RULING: a vertex that is given NaN or infinity. A position of them is (0, 0, 0, 0), which belongs to no polygon, line or
+// point (2.12); a normal of them is zero; such a component of a colour or a texture coordinate is 0.
+void represent(Vertex& vertex);
+
+class State {
+  public:
+    explicit State(const StateOptions& options = {});
+
+    // Carries one command out. A command with an error changes nothing but errors() (2.5).
+    void apply(const Command& command);
+
+    // The first errors, kMaxErrorsKept of them at most; and how many there were.
+    const std::vector<GlError>& errors() const { return errors_; }
+    std::size_t error_count() const { return error_count_; }
+    // The first GL_OUT_OF_MEMORY: the scene asks for more than Twinlight gives, and the driver must not be asked for it.
+    const std::optional<GlError>& exhausted() const { return exhausted_; }
+
+    // A call of a function that Twinlight does not have. What it would have changed is not known, so it stands in all
+    // pictures from here on.
+    void outside(std::string_view function, const Place& place);
+
+    // What must be whole at the end of a scene: Begin/End, matrix stacks. The message of the first thing left open.
+    std::optional<GlError> unfinished() const;
+
+    // The picture so far.
+    const std::vector<std::variant<Clear, Draw>>& items() const { return items_; }
+    bool inside_begin() const { return open_.has_value(); }
+    // Forgets it: what is drawn from here on begins a new one.
+    void drop_picture();
+    // Forgets what the last Clear hides, if that clears everything.
+    void drop_hidden();
+    // Gives it away.
+    Frame take_frame(std::shared_ptr<const Recording> commands);
+
+    // glGet*: the values in force, as the float query returns them (6.1.3).
+    const LightingState& lighting() const { return a_.lighting; }
+    const RasterState& raster() const { return a_.raster; }
+    glm::dvec4 current_color() const { return a_.current.color; }
+    glm::dvec3 current_normal() const { return a_.current.normal_object; }
+    const glm::dmat4& modelview() const { return modelview_.back().matrix; }
+    const glm::dmat4& projection() const { return projection_.back().matrix; }
+    // The answers of the queries, as the query of doubles gives them (6.1); empty for names that GL, or Twinlight, does
+    // not know.
+    std::vector<double> get(Enum pname) const;  // glGetDoublev; a capability's answer is glIsEnabled's
+    std::vector<double> get_light(Enum light, Enum pname) const;
+    std::vector<double> get_material(Enum face, Enum pname) const;
+    const VertexArrays& arrays() const { return arrays_; }
+    std::vector<double> get_clip_plane(Enum plane) const;
+    std::vector<double> get_tex_env(Enum target, Enum pname) const;
+    std::vector<double> get_tex_parameter(Enum target, Enum pname) const;
+    std::vector<double> get_tex_level_parameter(Enum target, int level, Enum pname) const;
+    // The texture that a name has; null where there is none.
+    const Texture* texture(std::uint32_t name) const;
+
+  private:
+    struct StackedMatrix {
+        glm::dmat4 matrix{1};
+        Place pushed;  // where glPushMatrix stood
+    };
+    using MatrixStack = std::vector<StackedMatrix>;
+
+    // One function an effect of commands.def.
+    void light(const Command&);
+    void material(const Command&);
+    void light_model(const Command&);
+    void color_material(const Command&);
+    void shade_model(const Command&);
+    void get_light(const Command&);
+    void get_material(const Command&);
+    void begin(const Command&);
+    void end(const Command&);
+    void normal(const Command&);
+    void color(const Command&);
+    void vertex(const Command&);
+    void tex_coord(const Command&);
+    void multi_tex_coord(const Command&);
+    void matrix_mode(const Command&);
+    void load_identity(const Command&);
+    void push_matrix(const Command&);
+    void pop_matrix(const Command&);
+    void load_matrix(const Command&);
+    void mult_matrix(const Command&);
+    void rotate(const Command&);
+    void scale(const Command&);
+    void translate(const Command&);
+    void frustum(const Command&);
+    void ortho(const Command&);
+    void perspective(const Command&);
+    void ortho_2d(const Command&);
+    void look_at(const Command&);
+    void viewport(const Command&);
+    void enable(const Command&);
+    void disable(const Command&);
+    void front_face(const Command&);
+    void cull_face(const Command&);
+    void polygon_mode(const Command&);
+    void depth_func(const Command&);
+    void depth_mask(const Command&);
+    void clear_depth(const Command&);
+    void clear_color(const Command&);
+    void clear(const Command&);
+    void flush(const Command&);
+    void shape(const Command&);
+    void new_quadric(const Command&);
+    void delete_quadric(const Command&);
+    void set_quadric(const Command&);
+    void quadric_shape(const Command&);
+    void clip_plane(const Command&);
+    void depth_range(const Command&);
+    void polygon_offset(const Command&);
+    void line_width(const Command&);
+    void point_size(const Command&);
+    void edge_flag(const Command&);
+    void hint(const Command&);
+    void scissor(const Command&);
+    void alpha_func(const Command&);
+    void blend_func(const Command&);
+    void blend_color(const Command&);
+    void color_mask(const Command&);
+    void fog(const Command&);
+    void pixel_store(const Command&);
+    void bind_texture(const Command&);
+    void active_texture(const Command&);
+    void tex_image(const Command&);
+    void tex_sub_image(const Command&);
+    void build_mipmaps(const Command&);
+    void tex_parameter(const Command&);
+    void tex_env(const Command&);
+    void gen_lists(const Command&);
+    void new_list(const Command&);
+    void end_list(const Command&);
+    void delete_lists(const Command&);
+    void list_base(const Command&);
+    void call_list(const Command&);
+    void call_lists(const Command&);
+    void push_attrib(const Command&);
+    void pop_attrib(const Command&);
+    void load_transpose_matrix(const Command&);
+    void mult_transpose_matrix(const Command&);
+    void blend_equation(const Command&);
+    void draw_buffer(const Command&);
+    void elsewhere_state(const Command&);
+    void elsewhere_drawing(const Command&);
+    void elsewhere_vertex(const Command&);
+    void elsewhere_attribute(const Command&);
+    void elsewhere_query(const Command&);
+    void elsewhere_secondary_color(const Command&);
+    void elsewhere_point_parameter(const Command&);
+    void elsewhere_pixel_transfer(const Command&);
+    void elsewhere_bitmap(const Command&);
+    void elsewhere_stipple(const Command&);
+    void elsewhere_copy_image(const Command&);
+    void render_mode(const Command&);
+    void hit_buffer(const Command&);
+    void is_enabled(const Command&);
+    void query_clip_plane(const Command&);
+    void query_tex_env(const Command&);
+    void query_tex_parameter(const Command&);
+    void gen_textures(const Command&);
+    void delete_textures(const Command&);
+    void prioritize_textures(const Command&);
+    void rect(const Command&);
+    void client_arrays(const Command&);
+    void array_element(const Command&);
+    void draw_arrays(const Command&);
+    void texture_file(const Command&);
+    void specular_model(const Command&);
+    void ambient_model(const Command&);
+    void spot_cone(const Command&);
+    void spectrum(const Command&);
+    void reflectance(const Command&);
+    void illuminant(const Command&);
+    void transfer(const Command&);
+    void extra_light(const Command&);
+    // glMaterial; the colour is that of the reflectance where there is one.
+    void set_material(const Command&, const Spectrum* reflectance);
+    void set_light(LightSource& source, Enum pname, const std::vector<double>& values) const;
+
+    void carry_out(const Command& command);
+    bool compile(const Command& command);
+    std::optional<ArrayVertices> array_vertices(const Command& draw);  // nothing, and the error, for a wrong one
+    void draw(const Command& command, const ArrayVertices& read);
+    void send_element(const Command& command, const ArrayVertices& element);  // of glArrayElement
+    // Whether the picture still has room for so many more bytes, or so much more work; GL_OUT_OF_MEMORY if not.
+    bool has_room(const Command& command, std::size_t bytes);
+    std::size_t bytes_of_draw() const { return sizeof(Draw) + a_.lighting.lights.size() * sizeof(LightSource); }
+    bool has_time(const Command& command, double work);
+    std::size_t compile_calls(const Command& command);
+    bool walk_calls(const Command& command, const DisplayList& list);
+    void execute_list(const Command& command, std::uint32_t name);
+    void execute_listed(const ListedCommand& listed);
+    void raise_inside(const Command& command);  // of a command that stands between Begin and End
+    void raise(Enum code, const Command& command, std::string message);
+    void raise(GlError error);
+    // Whether `value` is one of `allowed`; raises GL_INVALID_ENUM if not.
+    bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);
+    LightSource* light_source(const Command& command, Enum light);  // null, and GL_INVALID_ENUM, for no light
+    // The values of glLight*, glMaterial*, glFog*, glTexEnv*, ... as real numbers; nothing, and the error, if they are refused.
+    std::optional<std::vector<double>> parameter_values(const Command& command, Owner owner, Enum pname);
+    void set_capability(const Command& command, bool enabled);
+    bool known_capability(const Command& command);  // or GL_INVALID_ENUM
+    bool* followed_capability(Enum cap);            // null for those that State does not follow
+    // The texture that a glTex* command changes: one that no Draw holds. Null, and the error, for a wrong target.
+    Texture* writable_texture(const Command& command, Enum target);
+    std::shared_ptr<Texture>& bound_texture(Enum target);
+    std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target);
+    std::shared_ptr<const Texture> complete_texture(const TextureBindings& bindings) const;
+    TextureBindings& unit() { return a_.units[a_.active_unit]; }
+    const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
+    bool check_pixel_type(const Command& command, const PixelSource& source);
+    std::optional<PixelRows> pixels(const Command& command, const PixelSource& source);
+    void generate_mipmaps(Texture& texture) const;
+    // Whether there is room and time for so many texels more, some of which replace others; GL_OUT_OF_MEMORY if not.
+    bool has_texels(const Command& command, double count, std::size_t replaced = 0);
+    bool counts(const Command& command, const char* what);  // n >= 0, or GL_INVALID_VALUE
+    void track_color();                                     // 2.14.3: the material follows the current colour
+    void multiply(const glm::dmat4& matrix);
+    MatrixStack& stack();
+    std::size_t stack_limit() const;
+    Draw new_draw(Enum mode, const Place& place);
+    void send_shape(const Command& command, std::vector<ShapePart> parts, std::vector<Surface> surfaces);
+    Quadric* quadric(const Command& command);   // its first argument; null, and the error, where there is none
+    bool can_send(const Command& command);      // whether its quadric can be sent; false, and the error, if not
+    void show(std::variant<Clear, Draw> item);  // adds it to the picture, in the mode that makes one
+    void note_draws_elsewhere(const Draw& draw);
+    // Of what is drawn now, and of what changes all pictures from here on.
+    void note_lasting(std::string_view name, const Place& place);
+    void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
+    double to_real(double c,
+                   Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
+
+    struct SavedAttributes {
+        Attributes attributes;
+        Enum mask = 0;
+        Texture texture_1d, texture_2d;  // the parameters of the bound textures (table 6.16)
+        Place pushed;
+    };
+
+    StateOptions options_;
+    Attributes a_;
+    TextureObjects textures_;
+    PixelStore pixel_store_;
+    std::vector<std::optional<PixelStore>> saved_pixel_stores_;  // by glPushClientAttrib, a level each
+    VertexArrays arrays_;
+    Lists lists_;
+    MatrixStack modelview_{{}}, projection_{{}};
+    std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
+    std::vector<SavedAttributes> attribute_stack_;
+    Enum render_mode_ = kGL_RENDER;                      // 5.2
+    bool has_selection_ = false, has_feedback_ = false;  // a buffer of some size
+    std::optional<Draw> open_;                           // between Begin and End
+    std::map<double, Quadric> quadrics_;                 // by number
+    std::map<double, Place> deleted_quadrics_;           // where gluDeleteQuadric stood
+    std::vector<std::variant<Clear, Draw>> items_;
+    std::size_t item_bytes_ = 0;  // what items_ holds, about
+    double work_ = 0;             // for this picture, so far
+    std::vector<Unsupported> unsupported_;
+    std::vector<Unsupported> outside_;
+    std::vector<GlError> errors_;
+    std::size_t error_count_ = 0;
+    std::optional<GlError> exhausted_;
+};
+
+// Runs a whole scene. Throws SceneError at the first GL error, at what is left open at the end, and for a scene that
+// draws nothing.
+Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& options);
+
+}  // namespace twinlight

@@ -1,0 +1,263 @@
+// glTexImage, glTexSubImage and glPixelStore (3.6.1, 3.8.1, 3.8.2).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/state/pixels.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+namespace {
+
+// The arguments of glTexImage1D and glTexImage2D, by name.
+struct ImageArguments {
+    explicit ImageArguments(const Command& c) {
+        const bool two = c.id == CommandId::glTexImage2D;
+        target = c.enumerant(0);
+        level = static_cast<int>(c.number(1));
+        internal_format = c.number(2);
+        source.width = static_cast<int>(c.number(3));
+        source.height = two ? static_cast<int>(c.number(4)) : 1;
+        const std::size_t border_at = two ? 5 : 4;
+        border = static_cast<int>(c.number(border_at));
+        source.format = c.enumerant(border_at + 1);
+        source.type = c.enumerant(border_at + 2);
+        offset = c.number(border_at + 3);
+    }
+    Enum target = 0;
+    int level = 0;
+    double internal_format = 0;
+    int border = 0;
+    PixelSource source;
+    double offset = 0;
+};
+
+}  // namespace
+
+void State::pixel_store(const Command& c) {
+    const Enum pname = c.enumerant(0);
+    const auto values = parameter_values(c, Owner::kPixelStore, pname);
+    if (!values) return;
+    const int value = static_cast<int>(std::clamp(std::round(values->front()), -0x1p31, 0x1p31 - 1));
+    PixelStore& store = pixel_store_;
+    const auto align = [&](int& alignment) {
+        if (value == 1 || value == 2 || value == 4 || value == 8) {
+            alignment = value;
+        } else {
+            raise(kGL_INVALID_VALUE, c, fmt::format("{} is {}; it must be 1, 2, 4 or 8", enum_name(pname), value));
+        }
+    };
+    switch (pname) {
+        case kGL_UNPACK_SWAP_BYTES: store.unpack_swap_bytes = value != 0; break;
+        case kGL_UNPACK_LSB_FIRST: store.unpack_lsb_first = value != 0; break;
+        case kGL_UNPACK_ROW_LENGTH: store.unpack_row_length = value; break;
+        case kGL_UNPACK_SKIP_ROWS: store.unpack_skip_rows = value; break;
+        case kGL_UNPACK_SKIP_PIXELS: store.unpack_skip_pixels = value; break;
+        case kGL_UNPACK_ALIGNMENT: align(store.unpack_alignment); break;
+        case kGL_UNPACK_IMAGE_HEIGHT: store.unpack_image_height = value; break;
+        case kGL_UNPACK_SKIP_IMAGES: store.unpack_skip_images = value; break;
+        case kGL_PACK_SWAP_BYTES: store.pack_swap_bytes = value != 0; break;
+        case kGL_PACK_LSB_FIRST: store.pack_lsb_first = value != 0; break;
+        case kGL_PACK_ROW_LENGTH: store.pack_row_length = value; break;
+        case kGL_PACK_SKIP_ROWS: store.pack_skip_rows = value; break;
+        case kGL_PACK_SKIP_PIXELS: store.pack_skip_pixels = value; break;
+        case kGL_PACK_ALIGNMENT: align(store.pack_alignment); break;
+        case kGL_PACK_IMAGE_HEIGHT: store.pack_image_height = value; break;
+        case kGL_PACK_SKIP_IMAGES: store.pack_skip_images = value; break;
+        default: break;
+    }
+}
+
+// 3.6.4: a format and a type that GL knows and that go together.
+bool State::check_pixel_type(const Command& c, const PixelSource& source) {
+    if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX || source.format == kGL_DEPTH_COMPONENT) {
+        note_lasting(fmt::format("{} of {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
+                     c.place);
+        return false;
+    }
+    if (!components_of(source.format)) {
+        raise(kGL_INVALID_ENUM, c,
+              fmt::format("{} is given the format {}; expected GL_RGB, GL_RGBA, GL_LUMINANCE, ...", c.name(),
+                          enum_name(source.format)));
+        return false;
+    }
+    if (pixel_bytes(source.format, source.type)) return true;
+    const bool is_type = pixel_bytes(kGL_RGB, source.type) || pixel_bytes(kGL_RGBA, source.type);
+    raise(is_type ? kGL_INVALID_OPERATION : kGL_INVALID_ENUM, c,
+          is_type ? fmt::format("the type {} does not go with the format {}", enum_name(source.type),
+                                enum_name(source.format))
+                  : fmt::format("{} is given the type {}; expected GL_UNSIGNED_BYTE, GL_FLOAT, ...", c.name(),
+                                enum_name(source.type)));
+    return false;
+}
+
+// The pixels that the command's pointer leads to, in memory or in the buffer that is bound for it (2.9). RULING: all 0
+// where it is null, which 3.8.1 leaves undefined. Nothing, and the error, where the memory ends before the image does.
+std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& source) {
+    const BufferObject* buffer = lists_.nesting > 0 ? nullptr : arrays_.pixel_unpack_buffer();
+    if (!c.memory && !buffer) return PixelRows{source, pixel_store_, {}};
+    if (buffer && (c.memory || buffer->mapped)) {
+        raise(kGL_INVALID_OPERATION, c,
+              fmt::format("{} reads the buffer that is bound to GL_PIXEL_UNPACK_BUFFER, {}", c.name(),
+                          c.memory ? "but is given an address" : "which is mapped; a glUnmapBuffer is missing"));
+        return std::nullopt;
+    }
+    const std::vector<std::byte>& bytes = buffer ? buffer->bytes : c.memory->bytes;
+    const double offset = c.arguments.back();
+    const std::size_t needed = bytes_read(source, pixel_store_), size = bytes.size();
+    if (offset < 0 || offset > static_cast<double>(size) || needed > size - static_cast<std::size_t>(offset)) {
+        raise(kGL_INVALID_OPERATION, c,
+              fmt::format("{} reads {} bytes, but the memory it is given has {}; mind GL_UNPACK_ALIGNMENT, {} here",
+                          c.name(), needed, static_cast<double>(size) - offset, pixel_store_.unpack_alignment));
+        return std::nullopt;
+    }
+    return PixelRows{source, pixel_store_, std::span(bytes).subspan(static_cast<std::size_t>(offset))};
+}
+
+std::size_t texels_of(const Texture& texture) {
+    std::size_t count = 0;
+    for (const TextureImage& image : texture.levels) count += image.texels.size();
+    return count;
+}
+
+bool State::has_texels(const Command& c, double count, std::size_t replaced) {
+    if (!has_time(c, count)) return false;
+    if (static_cast<double>(textures_.texels - replaced) + count <= static_cast<double>(kMaxTexels)) return true;
+    raise(kGL_OUT_OF_MEMORY, c,
+          fmt::format("{} is given {} texels more; all textures have {} at the most together", c.name(), count,
+                      kMaxTexels));
+    return false;
+}
+
+// Images of textures that State does not follow.
+bool is_image_elsewhere(Enum target) {
+    return target == kGL_TEXTURE_RECTANGLE || target == kGL_PROXY_TEXTURE_RECTANGLE ||
+           (target >= kGL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= kGL_PROXY_TEXTURE_CUBE_MAP);
+}
+
+void State::tex_image(const Command& c) {
+    const ImageArguments a(c);
+    const bool two = c.id == CommandId::glTexImage2D;
+    const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
+    const Enum proxy = two ? kGL_PROXY_TEXTURE_2D : kGL_PROXY_TEXTURE_1D;
+    if (two && is_image_elsewhere(a.target)) return;
+    if (!known(c, a.target, {target, proxy})) return;
+    const PixelSource& source = a.source;
+    if (a.level < 0 || a.level >= kMaxTextureLevels) {
+        return raise(kGL_INVALID_VALUE, c,
+                     fmt::format("the level is {}; it must be in [0, {}]", a.level, kMaxTextureLevels - 1));
+    }
+    if (a.border != 0 && a.border != 1) {
+        return raise(kGL_INVALID_VALUE, c, fmt::format("the border is {}; it must be 0 or 1", a.border));
+    }
+    const int largest = kMaxTextureSize >> a.level;
+    for (int side : two ? std::vector<int>{source.width, source.height} : std::vector<int>{source.width}) {
+        if (side < 0 || side > largest + 2 * a.border || side < 2 * a.border) {
+            return raise(kGL_INVALID_VALUE, c,
+                         fmt::format("the image is {} x {}; each side of level {} must be in [0, {}]", source.width,
+                                     source.height, a.level, largest));
+        }
+    }
+    const std::optional<InternalFormat> format = internal_format(a.internal_format);
+    if (!format) {
+        return raise(kGL_INVALID_VALUE, c,
+                     fmt::format("{} is given the internal format {}; expected 1 to 4, GL_RGB, GL_RGBA8, ...", c.name(),
+                                 enum_name(static_cast<Enum>(std::max(a.internal_format, 0.0)))));
+    }
+    if (!check_pixel_type(c, source) || a.target == proxy) return;
+    const auto level = static_cast<std::size_t>(a.level);
+    const Texture& bound = *bound_texture(target);
+    const std::size_t replaced = level < bound.levels.size() ? bound.levels[level].texels.size() : 0;
+    if (!has_texels(c, static_cast<double>(source.width) * source.height, replaced)) return;
+    const auto rows = pixels(c, source);
+    if (!rows) return;
+    // RULING: borders are cut off, as drivers do; what samples them is named.
+    if (a.border == 1) {
+        note_lasting(fmt::format("{} with a border", c.name()), c.place);
+    }
+    const int dx = a.border, dy = two ? a.border : 0;
+    TextureImage image{
+        source.width - 2 * dx, source.height - 2 * dy, format->base_format, static_cast<Enum>(a.internal_format), {}};
+    image.texels.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    std::vector<glm::dvec4> row;
+    for (int y = 0; y < image.height; ++y) {
+        rows->unpack(y + dy, row);
+        for (int x = 0; x < image.width; ++x) {
+            image.texels.push_back(stored(row[static_cast<std::size_t>(x + dx)], *format));
+        }
+    }
+    Texture* texture = writable_texture(c, target);
+    if (!texture) return;
+    textures_.texels -= texels_of(*texture);
+    if (texture->levels.size() <= level) texture->levels.resize(level + 1);
+    texture->levels[level] = std::move(image);
+    if (level == 0) generate_mipmaps(*texture);
+    textures_.texels += texels_of(*texture);
+}
+
+void State::tex_sub_image(const Command& c) {
+    const bool two = c.id == CommandId::glTexSubImage2D;
+    const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
+    if (two && is_image_elsewhere(c.enumerant(0))) return;
+    if (!known(c, c.enumerant(0), {target})) return;
+    const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
+    const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;
+    const PixelSource source{.width = whole(two ? 4 : 3),
+                             .height = two ? whole(5) : 1,
+                             .format = c.enumerant(two ? 6 : 4),
+                             .type = c.enumerant(two ? 7 : 5)};
+    if (level < 0 || level >= kMaxTextureLevels || source.width < 0 || source.height < 0) {
+        return raise(
+            kGL_INVALID_VALUE, c,
+            fmt::format("{} is given the level {} and the size {} x {}", c.name(), level, source.width, source.height));
+    }
+    if (!check_pixel_type(c, source)) return;
+    const Texture& bound = *bound_texture(target);
+    if (bound.levels.size() <= static_cast<std::size_t>(level) ||
+        bound.levels[static_cast<std::size_t>(level)].texels.empty()) {
+        return raise(
+            kGL_INVALID_OPERATION, c,
+            fmt::format("level {} has no image yet; give it one by {}", level, two ? "glTexImage2D" : "glTexImage1D"));
+    }
+    const TextureImage& old = bound.levels[static_cast<std::size_t>(level)];
+    if (x0 < 0 || y0 < 0 || x0 > old.width - source.width || y0 > old.height - source.height) {
+        return raise(kGL_INVALID_VALUE, c,
+                     fmt::format("{} x {} texels at ({}, {}) lie outside the image of {} x {}", source.width,
+                                 source.height, x0, y0, old.width, old.height));
+    }
+    const auto rows = pixels(c, source);
+    if (!rows || source.width == 0 || source.height == 0) return;
+    const bool mipmaps = level == 0 && bound.generate_mipmap;
+    if (!has_time(c, static_cast<double>(mipmaps ? texels_of(bound) : 0) +
+                         static_cast<double>(source.width) * source.height)) {
+        return;
+    }
+    Texture* texture = writable_texture(c, target);
+    if (!texture) return;
+    textures_.texels -= texels_of(*texture);
+    TextureImage& image = texture->levels[static_cast<std::size_t>(level)];
+    const InternalFormat format = *internal_format(image.internal_format);
+    std::vector<glm::dvec4> row;
+    for (int y = 0; y < source.height; ++y) {
+        rows->unpack(y, row);
+        const auto to =
+            static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x0);
+        for (std::size_t x = 0; x < row.size(); ++x) image.texels[to + x] = stored(row[x], format);
+    }
+    if (level == 0) generate_mipmaps(*texture);
+    textures_.texels += texels_of(*texture);
+}
+
+// 3.8.8, "Automatic mipmap generation".
+void State::generate_mipmaps(Texture& texture) const {
+    if (!texture.generate_mipmap || texture.levels[0].texels.empty()) return;
+    const InternalFormat format = *internal_format(texture.levels[0].internal_format);
+    texture.levels.resize(1);
+    while (texture.levels.back().width > 1 || texture.levels.back().height > 1) {
+        texture.levels.push_back(half(texture.levels.back(), format));
+    }
+}
+
+}  // namespace twinlight

@@ -1,0 +1,198 @@
+// Texture objects, their parameters and the texture environment (3.8.4, 3.8.10, 3.8.12, 3.8.13).
+// What glTexImage does stands in texture_images.cpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "scene/state/pixels.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+std::shared_ptr<Texture>& State::bound_texture(Enum target) { return texture_of(unit(), target); }
+
+std::shared_ptr<Texture>& State::texture_of(const TextureBindings& bindings, Enum target) {
+    const std::uint32_t name = target == kGL_TEXTURE_1D ? bindings.bound_1d : bindings.bound_2d;
+    if (name == 0) return target == kGL_TEXTURE_1D ? textures_.default_1d : textures_.default_2d;
+    return textures_.named[name];
+}
+
+Texture* State::writable_texture(const Command& c, Enum target) {
+    if (!known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return nullptr;
+    std::shared_ptr<Texture>& texture = bound_texture(target);
+    if (texture.use_count() > 1) {
+        if (!has_room(c, texels_of(*texture) * sizeof(glm::vec4))) return nullptr;
+        texture = std::make_shared<Texture>(*texture);
+    }
+    return texture.get();
+}
+
+// 3.8.12. A name that was never generated may be bound as well.
+bool is_texture_elsewhere(Enum target) {
+    return target == kGL_TEXTURE_3D || target == kGL_TEXTURE_CUBE_MAP || target == kGL_TEXTURE_RECTANGLE;
+}
+
+void State::bind_texture(const Command& c) {
+    const Enum target = c.enumerant(0);
+    const std::uint32_t name = c.enumerant(1);
+    const bool elsewhere = is_texture_elsewhere(target);
+    if (!elsewhere && !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (name != 0) {
+        std::shared_ptr<Texture>& texture = textures_.named[name];
+        if (!texture) texture = std::make_shared<Texture>(Texture{.target = target});
+        if (texture->target != target) {
+            return raise(kGL_INVALID_OPERATION, c,
+                         fmt::format("texture {} was bound to {} first and cannot be bound to {}", name,
+                                     enum_name(texture->target), enum_name(target)));
+        }
+    }
+    if (elsewhere) return;
+    (target == kGL_TEXTURE_1D ? unit().bound_1d : unit().bound_2d) = name;
+}
+
+// 3.8.16: which unit the commands on textures and on the texture matrix mean.
+void State::active_texture(const Command& c) {
+    const Enum texture = c.enumerant(0);
+    if (texture < kGL_TEXTURE0 || texture >= kGL_TEXTURE0 + kMaxTextureUnits) {
+        return raise(kGL_INVALID_ENUM, c,
+                     fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(texture),
+                                 kMaxTextureUnits - 1));
+    }
+    a_.active_unit = texture - kGL_TEXTURE0;
+}
+
+namespace {
+
+// Parameters of later versions, and of textures that are not here.
+struct ParameterElsewhere {
+    Enum pname;
+    std::optional<double> initial;  // nothing: it says how another one acts, and alone changes no pixel
+};
+constexpr ParameterElsewhere kParametersElsewhere[] = {
+    {kGL_TEXTURE_BASE_LEVEL, 0},
+    {kGL_TEXTURE_MAX_LEVEL, 1000},
+    {kGL_TEXTURE_MIN_LOD, -1000},
+    {kGL_TEXTURE_MAX_LOD, 1000},
+    {kGL_TEXTURE_LOD_BIAS, 0},
+    {kGL_TEXTURE_MAX_ANISOTROPY_EXT, 1},
+    {kGL_TEXTURE_COMPARE_MODE, kGL_NONE},
+    {kGL_TEXTURE_COMPARE_FUNC, std::nullopt},
+    {kGL_DEPTH_TEXTURE_MODE, std::nullopt},
+};
+
+const ParameterElsewhere* parameter_elsewhere(Enum pname) {
+    const auto* row = std::find_if(std::begin(kParametersElsewhere), std::end(kParametersElsewhere),
+                                   [pname](const ParameterElsewhere& r) { return r.pname == pname; });
+    return row == std::end(kParametersElsewhere) ? nullptr : row;
+}
+
+}  // namespace
+
+void State::query_tex_parameter(const Command& c) {
+    const Enum target = c.enumerant(0), pname = c.enumerant(1);
+    if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (pname == kGL_TEXTURE_RESIDENT || parameter_elsewhere(pname) || find_parameter(Owner::kTexture, pname)) return;
+    raise(kGL_INVALID_ENUM, c,
+          fmt::format("{} is given {}; expected GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, ...", c.name(),
+                      enum_name(pname)));
+}
+
+void State::query_tex_env(const Command& c) {
+    const Enum target = c.enumerant(0), pname = c.enumerant(1);
+    if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
+    if (target == kGL_TEXTURE_ENV) {
+        known(c, pname, {kGL_TEXTURE_ENV_MODE, kGL_TEXTURE_ENV_COLOR});
+    } else {
+        known(c, pname, {kGL_TEXTURE_LOD_BIAS});
+    }
+}
+
+void State::tex_parameter(const Command& c) {
+    const Enum target = c.enumerant(0), pname = c.enumerant(1);
+    if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (const ParameterElsewhere* row = parameter_elsewhere(pname)) {
+        const bool changes = row->initial && c.arguments.size() > 2 && c.number(2) != *row->initial;
+        if (changes) note_lasting(fmt::format("glTexParameter({})", enum_name(pname)), c.place);
+        return;
+    }
+    const auto values = parameter_values(c, Owner::kTexture, pname);
+    if (!values) return;
+    const auto name = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
+    // A texture that keeps its value is not copied for it.
+    const auto assign = [&](auto Texture::*member, const auto& value) {
+        if ((*bound_texture(target)).*member == value) return;
+        if (Texture* texture = writable_texture(c, target)) texture->*member = value;
+    };
+    const auto set = [&](Enum Texture::*member, std::initializer_list<Enum> allowed) {
+        if (known(c, name, allowed)) assign(member, name);
+    };
+    const auto wraps = {kGL_CLAMP, kGL_REPEAT, kGL_CLAMP_TO_EDGE, kGL_CLAMP_TO_BORDER, kGL_MIRRORED_REPEAT};
+    switch (pname) {
+        case kGL_TEXTURE_MIN_FILTER:
+            return set(&Texture::min_filter,
+                       {kGL_NEAREST, kGL_LINEAR, kGL_NEAREST_MIPMAP_NEAREST, kGL_LINEAR_MIPMAP_NEAREST,
+                        kGL_NEAREST_MIPMAP_LINEAR, kGL_LINEAR_MIPMAP_LINEAR});
+        case kGL_TEXTURE_MAG_FILTER: return set(&Texture::mag_filter, {kGL_NEAREST, kGL_LINEAR});
+        case kGL_TEXTURE_WRAP_S: return set(&Texture::wrap_s, wraps);
+        case kGL_TEXTURE_WRAP_T: return set(&Texture::wrap_t, wraps);
+        case kGL_TEXTURE_WRAP_R: known(c, name, wraps); return;  // of no use to one and two dimensions
+        case kGL_TEXTURE_BORDER_COLOR:
+            return assign(&Texture::border_color,
+                          glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0));
+        case kGL_TEXTURE_PRIORITY: return assign(&Texture::priority, std::clamp(values->front(), 0.0, 1.0));
+        case kGL_GENERATE_MIPMAP: return assign(&Texture::generate_mipmap, values->front() != 0);
+        default: return;
+    }
+}
+
+void State::tex_env(const Command& c) {
+    const Enum target = c.enumerant(0), pname = c.enumerant(1);
+    if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
+    const Owner owner = target == kGL_TEXTURE_ENV ? Owner::kTexEnv : Owner::kTexFilterControl;
+    const auto values = parameter_values(c, owner, pname);
+    if (!values) return;
+    switch (pname) {
+        case kGL_TEXTURE_ENV_MODE: {
+            const auto mode = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
+            if (known(c, mode, {kGL_MODULATE, kGL_DECAL, kGL_REPLACE, kGL_BLEND, kGL_ADD, kGL_COMBINE})) {
+                unit().env_mode = mode;
+            }
+            break;
+        }
+        case kGL_TEXTURE_ENV_COLOR:
+            unit().env_color = glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0);
+            break;
+        case kGL_TEXTURE_LOD_BIAS: unit().lod_bias = values->front(); break;
+        default: break;
+    }
+}
+
+// The texture that a Draw gets: of the enabled targets the one of more dimensions (3.8.15), if it is complete (3.8.10):
+// its base level is there, and with a mipmap filter all levels down to 1 x 1, each half the size and of one format.
+std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bindings) const {
+    if (!bindings.enabled_1d && !bindings.enabled_2d) return nullptr;
+    auto* self = const_cast<State*>(this);  // NOLINT: bound_texture changes nothing that exists
+    std::shared_ptr<const Texture> texture =
+        self->texture_of(bindings, bindings.enabled_2d ? kGL_TEXTURE_2D : kGL_TEXTURE_1D);
+    if (!texture || texture->levels.empty() || texture->levels[0].texels.empty()) return nullptr;
+    if (texture->min_filter == kGL_NEAREST || texture->min_filter == kGL_LINEAR) return texture;
+    int width = texture->levels[0].width, height = texture->levels[0].height;
+    for (std::size_t level = 1; width > 1 || height > 1; ++level) {
+        width = std::max(1, width / 2);
+        height = std::max(1, height / 2);
+        if (level >= texture->levels.size()) return nullptr;
+        const TextureImage& image = texture->levels[level];
+        const bool fits = image.width == width && image.height == height && !image.texels.empty() &&
+                          image.internal_format == texture->levels[0].internal_format;
+        if (!fits) return nullptr;
+    }
+    return texture;
+}
+
+const Texture* State::texture(std::uint32_t name) const {
+    const auto found = textures_.named.find(name);
+    return found == textures_.named.end() ? nullptr : found->second.get();
+}
+
+}  // namespace twinlight

@@ -1,0 +1,169 @@
+#include "scene/trace/convert.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scene/command/lexer.h"
+#include "scene/command/object_names.h"
+#include "scene/command/text.h"
+
+namespace twinlight::trace {
+
+namespace {
+
+using Form = Argument::Form;
+
+[[noreturn]] void refuse(const Command& command, const Parameter& parameter, const std::string& what) {
+    fail(command.place, fmt::format("{} of {} {}", parameter.name, command.name(), what));
+}
+
+struct Range {
+    double smallest, largest;
+};
+
+Range range_of(Kind kind) {
+    switch (kind) {
+        case Kind::kByte: return {-128, 127};
+        case Kind::kShort: return {-32768, 32767};
+        case Kind::kInt:
+        case Kind::kSizei: return {-2147483648.0, 2147483647.0};
+        case Kind::kUbyte:
+        case Kind::kBoolean: return {0, 255};
+        case Kind::kUshort: return {0, 65535};
+        case Kind::kEnum:
+        case Kind::kBitfield:
+        case Kind::kUint:
+        case Kind::kWord:
+        case Kind::kQuadric: return {0, 4294967295.0};
+        case Kind::kSizeiptr: return {-9007199254740992.0, 9007199254740992.0};  // what a double holds exactly
+        case Kind::kFloat:
+        case Kind::kDouble: break;
+    }
+    return {0, 0};
+}
+
+// The value as the C type of the parameter holds it.
+double typed(const Command& command, const Parameter& parameter, double value) {
+    if (parameter.kind == Kind::kFloat) return static_cast<double>(static_cast<float>(value));
+    if (parameter.kind == Kind::kDouble) return value;
+    // A wrong enumerant may be printed as the signed number that it looks like.
+    const bool wraps = parameter.kind == Kind::kEnum || parameter.kind == Kind::kBitfield;
+    if (wraps && value < 0 && value >= -2147483648.0) value += 4294967296.0;
+    if (value != std::trunc(value)) refuse(command, parameter, fmt::format("must be a whole number, not {}", value));
+    const auto [smallest, largest] = range_of(parameter.kind);
+    if (value < smallest || value > largest) {
+        refuse(command, parameter, fmt::format("is {}; it must be from {} to {}", value, smallest, largest));
+    }
+    return value;
+}
+
+// How many values an array has to have; nothing where any number will do: for a pname that GL does not know either.
+std::optional<std::size_t> length_of(const Command& command, const Parameter& parameter) {
+    switch (parameter.extent) {
+        case Extent::kArray: return static_cast<std::size_t>(parameter.count);
+        case Extent::kByPname: {
+            const auto length = array_length(command.id, command.enumerant(command.arguments.size() - 1));
+            if (!length) return std::nullopt;
+            return static_cast<std::size_t>(*length);
+        }
+        case Extent::kByCount:
+        case Extent::kControlPoints:
+        case Extent::kNames: {
+            const std::vector<Parameter>& parameters = command.sig().parameters;
+            const auto index = static_cast<std::size_t>(&parameter - parameters.data());
+            return command.count(index);
+        }
+        case Extent::kValue:
+        case Extent::kPointer:
+        case Extent::kOutput:
+        case Extent::kRest:
+        case Extent::kOutputByCount:
+        case Extent::kOutputMemory:
+        case Extent::kImage:
+        case Extent::kResult: break;
+    }
+    return std::nullopt;
+}
+
+void add_array(const Argument& argument, const Arguments& arguments, const Parameter& parameter, Command& command) {
+    if (argument.form != Form::kArray && argument.form != Form::kNull) refuse(command, parameter, "is not an array");
+    const std::optional<std::size_t> needed = length_of(command, parameter);
+    std::size_t count = argument.form == Form::kNull ? 0 : argument.count;
+    if (needed && count < *needed) {
+        // A row whose length stands in the table may still serve a pname of fewer values (glTexGenfv).
+        const bool has_pname = &parameter != command.sig().parameters.data() && (&parameter - 1)->name == "pname";
+        if (parameter.extent != Extent::kArray || !has_pname || count == 0) {
+            refuse(command, parameter, fmt::format("has {} values, but {} are needed", count, *needed));
+        }
+    }
+    count = std::min(count, needed.value_or(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        command.arguments.push_back(typed(command, parameter, arguments.numbers[argument.first + i]));
+    }
+    if (needed) command.arguments.resize(command.arguments.size() + *needed - count);
+}
+
+void add_pointer(const Argument& argument, const Arguments& arguments, const Parameter& parameter,
+                 const BlobFolder& blobs, Command& command) {
+    switch (argument.form) {
+        case Form::kNull: command.arguments.push_back(0); return;
+        case Form::kNumber:  // an offset into a buffer object
+            command.arguments.push_back(typed(command, parameter, arguments.numbers[argument.first]));
+            return;
+        case Form::kBlob:
+            command.memory = blobs.read(arguments.blobs[argument.first], command.place);
+            command.arguments.push_back(0);
+            return;
+        case Form::kBlobSize: refuse(command, parameter, "is not in this dump; make it with 'apitrace dump --blobs'");
+        case Form::kArray:
+        case Form::kOther:
+        case Form::kMissing: refuse(command, parameter, "is neither a blob nor an offset");
+    }
+}
+
+}  // namespace
+
+void convert(const Arguments& arguments, const Arguments& result, const BlobFolder& blobs, Command& command) {
+    const Signature& sig = command.sig();
+    command.arguments.clear();
+    command.memory.reset();
+    const std::size_t expected = sig.c_arguments();
+    if (arguments.list.size() != expected) {
+        fail(command.place, fmt::format("{} takes {} arguments, {}; this call has {}", sig.name, expected, sig.usage(),
+                                        arguments.list.size()));
+    }
+    for (std::size_t i = 0; i < expected; ++i) {
+        const Parameter& parameter = sig.parameters[i];
+        const Argument& argument = arguments.list[i];
+        switch (parameter.extent) {
+            case Extent::kValue:
+                if (argument.form != Form::kNumber) refuse(command, parameter, "is not a number");
+                command.arguments.push_back(typed(command, parameter, arguments.numbers[argument.first]));
+                break;
+            case Extent::kPointer: add_pointer(argument, arguments, parameter, blobs, command); break;
+            case Extent::kArray:
+            case Extent::kByPname:
+            case Extent::kByCount:
+            case Extent::kControlPoints:
+            case Extent::kNames: add_array(argument, arguments, parameter, command); break;
+            case Extent::kOutput:
+            case Extent::kOutputMemory: command.arguments.push_back(0); break;
+            case Extent::kRest:
+            case Extent::kOutputByCount:
+            case Extent::kImage:
+            case Extent::kResult: break;
+        }
+    }
+    if (expected == sig.parameters.size()) return;
+    const Parameter& returned = sig.parameters.back();
+    if (!named_objects(returned)) {  // what a program does with it, it has done already
+        command.arguments.push_back(0);
+        return;
+    }
+    const bool is_number = !result.list.empty() && result.list[0].form == Form::kNumber;
+    if (!is_number) refuse(command, returned, "is what the call returned, and is not in this dump");
+    command.arguments.push_back(typed(command, returned, result.numbers[0]));
+}
+
+}  // namespace twinlight::trace

@@ -1,0 +1,240 @@
+#include "scene/trace/dump_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "scene/command/lexer.h"
+#include "scene/trace/convert.h"
+
+namespace twinlight::trace {
+
+namespace {
+
+using Form = Argument::Form;
+
+constexpr std::size_t kMostMappings = 1024;
+constexpr std::size_t kMostThreads = 4096;
+
+// With one of their arguments unknown to GL 2.1 these change no pixel: what is not there is off already.
+bool is_harmless_with_unknown_name(std::string_view function) {
+    return function == "glDisable" || function == "glDisableClientState" || function == "glHint";
+}
+
+}  // namespace
+
+DumpReader::DumpReader(ByteSource& source, const std::string& name, BlobFolder blobs)
+    : lexer_(source), blobs_(std::move(blobs)), buffer_sub_data_(find_command("glBufferSubData")) {
+    command_.place = {std::make_shared<const std::string>(name), -1, Place::kCallNumber};
+}
+
+void DumpReader::follow(ContextName context) {
+    followed_ = context;
+    choose_context();
+}
+
+void DumpReader::choose_context() {
+    const auto current = current_.find(thread_);
+    in_followed_ = !followed_ || (current != current_.end() && current->second == *followed_);
+}
+
+bool DumpReader::for_each(const std::function<bool(const Step&)>& visit) {
+    visit_ = &visit;
+    go_on_ = true;
+    while (go_on_ && next_call()) carry_out(functions_.find(function_name_));
+    return go_on_;
+}
+
+std::optional<ContextName> DumpReader::first_to_draw() {
+    const std::function<bool(const Step&)> nothing = [](const Step&) { return true; };
+    visit_ = &nothing;
+    while (next_call()) {
+        const Function& function = functions_.find(function_name_);
+        if (function.role == Role::kMakeCurrent) {
+            make_current();
+            continue;
+        }
+        const auto current = current_.find(thread_);
+        if (function.draws) return current == current_.end() ? std::nullopt : std::optional(current->second);
+        lexer_.skip_line();
+    }
+    return std::nullopt;
+}
+
+void DumpReader::fail_here(const std::string& message) const { fail({command_.place.file, lexer_.line(), 1}, message); }
+
+bool DumpReader::cut_off_or(const std::string& message) {
+    const Place here{command_.place.file, lexer_.line(), 1};
+    if (lexer_.skip_line()) fail(here, message);
+    const std::string text = fmt::format("the recording ends inside call {}", command_.place.line);
+    step({Step::Kind::kCutOff, command_, text});
+    return false;
+}
+
+bool DumpReader::next_call() {
+    while (!lexer_.at_end()) {
+        const char c = lexer_.peek();
+        if (c == '\n' || c == '/') {
+            if (c == '/' && !lexer_.accept("//")) break;
+            lexer_.skip_line();
+        } else if (c == ' ' || c == '\r') {
+            lexer_.skip();
+        } else {
+            break;
+        }
+    }
+    if (lexer_.at_end()) return false;
+
+    double number = 0;
+    if (lexer_.number(number)) {
+        command_.place.line = static_cast<int>(std::clamp(number, 0.0, 2147483647.0));
+        lexer_.skip_blanks();
+    } else if (command_.place.line < std::numeric_limits<int>::max()) {
+        ++command_.place.line;  // made with --call-nos=no
+    }
+    if (lexer_.accept('@')) {
+        const std::string_view digits = lexer_.word();
+        unsigned thread = 0;
+        std::from_chars(digits.data(), digits.data() + digits.size(), thread, 16);
+        lexer_.skip_blanks();
+        if (thread != thread_) {
+            thread_ = thread;
+            choose_context();
+        }
+    }
+    function_name_ = lexer_.word();
+    if (!function_name_.empty() && lexer_.accept('(')) return true;
+    const char c = lexer_.peek();
+    if (c == '\x1b') fail_here("this dump has colours in it; make it with 'apitrace dump --color=never'");
+    return cut_off_or(
+        fmt::format("expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found {}",
+                    quoted(function_name_.empty() ? std::string(1, c) : function_name_)));
+}
+
+bool DumpReader::read_call() {
+    arguments_.clear();
+    result_.clear();
+    if (const std::string wrong = read_arguments(lexer_, arguments_); !wrong.empty()) return cut_off_or(wrong);
+    return read_end_of_call();
+}
+
+// " = 1 // fake", and the line's end.
+bool DumpReader::read_end_of_call() {
+    bool complete = true;
+    if (!lexer_.accept('\n')) {
+        lexer_.skip_blanks();
+        if (lexer_.accept('=')) {
+            lexer_.skip_blanks();
+            if (const std::string wrong = read_value(lexer_, result_); !wrong.empty()) return cut_off_or(wrong);
+            lexer_.skip_blanks();
+        }
+        if (lexer_.accept("//")) {
+            lexer_.skip_blanks();
+            for (std::string_view word = lexer_.word(); !word.empty(); word = lexer_.word()) {
+                complete &= word != "incomplete";
+                lexer_.skip_blanks();
+            }
+        }
+        lexer_.accept('\r');
+        if (!lexer_.accept('\n') && !lexer_.at_end()) return cut_off_or("expected the end of the line after this call");
+        // A number at the very end may lack its last digits.
+        if (lexer_.at_end() && !result_.list.empty()) return cut_off_or("");
+    }
+    lexer_.count_line();
+    const auto missing = [](const Argument& argument) { return argument.form == Form::kMissing; };
+    return complete && std::none_of(arguments_.list.begin(), arguments_.list.end(), missing);
+}
+
+void DumpReader::carry_out(const Function& function) {
+    switch (function.role) {
+        case Role::kMakeCurrent: return make_current();
+        case Role::kPassedOver: lexer_.skip_line(); return;
+        case Role::kFrameEnd:
+            lexer_.skip_line();
+            if (in_followed_) step({Step::Kind::kFrameEnd, command_});
+            return;
+        default: break;
+    }
+    if (!in_followed_) {
+        lexer_.skip_line();
+        if (function.draws || function.makes_objects) outside(function_name_ + " in another context");
+        return;
+    }
+    switch (function.role) {
+        case Role::kCommand: return carry_out_command(function);
+        case Role::kMapBuffer: return map_buffer();
+        case Role::kCopy: return copy_memory();
+        case Role::kBinding: {
+            if (!read_call()) return;
+            const bool of_gl = !arguments_.numbers.empty() && arguments_.numbers.back() == 0;
+            if (!of_gl) outside(function_name_);
+            return;
+        }
+        default: lexer_.skip_line(); return outside(function_name_);
+    }
+}
+
+void DumpReader::carry_out_command(const Function& function) {
+    if (!read_call()) return;
+    // The last thing that the program did, and nobody wrote down what it returned.
+    if (function.command == CommandId::glGenLists && result_.list.empty() && lexer_.at_end()) {
+        cut_off_or("");
+        return;
+    }
+    if (!arguments_.unknown_name.empty()) {
+        if (is_harmless_with_unknown_name(function_name_)) return;
+        return outside(fmt::format("{}({})", function_name_, arguments_.unknown_name));
+    }
+    command_.id = function.command;
+    convert(arguments_, result_, blobs_, command_);
+    step({Step::Kind::kCommand, command_});
+}
+
+void DumpReader::make_current() {
+    if (!read_call() || arguments_.list.empty()) return;
+    const Argument& context = arguments_.list.back();
+    if (current_.size() >= kMostThreads && !current_.contains(thread_)) return;
+    current_[thread_] = context.form == Form::kNumber ? arguments_.numbers[context.first] : 0;
+    choose_context();
+}
+
+// glMapBuffer(target, access) = address, or glMapBufferRange(target, offset, length, access) = address.
+void DumpReader::map_buffer() {
+    if (!read_call()) return;
+    const bool has_address = !result_.list.empty() && result_.list[0].form == Form::kNumber;
+    if (!has_address || arguments_.numbers.size() < 2) return;
+    const double target = arguments_.numbers[0];
+    if (!(target >= 0 && target <= std::numeric_limits<Enum>::max())) return;
+    const double offset = arguments_.numbers.size() >= 4 ? arguments_.numbers[1] : 0;
+    const Mapping mapping{result_.numbers[0], offset, static_cast<Enum>(target)};
+    std::erase_if(mappings_, [&](const Mapping& old) { return old.address == mapping.address; });
+    if (mappings_.size() >= kMostMappings) mappings_.erase(mappings_.begin());
+    mappings_.push_back(mapping);
+}
+
+// memcpy(dest, src, n): what the program wrote into a buffer object that it had mapped, which glBufferSubData does too.
+// The tracer writes it down where the mapping ends, or just before a draw, while the buffer object is still bound.
+void DumpReader::copy_memory() {
+    if (!read_call()) return;
+    const bool is_copy = arguments_.list.size() == 3 && arguments_.list[0].form == Form::kNumber &&
+                         (arguments_.list[1].form == Form::kBlob || arguments_.list[1].form == Form::kBlobSize);
+    if (!is_copy) return outside(function_name_);
+    const double to = arguments_.numbers[0];
+    const Mapping* found = nullptr;
+    for (const Mapping& mapping : mappings_) {
+        if (mapping.address <= to && (!found || mapping.address > found->address)) found = &mapping;
+    }
+    if (!found || !buffer_sub_data_) return outside("memcpy to a mapped buffer");
+    Arguments call;
+    call.numbers = {static_cast<double>(found->target), found->offset + to - found->address, arguments_.numbers.back()};
+    for (std::size_t i = 0; i < call.numbers.size(); ++i) call.list.push_back({Form::kNumber, i, 1});
+    call.list.push_back(arguments_.list[1]);
+    call.blobs = arguments_.blobs;
+    command_.id = *buffer_sub_data_;
+    convert(call, {}, blobs_, command_);
+    step({Step::Kind::kCommand, command_});
+}
+
+}  // namespace twinlight::trace

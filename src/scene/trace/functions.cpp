@@ -1,0 +1,153 @@
+#include "scene/trace/functions.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <unordered_map>
+
+namespace twinlight::trace {
+
+namespace {
+
+bool starts_with_one_of(std::string_view name, std::initializer_list<std::string_view> starts) {
+    return std::any_of(starts.begin(), starts.end(),
+                       [name](std::string_view start) { return name.starts_with(start); });
+}
+
+// Queries change nothing; what a query answers, the program has taken into account already.
+bool is_query(std::string_view name) {
+    return starts_with_one_of(name, {"glGet", "glIs", "glQuery", "glAreTexturesResident", "glCheckFramebufferStatus",
+                                     "glReadPixels", "glReadnPixels"});
+}
+
+// No pixel changes by these alone: names of objects that Twinlight does not have, shaders and their uniforms without
+// glUseProgram, the color index mode, hints on residence, marks for debuggers, buffers that nothing draws to.
+bool is_without_effect(std::string_view name) {
+    if (name == "glGenerateMipmap" || name == "glGenerateMipmapEXT") return false;
+    return starts_with_one_of(name, {"glGen",
+                                     "glDelete",
+                                     "glCreate",
+                                     "glCompileShader",
+                                     "glShaderSource",
+                                     "glAttach",
+                                     "glDetach",
+                                     "glLink",
+                                     "glUniform",
+                                     "glBindAttribLocation",
+                                     "glBindFragDataLocation",
+                                     "glValidateProgram",
+                                     "glProgram",
+                                     "glIndex",
+                                     "glClearIndex",
+                                     "glPrioritizeTextures",
+                                     "glDebugMessage",
+                                     "glPushDebugGroup",
+                                     "glPopDebugGroup",
+                                     "glObjectLabel",
+                                     "glObjectPtrLabel",
+                                     "glStringMarker",
+                                     "glInsertEventMarker",
+                                     "glPushGroupMarker",
+                                     "glPopGroupMarker",
+                                     "glFrameTerminator",
+                                     "glLockArrays",
+                                     "glUnlockArrays",
+                                     "glFence",
+                                     "glClientWaitSync",
+                                     "glWaitSync",
+                                     "glBeginQuery",
+                                     "glEndQuery",
+                                     "glReadBuffer",
+                                     "glFeedbackBuffer",
+                                     "glSelectBuffer",
+                                     "glPassThrough",
+                                     "glRenderbufferStorage",
+                                     "glFramebufferTexture",
+                                     "glFramebufferRenderbuffer",
+                                     "glReleaseShaderCompiler",
+                                     "glSampleMaski",
+                                     "glTexBarrier",
+                                     "glMemoryBarrier"});
+}
+
+bool is_of_window_system(std::string_view name) {
+    return starts_with_one_of(name, {"glX", "wgl", "CGL", "egl", "glut"});
+}
+
+bool ends_frame(std::string_view name) {
+    return starts_with_one_of(name, {"glXSwapBuffers", "eglSwapBuffers", "wglSwapBuffers", "wglSwapLayerBuffers",
+                                     "CGLFlushDrawable", "glutSwapBuffers"}) ||
+           name == "SwapBuffers";
+}
+
+bool makes_current(std::string_view name) {
+    return starts_with_one_of(name, {"glXMakeCurrent", "glXMakeContextCurrent", "eglMakeCurrent", "wglMakeCurrent",
+                                     "wglMakeContextCurrent", "CGLSetCurrentContext"});
+}
+
+bool draws_something(std::string_view name) {
+    if (name.starts_with("glDrawBuffer")) return false;
+    return name == "glBegin" || starts_with_one_of(name, {"glDraw", "glMultiDraw", "glRect", "glCallList", "glBitmap",
+                                                          "glCopyPixels", "glEvalMesh", "glBlitFramebuffer"});
+}
+
+bool makes_objects(std::string_view name) {
+    return name == "glNewList" ||
+           starts_with_one_of(name, {"glTexImage", "glTexSubImage", "glCopyTex", "glBufferData"});
+}
+
+Function what_is(std::string_view name) {
+    Function function{.draws = draws_something(name), .makes_objects = makes_objects(name)};
+    const std::optional<CommandId> command = find_command_or_extension(name);
+    if (ends_frame(name)) {
+        function.role = Role::kFrameEnd;
+    } else if (makes_current(name)) {
+        function.role = Role::kMakeCurrent;
+    } else if (is_query(name) || is_of_window_system(name)) {
+        function.role = Role::kPassedOver;
+    } else if (name.starts_with("glMapBuffer")) {  // what is copied there counts: glBufferSubData
+        function.role = Role::kMapBuffer;
+    } else if (name.starts_with("glUnmapBuffer")) {
+        function.role = Role::kPassedOver;
+    } else if (command) {
+        function.role = Role::kCommand;
+        function.command = *command;
+    } else if (name == "memcpy") {
+        function.role = Role::kCopy;
+    } else if (starts_with_one_of(name, {"glUseProgram", "glBind"})) {
+        function.role = Role::kBinding;
+    } else if (is_without_effect(name)) {
+        function.role = Role::kPassedOver;
+    }
+    return function;
+}
+
+struct LaterName {
+    std::string_view name;
+    Enum value;
+};
+constexpr std::array kLaterNames = {
+    LaterName{"GL_CLIP_DISTANCE0", kGL_CLIP_PLANE0}, LaterName{"GL_CLIP_DISTANCE1", kGL_CLIP_PLANE1},
+    LaterName{"GL_CLIP_DISTANCE2", kGL_CLIP_PLANE2}, LaterName{"GL_CLIP_DISTANCE3", kGL_CLIP_PLANE3},
+    LaterName{"GL_CLIP_DISTANCE4", kGL_CLIP_PLANE4}, LaterName{"GL_CLIP_DISTANCE5", kGL_CLIP_PLANE5},
+    LaterName{"GL_COMPARE_REF_TO_TEXTURE", 0x884E},  LaterName{"GL_PROGRAM_POINT_SIZE", 0x8642},
+};
+
+}  // namespace
+
+const Function& FunctionTable::find(std::string_view name) {
+    constexpr std::size_t kMostNames = 4096;  // more than all of GL's: a hostile dump may make up any number
+    if (const auto found = known_.find(name); found != known_.end()) return found->second;
+    if (known_.size() < kMostNames) return known_.emplace(std::string(name), what_is(name)).first->second;
+    return other_ = what_is(name);
+}
+
+std::optional<Enum> find_dumped_name(std::string_view name) {
+    if (const auto value = find_gl_name(name)) return value;
+    const auto later =
+        std::find_if(kLaterNames.begin(), kLaterNames.end(), [name](const LaterName& row) { return row.name == name; });
+    if (later != kLaterNames.end()) return later->value;
+    return find_gl_name_or_extension(name);
+}
+
+}  // namespace twinlight::trace

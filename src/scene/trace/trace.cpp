@@ -1,0 +1,188 @@
+#include "scene/trace/trace.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "scene/command/text.h"
+#include "scene/trace/apitrace.h"
+#include "scene/trace/dump_reader.h"
+#include "scene/trace/dump_text.h"
+#include "scene/trace/temporary_folder.h"
+
+namespace twinlight::trace {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& name) { throw SceneError(name + ": " + std::strerror(errno)); }
+
+Descriptor open_or_refuse(const std::string& path, int flags, const std::string& name) {
+    Descriptor file(::open(path.c_str(), flags | O_CLOEXEC, 0600));
+    if (!file.valid()) refuse(name);
+    return file;
+}
+
+// The folder that a recording keeps things in.
+Descriptor new_file(const TemporaryFolder& folder, const std::string& name) {
+    return open_or_refuse(folder.path() + "/dump.txt", O_RDWR | O_CREAT | O_EXCL, name);
+}
+
+void write_all(const Descriptor& file, std::string_view bytes, const std::string& name) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) refuse(name);
+        if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+class TraceRecording final : public Recording {
+  public:
+    // A dump's text in a file.
+    TraceRecording(std::string given_name, std::string place, Descriptor file, std::string blobs)
+        : Recording(std::move(given_name)), place_(std::move(place)), blobs_(std::move(blobs)) {
+        text_.emplace(place_, std::move(file));
+        choose_context();
+    }
+    // What apitrace dumps.
+    TraceRecording(std::string given_name, std::string place, const std::string& trace,
+                   std::unique_ptr<TemporaryFolder> folder)
+        : Recording(std::move(given_name)),
+          place_(std::move(place)),
+          blobs_(folder->path()),
+          folder_(std::move(folder)) {
+        apitrace_.emplace(trace, *folder_);
+        text_.emplace(place_, new_file(*folder_, place_), apitrace_->take_output(),
+                      [this] { apitrace_says_ = apitrace_->wait(); });
+        choose_context();
+    }
+    // What comes through a pipe, `front` first.
+    TraceRecording(std::string given_name, std::string place, Descriptor pipe, std::string_view front,
+                   std::unique_ptr<TemporaryFolder> folder)
+        : Recording(std::move(given_name)), place_(std::move(place)), blobs_("."), folder_(std::move(folder)) {
+        text_.emplace(place_, new_file(*folder_, place_), std::move(pipe), std::function<void()>());
+        text_->put_in_front(front);
+        choose_context();
+    }
+
+    void for_each(const std::function<bool(const Step&)>& visit) const override {
+        DumpTextReading reading(*text_);
+        DumpReader reader(reading, place_, BlobFolder(blobs_));
+        if (context_) reader.follow(*context_);
+        bool any = false;
+        const bool at_end = reader.for_each([&](const Step& step) {
+            any = true;
+            return visit(step);
+        });
+        if (!at_end || apitrace_says_.empty()) return;
+        const std::string said = "apitrace: " + apitrace_says_;
+        if (!any) throw SceneError(place_ + ": " + said);
+        const Command nowhere{};
+        visit({Step::Kind::kCutOff, nowhere, said});
+    }
+
+  private:
+    void choose_context() {
+        DumpTextReading reading(*text_);
+        DumpReader reader(reading, place_, BlobFolder(blobs_));
+        context_ = reader.first_to_draw();
+    }
+
+    std::string place_;  // what places call it
+    std::string blobs_;  // the folder
+    std::unique_ptr<TemporaryFolder> folder_;
+    std::optional<ApitraceDump> apitrace_;  // ends before its folder
+    mutable std::optional<DumpText> text_;
+    mutable std::string apitrace_says_;
+    std::optional<ContextName> context_;
+};
+
+std::string_view first_line_that_says(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        if (!line.empty() && !line.starts_with("//") && line != "\r") return line;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return {};
+}
+
+}  // namespace
+
+bool is_trace(std::string_view front) {
+    // Snappy's chunks in apitrace's container ("at" and a length, hardly ever of printable bytes), or an older gzip.
+    const auto printable = [](char c) { return std::isprint(static_cast<unsigned char>(c)) || std::isspace(c); };
+    if (front.starts_with("at")) return !std::ranges::all_of(front.substr(0, 16), printable);
+    return front.starts_with("\x1f\x8b");
+}
+
+bool is_dump(std::string_view front) {
+    if (front.starts_with("// process.name = \"")) return true;
+    std::string_view line = first_line_that_says(front);
+    while (line.starts_with("\x1b[")) {  // colours: told later
+        const std::size_t end = line.find('m');
+        if (end == std::string_view::npos) return false;
+        line.remove_prefix(end + 1);
+    }
+    // "12 glEnable(", "12 @0 glEnable("
+    const auto skip = [&line](auto&& belongs) {
+        std::size_t n = 0;
+        while (n < line.size() && belongs(static_cast<unsigned char>(line[n]))) ++n;
+        line.remove_prefix(n);
+        return n > 0;
+    };
+    const auto is_blank = [](unsigned char c) { return c == ' '; };
+    const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+    const auto is_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    if (!skip(is_digit) || !skip(is_blank)) return false;
+    if (line.starts_with('@')) {
+        line.remove_prefix(1);
+        if (!skip(is_word) || !skip(is_blank)) return false;
+    }
+    return skip(is_word) && line.starts_with('(');
+}
+
+std::shared_ptr<const Recording> open_trace(const std::string& path) {
+    const std::filesystem::path file = path;
+    return std::make_shared<TraceRecording>(file.filename().string(), path, path, std::make_unique<TemporaryFolder>());
+}
+
+std::shared_ptr<const Recording> open_dump(const std::string& path) {
+    const std::filesystem::path file = path;
+    Descriptor text = open_or_refuse(path, O_RDONLY, path);
+    const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+    return std::make_shared<TraceRecording>(file.filename().string(), path, std::move(text), folder);
+}
+
+std::shared_ptr<const Recording> open_standard_input(std::string_view front) {
+    const std::string place = "<stdin>";
+    auto folder = std::make_unique<TemporaryFolder>();
+    Descriptor pipe(::dup(STDIN_FILENO));
+    if (!pipe.valid()) refuse(place);
+    if (!is_trace(front)) {
+        return std::make_shared<TraceRecording>("stdin", place, std::move(pipe), front, std::move(folder));
+    }
+    const std::string trace = folder->path() + "/stdin.trace";
+    const Descriptor file = open_or_refuse(trace, O_WRONLY | O_CREAT | O_EXCL, place);
+    std::string block(front);
+    while (!block.empty()) {
+        write_all(file, block, place);
+        block.resize(kTellingBytes);
+        ssize_t count = 0;
+        do {
+            count = ::read(pipe.get(), block.data(), block.size());
+        } while (count < 0 && errno == EINTR);
+        if (count < 0) refuse(place);
+        block.resize(static_cast<std::size_t>(count));
+    }
+    return std::make_shared<TraceRecording>("stdin", place, trace, std::move(folder));
+}
+
+}  // namespace twinlight::trace

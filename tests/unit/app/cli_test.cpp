@@ -1,0 +1,637 @@
+// The program twinlight, as built: what it prints, what it writes, its exit status.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "../run_program.h"
+#include "base/image/file.h"
+#include "base/image/png.h"
+
+namespace twinlight {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// A sphere that the default light, which shines along z, lights in its middle.
+constexpr const char* kScene =
+    R"(glMatrixMode(GL_PROJECTION); glOrtho(-1, 1, -1, 1, -1, 1); glMatrixMode(GL_MODELVIEW);
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_DEPTH_TEST);
+glutSolidSphere(0.8, 24, 12);
+)";
+
+class Cli : public testing::Test {
+  protected:
+    // A scene file in the test's folder.
+    std::string scene(const std::string& text, const std::string& name = "scene.gl") {
+        write_file_atomically(in_ / name, text);
+        return in_ / name;
+    }
+    ProgramResult run(const std::vector<std::string>& arguments) { return run_program("twinlight", arguments); }
+
+    // Bad input or use: exit 2, nothing on standard output, one line on standard error, no file in out_.
+    void expect_refused(const ProgramResult& result, const std::string& expected) {
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+        EXPECT_NE(result.err.find(expected), std::string::npos) << result.err << "  expected: " << expected;
+        EXPECT_EQ(out_.names(), std::vector<std::string>());
+    }
+    void expect_scene_refused(const std::string& text, const std::string& expected) {
+        SCOPED_TRACE(text.substr(0, 200));
+        const std::string file = scene(text);
+        expect_refused(run({"render", file, "--with", "reference", "--size", "8x6", "-o", out_ / "p.png"}), expected);
+        expect_refused(run({"compare", file, "--size", "8x6", "-o", out_ / "report"}), expected);
+    }
+
+    const TemporaryFolder in_, out_;
+};
+
+// ---- Use ----
+
+TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
+    for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+             {}, {"render"}, {"compare"}, {"explain"}, {"export"}, {"scenes"}, {"study"}, {"fuzz"}, {"check"}}) {
+        for (const char* flag : {"--help", "-h", "--version"}) {
+            std::vector<std::string> arguments = command;
+            arguments.emplace_back(flag);
+            const ProgramResult result = run(arguments);
+            EXPECT_EQ(result.status, 0);
+            EXPECT_EQ(result.err, "");
+            EXPECT_NE(result.out.find(std::string(flag) == "--version" ? "twinlight 0" : "Usage: twinlight"),
+                      std::string::npos);
+        }
+    }
+}
+
+TEST_F(Cli, RefusesBadUse) {
+    const std::string file = scene(kScene);
+    expect_refused(run({}), "a command is missing: render, compare, explain, export, scenes, study, fuzz or check");
+    expect_refused(run({"rendr"}), "there is no command 'rendr'; did you mean 'render'?");
+    expect_refused(run({"--bogus"}), "'--bogus'");
+    expect_refused(run({"render"}), "SCENE is required; see 'twinlight render --help'");
+    expect_refused(run({"render", file, "--with", "fixed"}), "-o is required");
+    expect_refused(run({"render", file, "-o", out_ / "p.png"}), "--with is required");
+    expect_refused(run({"render", file, "--with", "fixd", "-o", out_ / "p.png"}), "'fixd' is not one of fixed, ");
+    expect_refused(run({"render", file, "--with", "fixed", "--bogus", "-o", out_ / "p.png"}),
+                   "there is no option '--bogus'; see 'twinlight render --help'");
+    expect_refused(run({"render", file, "--wiht", "fixed", "-o", out_ / "p.png"}),
+                   "there is no option '--wiht'; did you mean '--with'?");
+    expect_refused(run({"render", file, "-q"}), "there is no option '-q'; see 'twinlight render --help'");
+    expect_refused(run({"compare", file, "-o", out_ / "r", "--siz=8x6"}), "did you mean '--size'?");
+    expect_refused(run({"render", file, "extra", "--with", "fixed", "-o", out_ / "p.png"}),
+                   "'extra' is one argument too many");
+    expect_refused(run({"render", file, "--with", "fixed", "-o"}), "-o lacks its value");
+    expect_refused(run({"render", file, "--with", "fixed", "-o", out_ / "p.png", "-o", out_ / "q.png"}),
+                   "-o is given more than once");
+    expect_refused(run({"render", file, "--with", "fixed", "-o", ""}), "-o: the name is empty");
+    expect_refused(run({"compare", file, "-o", ""}), "-o: the name is empty");
+    expect_refused(run({"compare", "", "-o", out_ / "r"}), "SCENE: the name is empty");
+    expect_refused(run({"render", file, "--with", "fixed", "--shading", "phong", "-o", out_ / "p.png"}),
+                   "use --with programmable or --with reference");
+    expect_refused(run({"render", file, "--with", "fixed", "--shading", "smooth", "-o", out_ / "p.png"}), "flat");
+    expect_refused(run({"render", file, "--with", "fixed", "--precise", "-o", out_ / "p.png"}),
+                   "use it with --with programmable");
+    expect_refused(
+        run({"render", file, "--with", "programmable", "--precise", "--shading", "phong", "-o", out_ / "p.png"}),
+        "it has no phong shading");
+    expect_refused(run({"render", file, "--with", "programmable", "--precise", "--baked", "-o", out_ / "p.png"}),
+                   "as uniforms");
+    expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
+    expect_refused(run({"compare", file}), "-o is required");
+    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
+    expect_refused(run({"scenes", "no-such-scene-at-all"}), "there is no built-in scene 'no-such-scene-at-all'");
+}
+
+TEST_F(Cli, RefusesSizesOutsideTheLimits) {
+    const std::string file = scene(kScene);
+    for (const char* size : {"640", "x", "640x", "x480", "0x480", "640x0", "-1x5", "8193x1", "1x8193", "1e3x10",
+                             "640x480x2", "99999999999x1", " 640x480", ""}) {
+        expect_refused(run({"render", file, "--with", "fixed", "--size", size, "-o", out_ / "p.png"}), "--size");
+    }
+}
+
+// ---- Bad scenes ----
+
+TEST_F(Cli, RefusesBadScenesWithTheirPlace) {
+    const std::string file = in_ / "scene.gl";
+    expect_scene_refused("glEnable(GL_LIGHTING);\nglEnabel(GL_LIGHT0);\n", file + ":2:1: ");
+    expect_scene_refused("glEnable();\n", file + ":1:");
+    expect_scene_refused("glEnable(GL_LIGHTING, 1);\n", file + ":1:");
+    expect_scene_refused("glEnable(\"light\");\n", file + ":1:");
+    expect_scene_refused("glShadeModel(GL_SMOTH);\n", file + ":1:14: ");
+    expect_scene_refused("glShadeModel(GL_LIGHT0);\nglutSolidCube(1);\n", file + ":1:1: ");
+    expect_scene_refused("glBegin(GL_TRIANGLES);\nglVertex3f(0, 0, 0);\n", file + ":1:1: ");
+    expect_scene_refused("glutSolidCube(1);\nglEnd();\n", file + ":2:1: ");
+    expect_scene_refused("\nglPushMatrix();\nglutSolidCube(1);\n", file + ":2:1: ");
+    expect_scene_refused("glutSolidCube(1);\nglPopMatrix();\n", file + ":2:1: ");
+    expect_scene_refused("glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 120);\nglutSolidCube(1);\n", file + ":1:1: ");
+    expect_scene_refused("#pragma twinlight specular(mirror)\n", file + ":1:");
+    expect_scene_refused("glEnable(GL_LIGHTING", file + ":1:");
+    expect_scene_refused("/* no end", file + ":1:");
+}
+
+TEST_F(Cli, RefusesScenesThatAreNone) {
+    expect_scene_refused("", "scene.gl");
+    expect_scene_refused("// nothing\n", "scene.gl");
+    expect_scene_refused("glEnable(GL_LIGHTING);\n", "scene.gl");
+    expect_scene_refused(std::string("\x7f"
+                                     "ELF\x02\x01\x01\0\0\n\xff\xfe",
+                                     12),
+                         "scene.gl:1:1: ");
+    expect_scene_refused(std::string(1 << 20, '\0'), "scene.gl:1:1: ");
+    expect_scene_refused(std::string(1 << 20, '('), "scene.gl:1:");
+    expect_scene_refused("glScalef(" + std::string(1 << 20, '(') + "1", "scene.gl:1:");
+    expect_scene_refused("glScalef(" + std::string(1 << 20, '-') + "1", "scene.gl:1:");
+    expect_scene_refused(std::string(1 << 20, 'a') + "();\n", "scene.gl:1:1: ");
+}
+
+TEST_F(Cli, RefusesALineOfAGigabyteUnread) {
+    const ProgramResult result = run_shell("twinlight",
+                                           "head -c 1000000000 /dev/zero | tr '\\0' ' ' | "
+                                           "\"$PROGRAM\" render - --with reference -o " +
+                                               quoted(out_ / "p.png"));
+    expect_refused(result, "is larger than 64 MiB");
+}
+
+TEST_F(Cli, RefusesScenesThatAreNotThere) {
+    const auto render = [&](const std::string& name) {
+        return run({"render", name, "--with", "reference", "-o", out_ / "p.png"});
+    };
+    expect_refused(render(in_ / "none.gl"), in_ / "none.gl: No such file or directory");
+    expect_refused(render(in_.str()), "Is a directory");
+    expect_refused(render("no-such-scene-at-all"), "there is no built-in scene and no file of this name");
+    expect_refused(render("a\nb"), "a\\x0ab");
+    expect_refused(render("game.trace"), "game.trace: No such file or directory");
+    expect_refused(render("repot"), "did you mean 'report'?");
+}
+
+// ---- Bad outputs ----
+
+TEST_F(Cli, SaysWhereItCannotWrite) {
+    const std::string file = scene(kScene);
+    const auto render = [&](const std::string& output) {
+        return run({"render", file, "--with", "fixed", "--size", "8x6", "-o", output});
+    };
+    expect_refused(render(out_ / "none/p.png"), "No such file or directory");
+    expect_refused(render(out_.str()), "Is a directory");
+    expect_refused(render("/dev/full"), "/dev/full: No space left on device");
+    expect_refused(run({"compare", file, "--size", "8x6", "-o", file}), file);
+    expect_refused(run_shell("twinlight", "\"$PROGRAM\" export " + quoted(file) + " --as c >/dev/full"),
+                   "standard output: No space left on device");
+    expect_refused(run_shell("twinlight", "\"$PROGRAM\" scenes >/dev/full"),
+                   "standard output: No space left on device");
+}
+
+TEST_F(Cli, LeavesNothingBehindWhenTheDiskIsFull) {
+    // ulimit counts blocks of 512 bytes; the reports' files are larger than one.
+    const std::string file = scene(kScene);
+    const ProgramResult result =
+        run_shell("twinlight", "trap '' XFSZ; ulimit -f 1; \"$PROGRAM\" render " + quoted(file) + " --with fixed -o " +
+                                   quoted(out_ / "p.png"));
+    expect_refused(result, "p.png: File too large");
+}
+
+TEST_F(Cli, LeavesAnOldReportWholeWhenTheDiskIsFull) {
+    const std::string file = scene(kScene);
+    const auto compare = [&](const std::string& limit, const std::string& folder) {
+        return run_shell("twinlight", limit + "\"$PROGRAM\" compare " + quoted(file) + " --size 64x48 -o " +
+                                          quoted(folder) + " >/dev/null");
+    };
+    // The pictures and the numbers fit into sixteen blocks of 512 bytes, the page does not.
+    const std::string limit = "trap '' XFSZ; ulimit -f 16; ";
+    const std::string page_fails = "index.html: File too large";
+    expect_refused(compare(limit, out_ / "new"), page_fails);
+
+    const std::string old = in_ / "old";
+    EXPECT_EQ(compare("", old).status, 0);
+    write_file_atomically(old + "/fixed.png", "of the old report");
+    expect_refused(compare(limit, old), page_fails);
+    EXPECT_EQ(read_file(old + "/fixed.png"), "of the old report");
+}
+
+TEST_F(Cli, LeavesNoPartOfAFileWhenItIsInterrupted) {
+    const std::string file = scene(kScene);
+    for (const char* delay : {"0.02", "0.05", "0.1", "0.15", "0.2", "0.25", "0.3", "0.4"}) {
+        run_shell("twinlight", "timeout -s INT " + std::string(delay) + " \"$PROGRAM\" compare " + quoted(file) +
+                                   " -o " + quoted(out_.str()) + " >/dev/null");
+        for (const std::string& name : out_.names()) {
+            EXPECT_TRUE(name.ends_with(".png") || name.ends_with(".json") || name.ends_with(".html")) << name;
+            if (name.ends_with(".png")) {
+                EXPECT_NO_THROW(read_png(out_ / name)) << name;
+            }
+            if (name.ends_with(".json")) {
+                EXPECT_TRUE(json::accept(read_file(out_ / name)));
+            }
+        }
+    }
+}
+
+// ---- What it does ----
+
+TEST_F(Cli, RendersWithEachRenderer) {
+    const std::string file = scene(kScene);
+    for (const char* renderer : {"fixed", "programmable", "reference"}) {
+        const std::string path = out_ / (std::string(renderer) + ".png");
+        const ProgramResult result = run({"render", file, "--with", renderer, "--size", "64x48", "-o", path});
+        EXPECT_EQ(result.status, 0);
+        EXPECT_EQ(result.out + result.err, "");
+        const Image image = read_png(path);
+        EXPECT_EQ(image.width, 64);
+        EXPECT_EQ(image.height, 48);
+        EXPECT_GT(image.at(32, 24)[0], 0.5F) << renderer;
+        EXPECT_EQ(image.at(0, 0)[0], 0) << renderer;
+    }
+}
+
+TEST_F(Cli, RendersFromStandardInputToStandardOutput) {
+    const ProgramResult result = run_shell(
+        "twinlight", "\"$PROGRAM\" render - --with fixed --size 16x12 -o - <" + quoted(scene(kScene)) + " | cat");
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(decode_png(result.out).width, 16);
+}
+
+TEST_F(Cli, ComparesAndPrintsATable) {
+    const std::string folder = out_ / "a/b";
+    const ProgramResult result = run({"compare", scene(kScene), "--size", "64x48", "-o", folder});
+    EXPECT_EQ(result.status, 0) << result.out;
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("The renderers agree"), std::string::npos);
+    EXPECT_NE(result.out.find(folder + "/index.html"), std::string::npos);
+    EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << "no colours where it is no terminal";
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 12);
+}
+
+TEST_F(Cli, ComparesAndPrintsOneJsonObject) {
+    const ProgramResult result = run({"compare", scene(kScene), "--size", "64x48", "--json", "-o", out_.str()});
+    EXPECT_EQ(result.err, "");
+    const json object = json::parse(result.out);
+    EXPECT_EQ(object["scene"], "scene.gl");
+    EXPECT_EQ(object["size"], json({64, 48}));
+    ASSERT_EQ(object["pairs"].size(), 5U);
+    for (const json& pair : object["pairs"]) {
+        EXPECT_EQ(pair["interior"]["pixels"].get<int>() + pair["edge"]["pixels"].get<int>(), 64 * 48);
+    }
+    EXPECT_EQ(read_file(out_ / "comparison.json"), result.out);
+    for (const json& render : object["renders"]) {
+        EXPECT_TRUE(fs::exists(out_ / render["file"].get<std::string>()));
+    }
+}
+
+TEST_F(Cli, ComparesInTheFixedFunctionsOrderOfOperations) {
+    const std::string file = scene(kScene);
+    const ProgramResult result = run({"compare", file, "--size", "64x48", "--precise", "--json", "-o", out_.str()});
+    if (result.err.find("--precise needs GLSL 4.00") != std::string::npos) GTEST_SKIP() << result.err;
+    EXPECT_EQ(result.status, 0);
+    const json object = json::parse(result.out);
+    EXPECT_EQ(object["pairs"][0]["interior"]["differing"], 0);
+    EXPECT_FALSE(object["renders"][1].contains("error_bound")) << "it is not drawn from plans";
+    const ProgramResult shaders = run({"export", file, "--as", "glsl", "--precise"});
+    EXPECT_NE(shaders.out.find("precise float n_dot_vp"), std::string::npos);
+    const std::string nine =
+        scene("#pragma twinlight light(8, GL_DIFFUSE, 1, 1, 1, 1)\n" + std::string(kScene), "nine.gl");
+    const ProgramResult refused = run({"render", nine, "--with", "programmable", "--precise", "-o", out_ / "p.png"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("has 8 lights, and not light(8)"), std::string::npos) << refused.err;
+}
+
+TEST_F(Cli, ListsScenes) {
+    const json object = json::parse(run({"scenes", "--json"}).out);
+    const std::string text = run({"scenes"}).out;
+    ASSERT_FALSE(object["scenes"].empty());
+    for (const json& item : object["scenes"]) {
+        EXPECT_NE(text.find(item["name"].get<std::string>()), std::string::npos);
+        EXPECT_NE(item["description"], "");
+    }
+    const ProgramResult report = run({"scenes", "report"});
+    EXPECT_EQ(report.status, 0);
+    EXPECT_NE(report.out.find("glEnable(GL_LIGHTING);"), std::string::npos);
+}
+
+TEST_F(Cli, ExportsAProgramThatCompiles) {
+    const ProgramResult result = run({"export", scene(kScene), "--as", "c"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    write_file_atomically(out_ / "scene.c", result.out);
+    const ProgramResult compiled = run_shell("", "${CC:-gcc} -fsyntax-only -Wall -Werror " + quoted(out_ / "scene.c"));
+    EXPECT_EQ(compiled.status, 0) << compiled.err;
+}
+
+TEST_F(Cli, ExportsTheShapesOfPragmasAsPrimitives) {
+    const ProgramResult result = run({"export", "report", "--as", "c"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.out.find("twinlight shape"), std::string::npos);
+    EXPECT_NE(result.out.find("glBegin(GL_TRIANGLE_FAN);"), std::string::npos);
+}
+
+// The frame of a recorded program as a scene draws the same picture.
+TEST_F(Cli, ExportsARecordedProgramAsAScene) {
+    const std::string program = "tests/traces/geomview/dump.txt";
+    const ProgramResult result = run({"export", program, "--as", "scene"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::string exported = scene(result.out, "exported.gl");
+    for (const std::string& input : {program, exported}) {
+        const std::string picture = out_ / (input == program ? "a.png" : "b.png");
+        const ProgramResult drawn = run({"render", input, "--with", "fixed", "--size", "300x300", "-o", picture});
+        ASSERT_EQ(drawn.status, 0) << drawn.err;
+    }
+    EXPECT_EQ(read_file(out_ / "a.png"), read_file(out_ / "b.png"));
+}
+
+TEST_F(Cli, ExportsTheShadersOfEachShading) {
+    const std::string file = scene(kScene);
+    const ProgramResult result = run({"export", file, "--as", "glsl"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("void main("), std::string::npos);
+    EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "phong"}).out, result.out);
+}
+
+// ---- check ----
+
+TEST_F(Cli, CheckTellsOfEachCase) {
+    const ProgramResult result = run({"check", "--json", "light-at-vertex", "spot-180-behind"});
+    EXPECT_EQ(result.status, 0) << result.out;
+    EXPECT_EQ(result.err, "");
+    const json found = json::parse(result.out);
+    ASSERT_EQ(found["cases"].size(), 2u);
+    EXPECT_EQ(found["cases"][0]["name"], "light-at-vertex");
+    EXPECT_EQ(found["cases"][0]["status"], "ruling");
+    for (const char* path : {"fixed", "programmable", "reference"}) EXPECT_EQ(found["cases"][1][path], "pass");
+    EXPECT_EQ(found["failing"], 0);
+    const ProgramResult table = run({"check", "light-at-vertex"});
+    EXPECT_NE(table.out.find("1 case."), std::string::npos) << table.out;
+    EXPECT_EQ(run({"check", "light-at-vertex", "flat-triangle", "--html", out_.str()}).status, 0);
+    const std::string page = read_file(out_ / "index.html");
+    EXPECT_NE(page.find("<section id=\"light-at-vertex\">"), std::string::npos);
+    EXPECT_NE(page.find("<img alt=\"programmable baked\" src=\"data:image/png;base64,"), std::string::npos);
+}
+
+TEST_F(Cli, CheckFailsWhereAnAnswerIsUnexpected) {
+    const std::string file = scene(
+        "// what: a point that emits 0.5\n// why: it does not\n// text: 2.14.1\n// status: defined\n// derived: "
+        "wrongly\n"
+        "// expect: vertex 0: 0.25 0.5 0.5 1\n"
+        "glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (GLfloat[]){0, 0, 0, 1});\n"
+        "glMaterialfv(GL_FRONT, GL_EMISSION, (GLfloat[]){0.5, 0.5, 0.5, 1});\n"
+        "glEnable(GL_LIGHTING); glBegin(GL_POINTS); glVertex3f(-0.75, -0.75, 0); glEnd();\n");
+    const ProgramResult result = run({"check", file});
+    EXPECT_EQ(result.status, 1);
+    const std::string found = "fixed, vertex 0: (0.5, 0.5, 0.5, 1), expected (0.25, 0.5, 0.5, 1) (2.14.1)";
+    EXPECT_NE(result.out.find(found), std::string::npos) << result.out;
+    EXPECT_EQ(run({"check", file, "light-behind", "--write-reproducers", out_.str()}).status, 1);
+    const std::vector<std::string> names = out_.names();
+    ASSERT_EQ(names.size(), 1u);  // the other case is answered right
+    const std::string program = read_file(out_ / names[0]);
+    EXPECT_NE(program.find("// " + found), std::string::npos);
+    EXPECT_EQ(run_shell("twinlight", "cc -fsyntax-only -x c " + quoted(out_ / names[0])).status, 0);
+}
+
+TEST_F(Cli, CheckRefusesBadUse) {
+    expect_refused(run({"check", "light-at-vertex", "--write-reproducers", ""}), "--write-reproducers");
+    expect_refused(run({"check", "light-at-vertx"}), "did you mean 'light-at-vertex'?");
+    expect_refused(run({"check", scene(kScene)}), "docs/hard-cases.md");
+}
+
+// ---- fuzz ----
+
+TEST_F(Cli, FuzzTellsWhatItCompared) {
+    const ProgramResult result = run({"fuzz", "--count", "64", "--seed", "3", "-o", out_ / "failures", "--json"});
+    EXPECT_EQ(result.status, 0) << result.out;
+    EXPECT_EQ(result.err, "");
+    const json summary = json::parse(result.out);
+    EXPECT_EQ(summary["float_states"], 62);
+    EXPECT_EQ(summary["picture_states"], 2);
+    EXPECT_EQ(summary["pairs"].size(), 3u);
+    EXPECT_EQ(summary["failures"], json::array());
+    EXPECT_EQ(out_.names(), std::vector<std::string>());  // the folder is made for failures alone
+}
+
+TEST_F(Cli, FuzzRefusesBadUse) {
+    expect_refused(run({"fuzz", "--count", "0"}), "--count");
+    expect_refused(run({"fuzz", "--float-only", "--pictures-only"}), "--pictures-only");
+    expect_refused(run({"fuzz", "--lift", "fog of a vertex whose w is not 2"}),
+                   "did you mean 'fog of a vertex whose w is not 1'?");
+}
+
+// A vertex beyond the light's cone by the driver, on its edge by the text: any driver but the listed one may agree.
+TEST_F(Cli, FuzzWritesWhatItFindsAsAScene) {
+    const ProgramResult result = run({"fuzz", "--count", "8", "--float-only", "--lift",
+                                      "a vertex on the edge of a spot's cone", "-o", out_ / "failures"});
+    const std::vector<std::string> names = out_.names();
+    EXPECT_EQ(result.status, names.empty() ? 0 : 1) << result.out;
+    if (names.empty()) return;
+    for (const auto& file : fs::directory_iterator(out_ / "failures")) {
+        const std::string text = read_file(file.path());
+        EXPECT_TRUE(text.starts_with("// twinlight fuzz --seed 1 --first ")) << text;
+        EXPECT_NE(result.out.find(file.path().filename()), std::string::npos) << result.out;
+        EXPECT_EQ(run({"render", file.path(), "--with", "reference", "--size", "8x8", "-o", out_ / "p.png"}).status, 0);
+    }
+}
+
+// ---- explain ----
+
+// A square that a lamp above its middle lights; the spot looks away, GL_LIGHT2 is faint.
+constexpr const char* kLamps =
+    R"(glMatrixMode(GL_PROJECTION); glOrtho(-1, 1, -1, 1, -1, 1); glMatrixMode(GL_MODELVIEW);
+glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_LIGHT1); glEnable(GL_LIGHT2);
+glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (GLfloat[]){0, 0, 0, 1});
+glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, 1, 0});
+glLightfv(GL_LIGHT1, GL_POSITION, (GLfloat[]){0, 0, 5, 1});
+glLightfv(GL_LIGHT1, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});
+glLightfv(GL_LIGHT1, GL_SPOT_DIRECTION, (GLfloat[]){1, 0, 0});
+glLightf(GL_LIGHT1, GL_SPOT_CUTOFF, 20);
+glLightfv(GL_LIGHT2, GL_DIFFUSE, (GLfloat[]){0.001, 0.001, 0.001, 1});
+glBegin(GL_QUADS);
+glVertex2f(-1, -1); glVertex2f(1, -1); glVertex2f(1, 1); glVertex2f(-1, 1);
+glEnd();
+)";
+
+TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
+    const std::string file = scene(kLamps);
+    const ProgramResult text = run({"explain", file});
+    EXPECT_EQ(text.status, 0);
+    EXPECT_EQ(text.err, "");
+    // 90 degrees less the cone's 20 and asin(sqrt(2) / 5).
+    for (const char* expected :
+         {"1 draw, 1 different plan; budget: 0.5 of 255 codes", "in   directional, diffuse: at most 204 of 255 codes",
+          "its cone misses the sphere around the Draw by 53.6 degrees",
+          "at most 0.204 of 255 codes of it reach a channel", "GL_LIGHT3 to GL_LIGHT7",
+          "The picture is off by 0.204 of 255 codes at most."})
+        EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
+    EXPECT_EQ(text.out.find('\x1b'), std::string::npos);
+    EXPECT_NE(run({"explain", file, "--budget", "0"}).out.find("The picture is off by nothing."), std::string::npos);
+
+    const json explained = json::parse(run({"explain", file, "--json"}).out);
+    EXPECT_NEAR(explained["error_bound"].get<double>(), 0.0008, 1e-9);
+    const json& lights = explained["plans"][0]["lights"];
+    ASSERT_EQ(lights.size(), 8U);
+    EXPECT_EQ(lights[0]["effects"], "directional, diffuse");
+    EXPECT_EQ(lights[0]["in"], true);
+    EXPECT_EQ(lights[1]["in"], false);
+    EXPECT_EQ(lights[2]["in"], false);
+    EXPECT_NEAR(lights[2]["bound"][1].get<double>(), 0.0008, 1e-9);
+    expect_refused(run({"explain", file, "--budget", "2"}), "--budget");
+}
+
+// The strips of a sphere: those that the light reaches, and those behind, each told once with numbers that hold for all.
+TEST_F(Cli, ExplainsThePartsOfAShapeTogether) {
+    const std::string file = scene(
+        "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightfv(GL_LIGHT0, GL_POSITION, (float[]){0, 0, 1, 0}); "
+        "glutSolidSphere(0.8, 24, 12); glutSolidSphere(0.5, 24, 12);");
+    const json explained = json::parse(run({"explain", file, "--json", "--budget", "0"}).out);
+    std::set<int> numbers;
+    for (const json& plan : explained["plans"])
+        for (const json& number : plan["draws"]) EXPECT_TRUE(numbers.insert(number.get<int>()).second) << number;
+    EXPECT_EQ(numbers.size(), 24U);
+    EXPECT_EQ(*numbers.begin(), 1);
+    EXPECT_LE(explained["plans"].size(), 4U);
+    double largest = 0;
+    for (const json& plan : explained["plans"])
+        largest = std::max(largest, plan["lights"][0]["bound"][0].get<double>());
+    EXPECT_NEAR(largest, 0.8, 1e-6);  // of the strip around the pole, which faces the light
+}
+
+TEST_F(Cli, StudiesWhatAccuracyCosts) {
+    const std::string folder = out_ / "study";
+    const ProgramResult result =
+        run({"study", scene(kScene), "-o", folder, "--quick", "--seconds", "0", "--size", "48x48", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json study = json::parse(result.out);
+    EXPECT_EQ(read_file(folder + "/study.json"), result.out);
+    for (const char* file : {"/study.csv", "/study.svg", "/index.html"}) EXPECT_FALSE(read_file(folder + file).empty());
+    std::map<std::string, json> points;
+    for (const json& point : study["points"]) points[point["key"]] = point;
+    const auto rms = [&](const char* key) { return points.at(key)["error"]["interior"]["rms"].get<double>(); };
+    EXPECT_EQ(points.at("reference-exact")["error"]["whole"]["rms"], 0);
+    // Finer is nearer, and what is lit at every pixel is nearer than what is lit at vertices.
+    EXPECT_LT(rms("programmable-phong-32"), rms("programmable-phong-8"));
+    EXPECT_LT(rms("programmable-gouraud-32"), rms("programmable-gouraud-8"));
+    EXPECT_LT(rms("programmable-phong-32"), rms("programmable-gouraud-32"));
+    EXPECT_LT(rms("programmable-gouraud-32"), rms("programmable-flat-32"));
+    EXPECT_NEAR(rms("fixed-gouraud-32"), rms("programmable-gouraud-32"), 1e-4);  // codes that round to either side
+    for (const auto& [key, point] : points) EXPECT_EQ(point["seconds"]["samples"].size(), 3U) << key;
+    // What is only sent in another way is the same picture, and so are normals that are rescaled.
+    for (const char* sending : {"client-arrays", "immediate", "display-list"})
+        EXPECT_EQ(points.at(std::string("fixed-gouraud-32-") + sending)["error"],
+                  points.at("fixed-gouraud-32")["error"]);
+    const auto largest = [&](const char* key) { return points.at(key)["error"]["whole"]["max"].get<double>(); };
+    EXPECT_GT(largest("reference-exact-floats"), 0);
+    EXPECT_LT(largest("reference-exact-floats"), 1e-4);
+    EXPECT_LT(largest("reference-exact-long-double"), largest("reference-exact-floats"));
+    // Floats have nothing to round.
+    EXPECT_LT(rms("programmable-phong-32-float"), rms("programmable-phong-32"));
+    EXPECT_LT(std::filesystem::file_size(folder + "/pictures/reference-exact-difference.png"), 1000U);  // one grey
+
+    // Goes on: the rounds are added to those that there were.
+    const ProgramResult more = run({"study", scene(kScene), "-o", folder, "--resume", "--seconds", "0.001", "--json"});
+    ASSERT_EQ(more.status, 0) << more.err;
+    const json resumed = json::parse(more.out);
+    EXPECT_EQ(resumed["size"], study["size"]);
+    EXPECT_EQ(resumed["series"][0]["rounds"], 4);
+    EXPECT_EQ(resumed["points"].size(), study["points"].size());
+    const auto expect_refusal = [](const ProgramResult& refused, const std::string& expected) {
+        EXPECT_EQ(refused.status, 2);
+        EXPECT_NE(refused.err.find(expected), std::string::npos) << refused.err;
+    };
+    expect_refusal(run({"study", scene("glutSolidCube(1);"), "-o", folder, "--resume"}), "leave --resume out");
+    expect_refusal(run({"study", scene(kScene), "-o", folder, "--resume", "--size", "9x9"}),
+                   "of 48 x 48 pixels, not 9 x 9");
+    expect_refusal(run({"study", scene(kScene), "-o", out_ / "none", "--resume"}), "none/study.json");
+
+    // Two of them laid over each other, with their pictures.
+    const std::string file = folder + "/study.json", both = out_ / "both";
+    const ProgramResult merged = run({"study", "--merge", file, file, "-o", both, "--json"});
+    ASSERT_EQ(merged.status, 0) << merged.err;
+    EXPECT_EQ(json::parse(merged.out)["series"].size(), 2U);
+    EXPECT_EQ(read_file(both + "/pictures/2-reference-exact.png"), read_file(folder + "/pictures/reference-exact.png"));
+    expect_refusal(run({"study", "--merge", file, "-o", both}), "two files");
+    expect_refusal(run({"study", "--merge", file, scene(kScene), "-o", both}), "is no JSON");
+    expect_refusal(run({"study", "-o", both}), "SCENE is missing");
+}
+
+TEST_F(Cli, KeepsWhatAnInterruptedStudyHas) {
+    const std::string file = scene(kScene), folder = out_ / "study";
+    const ProgramResult result =
+        run_shell("twinlight", "timeout --preserve-status -s INT 2 \"$PROGRAM\" study " + quoted(file) + " -o " +
+                                   quoted(folder) + " --quick --seconds 1000 --size 24x24 --json");
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json begun = json::parse(result.out);
+    const ProgramResult more = run({"study", file, "-o", folder, "--resume", "--seconds", "0", "--json"});
+    ASSERT_EQ(more.status, 0) << more.err;
+    const json ended = json::parse(more.out);
+    EXPECT_GE(ended["points"].size(), begun["points"].size());
+    EXPECT_GE(ended["series"][0]["rounds"], begun["series"][0]["rounds"]);
+    for (const json& point : ended["points"]) EXPECT_GE(point["seconds"]["samples"].size(), 3U) << point["key"];
+}
+
+TEST_F(Cli, StudiesEdgesByCoverage) {
+    const ProgramResult result = run({"study", scene(kScene), "-o", out_ / "study", "--quick", "--seconds", "0",
+                                      "--size", "48x48", "--coverage", "8", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    std::map<std::string, json> points;
+    const json study = json::parse(result.out);
+    for (const json& point : study["points"]) points[point["key"]] = point;
+    const auto rms = [&](const std::string& key) { return points.at(key)["error"]["silhouette"]["rms"].get<double>(); };
+    for (const std::string choice : {"fixed-gouraud-32", "programmable-phong-32", "reference-exact"}) {
+        EXPECT_LT(rms(choice + "-samples-2"), rms(choice));
+        EXPECT_LT(rms(choice + "-samples-4"), rms(choice + "-samples-2"));
+    }
+    EXPECT_GT(rms("reference-exact"), 0.01);  // one sample is not the mean of sixty-four
+    EXPECT_EQ(run({"study", scene(kScene), "-o", out_ / "study", "--coverage", "3"}).status, 2);
+}
+
+TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
+    const std::string file = scene(kScene);
+    const auto render = [&](const char* renderer) {
+        return run({"render", file, "--with", renderer, "--shading", "exact", "--size", "32x32", "-o", out_ / "p.png"});
+    };
+    expect_refused(render("fixed"), "use --with programmable or --with reference");
+    expect_refused(
+        run({"render", file, "--with", "programmable", "--precise", "--shading", "exact", "-o", out_ / "p.png"}),
+        "no exact surfaces");
+    EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "exact"}).out.find("cast_ray()"), std::string::npos);
+    const ProgramResult explained = run({"explain", file, "--shading", "exact"});
+    EXPECT_EQ(explained.status, 0) << explained.err;
+    expect_refused(
+        run({"render", file, "--with", "reference", "--scrubbed", "--shading", "exact", "-o", out_ / "p.png"}),
+        "leave one of both out");
+    expect_refused(run({"compare", file, "--shading", "flat", "-o", out_.str()}), "exact, phong");
+    EXPECT_EQ(render("programmable").status, 0);
+    EXPECT_EQ(render("reference").status, 0);
+    const ProgramResult compared = run({"compare", file, "--shading", "exact", "--size", "32x32", "-o", out_.str()});
+    EXPECT_EQ(compared.status, 0) << compared.err;
+    EXPECT_NE(compared.out.find("programmable-exact"), std::string::npos);
+}
+
+TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
+    const std::string file = scene(kLamps);
+    const json pixel = json::parse(run({"explain", file, "--size", "20x20", "--pixel", "3,5", "--json"}).out);
+    ASSERT_EQ(pixel["fragments"].size(), 1U);
+    const json& fragment = pixel["fragments"][0];
+    EXPECT_EQ(fragment["draw"], 1);
+    EXPECT_EQ(fragment["passes"], true);
+    ASSERT_EQ(fragment["lights"].size(), 3U);
+    EXPECT_NEAR(fragment["lights"][0]["n_dot_vp"].get<double>(), 1, 1e-12);
+    EXPECT_NEAR(fragment["lights"][0]["diffuse"][0].get<double>(), 0.8, 1e-12);
+    EXPECT_NEAR(fragment["lights"][1]["spot"].get<double>(), 0, 0);
+    EXPECT_NEAR(fragment["primary_unclamped"][2].get<double>(), 0.8 + 0.8 * double{0.001F}, 1e-12);
+    for (const char* renderer : {"fixed", "programmable", "reference"})
+        EXPECT_NEAR(pixel["pictures"][renderer][0].get<double>(), 0.8008, 1.0 / 255) << renderer;
+
+    const ProgramResult text = run({"explain", file, "--size", "20x20", "--pixel", "3,5"});
+    for (const char* expected : {"1 fragment", "GL_LIGHT0 diffuse", "n.VP 1.00000", "before the clamp", "programmable"})
+        EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
+    EXPECT_NE(run({"explain", scene(kScene), "--size", "20x20", "--pixel", "0,0"}).out.find("no draw covers it"),
+              std::string::npos);
+    expect_refused(run({"explain", file, "--size", "20x20", "--pixel", "20,0"}), "the picture ends at 19,19");
+    expect_refused(run({"explain", file, "--pixel", "a"}), "--pixel is 'a'; it must be X,Y");
+}
+
+}  // namespace
+}  // namespace twinlight

@@ -1,0 +1,400 @@
+// Comparisons of stub renderers: which pictures are asked for, what is judged, what is written.
+#include "judge/report/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/image/file.h"
+#include "base/image/png.h"
+#include "judge/report/words.h"
+
+namespace twinlight::report {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kWidth = 40, kHeight = 30;
+
+Frame empty_frame() {
+    Frame frame;
+    frame.width = kWidth;
+    frame.height = kHeight;
+    return frame;
+}
+
+// Pictures of one grey; the left column is an edge.
+struct Stub {
+    float fixed = 128.0F / 255, programmable = 128.0F / 255, reference = 128.0F / 255;
+    float slack = 0;
+    std::vector<Unsupported> unsupported;
+    std::map<std::string, int> calls;  // "fixed gouraud GL", ...
+
+    RenderFunction renderer(const std::string& name, const float& grey) {
+        return [this, name, &grey](const Frame& frame, const RenderOptions& options) {
+            ++calls[name +
+                    (options.shading == Shading::kPhong ? " phong"
+                     : options.shading                  ? " other"
+                                                        : " scene") +
+                    (options.lecture_variants ? " variants" : " GL")];
+            return Image(frame.width, frame.height, {grey, grey, grey, 1});
+        };
+    }
+    Renderers renderers() {
+        return {.fixed = renderer("fixed", fixed),
+                .programmable = renderer("programmable", programmable),
+                .reference = renderer("reference", reference),
+                .freedom = [this](const Frame& frame, const RenderOptions&) {
+                    Freedom freedom{PixelMask(static_cast<std::size_t>(frame.width * frame.height)),
+                                    Image(frame.width, frame.height, {slack, slack, slack, slack})};
+                    for (int y = 0; y < frame.height; ++y) freedom.edge[freedom.slack.index(0, y)] = true;
+                    return freedom;
+                }};
+    }
+    Comparison compare() {
+        Frame frame = empty_frame();
+        frame.unsupported = unsupported;
+        return compare_scene(frame, "stub", "a driver", renderers());
+    }
+};
+
+Unsupported fog(int count) {
+    Unsupported item;
+    item.name = "glEnable(GL_FOG)";
+    item.count = count;
+    item.first = {std::make_shared<std::string>("scene.gl"), 3, 1};
+    item.renderers = {"programmable", "reference"};
+    return item;
+}
+
+const Pair& pair_named(const Comparison& comparison, const std::string& name) {
+    for (const Pair& pair : comparison.pairs) {
+        if (name_of(comparison, pair) == name) return pair;
+    }
+    throw std::logic_error("no pair " + name);
+}
+
+class ReportTest : public testing::Test {
+  protected:
+    ReportTest() {
+        std::string pattern = (fs::temp_directory_path() / "twinlight-report-XXXXXX").string();
+        folder_ = ::mkdtemp(pattern.data());
+    }
+    ~ReportTest() override { fs::remove_all(folder_); }
+    fs::path folder_;
+};
+
+// ---- What is drawn ----
+
+TEST(Comparison, DrawsPerVertexByGlsModelAndPhongByTheScenes) {
+    Stub stub;
+    stub.compare();
+    const std::map<std::string, int> expected = {
+        {"fixed scene GL", 2},  // one to warm the driver up, one that counts
+        {"programmable scene GL", 2},    {"reference scene GL", 1}, {"programmable phong variants", 2},
+        {"reference phong variants", 1},
+    };
+    EXPECT_EQ(stub.calls, expected);
+}
+
+TEST(Comparison, TellsItsProgressStepByStep) {
+    Stub stub;
+    int steps = 0;
+    compare_scene(empty_frame(), "stub", "", stub.renderers(), [&](int done, int total, std::string_view) {
+        EXPECT_EQ(done, steps++);
+        EXPECT_EQ(total, 7);
+    });
+    EXPECT_EQ(steps, 7);
+}
+
+TEST(Comparison, CountsInteriorAndEdgesApart) {
+    Stub stub;
+    const Comparison comparison = stub.compare();
+    for (const Pair& pair : comparison.pairs) {
+        EXPECT_EQ(pair.difference.edge.pixels, 30U);
+        EXPECT_EQ(pair.difference.interior.pixels, 39U * 30U);
+    }
+}
+
+// ---- What is judged ----
+
+TEST(Verdict, IsWithinUpToOneCodeInFewPixels) {
+    ImageDifference difference;
+    difference.beyond_slack = {.pixels = 10'000, .differing = 9, .max = 1 / 255.0, .rms = 0};
+    EXPECT_EQ(judge(difference, {}), Verdict::kWithin);
+    difference.beyond_slack.differing = 10;  // 0.1 %: not fewer
+    EXPECT_EQ(judge(difference, {}), Verdict::kBeyond);
+    difference.beyond_slack.differing = 1;
+    difference.beyond_slack.max = 2 / 255.0;
+    EXPECT_EQ(judge(difference, {}), Verdict::kBeyond);
+}
+
+// 25 codes off: one code more than slack and rounding, in every pixel; then none.
+TEST(Verdict, IsOfWhatIsLeftBeyondTheSlack) {
+    Stub stub;
+    stub.fixed = 0.6F;
+    stub.slack = 11.6F / 255;  // twice, for either of two drivers
+    const Comparison beyond = stub.compare();
+    const ImageDifference& difference = pair_named(beyond, "fixed ~ programmable").difference;
+    EXPECT_EQ(difference.interior.max, 25 / 255.0);
+    EXPECT_EQ(difference.beyond_slack.max, 1 / 255.0);
+    EXPECT_EQ(difference.beyond_slack.differing, difference.interior.pixels);
+    EXPECT_EQ(pair_named(beyond, "fixed ~ programmable").verdict, Verdict::kBeyond);
+    stub.slack = 12.01F / 255;
+    EXPECT_EQ(pair_named(stub.compare(), "fixed ~ programmable").verdict, Verdict::kWithin);
+    EXPECT_EQ(pair_named(stub.compare(), "fixed ~ reference").verdict, Verdict::kBeyond);
+    stub.slack = 24.01F / 255;
+    EXPECT_EQ(stub.compare().verdict(), Verdict::kWithin);
+}
+
+// 76.5 codes: one driver rounds down, another up.
+TEST(Verdict, TakesEitherCodeOfAColorOnTheirBorder) {
+    Stub stub;
+    stub.reference = 0.3F;
+    stub.fixed = 76.0F / 255;
+    stub.programmable = 77.0F / 255;
+    EXPECT_EQ(stub.compare().verdict(), Verdict::kWithin);
+    stub.reference = 0.3005F;  // 76.63
+    EXPECT_EQ(pair_named(stub.compare(), "fixed ~ reference").verdict, Verdict::kBeyond);
+}
+
+TEST(Verdict, LeavesEdgesAlone) {
+    ImageDifference difference;
+    difference.edge = {.pixels = 10, .differing = 10, .max = 1, .rms = 1};
+    EXPECT_EQ(judge(difference, {}), Verdict::kWithin);
+}
+
+TEST(Verdict, OfEqualPicturesIsWithin) {
+    Stub stub;
+    const Comparison comparison = stub.compare();
+    EXPECT_TRUE(comparison.within_tolerance());
+    EXPECT_EQ(verdict_sentences(comparison).size(), 1U);
+}
+
+TEST(Verdict, OfEdgesAloneIsToldAsNone) {
+    Comparison comparison = Stub().compare();
+    comparison.pairs.front().difference.interior.pixels = 0;
+    EXPECT_TRUE(verdict_sentences(comparison).front().starts_with("Nothing is judged"));
+}
+
+TEST(Verdict, NamesThePairsThatDiffer) {
+    Stub stub;
+    stub.fixed = 0.6F;  // 153 against 128
+    const Comparison comparison = stub.compare();
+    EXPECT_FALSE(comparison.within_tolerance());
+    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kBeyond);
+    EXPECT_EQ(pair_named(comparison, "fixed ~ reference").verdict, Verdict::kBeyond);
+    EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kWithin);
+    EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kWithin);
+    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable-phong").verdict, Verdict::kInformative);
+    const std::vector<std::string> sentences = verdict_sentences(comparison);
+    ASSERT_EQ(sentences.size(), 3U);
+    EXPECT_EQ(sentences[1],
+              "fixed ~ programmable: 1,170 of 1,170 interior pixels differ (100.00%), by up to 25/255 at (1, 0).");
+}
+
+TEST(Verdict, NamesKnownDeparturesWhereItIsBeyond) {
+    Stub stub;
+    Comparison comparison = stub.compare();
+    comparison.known_departures = {"fog (3.10)"};
+    EXPECT_EQ(verdict_sentences(comparison).size(), 1U);
+    stub.fixed = 0.6F;
+    comparison = stub.compare();
+    comparison.known_departures = {"fog (3.10)"};
+    EXPECT_NE(verdict_sentences(comparison).back().find(": fog (3.10); see golden/known_differences."),
+              std::string::npos);
+    EXPECT_EQ(json::parse(comparison_json(comparison))["known_departures"], json({"fog (3.10)"}));
+}
+
+TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
+    Stub stub;
+    stub.fixed = 0.6F;
+    stub.unsupported = {fog(2)};  // programmable and reference do without
+    const Comparison comparison = stub.compare();
+    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kPartial);
+    EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kPartial);
+    EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kPartial);
+    EXPECT_EQ(comparison.verdict(), Verdict::kPartial);
+    EXPECT_TRUE(comparison.within_tolerance());
+    EXPECT_TRUE(verdict_sentences(comparison).front().starts_with("The comparison is partial"));
+    EXPECT_EQ(json::parse(comparison_json(comparison))["verdict"], "partial");
+}
+
+// What both leave out cannot be why they differ.
+TEST(Verdict, IsBeyondWhereBothLeaveTheSameOut) {
+    Stub stub;
+    stub.reference = 0.6F;
+    stub.unsupported = {fog(2)};
+    const Comparison comparison = stub.compare();
+    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kPartial);
+    EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kBeyond);
+    EXPECT_EQ(comparison.verdict(), Verdict::kBeyond);
+}
+
+TEST(Verdict, IsNotGivenForPhongAgainstFixed) {
+    Stub stub;
+    const Renderers plain = stub.renderers();
+    Renderers renderers = plain;
+    // What phong adds, both draw alike.
+    const auto brighter_in_phong = [](const RenderFunction& render) {
+        return [render](const Frame& frame, const RenderOptions& options) {
+            return options.shading == Shading::kPhong ? Image(frame.width, frame.height, {1, 1, 1, 1})
+                                                      : render(frame, options);
+        };
+    };
+    renderers.programmable = brighter_in_phong(plain.programmable);
+    renderers.reference = brighter_in_phong(plain.reference);
+    const Comparison comparison = compare_scene(empty_frame(), "stub", "", renderers);
+    EXPECT_TRUE(comparison.within_tolerance());
+    EXPECT_GT(pair_named(comparison, "fixed ~ programmable-phong").difference.interior.max, 0.4);
+}
+
+// ---- What is written ----
+
+TEST_F(ReportTest, HoldsEveryPictureTheNumbersAndThePage) {
+    Stub stub;
+    stub.fixed = 0.6F;
+    const Comparison comparison = stub.compare();
+    const fs::path out = folder_ / "new" / "folder";
+    write_report(comparison, out.string());
+
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(out)) names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    const std::vector<std::string> expected = {
+        "comparison.json",
+        "difference-fixed-programmable-phong.png",
+        "difference-fixed-programmable.png",
+        "difference-fixed-reference.png",
+        "difference-programmable-phong-reference-phong.png",
+        "difference-programmable-reference.png",
+        "fixed.png",
+        "index.html",
+        "programmable-phong.png",
+        "programmable.png",
+        "reference-phong.png",
+        "reference.png",
+    };
+    EXPECT_EQ(names, expected);
+    EXPECT_EQ(read_png((out / "fixed.png").string()).pixels[0], quantised(comparison.renders[0].image).pixels[0]);
+}
+
+TEST_F(ReportTest, SaysWhereItCannotBeWritten) {
+    Stub stub;
+    write_file_atomically((folder_ / "file").string(), "x");
+    EXPECT_THROW(write_report(stub.compare(), (folder_ / "file").string()), FileError);
+    EXPECT_THROW(write_report(stub.compare(), (folder_ / "file" / "below").string()), FileError);
+}
+
+TEST(ComparisonJson, HasTheFormThatTheHeaderTells) {
+    Stub stub;
+    stub.reference = 128.0F / 255 + 1.0F / 255;  // one code off, everywhere
+    Comparison comparison = stub.compare();
+    comparison.unsupported.push_back(fog(2));
+    const json read = json::parse(comparison_json(comparison));
+    EXPECT_EQ(read["scene"], "stub");
+    EXPECT_EQ(read["driver"], "a driver");
+    EXPECT_EQ(read["size"], json({40, 30}));
+    ASSERT_EQ(read["renders"].size(), 5U);
+    EXPECT_EQ(read["renders"][3]["name"], "programmable-phong");
+    EXPECT_EQ(read["renders"][3]["file"], "programmable-phong.png");
+    EXPECT_TRUE(read["renders"][3]["ms"].is_number());
+    ASSERT_EQ(read["pairs"].size(), 5U);
+    const json& pair = read["pairs"][1];
+    EXPECT_EQ(pair["a"], "fixed");
+    EXPECT_EQ(pair["b"], "reference");
+    EXPECT_EQ(pair["interior"]["pixels"], 1170);
+    EXPECT_EQ(pair["interior"]["differing"], 1170);
+    EXPECT_EQ(pair["interior"]["max"], 1 / 255.0);
+    EXPECT_NEAR(pair["interior"]["rms"].get<double>(), std::sqrt(0.75) / 255, 1e-15);  // alpha is equal
+    EXPECT_EQ(pair["interior"]["worst"], json({1, 0}));
+    EXPECT_EQ(pair["edge"]["worst"], json({0, 0}));
+    EXPECT_EQ(pair["verdict"], "beyond");
+    EXPECT_FALSE(read["pairs"][4].contains("tolerance"));
+    EXPECT_EQ(read["unsupported"][0], json({{"name", "glEnable(GL_FOG)"},
+                                            {"count", 2},
+                                            {"place", "scene.gl:3:1"},
+                                            {"renderers", {"programmable", "reference"}}}));
+}
+
+TEST(ComparisonJson, IsValidWhateverBytesASceneIsNamedWith) {
+    Stub stub;
+    Comparison comparison = stub.compare();
+    comparison.scene = "\xff\"\n";
+    EXPECT_TRUE(json::accept(comparison_json(comparison)));
+}
+
+TEST(ComparisonPage, HoldsEverythingAndAsksForNothing) {
+    Stub stub;
+    Comparison comparison = stub.compare();
+    comparison.scene = "<script>alert(1)</script>{{verdict}}";
+    const std::string page = comparison_page(comparison, encode_pictures(comparison));
+    EXPECT_NE(page.find("<h1>&lt;script&gt;alert(1)&lt;/script&gt;{{verdict}}</h1>"), std::string::npos);
+    for (const char* outside : {"http:", "https:", "src=\"/", "@import", "url("}) {
+        EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+    }
+    for (const Render& render : comparison.renders) {
+        EXPECT_NE(page.find("data-name=\"" + render.name + "\""), std::string::npos);
+        EXPECT_NE(render.meaning, "");
+    }
+    EXPECT_NE(page.find("The renderers agree"), std::string::npos);
+    EXPECT_NE(page.find("Every command of the scene is done by every renderer."), std::string::npos);
+}
+
+TEST(ComparisonPage, NamesWhatIsNotDrawn) {
+    Stub stub;
+    Comparison comparison = stub.compare();
+    comparison.unsupported.push_back(fog(1));
+    const std::string page = comparison_page(comparison, encode_pictures(comparison));
+    EXPECT_NE(page.find("glEnable(GL_FOG) (once, at scene.gl:3:1) is not done by programmable and reference."),
+              std::string::npos);
+}
+
+TEST(Words, GroupDigitsAndRoundShares) {
+    EXPECT_EQ(grouped(0), "0");
+    EXPECT_EQ(grouped(999), "999");
+    EXPECT_EQ(grouped(1'000), "1,000");
+    EXPECT_EQ(grouped(12'345'678), "12,345,678");
+    EXPECT_EQ(share_of({.pixels = 100'000, .differing = 0}), "0%");
+    EXPECT_EQ(share_of({.pixels = 100'000, .differing = 9}), "< 0.01%");
+    EXPECT_EQ(share_of({.pixels = 1'000, .differing = 123}), "12.30%");
+    EXPECT_EQ(codes_of(3 / 255.0), "3/255");
+}
+
+// What a plan leaves out is told, and not held against the shaders; it is held against pairs without them.
+TEST(Comparison, TakesTheBoundOfThePlansForSlack) {
+    Draw draw;  // a point that GL_LIGHT1 may light by 0.4 / 255
+    draw.mode = kGL_POINTS;
+    draw.vertices.resize(1);
+    draw.lighting.enabled = true;
+    draw.lighting.lights[1].enabled = true;
+    draw.lighting.lights[1].diffuse = glm::dvec4(0.5 / 255);
+    Frame frame = empty_frame();
+    frame.items.emplace_back(draw);
+    Stub stub;
+    stub.fixed = stub.reference = 128.3F / 255;  // 0.2 below the border
+    stub.programmable = 129.0F / 255;
+    const auto compared = [&](double budget) {
+        return compare_scene(frame, "stub", "", stub.renderers(), {}, Pictures::kPerVertex, budget);
+    };
+    const Comparison within = compared(0.5 / 255);
+    EXPECT_NEAR(error_bound(within.renders[1].plan), 0.4 / 255, 1e-9);
+    EXPECT_EQ(within.verdict(), Verdict::kWithin);
+    EXPECT_EQ(compared(0).verdict(), Verdict::kBeyond);
+    stub.programmable = 131.0F / 255;  // 3 codes: one of rounding and 0.4 are the plan's
+    EXPECT_EQ(compared(0.5 / 255).verdict(), Verdict::kBeyond);
+    stub.programmable = 129.0F / 255;
+    stub.fixed = stub.reference = 128.0F / 255;  // 0.5 below: out of the plan's reach
+    EXPECT_EQ(compared(0.5 / 255).verdict(), Verdict::kBeyond);
+    stub.programmable = stub.reference = 128.3F / 255;
+    stub.fixed = 129.0F / 255;
+    EXPECT_EQ(compared(0.5 / 255).verdict(), Verdict::kBeyond);
+}
+
+}  // namespace
+}  // namespace twinlight::report

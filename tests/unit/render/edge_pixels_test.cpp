@@ -1,0 +1,92 @@
+// The edge mask: where two right rasterisers may choose different triangles (docs/lighting.md, "Edges").
+#include <gtest/gtest.h>
+
+#include "../small_frames.h"
+
+namespace twinlight {
+namespace {
+
+PixelMask edges(std::initializer_list<Draw> draws) { return reference::edge_pixels(frame_of(kSize, kSize, draws)); }
+
+Pixels marked(const PixelMask& mask) {
+    Pixels pixels;
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x)
+            if (mask[static_cast<std::size_t>((kSize - 1 - y) * kSize + x)]) pixels.insert({x, y});
+    return pixels;
+}
+
+Draw without_diagonal(Draw draw) {  // one triangle that the viewport cuts to a rectangle
+    draw.mode = kGL_TRIANGLES;
+    const Vertex& v = draw.vertices[0];
+    const double z = v.position_object.z;
+    draw.vertices = {vertex(-100, -100, v.color, z), vertex(300, -100, v.color, z), vertex(-100, 300, v.color, z)};
+    return draw;
+}
+
+TEST(EdgePixels, AreWhereTheBorderPassesThroughTheSquare) {
+    Pixels expected = rectangle(2, 3, 11, 10);
+    for (const auto& inner : rectangle(3, 4, 10, 9)) expected.erase(inner);
+    Pixels found = marked(edges({quad(2.3, 3.3, 10.3, 9.3)}));
+    for (const auto& p : expected) EXPECT_TRUE(found.count(p)) << p.first << ',' << p.second;
+    EXPECT_TRUE(found.count({4, 5}));   // the diagonal from (2.3, 3.3) to (10.3, 9.3)
+    EXPECT_TRUE(found.count({4, 8}));   // the other one: either cut is right
+    EXPECT_FALSE(found.count({6, 4}));  // the inside beside both
+    EXPECT_FALSE(found.count({3, 6}));
+    EXPECT_FALSE(found.count({13, 5}));  // the background
+}
+
+TEST(EdgePixels, AreNotTheRimOfTheViewport) {
+    EXPECT_TRUE(marked(edges({without_diagonal(deep_quad(kRed, 0.5))})).empty());
+}
+
+TEST(EdgePixels, AreNotWhereHiddenThingsHaveTheirBorders) {
+    const Draw front = without_diagonal(deep_quad(kRed, 0.25));
+    Draw behind = quad(2.3, 3.3, 10.3, 9.3, kGreen, -0.5);
+    behind.raster.depth_test = true;
+    EXPECT_TRUE(marked(edges({front, behind})).empty());
+    EXPECT_TRUE(marked(edges({behind, front})).empty());
+    behind.raster.depth_test = false;  // it leaves no depth: what comes later is held against the clear's
+    EXPECT_TRUE(marked(edges({behind, front})).empty());
+    EXPECT_FALSE(marked(edges({front, behind})).empty());
+    Draw painted = front;
+    painted.raster.depth_test = false;
+    EXPECT_TRUE(marked(edges({behind, painted})).empty());
+}
+
+TEST(EdgePixels, AreWhereSurfacesCutEachOther) {
+    Draw rising = without_diagonal(deep_quad(kRed, 0)), falling = without_diagonal(deep_quad(kGreen, 0));
+    for (Vertex& v : rising.vertices) v.position_object.z = -(v.position_object.x + 100) / 400 + 0.1;
+    for (Vertex& v : falling.vertices) v.position_object.z = (v.position_object.x + 100) / 400 - 0.48;
+    // They meet at x = 16 on depth 0.19 = 0.48 - 0.29: move that to x = 8.2.
+    for (Vertex& v : falling.vertices) v.position_object.z += 2 * 7.8 / 400;
+    EXPECT_EQ(marked(edges({rising, falling})), rectangle(8, 0, 9, 16));
+}
+
+TEST(EdgePixels, AreAllOfTwoSurfacesThatLieInEachOther) {
+    Draw other = without_diagonal(deep_quad(kGreen, 0.5, kGL_LEQUAL));
+    other.vertices[1].position_object.x += 10;  // another triangle of the same plane
+    EXPECT_EQ(marked(edges({without_diagonal(deep_quad(kRed, 0.5)), other})), rectangle(0, 0, 16, 16));
+}
+
+TEST(EdgePixels, AreNotWhereTheSameTriangleIsDrawnAgain) {
+    for (const Enum depth_func : {kGL_LESS, kGL_LEQUAL, kGL_EQUAL}) {
+        const Draw first = without_diagonal(deep_quad(kRed, 0.5));
+        EXPECT_TRUE(marked(edges({first, without_diagonal(deep_quad(kGreen, 0.5, depth_func))})).empty());
+    }
+}
+
+TEST(EdgePixels, AreLinesWithTheirNeighbours) {
+    EXPECT_EQ(marked(edges({window_draw(kSize, kSize, kGL_POINTS, {vertex(5.5, 6.5)})})), rectangle(4, 5, 7, 8));
+    EXPECT_EQ(marked(edges({window_draw(kSize, kSize, kGL_LINES, {vertex(3.5, 6.5), vertex(8.5, 6.5)})})),
+              rectangle(2, 5, 9, 8));
+}
+
+TEST(EdgePixels, ForgetWhatWasCleared) {
+    Frame frame = frame_of(kSize, kSize, {quad(2.3, 3.3, 10.3, 9.3)});
+    frame.items.emplace_back(Clear{.color = true});
+    EXPECT_TRUE(marked(reference::edge_pixels(frame)).empty());
+}
+
+}  // namespace
+}  // namespace twinlight

@@ -1,0 +1,79 @@
+// The program that `make GL=egl` builds, beside the one of OSMesa: the same pictures on the same driver.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "../run_program.h"
+#include "base/image/file.h"
+#include "render/context/context.h"
+
+namespace twinlight {
+namespace {
+
+class Egl : public testing::Test {
+  protected:
+    void SetUp() override {
+        program_ = offscreen_provider() == "EGL" ? "twinlight" : "egl/twinlight";
+        if (!std::filesystem::exists(build_folder() + "/" + program_))
+            GTEST_SKIP() << "make GL=egl builds it, where Debian's package libegl-dev is installed";
+    }
+
+    std::string program_;
+    const TemporaryFolder folder_;
+};
+
+TEST_F(Egl, DrawsThePicturesOfOsmesa) {
+    if (offscreen_provider() == "EGL") GTEST_SKIP() << "this is EGL's program: the other's test compares them";
+    const auto run = [](const std::string& program, const std::string& arguments) {
+        return run_shell(program, "LIBGL_ALWAYS_SOFTWARE=true \"$PROGRAM\" " + arguments);  // though there be a GPU
+    };
+    const auto driver = [&](const std::string& program) {
+        const ProgramResult result =
+            run(program, "compare report --size 16x16 --json -o " + quoted(folder_ / "report"));
+        EXPECT_EQ(result.err, "");
+        const std::string text = nlohmann::json::parse(result.out).at("driver");
+        return std::pair(text.substr(0, text.rfind(", ")), text.substr(text.rfind(", ") + 2));
+    };
+    const auto [driver_of_osmesa, osmesa] = driver("twinlight");
+    const auto [driver_of_egl, egl] = driver(program_);
+    EXPECT_EQ(osmesa, "OSMesa");
+    EXPECT_EQ(egl, "EGL");
+    if (driver_of_egl != driver_of_osmesa) GTEST_SKIP() << "EGL's driver is another: " << driver_of_egl;
+    for (const char* renderer : {"fixed", "programmable"}) {
+        const auto picture = [&](const std::string& program, const std::string& name) {
+            // The scene with points, lines, textures and text, whose borders tell which way up the rows lie.
+            EXPECT_EQ(
+                run(program, "render legacy --with " + std::string(renderer) + " -o " + quoted(folder_ / name)).status,
+                0);
+            return read_file(folder_ / name);
+        };
+        EXPECT_TRUE(picture("twinlight", "osmesa.png") == picture(program_, "egl.png")) << renderer;
+    }
+}
+
+TEST_F(Egl, TellsInOneLineThatNoDriverIsThere) {
+    const ProgramResult result = run_shell(program_,
+                                           "__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere LIBGL_DRIVERS_PATH=/nowhere "
+                                           "\"$PROGRAM\" render report --with fixed -o " +
+                                               quoted(folder_ / "picture.png"));
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find("install the GPU's driver or Mesa's"), std::string::npos) << result.err;
+    EXPECT_TRUE(folder_.names().empty());
+}
+
+// What each display refuses is told, and nothing of Mesa's own complaints.
+TEST_F(Egl, TellsInOneLineWhatDoesNotStart) {
+    const ProgramResult result =
+        run_shell(program_, "LIBGL_DRIVERS_PATH=/nowhere \"$PROGRAM\" render report --with fixed -o " +
+                                quoted(folder_ / "picture.png"));
+    if (result.status == 0) GTEST_SKIP() << "EGL's driver is not one of Mesa's";
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find("it does not start"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace twinlight

@@ -1,0 +1,80 @@
+// More lights than GL has: what the fixed function makes of them.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "render/context/context.h"
+#include "render/effect/plan.h"
+#include "render/effect/scrubbed_state.h"
+#include "render/fixed/fixed.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+namespace {
+
+constexpr int kSide = 64;
+
+// Ten lights from the viewer's side; one of GL's and one beyond them are of that brightness, the others of 0.1.
+Frame ten_lights(double brightness_of_two) {
+    std::string text =
+        "glMatrixMode(GL_PROJECTION); gluPerspective(40, 1, 1, 10); glMatrixMode(GL_MODELVIEW); glTranslatef(0, 0, "
+        "-5);\n"
+        "glEnable(GL_LIGHTING); glEnable(GL_DEPTH_TEST);\n";
+    for (int i = 0; i < 10; ++i) {
+        const bool is_gls = i < 8;
+        const std::string begin =
+            is_gls ? fmt::format("glLightfv(GL_LIGHT{}, ", i) : fmt::format("#pragma twinlight light({}, ", i);
+        const double brightness = i == 3 || i == 9 ? brightness_of_two : 0.1;
+        const auto values = [&](const char* name, const std::string& list) {
+            text += is_gls ? fmt::format("{}{}, (GLfloat[]){{{}}});\n", begin, name, list)
+                           : fmt::format("{}{}, {})\n", begin, name, list);
+        };
+        values("GL_DIFFUSE", fmt::format("{0}, {0}, {0}, 1", brightness));
+        values("GL_SPECULAR", "0, 0, 0, 1");
+        values("GL_POSITION", fmt::format("{}, {}, 1, 0", 0.1 * i - 0.5, 0.5 - 0.07 * i));
+        if (is_gls) text += fmt::format("glEnable(GL_LIGHT{});\n", i);
+    }
+    text += "glutSolidSphere(1, 24, 16);\n";
+    return make_frame(std::make_shared<const CommandList>(read_scene(text, "ten.gl", "ten")),
+                      {.width = kSide, .height = kSide});
+}
+
+TEST(LightsBeyondEight, AreDrawnByTheFixedFunctionWhereTheOthersAreFaint) {
+    Frame frame = ten_lights(0.0005);  // together a thousandth of a channel: less than half of 1/255
+    fixed::note_lights_beyond(frame, {});
+    EXPECT_TRUE(frame.unsupported.empty());
+    const auto context = make_offscreen_context(kSide, kSide);
+    const Image fixed = fixed::render(frame, {});
+    const ImageDifference d = difference(fixed, reference::render(frame, {}), reference::freedom(frame, {}));
+    EXPECT_LE(d.interior.max, 1 / 255.0);
+    EXPECT_GT(d.interior.pixels, 1000u);
+    // With the eight of GL alone, of which one is faint, a tenth would be missing.
+    EXPECT_GT(fixed.at(kSide / 2, kSide / 2)[0], 0.55);
+}
+
+TEST(LightsBeyondEight, AreNamedWithTheirBoundWhereTheBudgetCannotBeKept) {
+    Frame frame = ten_lights(0.05);
+    fixed::note_lights_beyond(frame, {});
+    ASSERT_EQ(frame.unsupported.size(), 1u);
+    const Unsupported& what = frame.unsupported.front();
+    EXPECT_EQ(what.renderers, std::vector<std::string>{"fixed"});
+    EXPECT_TRUE(what.name.find("more than eight lights") == 0) << what.name;
+    // The two faintest are left, 0.05 * 0.8 each where they stand highest.
+    const double bound = std::stod(what.name.substr(what.name.find("up to ") + 6));
+    EXPECT_GT(bound, 0.07);
+    EXPECT_LT(bound, 0.0801);
+
+    const auto draw = std::ranges::find_if(frame.items, [](const auto& i) { return std::holds_alternative<Draw>(i); });
+    const ScrubbedState state = scrubbed_state(plan_effects(std::get<Draw>(*draw), {}), kMaxLights);
+    EXPECT_EQ(state.lighting.lights.size(), 8u);
+    std::vector<int> beyond = state.lights_beyond;
+    std::ranges::sort(beyond);
+    EXPECT_EQ(beyond, (std::vector{3, 9}));
+}
+
+}  // namespace
+}  // namespace twinlight

@@ -1,0 +1,327 @@
+// Rows of the table that old programs call and that not every renderer carries out: what State makes of them, what it
+// names, and what a driver is given.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+namespace {
+
+CommandList read(const std::string& text) { return read_scene(text, "scene.gl", "scene"); }
+
+State run(const std::string& text) {
+    State state({.width = 16, .height = 16});
+    for (const Command& command : read(text).commands) state.apply(command);
+    return state;
+}
+
+Frame frame_of(const std::string& text) {
+    return make_frame(std::make_shared<const CommandList>(read(text)), {.width = 16, .height = 16});
+}
+
+// Their names, in order.
+std::vector<std::string> unsupported(const std::string& text) {
+    std::vector<std::string> names;
+    for (const Unsupported& item : frame_of(text).unsupported) names.push_back(item.name);
+    return names;
+}
+
+std::string refused(const std::string& text) {
+    try {
+        frame_of(text);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+using Names = std::vector<std::string>;
+
+constexpr const char* kPoint = "glBegin(GL_POINTS); glVertex2f(0, 0); glEnd();\n";
+constexpr const char* kSquare = "glRectf(-1, -1, 1, 1);\n";
+
+// ---- Texture coordinates by unit (2.7) ----
+
+TEST(MultiTexCoord, SetsTheCoordinatesOfUnit0) {
+    EXPECT_EQ(run("glMultiTexCoord2f(GL_TEXTURE0, 0.25, 0.5);").get(kGL_CURRENT_TEXTURE_COORDS),
+              (std::vector<double>{0.25, 0.5, 0, 1}));
+    EXPECT_EQ(run("glMultiTexCoord4sv(GL_TEXTURE0, (GLshort[]){1, 2, 3, 4});").get(kGL_CURRENT_TEXTURE_COORDS),
+              (std::vector<double>{1, 2, 3, 4}));
+    const Frame frame = frame_of("glBegin(GL_POINTS); glMultiTexCoord1i(GL_TEXTURE0, 3); glVertex2f(0, 0); glEnd();");
+    EXPECT_EQ(std::get<Draw>(frame.items[0]).vertices[0].tex_coord, glm::dvec4(3, 0, 0, 1));
+}
+
+TEST(MultiTexCoord, LeavesUnit0AsItIsForOthers) {
+    const State state = run("glTexCoord2f(0.5, 0.5); glMultiTexCoord2f(GL_TEXTURE1, 0.25, 0.25);");
+    EXPECT_TRUE(state.errors().empty());
+    EXPECT_EQ(state.get(kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.5, 0.5, 0, 1}));
+    EXPECT_EQ(run("glMultiTexCoord2f(GL_FOG, 0, 0);").errors()[0].code, kGL_INVALID_ENUM);
+}
+
+// ---- Names of extensions ----
+
+TEST(Extensions, AreReadAsTheCoreCommandsOfTheSameMeaning) {
+    const CommandList scene = read(
+        "glActiveTextureARB(GL_TEXTURE0_ARB); glMultiTexCoord2fARB(GL_TEXTURE0_ARB, 0, 1);\n"
+        "glBlendFuncSeparateEXT(GL_ONE, GL_ZERO, GL_ONE, GL_ZERO); glBlendEquationEXT(GL_MAX_EXT);\n"
+        "glPointParameterfARB(GL_POINT_SIZE_MIN_ARB, 1); glSecondaryColor3fEXT(0, 0, 0); glFogCoordfEXT(0);\n"
+        "GLuint buffer[1]; glGenBuffersARB(1, buffer);\n");
+    const std::vector<CommandId> expected = {CommandId::glActiveTexture,     CommandId::glMultiTexCoord2f,
+                                             CommandId::glBlendFuncSeparate, CommandId::glBlendEquation,
+                                             CommandId::glPointParameterf,   CommandId::glSecondaryColor3f,
+                                             CommandId::glFogCoordf,         CommandId::glGenBuffers};
+    ASSERT_EQ(scene.commands.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(scene.commands[i].id, expected[i]);
+    EXPECT_EQ(find_command_or_extension("glVertexPointerEXT"), std::nullopt);
+    EXPECT_EQ(find_command_or_extension("glPolygonOffsetEXT"), std::nullopt);
+    EXPECT_EQ(find_command_or_extension("glNothingARB"), std::nullopt);
+}
+
+// ---- What is named, and only where it changes a picture ----
+
+TEST(SecondaryColor, IsNamedWhereItIsAdded) {
+    const std::string sum = "glEnable(GL_COLOR_SUM);\n", red = "glSecondaryColor3ub(255, 0, 0);\n";
+    EXPECT_EQ(unsupported(red + kPoint), Names());
+    EXPECT_EQ(unsupported(sum + kPoint), Names());
+    EXPECT_EQ(unsupported(sum + "glSecondaryColor3f(0, 0, 0);\n" + kPoint), Names());
+    EXPECT_EQ(unsupported(sum + red + kPoint), Names{"glSecondaryColor"});
+    EXPECT_EQ(unsupported(sum + "glEnable(GL_LIGHTING);\n" + red + kPoint), Names());
+    EXPECT_EQ(unsupported(sum + "glBegin(GL_POINTS);" + red + "glVertex2f(0, 0); glEnd();"), Names{"glSecondaryColor"});
+    EXPECT_EQ(unsupported(sum + "glPushAttrib(GL_CURRENT_BIT);" + red + "glPopAttrib();" + kPoint), Names());
+}
+
+TEST(FogCoordinates, AreNamedWhereFogAsksForThem) {
+    const std::string source = "glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);\n", fog = "glEnable(GL_FOG);\n";
+    EXPECT_EQ(unsupported("glFogCoordf(2);" + fog + kPoint), Names());
+    EXPECT_EQ(unsupported(source + kPoint), Names());
+    EXPECT_EQ(unsupported(source + fog + kPoint), Names{"glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)"});
+    EXPECT_EQ(unsupported(source + "glFogi(GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH);" + fog + kPoint), Names());
+}
+
+TEST(PointParameters, AreNamedWherePointsAreDrawn) {
+    const std::string set = "glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){1, 0.5, 0});\n";
+    EXPECT_EQ(unsupported(set + kSquare), Names());
+    EXPECT_EQ(unsupported(set + kPoint), Names{"glPointParameter(GL_POINT_DISTANCE_ATTENUATION)"});
+    EXPECT_EQ(unsupported(set + "glPolygonMode(GL_FRONT, GL_POINT);" + kSquare),
+              Names{"glPointParameter(GL_POINT_DISTANCE_ATTENUATION)"});
+    EXPECT_EQ(unsupported("glPushAttrib(GL_POINT_BIT);" + set + "glPopAttrib();" + kPoint), Names());
+    EXPECT_EQ(unsupported("glPointParameterf(GL_POINT_SIZE_MIN, 0);" + std::string(kPoint)), Names());
+    EXPECT_EQ(run("glPointParameterf(GL_FOG, 0);").errors()[0].code, kGL_INVALID_ENUM);
+}
+
+TEST(Evaluators, AreNamedWhereTheyDraw) {
+    const std::string map =
+        "glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, (GLfloat[]){0, 0, 0, 1, 1, 0});\n"
+        "glEnable(GL_MAP1_VERTEX_3); glMapGrid1d(4, 0, 1);\n";
+    EXPECT_EQ(unsupported(map + kPoint), Names());
+    EXPECT_EQ(unsupported(map + kPoint + "glBegin(GL_POINTS); glEvalCoord1f(0.5); glEvalPoint1(2); glEnd();"),
+              (Names{"glEvalCoord1f", "glEvalPoint1"}));
+    EXPECT_EQ(run(map).get(kGL_MAP1_VERTEX_3), std::vector<double>{1});
+    EXPECT_EQ(run("glPushAttrib(GL_EVAL_BIT);" + map + "glPopAttrib();").get(kGL_MAP1_VERTEX_3),
+              std::vector<double>{0});
+}
+
+TEST(Evaluators, ReadAsManyValuesAsTheirOrderAndStrideSay) {
+    const auto points = [](const std::string& call) { return read(call).commands[0].array().size(); };
+    EXPECT_EQ(points("glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, (GLfloat[]){0, 0, 0, 1, 1, 0});"), 6U);
+    EXPECT_EQ(points("glMap1f(GL_MAP1_COLOR_4, 0, 1, 5, 2, (GLfloat[9]){0});"), 9U);
+    EXPECT_EQ(points("glMap2d(GL_MAP2_INDEX, 0, 1, 1, 3, 0, 1, 3, 4, (GLdouble[99]){0});"), 2U * 1 + 3 * 3 + 1);
+    EXPECT_EQ(points("glMap1f(GL_FOG, 0, 1, 3, 2, (GLfloat[9]){0});"), 0U);
+    EXPECT_EQ(points("glMap1f(GL_MAP1_VERTEX_3, 0, 1, 2, 2, (GLfloat[9]){0});"), 0U);
+    EXPECT_THROW(read("glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, (GLfloat[5]){0});"), SceneError);
+    EXPECT_THROW(read("glMap1f(GL_MAP1_VERTEX_3, 0, 1, 2147483647, 60, (GLfloat[5]){0});"), SceneError);
+}
+
+TEST(PixelTransfer, IsNamedInEveryPictureAfterIt) {
+    EXPECT_EQ(
+        unsupported("glPixelTransferf(GL_RED_SCALE, 1); glPixelTransferi(GL_MAP_COLOR, 0);" + std::string(kPoint)),
+        Names());
+    EXPECT_EQ(unsupported("glPixelTransferf(GL_RED_SCALE, 2);" + std::string(kPoint)),
+              Names{"glPixelTransfer(GL_RED_SCALE)"});
+    State state = run("glPixelTransferf(GL_RED_SCALE, 2);");
+    state.drop_picture();
+    EXPECT_EQ(state.take_frame(nullptr).unsupported.size(), 1U);
+}
+
+TEST(CopiedImages, AreThereAndNamed) {
+    const std::string copy = "glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 8, 4, 0);\n";
+    EXPECT_EQ(unsupported(copy + kPoint), Names{"glCopyTexImage2D"});
+    const State state = run(copy + "glTexSubImage2D(GL_TEXTURE_2D, 0, 7, 3, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, NULL);");
+    EXPECT_TRUE(state.errors().empty());
+    EXPECT_EQ(state.get_tex_level_parameter(kGL_TEXTURE_2D, 0, kGL_TEXTURE_WIDTH)[0], 8);
+    EXPECT_EQ(run("glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, -1, 4, 0);").errors()[0].code, kGL_INVALID_VALUE);
+    EXPECT_EQ(run("glCopyTexImage2D(GL_TEXTURE_2D, 99, GL_RGB, 0, 0, 1, 4, 0);").errors()[0].code, kGL_INVALID_VALUE);
+}
+
+TEST(TextureParametersOfLaterVersions, AreNamedWhereTheyAreNotAtTheirInitialValue) {
+    const auto after = [](const std::string& call) { return unsupported(call + kPoint); };
+    EXPECT_EQ(after("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);"), Names());
+    EXPECT_EQ(after("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);"), Names());
+    EXPECT_EQ(after("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 2);"),
+              Names{"glTexParameter(GL_TEXTURE_MAX_LEVEL)"});
+    State state = run("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 2);");
+    state.drop_picture();  // it still holds in the next
+    EXPECT_EQ(state.take_frame(nullptr).unsupported.size(), 1U);
+}
+
+// ---- Bitmaps and stipples: memory of bits (3.6.4) ----
+
+TEST(Bitmap, IsNamedWhereItHasPixelsAndReadsNoFurtherThanItsMemory) {
+    const std::string five_rows =
+        "glBitmap(9, 5, 0, 0, 10, 0, (GLubyte[20]){0});\n";  // two bytes a row, in steps of four
+    EXPECT_EQ(unsupported(five_rows + kPoint), Names{"glBitmap"});
+    EXPECT_EQ(unsupported("glBitmap(0, 0, 0, 0, 10, 0, NULL);" + std::string(kPoint)), Names());
+    EXPECT_NE(refused("glBitmap(9, 5, 0, 0, 10, 0, (GLubyte[17]){0});").find("reads 18 bytes"), std::string::npos);
+    EXPECT_EQ(refused("glBitmap(9, 5, 0, 0, 10, 0, (GLubyte[18]){0});").find("reads"), std::string::npos);
+    EXPECT_NE(refused("glBitmap(9, 5, 0, 0, 10, 0, NULL);").find("reads 18 bytes"), std::string::npos);
+    EXPECT_NE(refused("glBitmap(-1, 5, 0, 0, 10, 0, NULL);").find("-1 x 5"), std::string::npos);
+    EXPECT_EQ(
+        refused("glPixelStorei(GL_UNPACK_ALIGNMENT, 1); glBitmap(9, 5, 0, 0, 1, 0, (GLubyte[10]){0});").find("reads"),
+        std::string::npos);
+}
+
+TEST(PolygonStipple, IsNamedWhereItIsOnAndReadsNoFurtherThanItsMask) {
+    const std::string mask = "glPolygonStipple((GLubyte[128]){0});\n";
+    EXPECT_EQ(unsupported(mask + kSquare), Names());
+    EXPECT_EQ(unsupported(mask + "glEnable(GL_POLYGON_STIPPLE);" + kSquare), Names{"glEnable(GL_POLYGON_STIPPLE)"});
+    EXPECT_NE(refused("glPixelStorei(GL_UNPACK_ROW_LENGTH, 40);" + mask).find("reads"), std::string::npos);
+    EXPECT_NE(refused("glPixelStorei(GL_UNPACK_SKIP_ROWS, 1);" + mask).find("reads 132 bytes"), std::string::npos);
+}
+
+// The driver is not given what it would read too far: the sanitizers would tell.
+TEST(Driver, ReadsNoFurtherThanItsMemory) {
+    const auto context = make_offscreen_context(16, 16);
+    fixed::Driver driver(16, 16);
+    for (const char* text :
+         {"glBitmap(4096, 4096, 0, 0, 0, 0, (GLubyte[1]){0});", "glBitmap(64, 64, 0, 0, 0, 0, NULL);",
+          "glPixelStorei(GL_UNPACK_SKIP_ROWS, 100000); glPolygonStipple((GLubyte[128]){0});",
+          "glDrawPixels(512, 512, GL_DEPTH_COMPONENT, GL_FLOAT, (GLubyte[1]){0});",
+          "glDrawPixels(512, 512, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, (GLubyte[1]){0});",
+          "glDrawPixels(512, 512, GL_COLOR_INDEX, GL_BITMAP, (GLubyte[1]){0});",
+          "glDrawPixels(512, 512, 0x8227, GL_FLOAT, (GLubyte[1]){0});",  // GL_RG, of GL 3.0
+          "glDrawPixels(512, 512, GL_RGBA, 0x140B, (GLubyte[1]){0});",   // GL_HALF_FLOAT
+          "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 512, 512, 0, GL_COLOR_INDEX, GL_UNSIGNED_BYTE, (GLubyte[1]){0});",
+          "glGetIntegerv(0x86A3, (GLint[1]){0});",  // GL_COMPRESSED_TEXTURE_FORMATS
+          "glReadPixels(0, 0, 16, 16, GL_RGBA, GL_FLOAT, (GLubyte[1]){0});"}) {
+        for (const Command& command : read(text).commands) driver.execute(command);
+    }
+}
+
+// ---- Selection and feedback (5.2, 5.3) ----
+
+constexpr const char* kPicking =
+    "GLuint hits[16]; GLint count; glColor3f(1, 0, 0); glRectf(-1, -1, 1, 1);\n"
+    "glSelectBuffer(16, hits); glRenderMode(GL_SELECT); glInitNames(); glPushName(1);\n"
+    "glColor3f(0, 1, 0); glRectf(-1, -1, 1, 1); glClear(GL_COLOR_BUFFER_BIT); glAccum(GL_LOAD, 1);\n"
+    "count = glRenderMode(GL_RENDER);\n";
+
+TEST(Selection, DrawsNothingInAnyRenderer) {
+    const Frame frame = frame_of(kPicking);
+    EXPECT_EQ(frame.items.size(), 1U);
+    EXPECT_TRUE(frame.unsupported.empty());
+    const auto context = make_offscreen_context(16, 16);
+    const Rgba red{1, 0, 0, 1};
+    EXPECT_EQ(fixed::render(frame, {}).at(8, 8), red);
+    EXPECT_EQ(reference::render(frame, {}).at(8, 8), red);
+    GLint mode = 0;
+    glGetIntegerv(GL_RENDER_MODE, &mode);
+    EXPECT_EQ(mode, GL_RENDER);
+}
+
+TEST(Selection, IsTheDriversModeWhereItHasABuffer) {
+    const auto context = make_offscreen_context(16, 16);
+    fixed::Driver driver(16, 16);
+    State state({.width = 16, .height = 16});
+    const auto both = [&](const std::string& text) {
+        const std::size_t before = state.errors().size();
+        for (const Command& command : read(text).commands) {
+            state.apply(command);
+            driver.execute(command);
+        }
+        GLint mode = 0;
+        glGetIntegerv(GL_RENDER_MODE, &mode);
+        EXPECT_EQ(state.get(kGL_RENDER_MODE)[0], mode) << text;
+        const Enum expected = state.errors().size() > before ? state.errors().back().code : kGL_NO_ERROR;
+        EXPECT_EQ(glGetError(), expected) << text;
+    };
+    both("glSelectBuffer(-1, (GLuint[1]){0});");
+    both("glFeedbackBuffer(4, GL_FOG, (GLfloat[4]){0});");
+    both("glSelectBuffer(4, (GLuint[4]){0}); glRenderMode(GL_SELECT);");
+    both("glSelectBuffer(4, (GLuint[4]){0});");
+    both("glRenderMode(GL_FOG);");
+    both("glPushName(1);");
+    both("glFeedbackBuffer(4, GL_3D_COLOR, (GLfloat[4]){0}); glRenderMode(GL_FEEDBACK);");
+    both("glBegin(GL_TRIANGLES); glVertex2f(0, 0); glVertex2f(1, 0); glVertex2f(0, 1); glEnd();");
+    both("glFeedbackBuffer(4, GL_3D_COLOR, (GLfloat[4]){0});");
+    both("glRenderMode(GL_RENDER);");
+}
+
+TEST(Selection, IsNotCompiledIntoLists) {
+    const State state =
+        run("glSelectBuffer(4, (GLuint[4]){0}); glNewList(1, GL_COMPILE); glRenderMode(GL_SELECT); glEndList();");
+    EXPECT_EQ(state.get(kGL_RENDER_MODE)[0], kGL_SELECT);
+}
+
+TEST(RenderMode, ChangesNothingInTheModeThatItNames) {
+    EXPECT_EQ(unsupported("glRenderMode(GL_RENDER);" + std::string(kPoint)), Names());
+}
+
+// ---- Queries (6.1) ----
+
+TEST(Queries, DropTheirAnswers) {
+    EXPECT_EQ(unsupported("GLfloat m[16]; GLint i[4]; GLboolean b; GLenum e; GLubyte pixels[1024];\n"
+                          "glGetFloatv(GL_MODELVIEW_MATRIX, m); glGetIntegerv(GL_VIEWPORT, i); e = glGetError();\n"
+                          "glGetString(GL_VERSION); b = glIsEnabled(GL_FOG); glIsList(3); glIsTexture(3);\n"
+                          "glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, i);\n"
+                          "glReadPixels(0, 0, 16, 16, GL_RGBA, GL_UNSIGNED_BYTE, pixels);\n"
+                          "glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);\n" +
+                          std::string(kPoint)),
+              Names());
+    for (const char* text : {"GLint i[4]; glGetIntegerv(GL_VIEWPORT, i); glViewport(i[0], i[1], i[2], i[3]);",
+                             "GLenum e = glGetError(); glEnable(e);",
+                             "GLubyte p[4]; glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, p); glColor4ubv(p);"}) {
+        EXPECT_THROW(read(text), SceneError) << text;
+    }
+    EXPECT_THROW(read("glGetFloatv(GL_MODELVIEW_MATRIX, (GLfloat[4]){0});"), SceneError);
+    EXPECT_THROW(read("glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, (const void*)16);"), SceneError);
+    EXPECT_THROW(read("glAreTexturesResident(2, (GLuint[]){1, 2}, (GLboolean[1]){0});"), SceneError);
+}
+
+TEST(Queries, AreRefusedBetweenBeginAndEnd) {
+    for (const char* query : {"glGetError();", "glIsEnabled(GL_FOG);", "glGetIntegerv(GL_VIEWPORT, (GLint[4]){0});",
+                              "glRenderMode(GL_RENDER);"}) {
+        EXPECT_EQ(run(std::string("glBegin(GL_POINTS);") + query).errors().at(0).code, kGL_INVALID_OPERATION) << query;
+    }
+}
+
+// The table of lengths says what State answers.
+TEST(Queries, HaveTheLengthOfTheirAnswers) {
+    const State state;
+    int longer = 0;
+    for (const NamedValue& name : gl_names()) {
+        const std::size_t length = state.get(name.value).size();
+        if (length == 0 || name.value <= kGL_POLYGON || name.name.ends_with("_BIT")) continue;
+        EXPECT_EQ(static_cast<std::size_t>(array_length(CommandId::glGetDoublev, name.value).value_or(1)), length)
+            << name.name;
+        longer += length > 1 ? 1 : 0;
+    }
+    EXPECT_GT(longer, 15);
+}
+
+TEST(Priorities, AreOfTheTexturesThatThereAre) {
+    const State state =
+        run("glBindTexture(GL_TEXTURE_2D, 3); glPrioritizeTextures(3, (GLuint[]){0, 3, 9}, (GLfloat[]){1, 0.25, 1});");
+    EXPECT_EQ(state.get_tex_parameter(kGL_TEXTURE_2D, kGL_TEXTURE_PRIORITY)[0], 0.25);
+    EXPECT_EQ(state.texture(9), nullptr);
+    EXPECT_EQ(run("glPrioritizeTextures(-1, (GLuint[]){0}, (GLfloat[]){1});").errors()[0].code, kGL_INVALID_VALUE);
+}
+
+}  // namespace
+}  // namespace twinlight

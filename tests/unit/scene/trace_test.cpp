@@ -1,0 +1,310 @@
+// Reading recorded programs: what apitrace's dump says and what comes of it, call by call and frame by frame.
+#include "scene/trace/trace.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../run_program.h"
+#include "base/image/file.h"
+#include "scene/command/text.h"
+#include "scene/scenes/load.h"
+#include "scene/state/recorded_frame.h"
+#include "scene/trace/blobs.h"
+
+namespace twinlight {
+
+namespace {
+
+class Traces : public testing::Test {
+  protected:
+    std::shared_ptr<const Recording> recording(const std::string& text) {
+        write_file_atomically(folder_ / "dump.txt", text);
+        return load_recording(folder_ / "dump.txt");
+    }
+    // What is handed out, a line each: commands as C, "end of frame", "outside: ...", "cut off: ...".
+    std::vector<std::string> steps(const std::string& text) {
+        std::vector<std::string> lines;
+        recording(text)->for_each([&](const Step& step) {
+            switch (step.kind) {
+                case Step::Kind::kCommand: lines.push_back(print_command(step.command)); break;
+                case Step::Kind::kFrameEnd: lines.emplace_back("end of frame"); break;
+                case Step::Kind::kOutside: lines.push_back("outside: " + std::string(step.text)); break;
+                case Step::Kind::kCutOff: lines.push_back("cut off: " + std::string(step.text)); break;
+            }
+            return true;
+        });
+        return lines;
+    }
+    std::string refusal(const std::string& text) {
+        try {
+            steps(text);
+        } catch (const SceneError& error) {
+            const std::string what = error.what();
+            return what.substr(std::min(what.find("dump.txt"), what.size()));
+        }
+        return "no error";
+    }
+    RecordedFrame frame(const std::string& text, std::optional<int> number = std::nullopt) {
+        return make_recorded_frame(recording(text), {.number = number});
+    }
+
+    TemporaryFolder folder_;
+};
+
+using Lines = std::vector<std::string>;
+
+// ---- Calls ----
+
+TEST_F(Traces, AreReadCallByCall) {
+    EXPECT_EQ(
+        steps("// process.name = \"/usr/bin/gears\"\n"
+              "3 glViewport(x = 0, y = 0, width = 300, height = 200) // fake\n"
+              "9 @0 glLightfv(light = GL_LIGHT0, pname = GL_POSITION, params = {5, 5.25, 1e-05, 0})\n"
+              "10 glMaterialf(face = GL_FRONT, pname = GL_SHININESS, param = 20)\n"
+              "11 glClear(mask = GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT)\n"
+              "12 glColor4ub(red = 12, green = 200, blue = 3, alpha = 255)\n"
+              "13 glDepthMask(flag = GL_TRUE)\n"
+              "14 glXSwapBuffers(dpy = 0x1, drawable = 2)\n\n"
+              "15 glLightfv(light = GL_LIGHT0, pname = GL_SPOT_CUTOFF, params = &45)\n"),
+        (Lines{"glViewport(0, 0, 300, 200);", "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){5, 5.25, 1e-05, 0});",
+               "glMaterialf(GL_FRONT, GL_SHININESS, 20);", "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
+               "glColor4ub(12, 200, 3, 255);", "glDepthMask(GL_TRUE);", "end of frame",
+               "glLightfv(GL_LIGHT0, GL_SPOT_CUTOFF, (GLfloat[]){45});"}));
+}
+
+TEST_F(Traces, AreReadWithoutNumbersAndWithoutNamesOfArguments) {
+    EXPECT_EQ(steps("// process.name = \"a\"\nglBegin(GL_POINTS)\nglVertex2f(0.5, -0)\r\nglEnd()\n"),
+              (Lines{"glBegin(GL_POINTS);", "glVertex2f(0.5, -0.0);", "glEnd();"}));
+}
+
+TEST_F(Traces, TakeTheNamesOfExtensionsAndOfLaterVersionsForTheCommandsTheyAre) {
+    EXPECT_EQ(
+        steps("1 glActiveTextureARB(texture = GL_TEXTURE1)\n"
+              "2 glEnable(cap = GL_CLIP_DISTANCE2)\n"
+              "3 glTexParameteri(target = GL_TEXTURE_2D, pname = GL_TEXTURE_WRAP_S, param = GL_CLAMP_TO_EDGE_EXT)\n"),
+        (Lines{"glActiveTexture(GL_TEXTURE1);", "glEnable(GL_CLIP_PLANE2);",
+               "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);"}));
+}
+
+TEST_F(Traces, PassOverWhatChangesNoPixelAndNameWhatTheyDoNotKnow) {
+    EXPECT_EQ(steps("1 glGetString(name = GL_VERSION) = \"4.5 (Compatibility)\"\n"
+                    "2 glXChooseVisual(dpy = 0x1, screen = 0, attribList = {4, 8, 9}) = &{visual = 0x2, visualid = 3}\n"
+                    "3 glUseProgram(program = 0)\n"
+                    "4 glUseProgram(program = 7)\n"
+                    "5 glDrawArraysInstanced(mode = GL_TRIANGLES, first = 0, count = 3, instancecount = 2)\n"
+                    "6 glHint(target = GL_FRAGMENT_SHADER_DERIVATIVE_HINT_XYZ, mode = GL_NICEST)\n"),
+              (Lines{"outside: glUseProgram", "outside: glDrawArraysInstanced"}));
+}
+
+TEST_F(Traces, HoldTheNamesThatADriverGave) {
+    EXPECT_EQ(steps("1 glGenLists(range = 3) = 17\n2 glGenTextures(n = 2, textures = {4, 9})\n"
+                    "3 glDeleteTextures(n = 1, textures = &4)\n"),
+              (Lines{"glGenLists(3);", "glGenTextures(2, (GLuint[]){4, 9});", "glDeleteTextures(1, (GLuint[]){4});"}));
+}
+
+TEST_F(Traces, ReadTheMemoryOfArraysFromBlobs) {
+    write_file_atomically(folder_ / "blob_call1.bin", std::string("\x01\x02\x03\xff", 4));
+    const auto list = recording(
+        "1 glColorPointer(size = 4, type = GL_UNSIGNED_BYTE, stride = 0, pointer = blob(\"blob_call1.bin\")) // fake\n"
+        "2 glVertexPointer(size = 3, type = GL_FLOAT, stride = 12, pointer = 0x18)\n"
+        "3 glNormalPointer(type = GL_FLOAT, stride = 0, pointer = NULL)\n");
+    std::vector<Command> commands;
+    list->for_each([&](const Step& step) {
+        commands.push_back(step.command);
+        return true;
+    });
+    ASSERT_EQ(commands.size(), 3u);
+    ASSERT_TRUE(commands[0].memory);
+    EXPECT_EQ(commands[0].memory->bytes, (std::vector{std::byte{1}, std::byte{2}, std::byte{3}, std::byte{255}}));
+    EXPECT_EQ(commands[0].arguments.back(), 0);
+    EXPECT_FALSE(commands[1].memory);
+    EXPECT_EQ(commands[1].arguments.back(), 24);  // in the buffer object that is bound
+    EXPECT_EQ(commands[2].arguments.back(), 0);
+}
+
+// What a program writes into a mapped buffer, the tracer writes down as memcpy.
+TEST_F(Traces, TakeWritesToMappedBuffersForGlBufferSubData) {
+    write_file_atomically(folder_ / "blob_call3.bin", "abcd");
+    EXPECT_EQ(steps("1 glBindBuffer(target = GL_ARRAY_BUFFER, buffer = 1)\n"
+                    "2 glMapBuffer(target = GL_ARRAY_BUFFER, access = GL_WRITE_ONLY) = 0x1000\n"
+                    "3 memcpy(dest = 0x1008, src = blob(\"blob_call3.bin\"), n = 4)\n")
+                  .back(),
+              "glBufferSubData(GL_ARRAY_BUFFER, 8, 4, (const GLubyte[]){97, 98, 99, 100});");
+}
+
+TEST_F(Traces, FollowTheContextThatDrawsFirst) {
+    const Lines lines = steps(
+        "1 @0 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n2 @0 glEnable(cap = GL_LIGHT0)\n"
+        "3 @1 glXMakeCurrent(dpy = 0x1, drawable = 3, ctx = 0xb) = True\n4 @1 glEnable(cap = GL_LIGHT1)\n"
+        "5 @1 glBegin(mode = GL_POINTS)\n6 @1 glEnd()\n7 @0 glBegin(mode = GL_LINES)\n8 @1 glEnable(cap = "
+        "GL_LIGHT2)\n");
+    EXPECT_EQ(lines, (Lines{"glEnable(GL_LIGHT1);", "glBegin(GL_POINTS);", "glEnd();",
+                            "outside: glBegin in another context", "glEnable(GL_LIGHT2);"}));
+}
+
+// ---- What is wrong ----
+
+TEST_F(Traces, TellWhereTheyEndInsideACall) {
+    for (const char* end : {"3 glVertex2f(x = 1,", "3 glVertex2f(x = 1, y = 2", "3 glVer", "3 "}) {
+        SCOPED_TRACE(end);
+        const Lines lines = steps("1 glBegin(mode = GL_POINTS)\n" + std::string(end));
+        EXPECT_EQ(lines.front(), "glBegin(GL_POINTS);");
+        EXPECT_LE(lines.size(), 2u);
+    }
+    EXPECT_EQ(steps("1 glFlush()\n2 glVertex2f(x = 1,").back(), "cut off: the recording ends inside call 2");
+}
+
+TEST_F(Traces, RefuseWhatIsNoDumpWithItsLine) {
+    EXPECT_EQ(
+        refusal("1 glFlush()\nhello\n"),
+        "dump.txt:2:1: expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found 'hello'");
+    EXPECT_EQ(refusal("1 glFlush()\n2 \x1b[1mglFlush\x1b[0m()\n"),
+              "dump.txt:2:1: this dump has colours in it; make it with 'apitrace dump --color=never'");
+}
+
+TEST_F(Traces, RefuseArgumentsThatGlCouldNotHaveBeenGiven) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"1 glVertex2f(x = 1)", "glVertex2f takes 2 arguments"},
+        {"1 glColor3ub(red = 300, green = 0, blue = 0)", "red of glColor3ub is 300; it must be from 0 to 255"},
+        {"1 glVertex2i(x = 0.5, y = 1)", "x of glVertex2i must be a whole number, not 0.5"},
+        {"1 glLightfv(light = GL_LIGHT0, pname = GL_POSITION, params = {1, 2, 3})", "has 3 values, but 4 are needed"},
+        {"1 glVertexPointer(size = 3, type = GL_FLOAT, stride = 0, pointer = blob(36))",
+         "make it with 'apitrace dump --blobs'"},
+    };
+    for (const auto& [call, expected] : cases) {
+        const std::string found = refusal(call + "\n");
+        EXPECT_NE(found.find(expected), std::string::npos) << call << ": " << found;
+        EXPECT_TRUE(found.starts_with("dump.txt: call 1: ")) << found;
+    }
+}
+
+TEST_F(Traces, RefuseNamesThatNoGluintHolds) {
+    EXPECT_EQ(refusal("1 glBindTexture(target = GL_TEXTURE_2D, texture = -1)\n"),
+              "dump.txt: call 1: texture of glBindTexture is -1; it must be from 0 to 4294967295");
+    EXPECT_EQ(refusal("1 glCallList(list = 1e15)\n"),
+              "dump.txt: call 1: list of glCallList is 1000000000000000; it must be from 0 to 4294967295");
+    EXPECT_EQ(refusal("1 glMapBuffer(target = 1e300, access = GL_WRITE_ONLY) = 0x1000\n"), "no error");
+}
+
+// Each of these would once have been followed to the end of the stack, or for ever.
+TEST_F(Traces, AreNotFollowedIntoTheDepth) {
+    for (const char* opening : {"{", "&", "a = ", "{a = ", "&{"}) {
+        std::string deep = "1 glViewport(x = ";
+        for (int i = 0; i < 1'000'000; ++i) deep += opening;
+        EXPECT_NE(refusal(deep + "1)\n").find("nested deeper than 8 here"), std::string::npos) << opening;
+    }
+    EXPECT_FALSE(trace::is_dump("\x1b[1"));
+    EXPECT_FALSE(trace::is_dump("\x1b["));
+}
+
+TEST_F(Traces, HoldOnlySoManyBytesOfBlobsAtOnce) {
+    write_file_atomically(folder_ / "a.bin", "123456");
+    const trace::BlobFolder blobs(folder_.str(), 16);
+    std::shared_ptr<const Memory> first = blobs.read("a.bin", {}), second = blobs.read("a.bin", {});
+    EXPECT_THROW(blobs.read("a.bin", {}), SceneError);
+    first.reset();
+    EXPECT_EQ(blobs.read("a.bin", {})->bytes.size(), 6u);
+}
+
+TEST_F(Traces, ReadBlobsFromTheirOwnFolderOnly) {
+    const TemporaryFolder elsewhere;
+    write_file_atomically(elsewhere / "secret.bin", "secret");
+    std::filesystem::create_symlink(elsewhere / "secret.bin", folder_ / "link.bin");
+    for (const std::string& name : {elsewhere / "secret.bin", std::string("../secret.bin"), std::string("link.bin"),
+                                    std::string("missing.bin"), std::string("")}) {
+        const std::string found =
+            refusal("1 glVertexPointer(size = 3, type = GL_FLOAT, stride = 0, pointer = blob(\"" + name + "\"))\n");
+        EXPECT_TRUE(found.starts_with("dump.txt: call 1: ")) << name << ": " << found;
+        EXPECT_EQ(found.find("it is a link") != std::string::npos, name == "link.bin") << found;
+    }
+}
+
+// ---- Frames ----
+
+constexpr const char* kTriangle =
+    "9 glBegin(mode = GL_TRIANGLES)\nglVertex2f(x = 0, y = 0)\nglVertex2f(x = 1, y = 0)\nglVertex2f(x = 0, y = "
+    "1)\nglEnd()\n";
+constexpr const char* kSwap = "glXSwapBuffers(dpy = 0x1, drawable = 2)\n\n";
+
+std::size_t draws(const Frame& frame) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(frame.items, [](const auto& item) { return std::holds_alternative<Draw>(item); }));
+}
+
+TEST_F(Traces, KeepTheStateOfEarlierFrames) {
+    const std::string text = "1 glViewport(x = 0, y = 0, width = 64, height = 48)\nglEnable(cap = GL_LIGHTING)\n" +
+                             std::string(kSwap) + "glColor3f(red = 1, green = 0, blue = 0)\n" + kTriangle + kSwap +
+                             "glDisable(cap = GL_LIGHTING)\n" + kTriangle + kTriangle + kSwap;
+    const RecordedFrame first = frame(text);
+    EXPECT_EQ(first.number, 1);  // the first that draws
+    EXPECT_EQ(draws(first.frame), 1u);
+    EXPECT_EQ(first.frame.width, 64);
+    EXPECT_EQ(first.frame.height, 48);
+    EXPECT_TRUE(first.frame.commands->name.ends_with("frame 1"));
+    const RecordedFrame second = frame(text, 2);
+    EXPECT_EQ(draws(second.frame), 2u);
+    const auto is_lit = [](const Frame& f) {
+        for (const auto& item : f.items) {
+            if (const Draw* draw = std::get_if<Draw>(&item)) return draw->lighting.enabled;
+        }
+        return false;
+    };
+    EXPECT_TRUE(is_lit(first.frame));
+    EXPECT_FALSE(is_lit(second.frame));
+    EXPECT_THROW(frame(text, 3), SceneError);
+    EXPECT_THROW(frame(text, 0), SceneError);  // draws nothing
+}
+
+// Without a swap there is one buffer, and what is drawn stays.
+TEST_F(Traces, EndAFrameAtGlFlushWhereNothingIsEverSwapped) {
+    const std::string text = "1 glFlush()\n" + std::string(kTriangle) + "glFlush()\n" + kTriangle + "glFinish()\n";
+    EXPECT_EQ(frame(text).number, 0);
+    EXPECT_EQ(draws(frame(text, 0).frame), 1u);
+    EXPECT_EQ(draws(frame(text, 1).frame), 2u);
+    // A program that swaps flushes now and then, and ends nothing by it.
+    EXPECT_EQ(draws(frame(std::string(kTriangle) + "glFlush()\n" + kTriangle + kSwap).frame), 2u);
+}
+
+TEST_F(Traces, GoOnAfterWhatGlRefuses) {
+    const RecordedFrame found =
+        frame("1 glEnable(cap = GL_LIGHTING)\nglMatrixMode(mode = GL_LIGHT0)\n" + std::string(kTriangle) + kSwap);
+    EXPECT_EQ(found.error_count, 1u);
+    ASSERT_TRUE(found.first_error);
+    EXPECT_EQ(found.first_error->code, kGL_INVALID_ENUM);
+    EXPECT_EQ(found.first_error->place.line, 2);  // the call's number
+    EXPECT_EQ(draws(found.frame), 1u);
+}
+
+TEST_F(Traces, CountWhatNoRendererDoes) {
+    const RecordedFrame found =
+        frame("1 glUseProgram(program = 3)\nglUseProgram(program = 4)\n" + std::string(kTriangle));
+    ASSERT_EQ(found.frame.unsupported.size(), 1u);
+    EXPECT_EQ(found.frame.unsupported[0].name, "glUseProgram");
+    EXPECT_EQ(found.frame.unsupported[0].count, 2);
+    EXPECT_EQ(found.frame.unsupported[0].first.line, 1);
+    EXPECT_EQ(found.frame.unsupported[0].renderers, (Lines{"fixed", "programmable", "reference"}));
+}
+
+TEST(Apitrace, IsAskedForWhereItIsMissing) {
+    const TemporaryFolder folder;
+    // The start of a trace: what apitrace would be given.
+    write_file_atomically(folder / "game.trace", std::string("at\x10\0\0\0", 6) + std::string(64, 'x'));
+    const ProgramResult result =
+        run_shell("twinlight", "PATH=/nowhere \"$PROGRAM\" compare " + quoted(folder / "game.trace") + " -o " +
+                                   quoted(folder / "report"));
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("apitrace, which is not installed; install it (apt-get install apitrace)"),
+              std::string::npos)
+        << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "report"));
+}
+
+}  // namespace
+
+}  // namespace twinlight
