@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "render/effect/color_products.h"
-#include "render/programmable/attributes.h"
+#include "render/programmable/vertex_attributes.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -151,7 +151,7 @@ class Builder {
         unit_ = similarity_scale(eye_from_object_);
         object_from_eye_ = glm::inverse(eye_from_object_);
         vector("u_viewer_object", point(glm::dvec3(0)));
-        vector("u_viewer_dir", direction(glm::dvec3(0, 0, 1)));
+        vector("u_viewer_dir_object", direction(glm::dvec3(0, 0, 1)));
     }
 
     // From eye coordinates to those that the shader lights in.
@@ -210,12 +210,14 @@ class Builder {
         of_face("u_front", plan_.lighting.front);
         if (effects_.two_side) of_face("u_back", plan_.lighting.back);
         for (std::size_t i = 0; i < lights_.size(); ++i) {
-            const LightSource& light = source(lights_[i].front());
-            const double reach = plan_.lights[lights_[i].front()].constant_reach;
-            const std::string name = fmt::format("u_light{}", i);
-            samples(name + "_ambient_samples", samples_of(spectrum, ambient_of(light)), reach);
-            samples(name + "_diffuse_samples", samples_of(spectrum, diffuse_of(light)), reach);
-            samples(name + "_specular_samples", samples_of(spectrum, specular_of(light)), reach);
+            for (const std::size_t planned : lights_[i]) {
+                const LightSource& light = source(planned);
+                const double reach = plan_.lights[planned].constant_reach;
+                const std::string name = fmt::format("u_light{}", i);
+                samples(name + "_ambient_samples", samples_of(spectrum, ambient_of(light)), reach);
+                samples(name + "_diffuse_samples", samples_of(spectrum, diffuse_of(light)), reach);
+                samples(name + "_specular_samples", samples_of(spectrum, specular_of(light)), reach);
+            }
         }
     }
 
@@ -261,22 +263,21 @@ class Builder {
         if (effects.directional) {
             const glm::dvec3 vp_dir = unit(rgb(light.position_eye));
             vector(in_space("direction"), direction(vp_dir));
-            vector(name("half_dir"), direction(unit(vp_dir + glm::dvec3(0, 0, 1))));
+            vector(in_space("half_dir"), direction(unit(vp_dir + glm::dvec3(0, 0, 1))));
             return;
         }
         vector(in_space("position"), point(rgb(light.position_eye) / light.position_eye.w));
-        number(name("constant_attenuation"), light.constant_attenuation);
-        number(name("linear_attenuation"), light.linear_attenuation * unit_);
-        number(name("quadratic_attenuation"), light.quadratic_attenuation * unit_ * unit_);
-        vector(in_space("spot_direction"), direction(unit(light.spot_direction_eye)));
-        number(name("spot_cutoff_cosine"), cos_deg(light.spot_cutoff_deg) - kCosineRounding);
+        vector(name("attenuation"), glm::dvec3(light.constant_attenuation, light.linear_attenuation * unit_,
+                                               light.quadratic_attenuation * unit_ * unit_));
+        vector(in_space("spot_dir"), direction(unit(light.spot_direction_eye)));
+        number(name("cos_cutoff"), cos_deg(light.spot_cutoff_deg) - kCosineRounding);
         number(name("spot_exponent"), light.spot_exponent);
         if (!light.smooth_cone) return;
         // RULING: equal cones (and an inner one that is wider) are a step at the outer, which belongs to the
         // cone: a slope as steep as rounding, below it.
         const double outer = cos_deg(light.smooth_cone->outer_deg);
         const double span = cos_deg(light.smooth_cone->inner_deg) - outer;
-        number(name("outer_cosine"), span > 0 ? outer : outer - 2 * kCosineRounding);
+        number(name("cos_outer"), span > 0 ? outer : outer - 2 * kCosineRounding);
         number(name("cone_slope"), 1 / (span > 0 ? span : kCosineRounding));
     }
 

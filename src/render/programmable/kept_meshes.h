@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "render/effect/vertex_facts.h"
-#include "render/programmable/mesh.h"
 #include "render/programmable/programmable.h"
+#include "render/programmable/uploaded_mesh.h"
 
 namespace twinlight::programmable {
 

@@ -9,10 +9,10 @@
 #include "render/context/gl.h"
 #include "render/programmable/draw_values.h"
 #include "render/programmable/kept_meshes.h"
-#include "render/programmable/mesh.h"
-#include "render/programmable/precise.h"
-#include "render/programmable/programs.h"
+#include "render/programmable/kept_programs.h"
+#include "render/programmable/precise/precise.h"
 #include "render/programmable/surface_values.h"
+#include "render/programmable/uploaded_mesh.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/programmable/bake.h"
-#include "render/programmable/precise.h"
+#include "render/programmable/precise/precise.h"
 #include "render/programmable/programmable.h"
 #include "render/programmable/surface_values.h"
 

@@ -1,4 +1,4 @@
-#include "render/programmable/programs.h"
+#include "render/programmable/kept_programs.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "render/programmable/precise.h"
+#include "render/programmable/precise/precise.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "render/context/gl.h"
-#include "render/programmable/mesa_floats.h"
-#include "render/programmable/origin.h"
+#include "render/programmable/form.h"
+#include "render/programmable/precise/mesa_floats.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -205,13 +205,12 @@ Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code) 
             return values[fmt::format("u_light{}_{}_{}", i, what, space)];
         };
         in("position") = in("direction") = floats(in_space.position);
-        in("spot_direction") = floats(in_space.spot_direction);
-        value("half_dir") = floats(in_space.half_dir);
-        value("spot_cutoff_cosine") = {in_space.spot_cutoff_cosine};
+        in("spot_dir") = floats(in_space.spot_direction);
+        in("half_dir") = floats(in_space.half_dir);
+        value("cos_cutoff") = {in_space.spot_cutoff_cosine};
         value("spot_exponent") = {static_cast<float>(light.spot_exponent)};
-        value("constant_attenuation") = {static_cast<float>(light.constant_attenuation)};
-        value("linear_attenuation") = {static_cast<float>(light.linear_attenuation)};
-        value("quadratic_attenuation") = {static_cast<float>(light.quadratic_attenuation)};
+        value("attenuation") =
+            floats({light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation});
     });
     return values;
 }

@@ -1,4 +1,4 @@
-#include "render/programmable/program.h"
+#include "render/programmable/shader_program.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "render/context/gl.h"
-#include "render/programmable/attributes.h"
+#include "render/programmable/vertex_attributes.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -127,6 +127,11 @@ void Program::use(const Uniforms& uniforms) {
             return std::min(slot.length, static_cast<GLsizei>(found->second.size()) / floats);
         };
         switch (slot.type) {
+            case GL_INT: {
+                const std::vector<GLint> whole(values, values + given(1));
+                glUniform1iv(slot.location, given(1), whole.data());
+                break;
+            }
             case GL_FLOAT: glUniform1fv(slot.location, given(1), values); break;
             case GL_FLOAT_VEC2: glUniform2fv(slot.location, given(2), values); break;
             case GL_FLOAT_VEC3: glUniform3fv(slot.location, given(3), values); break;

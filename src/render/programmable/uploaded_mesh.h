@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/effect/effect_set.h"
-#include "render/programmable/attributes.h"
+#include "render/programmable/vertex_attributes.h"
 #include "render/stages/elements.h"
 #include "scene/state/frame.h"
 

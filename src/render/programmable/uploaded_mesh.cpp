@@ -1,4 +1,4 @@
-#include "render/programmable/mesh.h"
+#include "render/programmable/uploaded_mesh.h"
 
 #include <vector>
 

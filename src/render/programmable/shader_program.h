@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "render/programmable/assembly.h"
 #include "render/programmable/draw_values.h"
+#include "render/programmable/shader_assembly.h"
 
 namespace twinlight::programmable {
 

@@ -12,8 +12,8 @@
 #include <set>
 #include <string>
 
-#include "render/programmable/program.h"
 #include "render/programmable/programmable.h"
+#include "render/programmable/shader_program.h"
 
 namespace twinlight::programmable {
 
