@@ -83,7 +83,7 @@ class Opponent : public Program {
     }
 
     Draw draw_;
-    programmable::Mesh mesh_;
+    programmable::UploadedMesh mesh_;
     Textures textures_{Clamping::kShader};
     unsigned program_;
 };

@@ -171,13 +171,13 @@ class VertexPrograms {
 
         auto& program = programs_[{code.effects, code.form}];
         if (!program) {
-            program = std::make_unique<Program>(assemble(code.effects, code.form), code.effects);
+            program = std::make_unique<ShaderProgram>(assemble(code.effects, code.form), code.effects);
             program->use(numbers);
             link_with(outputs);
         }
         program->use(numbers);
         draw.mode = kGL_POINTS;
-        return captured(Mesh(draw, code.effects, options, code.origin_object.value_or(glm::dvec3(0))), outputs);
+        return captured(UploadedMesh(draw, code.effects, options, code.origin_object.value_or(glm::dvec3(0))), outputs);
     }
 
   private:
@@ -194,7 +194,7 @@ class VertexPrograms {
         glLinkProgram(static_cast<GLuint>(name));
     }
 
-    static Triangle captured(const programmable::Mesh& mesh, const Outputs& outputs) {
+    static Triangle captured(const programmable::UploadedMesh& mesh, const Outputs& outputs) {
         std::vector<float> values(3 * outputs.size() * 4);
         GLuint buffer = 0;
         glGenBuffers(1, &buffer);
@@ -223,7 +223,7 @@ class VertexPrograms {
         return triangle;
     }
 
-    std::map<std::pair<EffectSet, programmable::Form>, std::unique_ptr<programmable::Program>> programs_;
+    std::map<std::pair<EffectSet, programmable::Form>, std::unique_ptr<programmable::ShaderProgram>> programs_;
 };
 
 // ---- The comparison ----
@@ -371,8 +371,8 @@ TEST(Precise, IsOfVerticesAndOfUniforms) {
     RenderOptions phong = kPrecise, baked = kPrecise;
     phong.shading = Shading::kPhong;
     baked.tier = Tier::kBaked;
-    EXPECT_THROW(programmable::PreparedFrame(frame, phong), std::invalid_argument);
-    EXPECT_THROW(programmable::PreparedFrame(frame, baked), std::invalid_argument);
+    EXPECT_THROW(programmable::UploadedFrame(frame, phong), std::invalid_argument);
+    EXPECT_THROW(programmable::UploadedFrame(frame, baked), std::invalid_argument);
 }
 
 // Where the fixed function's answer is no number (2.1.1: none is asked for), it has the ordinary program's.

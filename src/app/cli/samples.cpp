@@ -13,7 +13,7 @@ namespace {
 constexpr RenderOptions kPerPixel = {.shading = Shading::kPhong};
 
 std::function<void()> drawn(programmable::Renderer& renderer, const Frame& frame, const RenderOptions& options) {
-    const auto ready = std::make_shared<programmable::PreparedFrame>(frame, options);
+    const auto ready = std::make_shared<programmable::UploadedFrame>(frame, options);
     return [ready, &renderer] {
         renderer.draw(*ready);
         glFinish();

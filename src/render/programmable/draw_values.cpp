@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "render/effect/color_products.h"
+#include "render/programmable/precise/precise.h"
 #include "render/programmable/vertex_attributes.h"
 
 namespace twinlight::programmable {
@@ -45,7 +46,7 @@ double cos_deg(double deg) { return deg == 90 ? 0 : std::cos(deg * std::numbers:
 double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
 
 // ---- Ranges ----
-// The shader makes cubes of lengths, and a float's cube ends at 1e38 and 1e-38. Lighting does not depend on the
+// The shader makes squares of lengths, and a float's square ends at 1e38 and 1e-38. Lighting does not depend on the
 // unit of length (but for attenuation, whose factors are converted), nor unit normals on theirs. So what is
 // far from 1 is measured in another unit: a power of two, so that nothing is rounded.
 
@@ -84,9 +85,9 @@ glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
 
 // ---- Uniforms ----
 
-class Builder {
+class DrawUniforms {
   public:
-    Builder(const Draw& draw, const Plan& plan, const Code& code)
+    DrawUniforms(const Draw& draw, const Plan& plan, const Code& code)
         : draw_(draw),
           plan_(plan),
           effects_(code.effects),
@@ -300,7 +301,18 @@ class Builder {
 
 }  // namespace
 
-Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) { return Builder(draw, plan, code).build(); }
+DrawProgram draw_program(const Draw& draw, const Plan& plan, bool precise) {
+    if (precise && floats_suffice(draw, plan)) {
+        const Code code = precise_code(draw, plan);
+        return {code, precise_uniforms(draw, plan, code)};
+    }
+    const Code code = code_for(draw, plan);
+    return {code, uniforms(draw, plan, code)};
+}
+
+Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) {
+    return DrawUniforms(draw, plan, code).build();
+}
 
 std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, const std::vector<std::uint32_t>& vertices,
                                 const glm::dvec3& origin_object) {

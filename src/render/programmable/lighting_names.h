@@ -1,6 +1,8 @@
 // LightingNames: what the GLSL that lights a vertex or a fragment calls its values. A uniform is declared where it is first named.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <set>
 #include <string>
 #include <vector>
@@ -70,6 +72,24 @@ class LightingNames {
     const Form& form_;
     std::set<std::string> declared_;
     std::string declarations_;
+};
+
+// What the two that write the text of lights share: lighting_text.cpp and precise/precise_text.cpp.
+class LightingWriter {
+  public:
+    LightingWriter(const EffectSet& effects, const Form& form)
+        : effects_(effects), form_(form), names_(effects, form) {}
+
+  protected:
+    template <class... Values>
+    void add(fmt::format_string<Values...> text, Values&&... values) {
+        text_ += fmt::format(text, std::forward<Values>(values)...);
+    }
+
+    const EffectSet& effects_;
+    const Form& form_;
+    LightingNames names_;
+    std::string text_;
 };
 
 }  // namespace twinlight::programmable

@@ -7,9 +7,9 @@
 namespace twinlight::programmable {
 namespace {
 
-class Writer {
+class Writer : LightingWriter {
   public:
-    Writer(const EffectSet& effects, const Form& form) : effects_(effects), form_(form), names_(effects, form) {}
+    using LightingWriter::LightingWriter;
 
     LightingText text() {
         LightingText text;
@@ -119,8 +119,8 @@ class Writer {
         } else {
             const bool same_half_dir = effects_.lights[i].directional && !effects_.local_viewer;
             const std::string n_dot_h =
-                same_half_dir ? fmt::format("dot(n, {})", names_.light(i, "vec3", "half_dir_" + names_.space(),
-                                                                       "h_i, the same at every vertex"))
+                same_half_dir ? fmt::format("positive_dot(n, {})", names_.light(i, "vec3", "half_dir_" + names_.space(),
+                                                                                "h_i, the same at every vertex"))
                               : "cosine_between(n, vp_dir, vpe_dir)";
             highlight = fmt::format("highlight(n_dot_vp, {}, {})", n_dot_h, shininess);
         }
@@ -151,15 +151,22 @@ class Writer {
         text_ += "    }\n";
     }
 
+    // `factor` ends with " * ", or is empty.
     void term(std::size_t i, const std::string& face, const std::string& name, const std::string& factor,
               BroughtColor brought) {
         const bool is_secondary = effects_.separate_specular && name == "specular";
-        if (effects_.spectral_groups > 0)
-            add("        for (int g = 0; g < {}; ++g)\n            {}[g] += {}{};\n", effects_.spectral_groups,
-                is_secondary ? "secondary_samples" : "samples", factor, names_.sample_product(i, face, name));
-        else
-            add("        {} += {}{};\n", is_secondary ? "lit.secondary" : "lit.primary.rgb", factor,
-                names_.product(i, face, name, brought));
+        std::string sum = is_secondary ? "        lit.secondary" : "        lit.primary.rgb", product;
+        if (effects_.spectral_groups > 0) {
+            sum = fmt::format("        for (int g = 0; g < {}; ++g)\n            {}[g]", effects_.spectral_groups,
+                              is_secondary ? "secondary_samples" : "samples");
+            product = names_.sample_product(i, face, name);
+        } else {
+            product = names_.product(i, face, name, brought);
+        }
+        constexpr std::size_t kLongest = 120;
+        const bool fits = sum.size() + factor.size() + product.size() < kLongest;
+        add("{} += {}{}{};\n", sum, fits ? factor : factor.substr(0, factor.rfind(' ')), fits ? "" : "\n            ",
+            product);
     }
 
     // ---- Samples of the spectrum: groups of three, like red, green and blue ----
@@ -182,16 +189,6 @@ class Writer {
         for (const auto& [samples, sum] : sampled_sums())
             add("    for (int g = 0; g < {}; ++g) {} += u_rgb_from_samples[g] * {}[g];\n", groups, sum, samples);
     }
-
-    template <class... Values>
-    void add(fmt::format_string<Values...> text, Values&&... values) {
-        text_ += fmt::format(text, std::forward<Values>(values)...);
-    }
-
-    const EffectSet& effects_;
-    const Form& form_;
-    LightingNames names_;
-    std::string text_;
 };
 
 }  // namespace

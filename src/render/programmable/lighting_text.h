@@ -11,8 +11,8 @@ namespace twinlight::programmable {
 
 struct LightingText {
     const char* version = "130";
-    std::vector<const char*> libraries = {
-        "equation.glsl"};  // whose functions it calls; the first that has a name counts
+    // The files whose functions it calls; of two with one name the first counts.
+    std::vector<const char*> libraries = {"equation.glsl"};
     // The vertex shader's statement that sets gl_Position.
     std::string clip_position;
     // What the vertex shader makes of the vertex's position and normal: expressions.

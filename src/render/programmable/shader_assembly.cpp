@@ -175,7 +175,8 @@ class Assembler {
     // ---- Lit, in main() ----
 
     std::string divided(const std::string& position) const {
-        return effects_.vertex_w ? fmt::format("divided_by_w({})", position) : fmt::format("({}).xyz", position);
+        if (effects_.vertex_w) return fmt::format("divided_by_w({})", position);
+        return position.ends_with(')') ? position + ".xyz" : fmt::format("({}).xyz", position);
     }
 
     // Statements that call light_front() and its like with a Surface.

@@ -104,7 +104,7 @@ std::string shader_source(const Frame& frame, const RenderOptions& asked) {
     };
     std::vector<Use> uses;
     int number = 0;
-    const auto add = [&](const Draw& draw, const Plan& plan, const Code& code, const auto& numbers) {
+    const auto add = [&](const Draw& draw, const Plan& plan, const Code& code, const Uniforms& numbers) {
         const auto same = std::ranges::find_if(
             uses, [&](const Use& use) { return use.effects == code.effects && use.form == code.form; });
         if (same != uses.end())
@@ -114,7 +114,7 @@ std::string shader_source(const Frame& frame, const RenderOptions& asked) {
                             .form = code.form,
                             .place = draw.place,
                             .number = number,
-                            .text = program_text(draw, plan, code, numbers())});
+                            .text = program_text(draw, plan, code, numbers)});
     };
     const Draw* last = nullptr;
     for (const auto& item : frame.items) {
@@ -123,13 +123,11 @@ std::string shader_source(const Frame& frame, const RenderOptions& asked) {
         ++number;
         if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
             const Plan plan = plan_effects(*draw, options);
-            const Code code =
-                options.precise && floats_suffice(*draw, plan) ? precise_code(*draw, plan) : code_for(*draw, plan);
-            add(*draw, plan, code,
-                [&] { return code.form.precise ? precise_uniforms(*draw, plan, code) : uniforms(*draw, plan, code); });
+            const DrawProgram program = draw_program(*draw, plan, options.precise);
+            add(*draw, plan, program.code, program.numbers);
         } else if (!last || !are_one_shape(*last, *draw)) {
             for (const SurfaceProgram& surface : surface_programs(*draw, options))
-                add(surface.draw, surface.plan, surface.code, [&] { return surface.passes.front(); });
+                add(surface.draw, surface.plan, surface.code, surface.passes.front());
         }
         last = draw;
     }

@@ -17,7 +17,8 @@ MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptio
             .origin_object = origin_object};
 }
 
-Mesh::Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options, const glm::dvec3& origin_object)
+UploadedMesh::UploadedMesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options,
+                           const glm::dvec3& origin_object)
     : elements_(draw, options) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
@@ -46,12 +47,12 @@ Mesh::Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& opti
     }
 }
 
-Mesh::~Mesh() {
+UploadedMesh::~UploadedMesh() {
     for (const GLuint buffer : {vertices_, edge_flags_}) glDeleteBuffers(1, &buffer);
     glDeleteVertexArrays(1, &array_);
 }
 
-void Mesh::draw() const {
+void UploadedMesh::draw() const {
     glBindVertexArray(array_);
     elements_.draw();
 }

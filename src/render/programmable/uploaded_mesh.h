@@ -1,4 +1,4 @@
-// Mesh: a Draw's vertices and indices in buffers of the current context.
+// UploadedMesh: a Draw's vertices and indices in buffers of the current context.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,7 +11,7 @@
 
 namespace twinlight::programmable {
 
-// What decides a Mesh beside the vertices, their order and materials.
+// What decides an UploadedMesh beside the vertices, their order and materials.
 struct MeshForm {
     std::vector<Attribute> attributes;
     bool unit_normals = false;
@@ -25,13 +25,14 @@ MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptio
                    const glm::dvec3& origin_object);
 
 // Dies before its context does.
-class Mesh {
+class UploadedMesh {
   public:
     // The attributes that the program of these effects takes.
-    Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options, const glm::dvec3& origin_object);
-    ~Mesh();
-    Mesh(const Mesh&) = delete;
-    Mesh& operator=(const Mesh&) = delete;
+    UploadedMesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options,
+                 const glm::dvec3& origin_object);
+    ~UploadedMesh();
+    UploadedMesh(const UploadedMesh&) = delete;
+    UploadedMesh& operator=(const UploadedMesh&) = delete;
 
     // With the program that is current.
     void draw() const;

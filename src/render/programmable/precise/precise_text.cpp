@@ -7,9 +7,9 @@
 namespace twinlight::programmable {
 namespace {
 
-class Writer {
+class Writer : LightingWriter {
   public:
-    Writer(const EffectSet& effects, const Form& form) : effects_(effects), form_(form), names_(effects, form) {}
+    using LightingWriter::LightingWriter;
 
     LightingText text() {
         LightingText text{
@@ -112,16 +112,6 @@ class Writer {
         add("        {0} = specular * {1} + {0};\n    }}\n", specular_sum(),
             names_.product(i, face, "specular", specular_of(varying)));
     }
-
-    template <class... Values>
-    void add(fmt::format_string<Values...> text, Values&&... values) {
-        text_ += fmt::format(text, std::forward<Values>(values)...);
-    }
-
-    const EffectSet& effects_;
-    const Form& form_;
-    LightingNames names_;
-    std::string text_;
 };
 
 }  // namespace

@@ -66,9 +66,9 @@ float f_i(float n_dot_vp) {
     return n_dot_vp > 0.0 ? 1.0 : 0.0;
 }
 
-// f_i (n . h_i)^s_rm (section 2.14.1).
+// f_i (n . h_i)^s_rm (section 2.14.1); n_dot_h is not negative.
 float highlight(float n_dot_vp, float n_dot_h, EXPONENT shininess) {
-    return n_dot_vp > 0.0 ? POWER(max(n_dot_h, 0.0), shininess) : 0.0;
+    return n_dot_vp > 0.0 ? POWER(n_dot_h, shininess) : 0.0;
 }
 
 // Not GL: (r . VPe)^s_rm, without f_i. VP reflected about n is r.
