@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "render/effect/color_products.h"
+#include "render/programmable/lighting_names.h"
 #include "render/programmable/precise/precise.h"
 #include "render/programmable/vertex_attributes.h"
 
@@ -211,23 +212,21 @@ class DrawUniforms {
         of_face("u_front", plan_.lighting.front);
         if (effects_.two_side) of_face("u_back", plan_.lighting.back);
         for (std::size_t i = 0; i < lights_.size(); ++i) {
-            for (const std::size_t planned : lights_[i]) {
-                const LightSource& light = source(planned);
-                const double reach = plan_.lights[planned].constant_reach;
-                const std::string name = fmt::format("u_light{}", i);
-                samples(name + "_ambient_samples", samples_of(spectrum, ambient_of(light)), reach);
-                samples(name + "_diffuse_samples", samples_of(spectrum, diffuse_of(light)), reach);
-                samples(name + "_specular_samples", samples_of(spectrum, specular_of(light)), reach);
-            }
+            const LightSource& light = source(lights_[i].front());
+            const double reach = plan_.lights[lights_[i].front()].constant_reach;
+            const std::string name = fmt::format("u_light{}", i);
+            samples(name + "_ambient_samples", samples_of(spectrum, ambient_of(light)), reach);
+            samples(name + "_diffuse_samples", samples_of(spectrum, diffuse_of(light)), reach);
+            samples(name + "_specular_samples", samples_of(spectrum, specular_of(light)), reach);
         }
     }
 
     // e_cm + a_cm a_cs, but for what each vertex brings.
     void face(const std::string& name, const Material& material, const FaceEffects& varying) {
         glm::dvec3 base(0);
-        if (!varying.tracks_emission && !varying.varies_emission) base += rgb(material.emission);
+        if (!emission_of(varying)) base += rgb(material.emission);
         const Material::Reflectances& reflectances = material.reflectances;
-        if (!varying.tracks_ambient && !varying.varies_ambient)
+        if (!ambient_of(varying))
             base += product_of(model(), {plan_.constant_ambient, {}}, {rgb(material.ambient), reflectances.ambient});
         vector(fmt::format("u_{}_base", name), base);
         number(fmt::format("u_{}_alpha", name), material.diffuse.a);
@@ -236,21 +235,19 @@ class DrawUniforms {
             const LightSource& light = source(planned);
             const double reach = plan_.lights[planned].constant_reach;
             const auto product = [&](const char* term, const LightColor& light_color, const MaterialColor& color,
-                                     bool varies) {
+                                     BroughtColor brought) {
                 const std::string uniform = fmt::format("u_light{}_{}_{}", i, name, term);
-                if (!varies)
+                if (!brought)
                     vector(uniform, reach * product_of(model(), light_color, color));
                 else if (effects_.spectral_products)
                     matrix(uniform, reach * product_matrix(model(), light_color));
                 else
                     vector(uniform, reach * light_color.rgb);
             };
-            product("ambient", ambient_of(light), {rgb(material.ambient), reflectances.ambient},
-                    varying.tracks_ambient || varying.varies_ambient);
-            product("diffuse", diffuse_of(light), {rgb(material.diffuse), reflectances.diffuse},
-                    varying.tracks_diffuse || varying.varies_diffuse);
+            product("ambient", ambient_of(light), {rgb(material.ambient), reflectances.ambient}, ambient_of(varying));
+            product("diffuse", diffuse_of(light), {rgb(material.diffuse), reflectances.diffuse}, diffuse_of(varying));
             product("specular", specular_of(light), {rgb(material.specular), reflectances.specular},
-                    varying.tracks_specular || varying.varies_specular);
+                    specular_of(varying));
         };
         for (std::size_t i = 0; i < lights_.size(); ++i)
             for (const std::size_t planned : lights_[i]) light_products(i, planned);

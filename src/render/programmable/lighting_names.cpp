@@ -62,16 +62,13 @@ std::string LightingNames::product(std::size_t i, const std::string& face, const
 }
 
 std::string LightingNames::sample_product(std::size_t i, const std::string& face, const std::string& term) {
-    const int groups = effects_.spectral_groups, length = loop_length(i);
-    const char letter = term.front();
-    const std::string material = of_face(face, [&](const std::string& name) {
-        return uniform("vec3", fmt::format("u_{}_{}_samples", name, term), fmt::format("{}_cm", letter),
-                       fmt::format("[{}]", groups)) +
+    const std::string array = fmt::format("[{}]", effects_.spectral_groups);
+    const auto samples = [&](const std::string& of, const char* letters) {
+        return uniform("vec3", fmt::format("u_{}_{}_samples", of, term), term.front() + std::string(letters), array) +
                "[g]";
-    });
-    const std::string light = uniform("vec3", fmt::format("u_light{}_{}_samples", i, term),
-                                      fmt::format("{}_cli", letter), fmt::format("[{}]", groups * std::max(length, 1)));
-    return fmt::format("({} * {}[{}g])", material, light, length > 0 ? fmt::format("{} * i + ", groups) : "");
+    };
+    const std::string material = of_face(face, [&](const std::string& name) { return samples(name, "_cm"); });
+    return fmt::format("({} * {})", material, samples(fmt::format("light{}", i), "_cli"));
 }
 
 // ---- Materials ----

@@ -36,7 +36,7 @@ class Assembler {
     std::string text(Stage stage) const {
         const bool is_vertex = stage == Stage::kVertex, lights_here = lights_in(stage);
         const Scope scope = scope_of(stage);
-        std::string body = !is_vertex && has_ray() ? carried_out("surface_crossings.glsl", scope) + "\n" : "";
+        std::string body = !is_vertex && has_ray() ? carried_out("surface_crossings.glsl", scope) : "";
         if (lights_here) body += lighting_.functions;
         body += carried_out(is_vertex ? "vertex.glsl" : "fragment.glsl", scope);
 
