@@ -69,7 +69,7 @@ template <class Scalar, class Arch, Range kRange, PowerBy kPower>
 struct Limits<Lanes<Scalar, Arch, kRange, kPower>> : Limits<Scalar> {};
 
 template <class Scalar, class Arch, PowerBy kPower>
-Lanes<Scalar, Arch, Range::kPlain, kPower> representable(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
+Lanes<Scalar, Arch, Range::kPlain, kPower> finite_or_zero(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
     return x;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lighting/real_cast.h"
 #include "render/reference/coverage.h"
 #include "render/reference/fragment_operations.h"
 #include "render/reference/framebuffer.h"
@@ -126,23 +127,23 @@ void add_rulings(const Shader& shader, const Piece& piece, const glm::dvec2& pos
 
 LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, Face face,
                              const std::vector<lighting::Light<Marked>>& lights, const VertexRulings& rulings) const {
-    const lighting::Surface<double> surface = surface_of(v.position_eye, v.normal_eye, face);
+    const lighting::SurfacePoint<double> surface = surface_of(v.position_eye, v.normal_eye, face);
     LitPoint point{.material = material};
     point.terms.resize(lights_.size());
     const lighting::Lit<double> lit = light_surface(material, surface, point.terms.data());
     point.scene_ambient =
-        spectral_ ? spectral_->scene_ambient(material) : lighting::representable(material.ambient * model_.ambient);
+        spectral_ ? spectral_->scene_ambient(material) : lighting::finite_or_zero(material.ambient * model_.ambient);
     point.primary = lit.primary;
     point.secondary = lit.secondary;
 
     point.marked_terms.resize(lights.size());
     const Vec3<Marked> normal = vec3_cast<Vec3<Marked>>(surface.normal_eye);
-    const lighting::Surface<Marked> from{
+    const lighting::SurfacePoint<Marked> from{
         marked(lighting::divided(vec3_cast<Vec3<Marked>>(v.position_eye), Marked(v.position_eye.w)), rulings.position),
         marked(normal, rulings.normal)};
     const lighting::Lit<Marked> told =
-        lighting::light_surface<Marked>(lighting::real_cast<Marked>(model_), lighting::real_cast<Marked>(material),
-                                        from, lights, point.marked_terms.data());
+        lighting::measured_light<Marked>(lighting::real_cast<Marked>(model_), lighting::real_cast<Marked>(material),
+                                         from, lights, point.marked_terms.data());
     point.marked_primary = told.primary;
     point.marked_secondary = told.secondary;
     return point;
@@ -196,6 +197,7 @@ LitPoint mean_of(const PixelFragment& fragment) {
         for (std::size_t i = 0; i < mean.terms.size(); ++i) {
             const lighting::LightTerms<double>& of = point.terms[i];
             lighting::LightTerms<double>& terms = mean.terms[i];
+            terms.formulas = of.formulas;
             terms.attenuation += w * of.attenuation;
             terms.spot += w * of.spot;
             terms.n_dot_vp += w * of.n_dot_vp;
