@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "render/context/gl.h"
-#include "render/effect/fragment_effects.h"
 
 namespace twinlight {
 namespace {

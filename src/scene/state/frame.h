@@ -178,6 +178,12 @@ struct Texture {                         // 3.8.4, table 3.18
     bool generate_mipmap = false;
 };
 
+// Then GL_CLAMP takes in the border's colour (3.8.7), else it is GL_CLAMP_TO_EDGE.
+inline bool filters_linearly(const Texture& texture) {
+    return texture.mag_filter == kGL_LINEAR || texture.min_filter == kGL_LINEAR ||
+           texture.min_filter == kGL_LINEAR_MIPMAP_NEAREST || texture.min_filter == kGL_LINEAR_MIPMAP_LINEAR;
+}
+
 struct TextureUnit {
     std::shared_ptr<const Texture>
         texture;                   // what the Draw is textured with: null where that is off, or incomplete (3.8.10)
