@@ -78,13 +78,6 @@ struct Model {
     bool ambient_unattenuated = false;  // a_cm a_cli outside att_i and spot_i
 };
 
-// What each term of a light is a product of, for printing.
-struct Formulas {
-    const char* ambient = "att spot a_cm a_cli";
-    const char* diffuse = "att spot n.VP d_cm d_cli";
-    const char* specular = "att spot f(n.h)^s s_cm s_cli";
-};
-
 // What one light adds, term by term.
 template <class Real>
 struct LightTerms {
@@ -92,7 +85,6 @@ struct LightTerms {
     Real n_dot_vp{0};                       // n . VP
     Real highlight{0};                      // f_i (n . h)^s
     Vec3<Real> ambient, diffuse, specular;  // each whole, att_i and spot_i included
-    Formulas formulas{};
 };
 
 template <class Real>
@@ -196,10 +188,21 @@ LightTerms<Real> light_terms(const Model<Real>& model, const AnyMaterial& materi
     t.ambient = finite_or_zero(ambient_reach * (material.ambient * light.ambient));
     t.diffuse = finite_or_zero(reach * t.n_dot_vp * (material.diffuse * light.diffuse));
     t.specular = finite_or_zero(reach * t.highlight * (material.specular * light.specular));
-
-    if (model.ambient_unattenuated) t.formulas.ambient = "a_cm a_cli";
-    if (model.reflection) t.formulas.specular = "att spot (r.v)^s s_cm s_cli";
     return t;
+}
+
+// The three products of light_terms(), for printing.
+struct Formulas {
+    const char* ambient = "att spot a_cm a_cli";
+    const char* diffuse = "att spot n.VP d_cm d_cli";
+    const char* specular = "att spot f(n.h)^s s_cm s_cli";
+};
+template <class Real>
+Formulas formulas(const Model<Real>& model) {
+    Formulas f;
+    if (model.ambient_unattenuated) f.ambient = "a_cm a_cli";
+    if (model.reflection) f.specular = "att spot (r.v)^s s_cm s_cli";
+    return f;
 }
 
 struct IgnoreTerms {

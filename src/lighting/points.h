@@ -1,7 +1,7 @@
 // The lighting equation for many points at once, on the widest SIMD instructions that the processor has.
 //
-// The same templates as for one point (equation.h), over batches of doubles. What comes of it is what light_surface<double>
-// gives, but for the rounding of powers: within 4 units in the last place of the sum of the terms' magnitudes.
+// The same templates as for one point (equation.h), over batches of doubles. The results are light_surface<double>'s, except
+// for the rounding of powers: within 4 units in the last place of the sum of the terms' magnitudes.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // light_points over one number type: what each file that is compiled for an instruction set instantiates.
 //
-// Only templates over that type stand here and in what this includes. Anything else might be compiled for a wide set and
+// This file and its includes hold only templates over that type. Anything else might be compiled for a wide set and
 // chosen by the linker for all processors (tests/unit/lighting/points_test.cpp looks at the symbols).
 #pragma once
 

@@ -109,9 +109,9 @@ std::string text_of(const PixelFragment& fragment, const Draw& draw) {
         for (std::size_t i = 0; i < fragment.lights.size(); ++i) {
             const lighting::LightTerms<double>& terms = mean.terms[i];
             const std::string name = light_name(fragment.lights[i]);
-            text += row(name + " ambient", factors_of(terms.formulas.ambient, terms), terms.ambient);
-            text += row(name + " diffuse", factors_of(terms.formulas.diffuse, terms), terms.diffuse);
-            text += row(name + " specular", factors_of(terms.formulas.specular, terms), terms.specular);
+            text += row(name + " ambient", factors_of(mean.formulas.ambient, terms), terms.ambient);
+            text += row(name + " diffuse", factors_of(mean.formulas.diffuse, terms), terms.diffuse);
+            text += row(name + " specular", factors_of(mean.formulas.specular, terms), terms.specular);
         }
         text += row("primary colour", "before the clamp", mean.primary);
         if (draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
@@ -156,9 +156,9 @@ Json json_of(const PixelFragment& fragment, const Draw& draw) {
                                       {"diffuse", json_of(terms.diffuse)},
                                       {"specular", json_of(terms.specular)},
                                       {"formulas",
-                                       {{"ambient", terms.formulas.ambient},
-                                        {"diffuse", terms.formulas.diffuse},
-                                        {"specular", terms.formulas.specular}}}});
+                                       {{"ambient", mean.formulas.ambient},
+                                        {"diffuse", mean.formulas.diffuse},
+                                        {"specular", mean.formulas.specular}}}});
         }
         json["primary_unclamped"] = json_of(mean.primary);
         json["secondary_unclamped"] = json_of(mean.secondary);

@@ -270,6 +270,7 @@ double largest_attenuation(const LightSource& light, double nearest, double fart
 }
 
 double directional_spot(const LightSource& source) {
+    if (source.spot_cutoff_deg == 180 && !source.smooth_cone) return 1;
     using Vec = Vec3<double>;
     lighting::Light<double> light;
     place(light, vec3_cast<Vec>(source.position_eye), 0.0);

@@ -130,6 +130,7 @@ LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, 
     const lighting::SurfacePoint<double> surface = surface_of(v.position_eye, v.normal_eye, face);
     LitPoint point{.material = material};
     point.terms.resize(lights_.size());
+    point.formulas = lighting::formulas(model_);
     const lighting::Lit<double> lit = light_surface(material, surface, point.terms.data());
     point.scene_ambient =
         spectral_ ? spectral_->scene_ambient(material) : lighting::finite_or_zero(material.ambient * model_.ambient);
@@ -190,6 +191,7 @@ LitPoint mean_of(const PixelFragment& fragment) {
     for (lighting::LightTerms<double>& terms : mean.terms) terms.attenuation = terms.spot = 0;
     for (const LitPoint& point : fragment.points) {
         const double w = point.weight;
+        mean.formulas = point.formulas;
         mean.material.emission += w * point.material.emission;
         mean.scene_ambient += w * point.scene_ambient;
         mean.primary += w * point.primary;
@@ -197,7 +199,6 @@ LitPoint mean_of(const PixelFragment& fragment) {
         for (std::size_t i = 0; i < mean.terms.size(); ++i) {
             const lighting::LightTerms<double>& of = point.terms[i];
             lighting::LightTerms<double>& terms = mean.terms[i];
-            terms.formulas = of.formulas;
             terms.attenuation += w * of.attenuation;
             terms.spot += w * of.spot;
             terms.n_dot_vp += w * of.n_dot_vp;
