@@ -52,9 +52,9 @@ struct Material {
 template <class Real>
 struct Light {
     Vec3<Real> ambient{}, diffuse{}, specular{};
-    bool has_specular = true;           // false only where s_cm s_cli is known to be 0
-    Vec3<Real> position_eye{0, 0, 1};   // divided by its w; a unit vector towards a directional light
-    bool directional = true;            // w is 0
+    bool has_ambient = true, has_specular = true;  // false only where the product with the material is known to be 0
+    Vec3<Real> position_eye{0, 0, 1};              // divided by its w; a unit vector towards a directional light
+    bool directional = true;                       // w is 0
     Vec3<Real> half_dir_eye{0, 0, 1};   // h_i of a directional light for the infinite viewer; 0 where they are opposite
     Vec3<Real> spot_dir_eye{0, 0, -1};  // unit(spot direction)
     Real spot_exponent{0};
@@ -158,7 +158,6 @@ Real cosine_to_half(Vec3<Real> n, Vec3<Real> a, Vec3<Real> b) {
 template <class Real>
 Real highlight(const Model<Real>& model, const Light<Real>& light, Real shininess, Vec3<Real> n, Vec3<Real> vp_dir,
                Vec3<Real> vpe_dir) {
-    if (!light.has_specular) return Real(0);
     const Real n_dot_vp = dot(n, vp_dir);
     if (model.reflection) {
         const Vec3<Real> reflected = Real(2) * n_dot_vp * n - vp_dir;
@@ -181,13 +180,13 @@ LightTerms<Real> light_terms(const Model<Real>& model, const AnyMaterial& materi
     t.attenuation = attenuation(light, d);
     t.spot = spot(light, vp_dir);
     t.n_dot_vp = positive_dot(n, vp_dir);
-    t.highlight = highlight(model, light, material.shininess, n, vp_dir, vpe_dir);
+    if (light.has_specular) t.highlight = highlight(model, light, material.shininess, n, vp_dir, vpe_dir);
 
     const Real reach = t.attenuation * t.spot;
     const Real ambient_reach = model.ambient_unattenuated ? Real(1) : reach;
-    t.ambient = finite_or_zero(ambient_reach * (material.ambient * light.ambient));
+    if (light.has_ambient) t.ambient = finite_or_zero(ambient_reach * (material.ambient * light.ambient));
     t.diffuse = finite_or_zero(reach * t.n_dot_vp * (material.diffuse * light.diffuse));
-    t.specular = finite_or_zero(reach * t.highlight * (material.specular * light.specular));
+    if (light.has_specular) t.specular = finite_or_zero(reach * t.highlight * (material.specular * light.specular));
     return t;
 }
 

@@ -139,6 +139,7 @@ class Kernel {
             light.ambient = own.ambient * light.ambient;
             light.diffuse = own.diffuse * light.diffuse;
             light.specular = own.specular * light.specular;
+            light.has_ambient = material.ambient * lights[i].ambient != Vec3<double>{};
             light.has_specular = material.specular * lights[i].specular != Vec3<double>{};
         }
     }

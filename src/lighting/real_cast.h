@@ -27,6 +27,7 @@ Light<To> real_cast(const Light<From>& l) {
     return {.ambient = vec3_cast<Vec3<To>>(l.ambient),
             .diffuse = vec3_cast<Vec3<To>>(l.diffuse),
             .specular = vec3_cast<Vec3<To>>(l.specular),
+            .has_ambient = l.has_ambient,
             .has_specular = l.has_specular,
             .position_eye = vec3_cast<Vec3<To>>(l.position_eye),
             .directional = l.directional,
