@@ -180,13 +180,15 @@ LightTerms<Real> light_terms(const Model<Real>& model, const AnyMaterial& materi
     t.attenuation = attenuation(light, d);
     t.spot = spot(light, vp_dir);
     t.n_dot_vp = positive_dot(n, vp_dir);
-    if (light.has_specular) t.highlight = highlight(model, light, material.shininess, n, vp_dir, vpe_dir);
 
     const Real reach = t.attenuation * t.spot;
     const Real ambient_reach = model.ambient_unattenuated ? Real(1) : reach;
     if (light.has_ambient) t.ambient = finite_or_zero(ambient_reach * (material.ambient * light.ambient));
     t.diffuse = finite_or_zero(reach * t.n_dot_vp * (material.diffuse * light.diffuse));
-    if (light.has_specular) t.specular = finite_or_zero(reach * t.highlight * (material.specular * light.specular));
+    if (light.has_specular) {
+        t.highlight = highlight(model, light, material.shininess, n, vp_dir, vpe_dir);
+        t.specular = finite_or_zero(reach * t.highlight * (material.specular * light.specular));
+    }
     return t;
 }
 
