@@ -121,7 +121,7 @@ class Writer : LightingWriter {
             const std::string n_dot_h =
                 same_half_dir ? fmt::format("positive_dot(n, {})", names_.light(i, "vec3", "half_dir_" + names_.space(),
                                                                                 "h_i, the same at every vertex"))
-                              : "cosine_between(n, vp_dir, vpe_dir)";
+                              : "cosine_to_half(n, vp_dir, vpe_dir)";
             highlight = fmt::format("highlight(n_dot_vp, {}, {})", n_dot_h, shininess);
         }
         const bool unit_normals = effects_.normalize || effects_.shading == Shading::kPhong;

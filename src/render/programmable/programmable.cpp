@@ -23,7 +23,7 @@ namespace {
 struct PreparedDraw {
     // mesh_of: gives the mesh for an EffectSet and what positions are relative to.
     template <class MeshOf>
-    PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options, const MeshOf& mesh_of)
+    PreparedDraw(const Draw& draw, const Plan& plan, const Options& options, const MeshOf& mesh_of)
         : program(draw_program(draw, plan, options.precise)),
           mesh(mesh_of(program.code.effects, program.code.origin_object.value_or(glm::dvec3(0)))) {
         keep_state(draw);
@@ -45,64 +45,63 @@ struct PreparedDraw {
     Draw stages;  // without vertices: what is set as GL's state
 };
 
-PreparedDraw prepared(const Draw& draw, const RenderOptions& options) {
-    return {draw, plan_effects(draw, options), options, [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                return std::make_shared<const UploadedMesh>(draw, effects, options, origin_object);
-            }};
-}
-
-PreparedDraw prepared(const Draw& draw, const RenderOptions& options, KeptMeshes& kept) {
-    const auto known = kept.known(draw);
-    return {draw, plan_effects(draw, options, known->facts), options,
-            [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                return kept.mesh(*known, draw, effects, options, origin_object);
-            }};
-}
-
 }  // namespace
 
 struct UploadedFrame::Impl {
     // kept: null where the frame shares nothing with others.
-    Impl(const Frame& frame, RenderOptions options, KeptMeshes* kept) : tier(options.tier) {
+    Impl(const Frame& frame, Options options, KeptMeshes* kept) : tier(options.tier) {
         if (options.precise) {
             options = precise_options(options);
             check_has_precise();
         }
         const Draw* last = nullptr;
+        int number = 0;
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
                 items.emplace_back(*clear);
                 continue;
             }
             const Draw& draw = std::get<Draw>(item);
+            ++number;
             if (draw.count() == 0) continue;
+            const PlannedDraw place{number, draw.place, !last || !are_one_shape(*last, draw), {}};
             if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
-                add_mesh(draw, options, kept);
-            else if (!last || !are_one_shape(*last, draw))  // the first part stands for all of the shape
-                add_surfaces(draw, options);
+                add_mesh(draw, options, kept, place);
+            else if (place.begins_shape)  // the first part stands for all of the shape
+                add_surfaces(draw, options, place);
             last = &draw;
         }
         glBindVertexArray(0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
     }
 
-    void add_mesh(const Draw& draw, const RenderOptions& options, KeptMeshes* kept) {
-        items.emplace_back(kept ? prepared(draw, options, *kept) : prepared(draw, options));
+    void add_mesh(const Draw& draw, const Options& options, KeptMeshes* kept, PlannedDraw planned) {
+        const auto known = kept ? kept->known(draw) : nullptr;
+        planned.plan = known ? plan_effects(draw, options, known->facts) : plan_effects(draw, options);
+        items.emplace_back(
+            PreparedDraw(draw, planned.plan, options, [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                return known ? kept->mesh(*known, draw, effects, options.patches, origin_object)
+                             : std::make_shared<const UploadedMesh>(draw, effects, options.patches, origin_object);
+            }));
+        plans.push_back(std::move(planned));
     }
 
-    void add_surfaces(const Draw& draw, const RenderOptions& options) {
-        for (const SurfaceProgram& surface : surface_programs(draw, options)) {
-            const auto rectangle = std::make_shared<const UploadedMesh>(surface.draw, surface.code.effects,
-                                                                        RenderOptions{}, glm::dvec3(0));
+    void add_surfaces(const Draw& draw, const Options& options, const PlannedDraw& planned) {
+        for (SurfaceProgram& surface : surface_programs(draw, options)) {
+            const auto rectangle =
+                std::make_shared<const UploadedMesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
             for (const Uniforms& pass : surface.passes) items.emplace_back(PreparedDraw(surface, pass, rectangle));
+            plans.push_back(planned);
+            plans.back().plan = std::move(surface.plan);
         }
     }
 
     Tier tier;
+    std::vector<PlannedDraw> plans;
     std::list<std::variant<Clear, PreparedDraw>> items;
 };
 
-UploadedFrame::UploadedFrame(const Frame& frame, const RenderOptions& options)
+UploadedFrame::UploadedFrame(const Frame& frame, const Options& options)
     : impl_(std::make_unique<Impl>(frame, options, nullptr)) {}
 UploadedFrame::UploadedFrame(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 UploadedFrame::~UploadedFrame() = default;
@@ -140,14 +139,18 @@ void Renderer::draw(const UploadedFrame& frame) {
     impl_->meshes.end_frame();
 }
 
-void Renderer::draw(const Frame& frame, const RenderOptions& options) {
-    KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
-    draw(UploadedFrame(std::make_unique<UploadedFrame::Impl>(frame, options, kept)));
+void Renderer::draw(const Frame& frame, const Options& options) { draw(prepare_once(frame, options)); }
+
+Picture Renderer::render(const Frame& frame, const Options& options) {
+    const UploadedFrame prepared = prepare_once(frame, options);
+    draw(prepared);
+    return {read_pixels(frame.width, frame.height), std::move(prepared.impl_->plans)};
 }
 
-Image Renderer::render(const Frame& frame, const RenderOptions& options) {
-    draw(frame, options);
-    return read_pixels(frame.width, frame.height);
+UploadedFrame Renderer::prepare_once(const Frame& frame, Options options) {
+    options.patches = false;
+    KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
+    return UploadedFrame(std::make_unique<UploadedFrame::Impl>(frame, options, kept));
 }
 
 Counters Renderer::counters() const {

@@ -21,15 +21,13 @@ struct MeshForm {
 
     friend bool operator==(const MeshForm&, const MeshForm&) = default;
 };
-MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptions& options,
-                   const glm::dvec3& origin_object);
+MeshForm mesh_form(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
 
 // Dies before its context does.
 class UploadedMesh {
   public:
     // The attributes that the program of these effects takes.
-    UploadedMesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options,
-                 const glm::dvec3& origin_object);
+    UploadedMesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
     ~UploadedMesh();
     UploadedMesh(const UploadedMesh&) = delete;
     UploadedMesh& operator=(const UploadedMesh&) = delete;

@@ -55,7 +55,7 @@ float smooth_cone(vec3 spot_dir, float cos_outer, float cone_slope, vec3 vp_dir)
 
 // n . h, for h = hat(a + b); 0 where that is negative or a + b is 0. The root of a square, because the compiler drops the root where
 // the power is even.
-float cosine_between(vec3 n, vec3 a, vec3 b) {
+float cosine_to_half(vec3 n, vec3 a, vec3 b) {
     vec3 sum = a + b;
     float n_dot_sum = max(dot(n, a) + dot(n, b), 0.0);
     return sqrt(n_dot_sum * n_dot_sum / max(dot(sum, sum), 1e-24));
