@@ -1,4 +1,7 @@
 // LightingNames: what the GLSL that lights a vertex or a fragment calls its values. A uniform is declared where it is first named.
+//
+// A light is light0, light1, ...; its uniforms are u_light0_position_eye, u_light0_direction_eye and u_light0_half_dir_eye (or _object),
+// u_light0_attenuation, u_light0_front_diffuse and its like; a face's u_front_base, u_back_base and their like.
 #pragma once
 
 #include <fmt/format.h>
