@@ -20,7 +20,7 @@ namespace twinlight {
 
 namespace {
 
-constexpr bool is_elsewhere(std::string_view effect) { return effect.starts_with("elsewhere"); }
+constexpr bool is_driver_only(std::string_view effect) { return effect.starts_with("driver_only"); }
 
 constexpr int kSequences = 2000;
 constexpr int kCommands = 120;  // a sequence
@@ -28,16 +28,12 @@ constexpr int kCommands = 120;  // a sequence
 // ---- Random commands ----
 
 // The commands that State does not follow, and glDrawBuffer, whose buffers an offscreen context does not have.
-constexpr CommandId kElsewhere[] = {
-#define GL_COMMAND(name, effect, ...) is_elsewhere(#effect) ? CommandId::name : CommandId::glDrawBuffer,
+constexpr CommandId kDriverOnly[] = {
+#define GL_COMMAND(name, effect, ...) is_driver_only(#effect) ? CommandId::name : CommandId::glDrawBuffer,
 #define SHAPE_COMMAND(name, effect, ...)
 #define QUADRIC_COMMAND(name, effect, ...)
 #define PRAGMA_COMMAND(name, effect, ...)
 #include "scene/command/commands.def"
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
 };
 
 Enum one_of(fuzz::Random& random, const std::vector<Enum>& choices) {
@@ -182,7 +178,7 @@ bool uses_arrays_or_names(const Signature& sig) {
                           sig.name.starts_with("glDrawArrays") || sig.name == "glArrayElement";
     return is_array || std::any_of(sig.parameters.begin(), sig.parameters.end(), [](const Parameter& p) {
                return p.extent == Extent::kPointer || p.extent == Extent::kOutputByCount ||
-                      p.extent == Extent::kByCount || p.extent == Extent::kNames || p.name == "buffer" ||
+                      p.extent == Extent::kArrayByCount || p.extent == Extent::kNewNames || p.name == "buffer" ||
                       p.name == "list" || p.name == "base";
            });
 }
@@ -197,14 +193,14 @@ Command random_command(fuzz::Random& random) {
         if (sig.name.starts_with("glMultTranspose") || sig.name.starts_with("glFrustum")) continue;
         if (uses_arrays_or_names(sig)) continue;
         // What State does not follow, it does not check either.
-        if (std::find(std::begin(kElsewhere), std::end(kElsewhere), id) != std::end(kElsewhere)) continue;
+        if (std::find(std::begin(kDriverOnly), std::end(kDriverOnly), id) != std::end(kDriverOnly)) continue;
         // Half of the table are variants of glColor and glVertex.
         const bool frequent = sig.name.starts_with("glColor") || sig.name.starts_with("glVertex") ||
                               sig.name.starts_with("glTexCoord") || sig.name.starts_with("glMultiTexCoord");
         if (frequent && random.chance(0.7)) continue;
         Command command{id, {}, {}};
         for (const Parameter& parameter : sig.parameters) {
-            if (parameter.extent == Extent::kOutput) break;
+            if (parameter.is_output()) break;
             if (parameter.extent == Extent::kResult) {
                 command.arguments.push_back(0);
                 break;
@@ -218,7 +214,7 @@ Command random_command(fuzz::Random& random) {
                 continue;
             }
             int count = parameter.extent == Extent::kArray ? parameter.count : 1;
-            if (parameter.extent == Extent::kByPname) {
+            if (parameter.extent == Extent::kArrayByPname) {
                 count = array_length(id, command.enumerant(command.arguments.size() - 1)).value_or(4);
             }
             const bool bits = parameter.kind == Kind::kBitfield;

@@ -44,7 +44,7 @@ const std::map<std::string, report::RenderFunction> kScrubbed = {
 };
 
 // A picture is never silently partial.
-void tell_unsupported(const Frame& frame, const std::string& renderer) {
+void warn_unsupported(const Frame& frame, const std::string& renderer) {
     for (Unsupported item : frame.unsupported) {
         if (std::ranges::find(item.renderers, renderer) == item.renderers.end()) continue;
         item.renderers = {renderer};
@@ -96,7 +96,7 @@ int run(const Arguments& arguments) {
     } else {
         write_file_atomically(arguments.output, png);
     }
-    tell_unsupported(frame, arguments.renderer);
+    warn_unsupported(frame, arguments.renderer);
     return kFine;
 }
 

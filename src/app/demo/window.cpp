@@ -41,7 +41,7 @@ constexpr RenderOptions kOptions = {.shading = {}, .lecture_variants = false};
 constexpr RenderOptions kLiveOptions = {.shading = {}, .lecture_variants = false, .tier = Tier::kAuto};
 
 // The title says "(partial)" of a picture; which commands it lacks stands on the terminal.
-void tell_unsupported(const Frame& frame) {
+void warn_unsupported(const Frame& frame) {
     for (Unsupported item : frame.unsupported) {
         const auto is_reference = [](const std::string& renderer) { return renderer == "reference"; };
         std::erase_if(item.renderers, is_reference);  // which the window does not show
@@ -57,7 +57,7 @@ class Window {
         remake_frame();  // a bad scene is told before a window opens
         controls_ = make_controls(frame_);
         controls_.renderer = options.renderer;
-        tell_unsupported(frame_);
+        warn_unsupported(frame_);
     }
 
     int run();

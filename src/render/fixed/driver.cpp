@@ -80,7 +80,7 @@ namespace {
 constexpr GLsizei kMostHitValues = 1 << 16;
 
 // Queries whose answers' lengths State does not know: they change nothing, and are not sent.
-constexpr CommandSet kQueries = CommandSet::of({"elsewhere_query"});
+constexpr CommandSet kQueries = CommandSet::of({"driver_only_query"});
 
 }  // namespace
 

@@ -94,9 +94,9 @@ bool* VertexArrays::enabled(Enum array) {
         case kGL_COLOR_ARRAY: return &client_.color.enabled;
         case kGL_EDGE_FLAG_ARRAY: return &client_.edge_flag.enabled;
         case kGL_TEXTURE_COORD_ARRAY: return &client_.tex_coord[client_.active_unit].enabled;
-        case kGL_INDEX_ARRAY: return client_.elsewhere.data();
-        case kGL_SECONDARY_COLOR_ARRAY: return &client_.elsewhere[1];
-        case kGL_FOG_COORD_ARRAY: return &client_.elsewhere[2];
+        case kGL_INDEX_ARRAY: return client_.driver_only.data();
+        case kGL_SECONDARY_COLOR_ARRAY: return &client_.driver_only[1];
+        case kGL_FOG_COORD_ARRAY: return &client_.driver_only[2];
         default: return nullptr;
     }
 }
@@ -168,7 +168,7 @@ std::optional<GlError> VertexArrays::interleaved(const Command& c) {
         if (size > 0) point(array, size, type, step, c, offset + at * 4);
     };
     client_.edge_flag.enabled = false;
-    client_.elsewhere = {};
+    client_.driver_only = {};
     place(client_.tex_coord[client_.active_unit], row.tex_coord, kGL_FLOAT, 0);
     place(client_.color, row.color, row.bytes_of_color ? kGL_UNSIGNED_BYTE : kGL_FLOAT, row.color_at);
     place(client_.normal, row.normal ? 3 : 0, kGL_FLOAT, row.normal_at);

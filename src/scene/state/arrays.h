@@ -42,7 +42,7 @@ struct ClientArrays {
     ArrayPointer vertex, normal{.size = 3}, color, edge_flag{.size = 1, .type = kGL_UNSIGNED_BYTE};
     std::array<ArrayPointer, kMaxTextureUnits> tex_coord;
     // Arrays of what Twinlight does not follow (color indexes, secondary colours, fog coordinates): whether they are on.
-    std::array<bool, 3> elsewhere{};
+    std::array<bool, 3> driver_only{};
     std::size_t active_unit = 0;  // glClientActiveTexture's
     std::uint32_t array_buffer = 0, element_buffer = 0;
 };

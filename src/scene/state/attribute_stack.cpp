@@ -113,12 +113,12 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.active_unit = saved.active_unit;
     }
     if (bit(kGL_SCISSOR_BIT)) now.fragment.scissor = saved.fragment.scissor;
-    for (const Elsewhere& row : capabilities_elsewhere()) {
+    for (const DriverOnlyCapability& row : driver_only_capabilities()) {
         if (!bit(row.group) && !bit(kGL_ENABLE_BIT)) continue;
         const auto is_of_row = [&row](const auto& on) { return on.first.first == row.cap; };
-        std::erase_if(now.elsewhere, is_of_row);
-        std::copy_if(saved.elsewhere.begin(), saved.elsewhere.end(), std::inserter(now.elsewhere, now.elsewhere.end()),
-                     is_of_row);
+        std::erase_if(now.driver_only, is_of_row);
+        std::copy_if(saved.driver_only.begin(), saved.driver_only.end(),
+                     std::inserter(now.driver_only, now.driver_only.end()), is_of_row);
     }
 }
 

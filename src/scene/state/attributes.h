@@ -38,7 +38,7 @@ struct TextureBindings {
 };
 
 // Whether this is a target of textures that State does not follow: a picture that is drawn with one enabled says so.
-bool is_texture_elsewhere(Enum target);
+bool is_driver_only_texture(Enum target);
 
 // How pixels lie in client memory (3.6.1, table 3.1); glPixelStore sets them by name.
 struct PixelStore {
@@ -87,7 +87,7 @@ struct Attributes {
     std::uint32_t list_base = 0;
     // Capabilities that State does not follow and that are on, with where that was said: by the capability and its
     // texture unit, 0 for those that have none.
-    std::map<std::pair<Enum, std::size_t>, Place> elsewhere{{{kGL_DITHER, 0}, {}}, {{kGL_MULTISAMPLE, 0}, {}}};
+    std::map<std::pair<Enum, std::size_t>, Place> driver_only{{{kGL_DITHER, 0}, {}}, {{kGL_MULTISAMPLE, 0}, {}}};
 };
 
 }  // namespace twinlight

@@ -10,8 +10,8 @@
 namespace twinlight {
 
 // Those marked false change no pixel of what Twinlight draws.
-std::span<const Elsewhere> capabilities_elsewhere() {
-    static constexpr Elsewhere kRows[] = {
+std::span<const DriverOnlyCapability> driver_only_capabilities() {
+    static constexpr DriverOnlyCapability kRows[] = {
         {kGL_POINT_SMOOTH, kGL_POINT_BIT, true},
         {kGL_LINE_SMOOTH, kGL_LINE_BIT, true},
         {kGL_LINE_STIPPLE, kGL_LINE_BIT, true},
@@ -59,9 +59,9 @@ std::span<const Elsewhere> capabilities_elsewhere() {
     return kRows;
 }
 
-const Elsewhere& capability_elsewhere(Enum cap) {
-    const auto rows = capabilities_elsewhere();
-    return *std::find_if(rows.begin(), rows.end(), [cap](const Elsewhere& row) { return row.cap == cap; });
+const DriverOnlyCapability& driver_only_capability(Enum cap) {
+    const auto rows = driver_only_capabilities();
+    return *std::find_if(rows.begin(), rows.end(), [cap](const DriverOnlyCapability& row) { return row.cap == cap; });
 }
 
 bool* State::followed_capability(Enum cap) {
@@ -99,20 +99,20 @@ void State::set_capability(const Command& c, bool enabled) {
         return;
     }
     if (!known_capability(c)) return;
-    const Elsewhere& row = capability_elsewhere(cap);
+    const DriverOnlyCapability& row = driver_only_capability(cap);
     const std::pair key(cap, row.of_unit() ? a_.active_unit : 0);
     if (enabled) {
-        a_.elsewhere.emplace(key, c.place);
+        a_.driver_only.emplace(key, c.place);
     } else {
-        a_.elsewhere.erase(key);
+        a_.driver_only.erase(key);
     }
 }
 
 bool State::known_capability(const Command& c) {
     const Enum cap = c.enumerant(0);
-    const auto rows = capabilities_elsewhere();
+    const auto rows = driver_only_capabilities();
     if (followed_capability(cap) ||
-        std::any_of(rows.begin(), rows.end(), [cap](const Elsewhere& r) { return r.cap == cap; }))
+        std::any_of(rows.begin(), rows.end(), [cap](const DriverOnlyCapability& r) { return r.cap == cap; }))
         return true;
     raise(kGL_INVALID_ENUM, c,
           fmt::format("{} is given {}, which is no capability; expected GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, ...",

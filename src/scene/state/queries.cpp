@@ -119,8 +119,8 @@ Answer of_pixel_store(const PixelStore& store, Enum pname) {
 
 std::vector<double> State::get(Enum pname) const {
     if (const bool* followed = const_cast<State*>(this)->followed_capability(pname)) return one(*followed);  // NOLINT
-    for (const Elsewhere& row : capabilities_elsewhere()) {
-        if (row.cap == pname) return one(a_.elsewhere.contains({pname, row.of_unit() ? a_.active_unit : 0}));
+    for (const DriverOnlyCapability& row : driver_only_capabilities()) {
+        if (row.cap == pname) return one(a_.driver_only.contains({pname, row.of_unit() ? a_.active_unit : 0}));
     }
     for (const Answer& answer : {of_lighting(a_.lighting, pname), of_raster(a_.raster, pname),
                                  of_fragments(a_.fragment, a_.fog, a_.clear, pname), of_hints(a_.hints, pname),

@@ -35,7 +35,7 @@ inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; wha
 
 // RULING: a vertex that is given NaN or infinity. A position of them is (0, 0, 0, 0), which belongs to no polygon, line or
 // point (2.12); a normal of them is zero; such a component of a colour or a texture coordinate is 0.
-void represent(Vertex& vertex);
+void sanitize(Vertex& vertex);
 
 class State {
   public:
@@ -174,17 +174,17 @@ class State {
     void mult_transpose_matrix(const Command&);
     void blend_equation(const Command&);
     void draw_buffer(const Command&);
-    void elsewhere_state(const Command&);
-    void elsewhere_drawing(const Command&);
-    void elsewhere_vertex(const Command&);
-    void elsewhere_attribute(const Command&);
-    void elsewhere_query(const Command&);
-    void elsewhere_secondary_color(const Command&);
-    void elsewhere_point_parameter(const Command&);
-    void elsewhere_pixel_transfer(const Command&);
-    void elsewhere_bitmap(const Command&);
-    void elsewhere_stipple(const Command&);
-    void elsewhere_copy_image(const Command&);
+    void driver_only_state(const Command&);
+    void driver_only_drawing(const Command&);
+    void driver_only_vertex(const Command&);
+    void driver_only_attribute(const Command&);
+    void driver_only_query(const Command&);
+    void driver_only_secondary_color(const Command&);
+    void driver_only_point_parameter(const Command&);
+    void driver_only_pixel_transfer(const Command&);
+    void driver_only_bitmap(const Command&);
+    void driver_only_stipple(const Command&);
+    void driver_only_copy_image(const Command&);
     void render_mode(const Command&);
     void hit_buffer(const Command&);
     void is_enabled(const Command&);
@@ -257,7 +257,7 @@ class State {
     Quadric* quadric(const Command& command);   // its first argument; null, and the error, where there is none
     bool can_send(const Command& command);      // whether its quadric can be sent; false, and the error, if not
     void show(std::variant<Clear, Draw> item);  // adds it to the picture, in the mode that makes one
-    void note_draws_elsewhere(const Draw& draw);
+    void note_driver_only_values(const Draw& draw);
     // Of what is drawn now, and of what changes all pictures from here on.
     void note_lasting(std::string_view name, const Place& place);
     void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);

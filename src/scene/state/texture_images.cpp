@@ -132,7 +132,7 @@ bool State::has_texels(const Command& c, double count, std::size_t replaced) {
 }
 
 // Images of textures that State does not follow.
-bool is_image_elsewhere(Enum target) {
+bool is_driver_only_image(Enum target) {
     return target == kGL_TEXTURE_RECTANGLE || target == kGL_PROXY_TEXTURE_RECTANGLE ||
            (target >= kGL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= kGL_PROXY_TEXTURE_CUBE_MAP);
 }
@@ -142,7 +142,7 @@ void State::tex_image(const Command& c) {
     const bool two = c.id == CommandId::glTexImage2D;
     const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
     const Enum proxy = two ? kGL_PROXY_TEXTURE_2D : kGL_PROXY_TEXTURE_1D;
-    if (two && is_image_elsewhere(a.target)) return;
+    if (two && is_driver_only_image(a.target)) return;
     if (!known(c, a.target, {target, proxy})) return;
     const PixelSource& source = a.source;
     if (a.level < 0 || a.level >= kMaxTextureLevels) {
@@ -200,7 +200,7 @@ void State::tex_image(const Command& c) {
 void State::tex_sub_image(const Command& c) {
     const bool two = c.id == CommandId::glTexSubImage2D;
     const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
-    if (two && is_image_elsewhere(c.enumerant(0))) return;
+    if (two && is_driver_only_image(c.enumerant(0))) return;
     if (!known(c, c.enumerant(0), {target})) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;

@@ -29,15 +29,15 @@ Texture* State::writable_texture(const Command& c, Enum target) {
 }
 
 // 3.8.12. A name that was never generated may be bound as well.
-bool is_texture_elsewhere(Enum target) {
+bool is_driver_only_texture(Enum target) {
     return target == kGL_TEXTURE_3D || target == kGL_TEXTURE_CUBE_MAP || target == kGL_TEXTURE_RECTANGLE;
 }
 
 void State::bind_texture(const Command& c) {
     const Enum target = c.enumerant(0);
     const std::uint32_t name = c.enumerant(1);
-    const bool elsewhere = is_texture_elsewhere(target);
-    if (!elsewhere && !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    const bool driver_only = is_driver_only_texture(target);
+    if (!driver_only && !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
     if (name != 0) {
         std::shared_ptr<Texture>& texture = textures_.named[name];
         if (!texture) texture = std::make_shared<Texture>(Texture{.target = target});
@@ -47,7 +47,7 @@ void State::bind_texture(const Command& c) {
                                      enum_name(texture->target), enum_name(target)));
         }
     }
-    if (elsewhere) return;
+    if (driver_only) return;
     (target == kGL_TEXTURE_1D ? unit().bound_1d : unit().bound_2d) = name;
 }
 
@@ -65,11 +65,11 @@ void State::active_texture(const Command& c) {
 namespace {
 
 // Parameters of later versions, and of textures that are not here.
-struct ParameterElsewhere {
+struct DriverOnlyParameter {
     Enum pname;
     std::optional<double> initial;  // nothing: it says how another one acts, and alone changes no pixel
 };
-constexpr ParameterElsewhere kParametersElsewhere[] = {
+constexpr DriverOnlyParameter kDriverOnlyParameters[] = {
     {kGL_TEXTURE_BASE_LEVEL, 0},
     {kGL_TEXTURE_MAX_LEVEL, 1000},
     {kGL_TEXTURE_MIN_LOD, -1000},
@@ -81,18 +81,18 @@ constexpr ParameterElsewhere kParametersElsewhere[] = {
     {kGL_DEPTH_TEXTURE_MODE, std::nullopt},
 };
 
-const ParameterElsewhere* parameter_elsewhere(Enum pname) {
-    const auto* row = std::find_if(std::begin(kParametersElsewhere), std::end(kParametersElsewhere),
-                                   [pname](const ParameterElsewhere& r) { return r.pname == pname; });
-    return row == std::end(kParametersElsewhere) ? nullptr : row;
+const DriverOnlyParameter* driver_only_parameter(Enum pname) {
+    const auto* row = std::find_if(std::begin(kDriverOnlyParameters), std::end(kDriverOnlyParameters),
+                                   [pname](const DriverOnlyParameter& r) { return r.pname == pname; });
+    return row == std::end(kDriverOnlyParameters) ? nullptr : row;
 }
 
 }  // namespace
 
 void State::query_tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
-    if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
-    if (pname == kGL_TEXTURE_RESIDENT || parameter_elsewhere(pname) || find_parameter(Owner::kTexture, pname)) return;
+    if (is_driver_only_texture(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (pname == kGL_TEXTURE_RESIDENT || driver_only_parameter(pname) || find_parameter(Owner::kTexture, pname)) return;
     raise(kGL_INVALID_ENUM, c,
           fmt::format("{} is given {}; expected GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, ...", c.name(),
                       enum_name(pname)));
@@ -110,8 +110,8 @@ void State::query_tex_env(const Command& c) {
 
 void State::tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
-    if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
-    if (const ParameterElsewhere* row = parameter_elsewhere(pname)) {
+    if (is_driver_only_texture(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (const DriverOnlyParameter* row = driver_only_parameter(pname)) {
         const bool changes = row->initial && c.arguments.size() > 2 && c.number(2) != *row->initial;
         if (changes) note_lasting(fmt::format("glTexParameter({})", enum_name(pname)), c.place);
         return;
