@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

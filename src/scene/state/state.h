@@ -12,7 +12,7 @@
 #include "scene/state/frame.h"
 #include "scene/state/gl_error.h"
 #include "scene/state/lists.h"
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
 
 namespace twinlight {
 

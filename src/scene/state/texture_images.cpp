@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

@@ -1,4 +1,4 @@
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
 
 #include <algorithm>
 #include <bit>
