@@ -160,14 +160,6 @@ std::string Signature::usage() const {
     return fmt::format("{}({})", name, fmt::join(names, ", "));
 }
 
-Command texture_command(const Command& pragma) {
-    return {CommandId::gluBuild2DMipmaps,
-            {double{kGL_TEXTURE_2D}, double{kGL_RGBA}, pragma.number(0), pragma.number(1), double{kGL_RGBA},
-             double{kGL_UNSIGNED_BYTE}, 0},
-            pragma.place,
-            pragma.memory};
-}
-
 const Signature& signature(CommandId id) { return table()[static_cast<std::size_t>(id)]; }
 
 std::span<const Signature> signatures() { return table(); }

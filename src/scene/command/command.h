@@ -153,9 +153,6 @@ struct Command {
     friend bool operator==(const Command& a, const Command& b);
 };
 
-// The command of GL and GLU that #pragma twinlight texture(...) stands for.
-Command texture_command(const Command& pragma);
-
 // One step of a recording.
 struct Step {
     enum class Kind : std::uint8_t {

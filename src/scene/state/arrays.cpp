@@ -208,43 +208,4 @@ std::optional<GlError> VertexArrays::pop(const Command& c) {
     return std::nullopt;
 }
 
-// ---- Queries ----
-
-std::vector<double> VertexArrays::get(Enum pname) const {
-    const auto one = [](auto value) { return std::vector<double>{static_cast<double>(value)}; };
-    const ArrayPointer& tex_coord = client_.tex_coord[client_.active_unit];
-    struct Row {
-        Enum array, size, type, stride, buffer;
-        const ArrayPointer* pointer;
-    };
-    const Row rows[] = {
-        {kGL_VERTEX_ARRAY, kGL_VERTEX_ARRAY_SIZE, kGL_VERTEX_ARRAY_TYPE, kGL_VERTEX_ARRAY_STRIDE,
-         kGL_VERTEX_ARRAY_BUFFER_BINDING, &client_.vertex},
-        {kGL_NORMAL_ARRAY, 0, kGL_NORMAL_ARRAY_TYPE, kGL_NORMAL_ARRAY_STRIDE, kGL_NORMAL_ARRAY_BUFFER_BINDING,
-         &client_.normal},
-        {kGL_COLOR_ARRAY, kGL_COLOR_ARRAY_SIZE, kGL_COLOR_ARRAY_TYPE, kGL_COLOR_ARRAY_STRIDE,
-         kGL_COLOR_ARRAY_BUFFER_BINDING, &client_.color},
-        {kGL_TEXTURE_COORD_ARRAY, kGL_TEXTURE_COORD_ARRAY_SIZE, kGL_TEXTURE_COORD_ARRAY_TYPE,
-         kGL_TEXTURE_COORD_ARRAY_STRIDE, kGL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, &tex_coord},
-        {kGL_EDGE_FLAG_ARRAY, 0, 0, kGL_EDGE_FLAG_ARRAY_STRIDE, kGL_EDGE_FLAG_ARRAY_BUFFER_BINDING, &client_.edge_flag},
-    };
-    for (const Row& row : rows) {
-        if (pname == 0) break;
-        if (pname == row.array) return one(row.pointer->enabled);
-        if (pname == row.size) return one(row.pointer->size);
-        if (pname == row.type) return one(row.pointer->type);
-        if (pname == row.stride) return one(row.pointer->stride);
-        if (pname == row.buffer) return one(row.pointer->buffer);
-    }
-    switch (pname) {
-        case kGL_ARRAY_BUFFER_BINDING: return one(client_.array_buffer);
-        case kGL_ELEMENT_ARRAY_BUFFER_BINDING: return one(client_.element_buffer);
-        case kGL_PIXEL_PACK_BUFFER_BINDING: return one(pixel_pack_);
-        case kGL_PIXEL_UNPACK_BUFFER_BINDING: return one(pixel_unpack_);
-        case kGL_CLIENT_ACTIVE_TEXTURE: return one(kGL_TEXTURE0 + client_.active_unit);
-        case kGL_CLIENT_ATTRIB_STACK_DEPTH: return one(stack_.size());
-        default: return {};
-    }
-}
-
 }  // namespace twinlight

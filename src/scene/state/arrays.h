@@ -69,12 +69,12 @@ class VertexArrays {
     // The smallest and the largest index of glDrawElements or glDrawRangeElements; check() was passed.
     std::pair<double, double> index_range(const Command& draw) const;
 
-    // glGet* (tables 6.6 to 6.9); empty for other names.
-    std::vector<double> get(Enum pname) const;
     const ClientArrays& client() const { return client_; }
     const BufferObject* buffer(std::uint32_t name) const;  // null for a name without an object
     // The buffer that texture images are read from, where one is bound (3.6.1); null: the client's memory.
     const BufferObject* pixel_unpack_buffer() const { return pixel_unpack_ == 0 ? nullptr : buffer(pixel_unpack_); }
+    std::uint32_t pixel_unpack_name() const { return pixel_unpack_; }
+    std::uint32_t pixel_pack_name() const { return pixel_pack_; }
     std::size_t stack_depth() const { return stack_.size(); }
 
   private:

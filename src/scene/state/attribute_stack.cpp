@@ -149,7 +149,7 @@ void State::push_attrib(const Command& c) {
     }
     const auto parameters = [this](Enum target) {
         Texture saved;
-        restore_parameters(saved, *bound_texture(target));
+        restore_parameters(saved, bound_texture(target));
         return saved;
     };
     attribute_stack_.push_back({a_, c.enumerant(0), parameters(kGL_TEXTURE_1D), parameters(kGL_TEXTURE_2D), c.place});
@@ -173,7 +173,7 @@ void State::pop_attrib(const Command& c) {
         keep(one.bound_2d, kGL_TEXTURE_2D);
     }
     const auto put_back = [&](Enum target, const Texture& parameters) {
-        if (same_parameters(*bound_texture(target), parameters)) return;  // a copy would be for nothing
+        if (same_parameters(bound_texture(target), parameters)) return;  // a copy would be for nothing
         if (Texture* texture = writable_texture(c, target)) restore_parameters(*texture, parameters);
     };
     put_back(kGL_TEXTURE_1D, saved.texture_1d);

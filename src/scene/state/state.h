@@ -67,23 +67,25 @@ class State {
     // Gives it away.
     Frame take_frame(std::shared_ptr<const Recording> commands);
 
-    // glGet*: the values in force, as the float query returns them (6.1.3).
+    // The values in force.
+    const Attributes& attributes() const { return a_; }
     const LightingState& lighting() const { return a_.lighting; }
     const RasterState& raster() const { return a_.raster; }
-    glm::dvec4 current_color() const { return a_.current.color; }
-    glm::dvec3 current_normal() const { return a_.current.normal_object; }
     const glm::dmat4& modelview() const { return modelview_.back().matrix; }
     const glm::dmat4& projection() const { return projection_.back().matrix; }
-    // The answers of the queries, as the query of doubles gives them (6.1); empty for names that GL, or Twinlight, does
-    // not know.
-    std::vector<double> get(Enum pname) const;  // glGetDoublev; a capability's answer is glIsEnabled's
+    const glm::dmat4& texture_matrix() const { return texture_[a_.active_unit].back().matrix; }
+    std::size_t matrix_depth(Enum mode) const;  // of the stack of GL_MODELVIEW, GL_PROJECTION or GL_TEXTURE
+    std::size_t attribute_depth() const { return attribute_stack_.size(); }
+    Enum render_mode() const { return render_mode_; }
+    const VertexArrays& arrays() const { return arrays_; }
+    const Lists& lists() const { return lists_; }
+    const PixelStore& pixel_store() const { return pixel_store_; }
+    const Texture& bound_texture(Enum target) const { return *texture_of(unit(), target); }
+    // glIsEnabled (6.1.1): nothing for what is no capability.
+    std::optional<bool> capability(Enum cap) const;
+    // glGetLight, glGetMaterial (6.1.3); empty for names that GL does not know.
     std::vector<double> get_light(Enum light, Enum pname) const;
     std::vector<double> get_material(Enum face, Enum pname) const;
-    const VertexArrays& arrays() const { return arrays_; }
-    std::vector<double> get_clip_plane(Enum plane) const;
-    std::vector<double> get_tex_env(Enum target, Enum pname) const;
-    std::vector<double> get_tex_parameter(Enum target, Enum pname) const;
-    std::vector<double> get_tex_level_parameter(Enum target, int level, Enum pname) const;
     // The texture that a name has; null where there is none.
     const Texture* texture(std::uint32_t name) const;
 
@@ -234,11 +236,9 @@ class State {
     std::optional<std::vector<double>> parameter_values(const Command& command, Owner owner, Enum pname);
     void set_capability(const Command& command, bool enabled);
     bool known_capability(const Command& command);  // or GL_INVALID_ENUM
-    bool* followed_capability(Enum cap);            // null for those that State does not follow
     // The texture that a glTex* command changes: one that no Draw holds. Null, and the error, for a wrong target.
     Texture* writable_texture(const Command& command, Enum target);
-    std::shared_ptr<Texture>& bound_texture(Enum target);
-    std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target);
+    const std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target) const;
     std::shared_ptr<const Texture> complete_texture(const TextureBindings& bindings) const;
     TextureBindings& unit() { return a_.units[a_.active_unit]; }
     const TextureBindings& unit() const { return a_.units[a_.active_unit]; }

@@ -10,17 +10,15 @@
 
 namespace twinlight {
 
-std::shared_ptr<Texture>& State::bound_texture(Enum target) { return texture_of(unit(), target); }
-
-std::shared_ptr<Texture>& State::texture_of(const TextureBindings& bindings, Enum target) {
+const std::shared_ptr<Texture>& State::texture_of(const TextureBindings& bindings, Enum target) const {
     const std::uint32_t name = target == kGL_TEXTURE_1D ? bindings.bound_1d : bindings.bound_2d;
     if (name == 0) return target == kGL_TEXTURE_1D ? textures_.default_1d : textures_.default_2d;
-    return textures_.named[name];
+    return textures_.named.at(name);
 }
 
 Texture* State::writable_texture(const Command& c, Enum target) {
     if (!known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return nullptr;
-    std::shared_ptr<Texture>& texture = bound_texture(target);
+    auto& texture = const_cast<std::shared_ptr<Texture>&>(texture_of(unit(), target));  // NOLINT: of this State
     if (texture.use_count() > 1) {
         if (!has_room(c, texels_of(*texture) * sizeof(glm::vec4))) return nullptr;
         texture = std::make_shared<Texture>(*texture);
@@ -121,7 +119,7 @@ void State::tex_parameter(const Command& c) {
     const auto name = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
     // A texture that keeps its value is not copied for it.
     const auto assign = [&](auto Texture::*member, const auto& value) {
-        if ((*bound_texture(target)).*member == value) return;
+        if (bound_texture(target).*member == value) return;
         if (Texture* texture = writable_texture(c, target)) texture->*member = value;
     };
     const auto set = [&](Enum Texture::*member, std::initializer_list<Enum> allowed) {
@@ -172,10 +170,9 @@ void State::tex_env(const Command& c) {
 // its base level is there, and with a mipmap filter all levels down to 1 x 1, each half the size and of one format.
 std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bindings) const {
     if (!bindings.enabled_1d && !bindings.enabled_2d) return nullptr;
-    auto* self = const_cast<State*>(this);  // NOLINT: bound_texture changes nothing that exists
     std::shared_ptr<const Texture> texture =
-        self->texture_of(bindings, bindings.enabled_2d ? kGL_TEXTURE_2D : kGL_TEXTURE_1D);
-    if (!texture || texture->levels.empty() || texture->levels[0].texels.empty()) return nullptr;
+        texture_of(bindings, bindings.enabled_2d ? kGL_TEXTURE_2D : kGL_TEXTURE_1D);
+    if (texture->levels.empty() || texture->levels[0].texels.empty()) return nullptr;
     if (texture->min_filter == kGL_NEAREST || texture->min_filter == kGL_LINEAR) return texture;
     int width = texture->levels[0].width, height = texture->levels[0].height;
     for (std::size_t level = 1; width > 1 || height > 1; ++level) {
