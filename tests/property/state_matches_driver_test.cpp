@@ -262,7 +262,7 @@ bool is_departure(const Command& command, const State& state) {
         !command.sig().parameters.empty() && command.sig().parameters.back().extent == Extent::kValue;
     if (owner && is_single && !name.starts_with("glGet")) {
         // glLightf(..., GL_AMBIENT, ...): 2.14.2 says INVALID_ENUM; the driver takes the value as the first of four.
-        const ParameterInfo* info = find_parameter(*owner, command.enumerant(command.sig().scalars() - 2));
+        const ParameterInfo* info = find_parameter(*owner, command.enumerant(command.sig().parameters.size() - 2));
         if (info && info->count > 1) return true;
     }
     // 2.14.3: what tracks a colour has it at once; the driver loses a glColor that stands before a new glColorMaterial.

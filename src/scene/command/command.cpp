@@ -91,10 +91,6 @@ std::size_t control_point_values(const Command& c) {
 
 bool Parameter::is_array() const { return !is_single(*this) && extent != Extent::kImage && extent != Extent::kRest; }
 
-std::size_t Signature::scalars() const {
-    return static_cast<std::size_t>(std::ranges::count_if(parameters, is_single));
-}
-
 std::size_t Signature::first_array() const {
     std::size_t i = 0;
     while (i < parameters.size() && is_single(parameters[i])) ++i;

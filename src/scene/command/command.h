@@ -81,7 +81,6 @@ struct Signature {
     Family family = Family::kGl;
     std::vector<Parameter> parameters;
 
-    std::size_t scalars() const;  // how many parameters are single values
     // Where the first array stands among the parameters; how many there are where there is none. Only arrays of a
     // fixed or a counted length may have others after them.
     std::size_t first_array() const;

@@ -176,15 +176,17 @@ std::optional<GlError> VertexArrays::interleaved(const Command& c) {
     return std::nullopt;
 }
 
+std::optional<GlError> wrong_texture_unit(const Command& c) {
+    if (c.enumerant(0) - kGL_TEXTURE0 < kMaxTextureUnits) return std::nullopt;
+    return refused(kGL_INVALID_ENUM, c,
+                   fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(),
+                               enum_name(c.enumerant(0)), kMaxTextureUnits - 1));
+}
+
 std::optional<GlError> VertexArrays::active_texture(const Command& c) {
-    const Enum texture = c.enumerant(0);
-    if (texture < kGL_TEXTURE0 || texture >= kGL_TEXTURE0 + kMaxTextureUnits) {
-        return refused(kGL_INVALID_ENUM, c,
-                       fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(texture),
-                                   kMaxTextureUnits - 1));
-    }
-    client_.active_unit = texture - kGL_TEXTURE0;
-    return std::nullopt;
+    auto error = wrong_texture_unit(c);
+    if (!error) client_.active_unit = c.enumerant(0) - kGL_TEXTURE0;
+    return error;
 }
 
 // ---- The client's attribute stack; what GL_CLIENT_PIXEL_STORE_BIT saves is State's ----

@@ -120,6 +120,9 @@ class VertexArrays {
     std::size_t buffer_bytes_ = 0;
 };
 
+// The error of a command whose first argument should be a texture unit (3.8.16), and is none.
+std::optional<GlError> wrong_texture_unit(const Command& command);
+
 // Whether a command draws from arrays: glDrawArrays, glDrawElements, glDrawRangeElements, glArrayElement.
 bool draws_arrays(CommandId id);
 

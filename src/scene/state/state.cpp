@@ -196,13 +196,8 @@ void sanitize(Vertex& vertex) {
 
 // 2.7. RULING: coordinates of further units are dropped; where such a unit has a texture, that is named.
 void State::multi_tex_coord(const Command& c) {
-    const Enum target = c.enumerant(0);
-    if (target < kGL_TEXTURE0 || target >= kGL_TEXTURE0 + kMaxTextureUnits) {
-        return raise(kGL_INVALID_ENUM, c,
-                     fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(target),
-                                 kMaxTextureUnits - 1));
-    }
-    if (target != kGL_TEXTURE0) return;
+    if (auto error = wrong_texture_unit(c)) return raise(std::move(*error));
+    if (c.enumerant(0) != kGL_TEXTURE0) return;
     a_.current.tex_coord = {0, 0, 0, 1};
     for (std::size_t i = 1; i < c.arguments.size(); ++i) {
         a_.current.tex_coord[static_cast<int>(i) - 1] = c.number(i);

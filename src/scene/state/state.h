@@ -86,8 +86,7 @@ class State {
     // glGetLight, glGetMaterial (6.1.3); empty for names that GL does not know.
     std::vector<double> get_light(Enum light, Enum pname) const;
     std::vector<double> get_material(Enum face, Enum pname) const;
-    // The texture that a name has; null where there is none.
-    const Texture* texture(std::uint32_t name) const;
+    const TextureObjects& textures() const { return textures_; }
 
   private:
     struct StackedMatrix {

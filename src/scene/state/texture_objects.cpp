@@ -51,13 +51,8 @@ void State::bind_texture(const Command& c) {
 
 // 3.8.16: which unit the commands on textures and on the texture matrix mean.
 void State::active_texture(const Command& c) {
-    const Enum texture = c.enumerant(0);
-    if (texture < kGL_TEXTURE0 || texture >= kGL_TEXTURE0 + kMaxTextureUnits) {
-        return raise(kGL_INVALID_ENUM, c,
-                     fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(texture),
-                                 kMaxTextureUnits - 1));
-    }
-    a_.active_unit = texture - kGL_TEXTURE0;
+    if (auto error = wrong_texture_unit(c)) return raise(std::move(*error));
+    a_.active_unit = c.enumerant(0) - kGL_TEXTURE0;
 }
 
 namespace {
@@ -228,11 +223,6 @@ void State::delete_textures(const Command& c) {
             if (unit.bound_2d == name) unit.bound_2d = 0;
         }
     }
-}
-
-const Texture* State::texture(std::uint32_t name) const {
-    const auto found = textures_.named.find(name);
-    return found == textures_.named.end() ? nullptr : found->second.get();
 }
 
 }  // namespace twinlight

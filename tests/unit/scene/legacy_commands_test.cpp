@@ -320,7 +320,7 @@ TEST(Priorities, AreOfTheTexturesThatThereAre) {
     const State state =
         run("glBindTexture(GL_TEXTURE_2D, 3); glPrioritizeTextures(3, (GLuint[]){0, 3, 9}, (GLfloat[]){1, 0.25, 1});");
     EXPECT_EQ(tex_parameter_answer(state, kGL_TEXTURE_2D, kGL_TEXTURE_PRIORITY)[0], 0.25);
-    EXPECT_EQ(state.texture(9), nullptr);
+    EXPECT_FALSE(state.textures().named.contains(9));
     EXPECT_EQ(run("glPrioritizeTextures(-1, (GLuint[]){0}, (GLfloat[]){1});").errors()[0].code, kGL_INVALID_VALUE);
 }
 
