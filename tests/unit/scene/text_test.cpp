@@ -367,7 +367,7 @@ TEST(Reading, RefusesMoreThanOneFunctionWithPlaceAndRemedy) {
     has("int main(void) { glEnd(); }", "functions are not part of a scene");
     has("void display(void) { glEnd();", "1:1: this function is never closed");
     has("static void draw_scene(void) { glEnd();", "never closed");
-    has("void display(void) { glVertex3f(1, 2); }", "1:22");
+    has("void display(void) { glVertex3f(1, 2); }", "1:37: glVertex3f takes 3 arguments");
 }
 
 TEST(Printing, KeepsEveryBitOfANumber) {

@@ -313,14 +313,14 @@ TEST(Apitrace, LeavesNothingBehindHoweverTheProgramEnds) {
                           "#!/bin/sh\necho x >blob.bin; echo '1 glFlush()'; while sleep 0.05; do echo; done\n");
     std::filesystem::permissions(folder / "apitrace", std::filesystem::perms::owner_all);
     for (const char* signal : {"INT", "TERM", "HUP", "KILL"}) {
-        const ProgramResult result =
-            run_shell("twinlight", "export TMPDIR=" + quoted(temporary.str()) + " PATH=" + quoted(folder.str()) +
-                                       ":\"$PATH\"\n" + "env --default-signal=INT,HUP \"$PROGRAM\" render " +
-                                       quoted(folder / "game.trace") + " -o " + quoted(folder / "picture.png") +
-                                       " &\n" + "until ls \"$TMPDIR\"/*/blob.bin; do sleep 0.05; done; kill -" +
-                                       signal + " $!; wait $!\n" +
-                                       "for i in $(seq 100); do [ -z \"$(ls -A \"$TMPDIR\")\" ] || sleep 0.1; done\n" +
-                                       "echo left:; ls -A \"$TMPDIR\"");
+        const ProgramResult result = run_shell(
+            "twinlight", "export TMPDIR=" + quoted(temporary.str()) + " PATH=" + quoted(folder.str()) + ":\"$PATH\"\n" +
+                             "env --default-signal=INT,HUP \"$PROGRAM\" render " + quoted(folder / "game.trace") +
+                             " --with reference -o " + quoted(folder / "picture.png") + " &\n" +
+                             "for i in $(seq 200); do ls \"$TMPDIR\"/*/blob.bin && break; sleep 0.1; done; kill -" +
+                             signal + " $!; wait $!\n" +
+                             "for i in $(seq 100); do [ -z \"$(ls -A \"$TMPDIR\")\" ] || sleep 0.1; done\n" +
+                             "echo left:; ls -A \"$TMPDIR\"");
         EXPECT_NE(result.out.find("blob.bin"), std::string::npos) << signal << ": " << result.err;
         EXPECT_TRUE(result.out.ends_with("left:\n")) << signal << ": " << result.out;
     }
