@@ -23,6 +23,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         state.get_light(kGL_LIGHT0, name);
         state.get_material(kGL_FRONT, name);
     }
-    state.take_frame(scene);
+    state.take_frame();
     return 0;
 }

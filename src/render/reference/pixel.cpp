@@ -48,7 +48,7 @@ VertexRulings rulings_of_place(const Draw& draw, const Piece& piece, const glm::
 }
 
 void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec2& position_window,
-                const VertexRulings& of_place, const RenderOptions& options, PixelFragment& fragment) {
+                const VertexRulings& of_place, const Options& options, PixelFragment& fragment) {
     const DrawLighting lighting(*staged.draw, options.lecture_variants);
     fragment.is_lit = lighting.enabled();
     if (!lighting.enabled()) return;
@@ -148,7 +148,7 @@ LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, 
     return point;
 }
 
-std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptions& options, int x, int y) {
+std::vector<PixelFragment> pixel_fragments(const Frame& frame, const Options& options, int x, int y) {
     const Stages stages = run_stages(frame, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     const PixelRect pixel{x, y, x + 1, y + 1};
