@@ -15,6 +15,7 @@
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
+#include "state_answers.h"
 
 namespace twinlight {
 namespace {
@@ -86,11 +87,12 @@ class ShapesAndTheDriver : public testing::Test {
         // GLU's floats: an angle up to 2 pi rounded, and a handful of products.
         constexpr double kFloat = 0x1p-24 * (2 * 3.15 * 2 + 6);
         for (int i = 0; i < 3; ++i) {
-            EXPECT_NEAR(static_cast<double>(normal[static_cast<std::size_t>(i)]), state.current_normal()[i], kFloat);
+            EXPECT_NEAR(static_cast<double>(normal[static_cast<std::size_t>(i)]),
+                        state.attributes().current.normal_object[i], kFloat);
         }
         for (int i = 0; i < 4; ++i) {
             EXPECT_NEAR(static_cast<double>(tex_coord[static_cast<std::size_t>(i)]),
-                        state.get(kGL_CURRENT_TEXTURE_COORDS).at(static_cast<std::size_t>(i)), kFloat);
+                        answer(state, kGL_CURRENT_TEXTURE_COORDS).at(static_cast<std::size_t>(i)), kFloat);
         }
     }
 

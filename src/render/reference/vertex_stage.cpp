@@ -7,7 +7,7 @@
 
 #include "render/reference/draw_lighting.h"
 #include "render/reference/reference.h"
-#include "scene/state/origin.h"
+#include "scene/state/far_from_origin.h"
 
 namespace twinlight::reference {
 
