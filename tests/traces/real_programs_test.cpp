@@ -50,7 +50,7 @@ report::Comparison comparison_of(const Frame& frame) {
         .fixed = fixed::render,
         .programmable = [&](const Frame& f, const RenderOptions& options) { return shaders.render(f, options); },
         .reference = reference::render,
-        .freedom = reference::freedom,
+        .allowed_difference = reference::allowed_difference,
     };
     return report::compare_scene(frame, frame.commands->name, driver_name(), renderers);
 }

@@ -20,8 +20,8 @@ std::string words_of(const Tolerance& tolerance);
 // The whole's verdict, then a sentence for each judged pair that is beyond the tolerance.
 std::vector<std::string> verdict_sentences(const Comparison& comparison);
 
-// Whether a part of the pair's difference is slack, and is not judged.
-bool has_slack(const Pair& pair);
+// Whether a part of the pair's difference is allowed, and is not judged.
+bool has_allowed_difference(const Pair& pair);
 // "glEnable(GL_FOG), 2 times, first at scene.gl:3:1, is not done by programmable and reference."
 std::string sentence_of(const Unsupported& unsupported);
 

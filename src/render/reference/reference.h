@@ -18,7 +18,7 @@ std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options);
 // How far apart right pictures of the frame may be (docs/lighting.md, "Edges").
 // Of either cut of quadrilaterals. Of exact surfaces: that of their meshes, lit per pixel, and edges where a thousandth of a pixel
 // beside the centre something else is seen.
-Freedom freedom(const Frame& frame, RenderOptions options = {});
+AllowedDifference allowed_difference(const Frame& frame, RenderOptions options = {});
 
 // The mask alone.
 PixelMask edge_pixels(const Frame& frame);

@@ -49,7 +49,7 @@ TEST(LightsBeyondEight, AreDrawnByTheFixedFunctionWhereTheOthersAreFaint) {
     EXPECT_TRUE(frame.unsupported.empty());
     const auto context = make_offscreen_context(kSide, kSide);
     const Image fixed = fixed::render(frame, {});
-    const ImageDifference d = difference(fixed, reference::render(frame, {}), reference::freedom(frame, {}));
+    const ImageDifference d = difference(fixed, reference::render(frame, {}), reference::allowed_difference(frame, {}));
     EXPECT_LE(d.interior.max, 1 / 255.0);
     EXPECT_GT(d.interior.pixels, 1000u);
     // With the eight of GL alone, of which one is faint, a tenth would be missing.

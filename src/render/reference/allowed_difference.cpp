@@ -131,7 +131,7 @@ class Rows {
 
     struct Pixel {
         bool edge = false;
-        Rgba slack{};
+        Rgba channels{};
     };
     Pixel pixel(int x, int y) {
         const std::size_t at = index(x, y);
@@ -140,7 +140,7 @@ class Rows {
         if (result.edge || exact) return result;
         const Channels<Interval> color = resolved(x, y);
         result.edge = open_[at] != 0;
-        for (std::size_t i = 0; i < color.size(); ++i) result.slack[i] = static_cast<float>(color[i].width());
+        for (std::size_t i = 0; i < color.size(); ++i) result.channels[i] = static_cast<float>(color[i].width());
         return result;
     }
 
@@ -343,53 +343,53 @@ class Rows {
 
 namespace {
 
-Freedom freedom_of_cut(const Frame& frame, const RenderOptions& options) {
+AllowedDifference allowed_with_cut(const Frame& frame, const RenderOptions& options) {
     const Stages stages = run_stages(frame, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     const std::size_t count = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
     std::vector<char> edge(count);  // bytes, not bits: bands write beside each other
-    Freedom result{.edge = {}, .slack = Image(frame.width, frame.height)};
+    AllowedDifference result{.edge = {}, .channels = Image(frame.width, frame.height)};
     for_each_band(frame.height, [&](int y0, int y1) {
         Rows rows(stages, shaders, frame.width, y0, y1);
         for (int y = y0; y < y1; ++y)
             for (int x = 0; x < frame.width; ++x) {
                 const Rows::Pixel pixel = rows.pixel(x, y);
-                const std::size_t at = result.slack.index(x, frame.height - 1 - y);
+                const std::size_t at = result.channels.index(x, frame.height - 1 - y);
                 edge[at] = pixel.edge;
-                result.slack.pixels[at] = pixel.slack;
+                result.channels.pixels[at] = pixel.channels;
             }
     });
     result.edge.assign(edge.begin(), edge.end());
     return result;
 }
 
-void join(Freedom& freedom, const Freedom& other) {
-    for (std::size_t i = 0; i < freedom.edge.size(); ++i) {
-        freedom.edge[i] = freedom.edge[i] || other.edge[i];
-        for (std::size_t c = 0; c < freedom.slack.pixels[i].size(); ++c) {
-            freedom.slack.pixels[i][c] = std::max(freedom.slack.pixels[i][c], other.slack.pixels[i][c]);
+void join(AllowedDifference& allowed, const AllowedDifference& other) {
+    for (std::size_t i = 0; i < allowed.edge.size(); ++i) {
+        allowed.edge[i] = allowed.edge[i] || other.edge[i];
+        for (std::size_t c = 0; c < allowed.channels.pixels[i].size(); ++c) {
+            allowed.channels.pixels[i][c] = std::max(allowed.channels.pixels[i][c], other.channels.pixels[i][c]);
         }
     }
 }
 
 }  // namespace
 
-Freedom freedom(const Frame& frame, RenderOptions options) {
+AllowedDifference allowed_difference(const Frame& frame, RenderOptions options) {
     if (options.shading == Shading::kExact) {
         options.shading = Shading::kPhong;
-        Freedom result = freedom(frame, options);
+        AllowedDifference result = allowed_difference(frame, options);
         options.shading = Shading::kExact;
         add_surface_edges(frame, options, result.edge);
         return result;
     }
     options.quad_cut = QuadCut::kFirstToThird;
-    Freedom result = freedom_of_cut(frame, options);
+    AllowedDifference result = allowed_with_cut(frame, options);
     if (!has_quadrilaterals(frame)) return result;
     options.quad_cut = QuadCut::kSecondToFourth;
-    join(result, freedom_of_cut(frame, options));
+    join(result, allowed_with_cut(frame, options));
     return result;
 }
 
-PixelMask edge_pixels(const Frame& frame) { return freedom(frame).edge; }
+PixelMask edge_pixels(const Frame& frame) { return allowed_difference(frame).edge; }
 
 }  // namespace twinlight::reference
