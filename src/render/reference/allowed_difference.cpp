@@ -113,7 +113,7 @@ Touch touch(const std::vector<Edge>& edges, const glm::dvec2& centre) {
 // Whole rows of the window.
 class Rows {
   public:
-    Rows(const Stages& stages, const std::vector<Shader>& shaders, int width, int y0, int y1)
+    Rows(const StagedFrame& stages, const std::vector<Shader>& shaders, int width, int y0, int y1)
         : stages_(stages), shaders_(shaders), width_(width), y0_(y0), y1_(y1) {
         const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(y1 - y0);
         step_.resize(count);
@@ -328,7 +328,7 @@ class Rows {
         step_[at] = kColor;
     }
 
-    const Stages& stages_;
+    const StagedFrame& stages_;
     const std::vector<Shader>& shaders_;
     const int width_, y0_, y1_;
     std::vector<StepId> step_;                // of the colour, or kColor
@@ -344,7 +344,7 @@ class Rows {
 namespace {
 
 AllowedDifference allowed_with_cut(const Frame& frame, const RenderOptions& options) {
-    const Stages stages = run_stages(frame, options);
+    const StagedFrame stages = run_stages(frame, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     const std::size_t count = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
     std::vector<char> edge(count);  // bytes, not bits: bands write beside each other

@@ -25,7 +25,7 @@ bool depth_passes(Enum depth_func, double incoming, double stored) {
     return true;  // GL_ALWAYS
 }
 
-Framebuffer::Framebuffer(const Stages& stages, const std::vector<Shader>& shaders, int width, int y0, int y1)
+Framebuffer::Framebuffer(const StagedFrame& stages, const std::vector<Shader>& shaders, int width, int y0, int y1)
     : stages_(stages), shaders_(shaders), width_(width), y0_(y0), y1_(y1) {
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(y1 - y0);
     step_.resize(count);

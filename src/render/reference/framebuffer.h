@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "render/reference/coverage.h"
-#include "render/reference/stages.h"
+#include "render/reference/staged_frame.h"
 
 namespace twinlight::reference {
 
 class Framebuffer {
   public:
-    // The rows from y0 to y1 (excluded; y up), after all steps. Stages and shaders must outlive it.
-    Framebuffer(const Stages& stages, const std::vector<Shader>& shaders, int width, int y0, int y1);
+    // The rows from y0 to y1 (excluded; y up), after all steps. StagedFrame and shaders must outlive it.
+    Framebuffer(const StagedFrame& stages, const std::vector<Shader>& shaders, int width, int y0, int y1);
 
     // The colours of all pixels, row by row from y0 up, before they are rounded to the bits of the colour buffer for the last
     // time.
@@ -36,7 +36,7 @@ class Framebuffer {
     glm::dvec4 color_at(int x, int y, std::size_t at) const;
     void write(const FragmentState& state, const glm::dvec4& source, int x, int y);
 
-    const Stages& stages_;
+    const StagedFrame& stages_;
     const std::vector<Shader>& shaders_;
     const int width_, y0_, y1_;
     std::vector<StepId> step_;        // of the colour, or kColor

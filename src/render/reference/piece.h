@@ -12,9 +12,9 @@
 #include <memory>
 #include <vector>
 
-#include "render/reference/assembly.h"
 #include "render/reference/clip.h"
 #include "render/reference/draw_lighting.h"
+#include "render/reference/primitive_assembly.h"
 #include "render/reference/vertex_stage.h"
 
 namespace twinlight::reference {

@@ -5,7 +5,7 @@
 #include "render/reference/coverage.h"
 #include "render/reference/fragment_operations.h"
 #include "render/reference/framebuffer.h"
-#include "render/reference/stages.h"
+#include "render/reference/staged_frame.h"
 
 namespace twinlight::reference {
 
@@ -149,7 +149,7 @@ LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, 
 }
 
 std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptions& options, int x, int y) {
-    const Stages stages = run_stages(frame, options);
+    const StagedFrame stages = run_stages(frame, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     const PixelRect pixel{x, y, x + 1, y + 1};
     std::vector<PixelFragment> fragments;

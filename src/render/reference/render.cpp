@@ -12,7 +12,7 @@ Rgba rgba(const glm::dvec4& color) {
 }
 
 // By Draw.
-std::vector<int> shape_numbers(const Stages& stages) {
+std::vector<int> shape_numbers(const StagedFrame& stages) {
     std::vector<int> numbers;
     const Draw* last = nullptr;
     for (const StagedDraw& staged : stages.draws) {
@@ -26,7 +26,7 @@ std::vector<int> shape_numbers(const Stages& stages) {
 
 // Calls visit(framebuffer, y0, y1) for bands of rows once all of them is drawn; y as GL counts.
 template <class Visit>
-void draw(const Stages& stages, const Frame& frame, const RenderOptions& options, const Visit& visit) {
+void draw(const StagedFrame& stages, const Frame& frame, const RenderOptions& options, const Visit& visit) {
     const std::vector<Shader> shaders = make_shaders(stages, options);
     for_each_band(frame.height,
                   [&](int y0, int y1) { visit(Framebuffer(stages, shaders, frame.width, y0, y1), y0, y1); });
@@ -35,7 +35,7 @@ void draw(const Stages& stages, const Frame& frame, const RenderOptions& options
 }  // namespace
 
 std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options) {
-    const Stages stages = run_stages(frame, options);
+    const StagedFrame stages = run_stages(frame, options);
     const std::vector<int> numbers = shape_numbers(stages);
     std::vector<int> seen(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height), -1);
     draw(stages, frame, options, [&](const Framebuffer& framebuffer, int y0, int y1) {
@@ -53,7 +53,7 @@ std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options) {
 
 Image render(const Frame& frame, const RenderOptions& options) {
     Image image(frame.width, frame.height);
-    const Stages stages = run_stages(frame, options);
+    const StagedFrame stages = run_stages(frame, options);
     draw(stages, frame, options, [&](const Framebuffer& framebuffer, int y0, int y1) {
         const std::vector<glm::dvec4> colors = framebuffer.colors();
         auto color = colors.begin();

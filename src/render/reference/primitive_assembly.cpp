@@ -1,4 +1,4 @@
-#include "render/reference/assembly.h"
+#include "render/reference/primitive_assembly.h"
 
 #include <cassert>
 
