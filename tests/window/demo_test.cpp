@@ -206,7 +206,7 @@ class DemoWindow : public testing::Test {
         const auto context = make_offscreen_context(width, height);
         const Image expected = controls.renderer == Renderer::kFixed ? fixed::render(frame, kOptions)
                                                                      : programmable::Renderer().render(frame, kOptions);
-        expect_near(actual, expected, reference::edge_pixels(frame), 0);
+        expect_near(actual, expected, reference::allowed_difference(frame).edge, 0);
     }
 
     // `interior`: by how much a channel may differ there.
@@ -334,7 +334,7 @@ TEST_F(DemoWindow, ShowsTheDifferenceOfTheTwo) {
     const PixelMask no_edges(a.pixels.size());
     const int factor = amplification_for(difference(a, b, no_edges).interior.max);
     // Where one code differs between the two libraries, the amplified difference does by `factor` codes.
-    expect_near(actual, difference_picture(a, b, factor), reference::edge_pixels(frame), factor / 255.0);
+    expect_near(actual, difference_picture(a, b, factor), reference::allowed_difference(frame).edge, factor / 255.0);
 }
 
 TEST_F(DemoWindow, KeepsTheProportionsOfThePictureInAnyWindow) {

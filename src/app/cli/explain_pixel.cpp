@@ -10,7 +10,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/renderers.h"
-#include "render/reference/pixel.h"
+#include "render/reference/pixel_history.h"
 #include "scene/state/lecture_variants.h"
 
 namespace twinlight::cli {
@@ -37,14 +37,15 @@ struct Rendered {
 };
 
 // The fixed function lights vertices alone.
-std::vector<Rendered> rendered(const Frame& frame, const RenderOptions& options, const Pixel& pixel) {
+std::vector<Rendered> rendered(const Frame& frame, const RenderOptions& options, const Pixel& pixel,
+                               const Rgba& reference) {
     const RendererSet set(frame.width, frame.height);
     const report::Renderers& functions = set.functions();
     std::vector<Rendered> result;
     const bool by_pixel = options.shading == Shading::kPhong || options.shading == Shading::kExact;
     if (!by_pixel) result.push_back({"fixed", functions.fixed(frame, options).at(pixel.x, pixel.y)});
     result.push_back({"programmable", functions.programmable(frame, options).at(pixel.x, pixel.y)});
-    result.push_back({"reference", functions.reference(frame, options).at(pixel.x, pixel.y)});
+    result.push_back({"reference", reference});
     return result;
 }
 
@@ -174,9 +175,10 @@ Pixel parse_pixel(const std::string& text, const Frame& frame) {
 }
 
 std::string explain_pixel(const Frame& frame, const RenderOptions& options, const Pixel& pixel, bool as_json) {
-    const std::vector<PixelFragment> fragments =
-        reference::pixel_fragments(frame, options, pixel.x, frame.height - 1 - pixel.y);
-    const std::vector<Rendered> pictures = rendered(frame, options, pixel);
+    const reference::PixelHistory history =
+        reference::pixel_history(frame, options, pixel.x, frame.height - 1 - pixel.y);
+    const std::vector<PixelFragment>& fragments = history.fragments;
+    const std::vector<Rendered> pictures = rendered(frame, options, pixel, history.color);
     const std::vector<const Draw*> draws = draws_of(frame);
     if (as_json) {
         Json json = {{"scene", frame.commands->name}, {"pixel", {pixel.x, pixel.y}}, {"fragments", Json::array()}};

@@ -20,9 +20,6 @@ std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options);
 // beside the centre something else is seen.
 AllowedDifference allowed_difference(const Frame& frame, RenderOptions options = {});
 
-// The mask alone.
-PixelMask edge_pixels(const Frame& frame);
-
 // A vertex as the lighting equation leaves it: what GL's feedback returns.
 struct LitVertex {
     glm::dvec4 position_clip{0};

@@ -29,7 +29,8 @@ class SurfaceRays {
     // The Draw must outlive it. RULING: under matrices without an inverse a surface is not seen.
     SurfaceRays(const Draw& draw, const Surface& surface);
 
-    // Of the points in the order of the ray, from far to near, that which has this number.
+    // The points in the order of the ray, from far to near; and that which has this number.
+    std::vector<SurfacePoint> points(const glm::dvec2& position_window) const;
     std::optional<SurfacePoint> point(const glm::dvec2& position_window, int number) const;
 
     // A ray meets the surface so often at most.
@@ -50,6 +51,9 @@ class SurfaceRays {
         glm::dvec3 object_step(const glm::dvec2& window_step) const;
     };
 
+    // Calls visit(position_object, normal_object, tangents) for each point, until it returns false.
+    template <class Visit>
+    void for_each_crossing(const glm::dvec2& position_window, const Visit& visit) const;
     glm::dvec4 clip(const glm::dvec4& position_object) const { return clip_from_object_ * position_object; }
     bool is_inside(const glm::dvec4& position_object) const;
     Tangents tangents(const glm::dvec4& position_object, const Vec& normal_object) const;
