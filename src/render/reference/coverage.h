@@ -110,7 +110,7 @@ template <class Fragment>
 void for_each_point(const Piece& piece, const PixelRect& within, const Fragment& fragment) {
     for_each(bounds(*piece.rays, within), [&](int x, int y) {
         int number = 0;
-        for (const SurfacePoint& point : piece.rays->points(pixel_centre(x, y))) fragment(x, y, number++, point);
+        for (const RayPoint& point : piece.rays->points(pixel_centre(x, y))) fragment(x, y, number++, point);
     });
 }
 

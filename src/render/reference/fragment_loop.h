@@ -104,7 +104,7 @@ class FragmentLoop {
             return outcome;
         };
         kept_.for_each_fragment(first_id, scissored(state.scissor, window_),
-                                [&](StepId id, int x, int y, Outcome covers, const SurfacePoint* point) {
+                                [&](StepId id, int x, int y, Outcome covers, const RayPoint* point) {
                                     const Fragment fragment{&stages_.piece(id), pixel_centre(x, y), point};
                                     watch(fragment, draw_fragment(id, fragment, x, y, covers));
                                 });

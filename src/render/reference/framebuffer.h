@@ -22,7 +22,7 @@ class DrawnPixels {
         if (!piece.rays)
             for_each_pixel(piece, within, [&](int x, int y) { visit(id, x, y, Outcome::kPasses, nullptr); });
         else if (piece.point == 0)
-            for_each_point(piece, within, [&](int x, int y, int number, const SurfacePoint& point) {
+            for_each_point(piece, within, [&](int x, int y, int number, const RayPoint& point) {
                 visit(id + number, x, y, Outcome::kPasses, &point);
             });
     }

@@ -30,7 +30,7 @@ template <class Visit>
 auto with_point(const Fragment& fragment, const Visit& visit) {
     const Piece& piece = *fragment.piece;
     if (!piece.rays || fragment.point) return visit(fragment);
-    const SurfacePoint point = piece.rays->point(fragment.position_window, piece.point).value();
+    const RayPoint point = piece.rays->point(fragment.position_window, piece.point).value();
     return visit(Fragment{&piece, fragment.position_window, &point});
 }
 

@@ -22,8 +22,8 @@ struct StagedDraw {
 
 struct Fragment {
     const Piece* piece;
-    glm::dvec2 position_window;           // the pixel's centre
-    const SurfacePoint* point = nullptr;  // of a surface; where it is left out the ray is cast again
+    glm::dvec2 position_window;       // the pixel's centre
+    const RayPoint* point = nullptr;  // of a surface; where it is left out the ray is cast again
 };
 
 // A fragment's colour; over intervals all that right implementations may find.

@@ -106,8 +106,8 @@ void SurfaceRays::for_each_crossing(const glm::dvec2& position_window, const Vis
     }
 }
 
-std::vector<SurfacePoint> SurfaceRays::points(const glm::dvec2& position_window) const {
-    std::vector<SurfacePoint> points;
+std::vector<RayPoint> SurfaceRays::points(const glm::dvec2& position_window) const {
+    std::vector<RayPoint> points;
     for_each_crossing(position_window, [&](const auto&... crossing) {
         points.push_back(seen(crossing...));
         return true;
@@ -115,8 +115,8 @@ std::vector<SurfacePoint> SurfaceRays::points(const glm::dvec2& position_window)
     return points;
 }
 
-std::optional<SurfacePoint> SurfaceRays::point(const glm::dvec2& position_window, int number) const {
-    std::optional<SurfacePoint> point;
+std::optional<RayPoint> SurfaceRays::point(const glm::dvec2& position_window, int number) const {
+    std::optional<RayPoint> point;
     for_each_crossing(position_window, [&](const auto&... crossing) {
         if (number-- == 0) point = seen(crossing...);
         return !point;
@@ -210,9 +210,9 @@ TexturePlace SurfaceRays::texture_place(const glm::dvec3& position_object, const
     return place;
 }
 
-SurfacePoint SurfaceRays::seen(const glm::dvec4& position_object, const Vec& normal_object,
-                               const Tangents& tangents) const {
-    SurfacePoint point{
+RayPoint SurfaceRays::seen(const glm::dvec4& position_object, const Vec& normal_object,
+                           const Tangents& tangents) const {
+    RayPoint point{
         .object = {}, .vertex = {}, .depth = depth(position_object, tangents), .face = face(tangents), .place = {}};
     point.vertex.position_eye = draw_.eye_from_object * position_object;
     point.vertex.position_clip = clip(position_object);

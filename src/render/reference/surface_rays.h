@@ -16,7 +16,8 @@
 
 namespace twinlight::reference {
 
-struct SurfacePoint {
+// Where a ray meets a surface.
+struct RayPoint {
     Vertex object;       // where it is, and its outward normal: a unit vector
     StageVertex vertex;  // the normal is a unit vector
     double depth = 0;    // in the window, with polygon offset
@@ -30,8 +31,8 @@ class SurfaceRays {
     SurfaceRays(const Draw& draw, const Surface& surface);
 
     // The points in the order of the ray, from far to near; and that which has this number.
-    std::vector<SurfacePoint> points(const glm::dvec2& position_window) const;
-    std::optional<SurfacePoint> point(const glm::dvec2& position_window, int number) const;
+    std::vector<RayPoint> points(const glm::dvec2& position_window) const;
+    std::optional<RayPoint> point(const glm::dvec2& position_window, int number) const;
 
     // A ray meets the surface so often at most.
     int most_points() const;
@@ -61,7 +62,7 @@ class SurfaceRays {
     double depth(const glm::dvec4& position_object, const Tangents& tangents) const;
     glm::dvec2 tex_coord(const glm::dvec3& position_object) const;
     TexturePlace texture_place(const glm::dvec3& position_object, const Tangents& tangents) const;
-    SurfacePoint seen(const glm::dvec4& position_object, const Vec& normal_object, const Tangents& tangents) const;
+    RayPoint seen(const glm::dvec4& position_object, const Vec& normal_object, const Tangents& tangents) const;
     void find_window_bounds();
 
     const Draw& draw_;
