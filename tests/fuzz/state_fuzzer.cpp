@@ -18,6 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // What the input's last byte chooses of the names that can be asked for.
     const std::size_t chosen = size > 0 ? data[size - 1] : 0;
     for (std::size_t i = chosen; i < gl_names().size(); i += 64) state.get(gl_names()[i].value);
-    state.take_frame(scene);
+    state.take_frame();
     return 0;
 }

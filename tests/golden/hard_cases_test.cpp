@@ -50,9 +50,9 @@ TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
 TEST(HardCasesOfTheReference, AreFinite) {
     for (const Case& of : load_cases()) {
         SCOPED_TRACE(of.name);
-        const Frame frame = of.carried_out(kSide).frame;
+        const Frame frame = of.carried_out(kSide).scene.frame;
         for (const Number number : {Number::kFloat, Number::kDouble, Number::kLongDouble}) {
-            RenderOptions options = fuzz::gls_own_model();
+            reference::Options options{fuzz::kGlsOwnModel};
             options.arithmetic.number = number;
             for (const auto& item : frame.items) {
                 const Draw* draw = std::get_if<Draw>(&item);

@@ -53,7 +53,8 @@ TEST(Fuzz, LeavesLittleOfAPictureOpen) {
     for (std::uint64_t picture = 0; picture < 150; ++picture) {
         const std::uint64_t state = picture * kPicturesPerStructure * kPictureEvery + kPictureEvery - 1;
         const auto scene = std::make_shared<const CommandList>(random_scene({.seed = 20}, state));
-        const AllowedDifference allowed = reference::allowed_difference(make_frame(scene, {.width = 64, .height = 64}));
+        const AllowedDifference allowed =
+            reference::allowed_difference(make_frame(*scene, {.width = 64, .height = 64}));
         for (std::size_t i = 0; i < allowed.edge.size(); ++i) {
             ++pixels;
             if (allowed.edge[i]) continue;
@@ -104,7 +105,7 @@ TEST(Fuzz, NamesTheDeparturesOfAFrame) {
     const auto names_of = [](const std::string& text) {
         std::vector<std::string_view> names;
         const auto scene = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
-        for (const Departure* departure : departures_in(make_frame(scene, {}))) names.push_back(departure->name);
+        for (const Departure* departure : departures_in(make_scene(scene, {}))) names.push_back(departure->name);
         return names;
     };
     const std::string lit = "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);";

@@ -38,8 +38,7 @@ bool is_cleared_after(const Frame& frame, std::size_t draw) {
 }
 
 // At pixels of the picture that the seed chooses.
-void expect_the_pictures(const Frame& frame, const RenderOptions& options, std::mt19937& random, int pixels,
-                         Seen& seen) {
+void expect_the_pictures(const Frame& frame, const Options& options, std::mt19937& random, int pixels, Seen& seen) {
     const Image picture = render(frame, options);
     for (int i = 0; i < pixels; ++i) {
         const int x = static_cast<int>(random() % 64), y = static_cast<int>(random() % 64);
@@ -71,11 +70,11 @@ TEST(PixelHistory, EndsInThePicturesColorInTheBuiltInScenes) {
     std::mt19937 random(15);
     Seen seen;
     for (const char* name : {"commands", "lab", "legacy", "report", "spectral"}) {
-        const Frame frame = make_frame(std::make_shared<const CommandList>(load_scene(name)), kSize);
+        const Frame frame = make_frame(*load_commands(name), kSize);
         for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kFlat),
                                                      std::optional(Shading::kPhong), std::optional(Shading::kExact)}) {
             SCOPED_TRACE(fmt::format("{}, shading {}", name, shading ? static_cast<int>(*shading) : -1));
-            RenderOptions options;
+            Options options;
             options.shading = shading;
             const bool is_varied = std::string_view(name) == "legacy" || std::string_view(name) == "commands";
             expect_the_pictures(frame, options, random, is_varied ? 100 : 10, seen);
@@ -94,8 +93,8 @@ TEST(PixelHistory, EndsInThePicturesColorInRandomScenes) {
         const std::uint64_t state =
             picture * fuzz::kPicturesPerStructure * fuzz::kPictureEvery + fuzz::kPictureEvery - 1;
         SCOPED_TRACE(fmt::format("seed 20, state {}", state));
-        const auto scene = std::make_shared<const CommandList>(fuzz::random_scene({.seed = 20}, state));
-        RenderOptions options;
+        const CommandList scene = fuzz::random_scene({.seed = 20}, state);
+        Options options;
         if (picture % 3 == 2) options.shading = Shading::kPhong;
         expect_the_pictures(make_frame(scene, kSize), options, random, 30, seen);
     }

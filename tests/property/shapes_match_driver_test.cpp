@@ -104,12 +104,11 @@ class ShapesAndTheDriver : public testing::Test {
             "gluLookAt(1, 2, 3,  0, 0, 0.2,  0, 1, 0); glNormal3f(0, 0, 1);" +
             drawing;
         const auto scene = std::make_shared<const CommandList>(read_scene(text, "shape.gl", "shape"));
-        const Frame frame = make_frame(scene, {.width = kWidth, .height = kHeight});
-        const Image driver = fixed::render(frame, {});
+        const auto [recording, frame] = make_scene(scene, {.width = kWidth, .height = kHeight});
+        const Image driver = fixed::render({recording, frame});
         // Where a strip's quadrilaterals are cut is the driver's choice.
-        const Image right =
-            nearer_of(driver, reference::render(frame, {.shading = {}, .quad_cut = QuadCut::kFirstToThird}),
-                      reference::render(frame, {.shading = {}, .quad_cut = QuadCut::kSecondToFourth}));
+        const Image right = nearer_of(driver, reference::render(frame, {{}, reference::QuadCut::kFirstToThird}),
+                                      reference::render(frame, {{}, reference::QuadCut::kSecondToFourth}));
         const ImageDifference found = difference(driver, right, reference::allowed_difference(frame).edge);
         EXPECT_LE(found.interior.max, 1.0 / 255) << found.interior.worst_x << "," << found.interior.worst_y;
         // As often as float and double lie on different sides of a rounding border.

@@ -43,16 +43,17 @@ std::vector<std::string> recordings() {
     return names;
 }
 
-report::Comparison comparison_of(const Frame& frame) {
-    const auto context = make_offscreen_context(frame.width, frame.height);
+report::Comparison comparison_of(const Scene& scene) {
+    const auto context = make_offscreen_context(scene.frame.width, scene.frame.height);
     programmable::Renderer shaders;
     const report::Renderers renderers = {
         .fixed = fixed::render,
-        .programmable = [&](const Frame& f, const RenderOptions& options) { return shaders.render(f, options); },
+        .programmable = [&](const Frame& f,
+                            const programmable::Options& options) { return shaders.render(f, options); },
         .reference = reference::render,
         .allowed_difference = reference::allowed_difference,
     };
-    return report::compare_scene(frame, frame.commands->name, driver_name(), renderers);
+    return report::compare_scene(scene, {.driver = driver_name()}, renderers);
 }
 
 std::size_t pixels_drawn(const Image& image) {
@@ -68,7 +69,7 @@ TEST_P(RealPrograms, LookAlikeThreeWays) {
     const RecordedFrame recorded = make_recorded_frame(recording, {});
     EXPECT_EQ(recorded.error_count, 0u) << (recorded.first_error ? recorded.first_error->message : "");
 
-    const report::Comparison comparison = comparison_of(recorded.frame);
+    const report::Comparison comparison = comparison_of(recorded.scene);
     std::set<std::string> unsupported;
     for (const Unsupported& item : comparison.unsupported) unsupported.insert(item.name);
     const auto expected = expected_unsupported().find(GetParam());

@@ -45,7 +45,7 @@ const std::map<std::string, Table>& rooms() {
         {"render",
          {{"context", {}},
           {"effect", {}},
-          {"stages", {"effect", "context"}},
+          {"stages", {"context"}},
           {"fixed", {"effect", "stages", "context"}},
           {"programmable", {"effect", "stages", "context"}},
           {"reference", {}}}},  // shares neither the driver's numbers nor the planner's mistakes
@@ -63,8 +63,8 @@ const Table& narrower() {
         {"render/fixed", {"base", "scene"}},
         {"render/programmable", {"base", "scene"}},
         // The renderers come as functions.
-        {"judge/report", {"base", "scene", "render/effect"}},
-        {"judge/study", {"base", "scene"}},
+        {"judge/report", {"base", "scene", "render"}},
+        {"judge/study", {"base", "scene", "render"}},
     };
     return table;
 }

@@ -20,7 +20,7 @@ struct Arguments {
     std::optional<Size> size;
     std::optional<int> frame;
     std::string folder;
-    double budget = RenderOptions{}.budget;
+    double budget = PlanOptions{}.budget;
     bool precise = false, json = false;
     Shading per_pixel = Shading::kPhong;
 };
@@ -76,18 +76,21 @@ std::string summary(const report::Comparison& comparison, const std::string& fol
 }
 
 int run(const Arguments& arguments) {
-    const Frame frame = load_frame(arguments.scene, arguments.size, arguments.frame);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
     report::Comparison comparison;
     {
         ProgressBar bar;
-        const RendererSet renderers(frame.width, frame.height);
+        const RendererSet renderers(scene.frame.width, scene.frame.height);
         comparison = report::compare_scene(
-            frame, frame.commands->name, driver_name(), renderers.functions(),
-            [&](int done, int total, std::string_view next) { bar.show(done, total, next); }, report::Pictures::kAll,
-            arguments.budget, arguments.precise, arguments.per_pixel);
+            scene,
+            {.driver = driver_name(),
+             .budget = arguments.budget,
+             .precise = arguments.precise,
+             .per_pixel = arguments.per_pixel},
+            renderers.functions(), [&](int done, int total, std::string_view next) { bar.show(done, total, next); });
     }
     if (!comparison.within_tolerance()) {
-        for (const fuzz::Departure* departure : fuzz::departures_in(frame))
+        for (const fuzz::Departure* departure : fuzz::departures_in(scene))
             comparison.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
     }
     report::write_report(comparison, arguments.folder);

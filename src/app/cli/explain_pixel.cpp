@@ -21,7 +21,7 @@ using reference::LitPoint;
 using reference::PixelFragment;
 using reference::Vec;
 
-const char* name_of(Shading shading) {
+const char* words_of(Shading shading) {
     switch (shading) {
         case Shading::kFlat: return "flat: of the provoking vertex";
         case Shading::kGouraud: return "gouraud: between the vertices' terms, factors are means";
@@ -37,14 +37,15 @@ struct Rendered {
 };
 
 // The fixed function lights vertices alone.
-std::vector<Rendered> rendered(const Frame& frame, const RenderOptions& options, const Pixel& pixel,
+std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, const Pixel& pixel,
                                const Rgba& reference) {
+    const Frame& frame = scene.frame;
     const RendererSet set(frame.width, frame.height);
     const report::Renderers& functions = set.functions();
     std::vector<Rendered> result;
     const bool by_pixel = options.shading == Shading::kPhong || options.shading == Shading::kExact;
-    if (!by_pixel) result.push_back({"fixed", functions.fixed(frame, options).at(pixel.x, pixel.y)});
-    result.push_back({"programmable", functions.programmable(frame, options).at(pixel.x, pixel.y)});
+    if (!by_pixel) result.push_back({"fixed", functions.fixed(scene, {options.shading}).at(pixel.x, pixel.y)});
+    result.push_back({"programmable", functions.programmable(frame, {options}).image.at(pixel.x, pixel.y)});
     result.push_back({"reference", reference});
     return result;
 }
@@ -87,7 +88,7 @@ std::string text_of(const PixelFragment& fragment, const Draw& draw) {
                     fragment.depth, fragment.passes ? "" : ", does not pass its tests");
     if (fragment.is_lit) {
         const LitPoint mean = mean_of(fragment);
-        text += fmt::format("  {}\n  {:<24} {:<44} {:>9} {:>9} {:>9}\n", name_of(fragment.shading), "", "", "red",
+        text += fmt::format("  {}\n  {:<24} {:<44} {:>9} {:>9} {:>9}\n", words_of(fragment.shading), "", "", "red",
                             "green", "blue");
         text += row("emission", "e_cm", mean.material.emission);
         text += row("scene ambient", "a_cm a_cs", mean.scene_ambient);
@@ -174,14 +175,15 @@ Pixel parse_pixel(const std::string& text, const Frame& frame) {
     return pixel;
 }
 
-std::string explain_pixel(const Frame& frame, const RenderOptions& options, const Pixel& pixel, bool as_json) {
+std::string explain_pixel(const Scene& scene, const PlanOptions& options, const Pixel& pixel, bool as_json) {
+    const Frame& frame = scene.frame;
     const reference::PixelHistory history =
-        reference::pixel_history(frame, options, pixel.x, frame.height - 1 - pixel.y);
+        reference::pixel_history(frame, reference::Options{options}, pixel.x, frame.height - 1 - pixel.y);
     const std::vector<PixelFragment>& fragments = history.fragments;
-    const std::vector<Rendered> pictures = rendered(frame, options, pixel, history.color);
+    const std::vector<Rendered> pictures = rendered(scene, options, pixel, history.color);
     const std::vector<const Draw*> draws = draws_of(frame);
     if (as_json) {
-        Json json = {{"scene", frame.commands->name}, {"pixel", {pixel.x, pixel.y}}, {"fragments", Json::array()}};
+        Json json = {{"scene", scene.name()}, {"pixel", {pixel.x, pixel.y}}, {"fragments", Json::array()}};
         for (const PixelFragment& fragment : fragments)
             json["fragments"].push_back(json_of(fragment, *draws[fragment.draw]));
         for (const Rendered& picture : pictures)
@@ -189,7 +191,7 @@ std::string explain_pixel(const Frame& frame, const RenderOptions& options, cons
         return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     }
     std::string text = fmt::format(
-        "{}, pixel {},{} of {} x {}: {}\n", frame.commands->name, pixel.x, pixel.y, frame.width, frame.height,
+        "{}, pixel {},{} of {} x {}: {}\n", scene.name(), pixel.x, pixel.y, frame.width, frame.height,
         fragments.empty() ? "no draw covers it"
                           : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
     bool variants = false;

@@ -132,7 +132,7 @@ glm::dvec2 window_place(const Case& of, const Spot& spot) {
     if (spot.kind == Spot::Kind::kPixel) return {spot.x, kSide - 1 - spot.y};
     std::string error;
     const std::optional<fuzz::VertexScene> scene =
-        fuzz::make_vertex_scene(of.carried_out(fuzz::kVertexWindow).frame, error);
+        fuzz::make_vertex_scene(of.carried_out(fuzz::kVertexWindow).scene, error);
     const glm::dvec4& clip = scene.value().lit.at(static_cast<std::size_t>(spot.vertex)).position_clip;
     return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * static_cast<double>(kSide);
 }

@@ -10,13 +10,10 @@
 
 #include "judge/check/case.h"
 #include "render/context/context.h"
+#include "render/path.h"
 #include "render/programmable/programmable.h"
 
 namespace twinlight::check {
-
-enum class Path : std::uint8_t { kFixed, kProgrammable, kReference };
-inline constexpr std::size_t kPaths = 3;
-inline constexpr std::array<std::string_view, kPaths> kPathNames = {"fixed", "programmable", "reference"};
 
 enum class Verdict : std::uint8_t {
     kNotAsked,  // the fixed function, where all is about what GL does not have

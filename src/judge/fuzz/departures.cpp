@@ -214,18 +214,16 @@ const Departure* LeftOut::in(const Frame& frame) const {
     return find([&](const Departure& departure) { return applies_in(departure, frame); });
 }
 
-std::vector<const Departure*> departures_in(const Frame& frame) {
+std::vector<const Departure*> departures_in(const Scene& scene) {
     OfCommands of_commands;
-    if (frame.commands) {
-        frame.commands->for_each([&](const Step& step) {
-            if (step.kind == Step::Kind::kCommand) of_commands.see(step.command);
-            return true;
-        });
-    }
+    scene.recording->for_each([&](const Step& step) {
+        if (step.kind == Step::Kind::kCommand) of_commands.see(step.command);
+        return true;
+    });
     std::vector<const Departure*> found;
     for (const Departure& departure : departures()) {
         if (departure.leaves == Leaves::kOpen) continue;
-        if (departure.of_commands ? of_commands.apply(departure) : applies_in(departure, frame))
+        if (departure.of_commands ? of_commands.apply(departure) : applies_in(departure, scene.frame))
             found.push_back(&departure);
     }
     return found;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
+#include "scene/state/scene.h"
 
 namespace twinlight::fuzz {
 
@@ -49,7 +49,7 @@ class LeftOut {
     const Departure* of_all_ = nullptr;
 };
 
-// All that apply somewhere in a frame, but for those that rounding decides. Goes through the frame's commands once.
-std::vector<const Departure*> departures_in(const Frame& frame);
+// All that apply somewhere in a scene, but for those that rounding decides. Goes through its commands once.
+std::vector<const Departure*> departures_in(const Scene& scene);
 
 }  // namespace twinlight::fuzz

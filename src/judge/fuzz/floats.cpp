@@ -153,7 +153,7 @@ std::vector<Found> Floats::compare(std::span<const std::shared_ptr<const Command
         scenes.push_back(make_vertex_scene(commands[i], found[i].error));
         if (scenes.back()) fixed[i] = fixed_colors(*scenes.back());
     }
-    const std::vector<std::vector<Color>> shaders = shader_colors(scenes, *renderer_, gls_own_model());
+    const std::vector<std::vector<Color>> shaders = shader_colors(scenes, *renderer_, {{kGlsOwnModel, 0}});
     for (std::size_t i = 0; i < commands.size(); ++i) {
         if (scenes[i]) found[i] = judge(*commands[i], *scenes[i], fixed[i], shaders[i], lifted_);
     }

@@ -21,8 +21,7 @@ Pictures::Pictures(std::vector<std::string_view> lifted)
     : lifted_(std::move(lifted)), context_(make_offscreen_context(kSide, kSide)) {
     renderer_.emplace();
     renderers_.fixed = fixed::render;
-    renderers_.programmable = [this](const Frame& frame, RenderOptions options) {
-        options.budget = 0;
+    renderers_.programmable = [this](const Frame& frame, const programmable::Options& options) {
         return renderer_->render(frame, options);
     };
     renderers_.reference = reference::render;
@@ -34,18 +33,18 @@ Pictures::~Pictures() {
     renderer_.reset();
 }
 
-Found Pictures::compare(const std::shared_ptr<const CommandList>& scene) {
+Found Pictures::compare(const std::shared_ptr<const CommandList>& commands) {
     Found found;
     try {
-        const Frame frame = make_frame(scene, {.width = kSide, .height = kSide});
-        if (!frame.unsupported.empty()) {
-            found.error = frame.unsupported.front().name + " is not supported";
+        const Scene scene = make_scene(commands, {.width = kSide, .height = kSide});
+        if (!scene.frame.unsupported.empty()) {
+            found.error = scene.frame.unsupported.front().name + " is not supported";
             return found;
         }
         context_->make_current();
-        const report::Comparison comparison =
-            report::compare_scene(frame, scene->name, {}, renderers_, {}, report::Pictures::kPerVertex);
-        const Departure* departure = LeftOut(*scene, lifted_).in(frame);
+        const report::Comparison comparison = report::compare_scene(
+            scene, {.driver = {}, .pictures = report::Pictures::kPerVertex, .budget = 0}, renderers_);
+        const Departure* departure = LeftOut(*commands, lifted_).in(scene.frame);
         bool departs = false;
         for (std::size_t pair = 0; pair < kPairs; ++pair) {  // in the same order
             const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_allowed;

@@ -18,7 +18,7 @@ class Pictures {
     Pictures(const Pictures&) = delete;
     Pictures& operator=(const Pictures&) = delete;
 
-    Found compare(const std::shared_ptr<const CommandList>& scene);
+    Found compare(const std::shared_ptr<const CommandList>& commands);
     static constexpr int kSide = 64;
 
   private:

@@ -11,38 +11,40 @@ namespace twinlight::report {
 
 namespace {
 
-constexpr RenderOptions kPerVertex = {.shading = std::nullopt, .lecture_variants = false};
-constexpr RenderOptions kPerPixel = {.shading = Shading::kPhong, .lecture_variants = true};
-
 struct PlannedRender {
+    Path path;
+    bool per_pixel;  // with the lecture's variants
     const char* name;
     const char* meaning;
-    RenderFunction Renderers::*renderer;
-    RenderOptions options;
-    bool by_driver;
-};
-const std::array kRenders = {
-    PlannedRender{"fixed", "The driver's fixed function carries the commands out. It lights vertices.",
-                  &Renderers::fixed, kPerVertex, true},
-    PlannedRender{"programmable", "Shaders on the same driver light vertices by GL's model.", &Renderers::programmable,
-                  kPerVertex, true},
-    PlannedRender{"reference", "The specification's equation in double precision, no driver. It lights vertices.",
-                  &Renderers::reference, kPerVertex, false},
-    PlannedRender{"programmable-phong", "Shaders light every pixel and follow the scene's pragmas.",
-                  &Renderers::programmable, kPerPixel, true},
-    PlannedRender{"reference-phong", "The reference lights every pixel and follows the scene's pragmas.",
-                  &Renderers::reference, kPerPixel, false},
-};
 
-// The same of exact surfaces.
-PlannedRender exact(PlannedRender planned) {
-    planned.name = planned.by_driver ? "programmable-exact" : "reference-exact";
-    planned.meaning =
-        planned.by_driver
-            ? "Shaders cast a ray through every pixel at the surfaces that curved shapes stand for."
-            : "The reference casts a ray through every pixel at the surfaces that curved shapes stand for.";
-    planned.options.shading = Shading::kExact;
-    return planned;
+    bool by_driver() const { return path != Path::kReference; }
+};
+constexpr std::array kRenders = {
+    PlannedRender{Path::kFixed, false, "fixed",
+                  "The driver's fixed function carries the commands out. It lights vertices."},
+    PlannedRender{Path::kProgrammable, false, "programmable",
+                  "Shaders on the same driver light vertices by GL's model."},
+    PlannedRender{Path::kReference, false, "reference",
+                  "The specification's equation in double precision, no driver. It lights vertices."},
+    PlannedRender{Path::kProgrammable, true, "programmable-phong",
+                  "Shaders light every pixel and follow the scene's pragmas."},
+    PlannedRender{Path::kReference, true, "reference-phong",
+                  "The reference lights every pixel and follows the scene's pragmas."},
+};
+// Of exact surfaces, in the place of phong's.
+constexpr std::array kExactRenders = {
+    PlannedRender{Path::kProgrammable, true, "programmable-exact",
+                  "Shaders cast a ray through every pixel at the surfaces that curved shapes stand for."},
+    PlannedRender{Path::kReference, true, "reference-exact",
+                  "The reference casts a ray through every pixel at the surfaces that curved shapes stand for."},
+};
+constexpr const char* kPreciseMeaning =
+    "Shaders light vertices by GL's model, in the order of operations of Mesa's fixed function.";
+
+// The per-vertex pictures follow GL's own model.
+Look look_of(bool per_pixel, const CompareOptions& options) {
+    if (per_pixel) return {.shading = options.per_pixel, .lecture_variants = true};
+    return {.shading = std::nullopt, .lecture_variants = false};
 }
 
 constexpr std::size_t kReference = 2, kReferencePhong = 4;
@@ -57,7 +59,7 @@ constexpr std::array kPairs = {
     PlannedPair{3, 4, true, true}, PlannedPair{0, 3, false},  // what GL's lighting of vertices cannot show
 };
 
-bool is_of_drivers(const PlannedPair& pair) { return kRenders[pair.a].by_driver && kRenders[pair.b].by_driver; }
+bool is_of_drivers(const PlannedPair& pair) { return kRenders[pair.a].by_driver() && kRenders[pair.b].by_driver(); }
 
 // 2.1.1: a colour need not be computed to more than 1 part in 10^5. Where the right value lies that near to the border of
 // two codes, such as a background of 0.3 (76.5 codes), either code is right.
@@ -92,9 +94,8 @@ AllowedDifference allowed_of_drivers(AllowedDifference allowed, const Render& re
     return allowed;
 }
 
-// What planning may leave out of either picture (RenderOptions::budget), as the plans bound it: where the right value lies
-// that near to the border of two codes, it may cross it. Where a difference is allowed already, it grows by that. Alpha is
-// no light's.
+// What planning may leave out of either picture (PlanOptions::budget), as the plans bound it: where the right value lies that
+// near to the border of two codes, it may cross it. Where a difference is allowed already, it is more of it. Alpha is no light's.
 AllowedDifference with_plans(AllowedDifference allowed, const Render& a, const Render& b, const Render& reference) {
     const double error = error_bound(a.plan) + error_bound(b.plan);
     if (error == 0) return allowed;
@@ -112,20 +113,42 @@ AllowedDifference with_plans(AllowedDifference allowed, const Render& a, const R
     return allowed;
 }
 
-Render render(const PlannedRender& planned, const Frame& frame, const Renderers& renderers, Pictures pictures) {
+// What the driver draws with is drawn twice and the second is timed, for in the first the driver compiles.
+template <class Draw>
+auto timed(bool twice, double& ms, const Draw& draw) {
     using Clock = std::chrono::steady_clock;
-    const RenderFunction& draw = renderers.*planned.renderer;
-    if (planned.by_driver && pictures == Pictures::kAll) draw(frame, planned.options);
+    if (twice) draw();
     const Clock::time_point start = Clock::now();
-    Image image = draw(frame, planned.options);
-    const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
-    Render result{.name = planned.name, .meaning = planned.meaning, .image = std::move(image), .ms = taken.count()};
-    if (planned.renderer == &Renderers::programmable && !planned.options.precise)
-        result.plan = explain(frame, planned.options);
-    if (!planned.by_driver && has_quadrilaterals(frame)) {
-        RenderOptions other = planned.options;
-        other.quad_cut = QuadCut::kSecondToFourth;
-        result.other_cut = draw(frame, other);
+    auto picture = draw();
+    ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return picture;
+}
+
+Render render(const PlannedRender& planned, const Scene& scene, const CompareOptions& options,
+              const Renderers& renderers) {
+    Render result{.path = planned.path, .name = planned.name, .meaning = planned.meaning, .image = {}};
+    const Look look = look_of(planned.per_pixel, options);
+    const bool twice = planned.by_driver() && options.pictures == Pictures::kAll;
+    switch (planned.path) {
+        case Path::kFixed:
+            result.image = timed(twice, result.ms, [&] { return renderers.fixed(scene, {look.shading}); });
+            break;
+        case Path::kProgrammable: {
+            programmable::Options shaders{{look, options.budget}};
+            shaders.precise = options.precise && !planned.per_pixel;
+            if (shaders.precise) result.meaning = kPreciseMeaning;
+            programmable::Picture picture =
+                timed(twice, result.ms, [&] { return renderers.programmable(scene.frame, shaders); });
+            result.image = std::move(picture.image);
+            if (!shaders.precise) result.plan = explain(std::move(picture.plans));
+            break;
+        }
+        case Path::kReference:
+            result.image =
+                timed(twice, result.ms, [&] { return renderers.reference(scene.frame, reference::Options{look}); });
+            if (reference::has_quadrilaterals(scene.frame))
+                result.other_cut = renderers.reference(scene.frame, {look, reference::QuadCut::kSecondToFourth});
+            break;
     }
     return result;
 }
@@ -156,27 +179,21 @@ Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
 
 namespace {
 
-// Whether a render leaves this out. Its name is its renderer's, "-phong" or "-exact" may follow.
-bool lacks(const Render& render, const Unsupported& item) {
-    return std::ranges::any_of(item.renderers, [&](const std::string& name) { return render.name.starts_with(name); });
-}
-
 Verdict verdict_of(const Comparison& comparison, const Pair& pair) {
     const Verdict verdict = judge(pair.difference, comparison.tolerance);
     const Render &a = comparison.a(pair), &b = comparison.b(pair);
     bool partial = false;
     for (const Unsupported& item : comparison.unsupported) {
-        if (lacks(a, item) != lacks(b, item)) return Verdict::kPartial;  // a difference may come of it
-        partial = partial || lacks(a, item);
+        if (lacks(a.path, item) != lacks(b.path, item)) return Verdict::kPartial;  // a difference may come of it
+        partial = partial || lacks(a.path, item);
     }
     return partial && verdict == Verdict::kWithin ? Verdict::kPartial : verdict;
 }
 
 }  // namespace
 
-Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
-                         const Renderers& renderers, const Progress& progress, Pictures pictures, double budget,
-                         bool precise, Shading per_pixel) {
+Comparison compare_scene(const Scene& scene, const CompareOptions& options, const Renderers& renderers,
+                         const Progress& progress) {
     constexpr int kSteps = static_cast<int>(kRenders.size()) + 2;
     int done = 0;
     const auto begin_step = [&](std::string_view name) {
@@ -184,41 +201,38 @@ Comparison compare_scene(const Frame& frame, const std::string& scene, const std
     };
 
     Comparison result;
-    result.scene = scene;
-    result.driver = driver;
+    const Frame& frame = scene.frame;
+    const bool all = options.pictures == Pictures::kAll;
+    result.scene = scene.name();
+    result.driver = options.driver;
     result.width = frame.width;
     result.height = frame.height;
     result.unsupported = frame.unsupported;
-    const auto is_left_out = [pictures](bool phong) { return phong && pictures == Pictures::kPerVertex; };
-    for (PlannedRender planned : kRenders) {
-        planned.options.budget = budget;
-        if (precise && planned.renderer == &Renderers::programmable && planned.options.shading != Shading::kPhong) {
-            planned.options.precise = true;
-            planned.meaning =
-                "Shaders light vertices by GL's model, in the order of operations of Mesa's fixed function.";
-        }
-        if (is_left_out(planned.options.shading == Shading::kPhong)) continue;
-        if (planned.options.shading == Shading::kPhong && per_pixel == Shading::kExact) planned = exact(planned);
+    for (std::size_t i = 0; i < kRenders.size(); ++i) {
+        const bool exact = kRenders[i].per_pixel && options.per_pixel == Shading::kExact;
+        const PlannedRender& planned =
+            exact ? kExactRenders[i - (kRenders.size() - kExactRenders.size())] : kRenders[i];
+        if (planned.per_pixel && !all) continue;
         begin_step(planned.name);
-        result.renders.push_back(render(planned, frame, renderers, pictures));
+        result.renders.push_back(render(planned, scene, options, renderers));
     }
     begin_step("edges");
-    result.allowed = renderers.allowed_difference(frame, kPerVertex);
-    RenderOptions of_pixels = kPerPixel;
-    of_pixels.shading = per_pixel;
-    AllowedDifference of_phong =
-        pictures == Pictures::kAll ? renderers.allowed_difference(frame, of_pixels) : result.allowed;
+    const auto freedom_of = [&](bool per_pixel) {
+        return renderers.allowed_difference(frame, reference::Options{look_of(per_pixel, options)});
+    };
+    result.allowed = freedom_of(false);
+    AllowedDifference of_phong = all ? freedom_of(true) : result.allowed;
     for (std::size_t i = 0; i < result.allowed.edge.size(); ++i) {  // one mask for all pairs
         result.allowed.edge[i] = of_phong.edge[i] = result.allowed.edge[i] || of_phong.edge[i];
     }
 
     allow_ties(result.allowed, result.renders[kReference].image);
-    if (pictures == Pictures::kAll) allow_ties(of_phong, result.renders[kReferencePhong].image);
+    if (all) allow_ties(of_phong, result.renders[kReferencePhong].image);
 
     begin_step("differences");
     const AllowedDifference of_drivers = allowed_of_drivers(result.allowed, result.renders[kReference]);
     for (const PlannedPair& planned : kPairs) {
-        if (is_left_out(kRenders[planned.b].options.shading == Shading::kPhong)) continue;
+        if (kRenders[planned.b].per_pixel && !all) continue;
         Pair pair;
         pair.a = planned.a;
         pair.b = planned.b;

@@ -11,25 +11,28 @@
 #include "base/image/difference.h"
 #include "base/image/image.h"
 #include "render/effect/explanation.h"
-#include "scene/state/frame.h"
+#include "render/fixed/fixed.h"
+#include "render/path.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/options.h"
+#include "scene/state/scene.h"
 
 namespace twinlight::report {
 
-using RenderFunction = std::function<Image(const Frame&, const RenderOptions&)>;
-
 // What compare_scene draws with.
 struct Renderers {
-    RenderFunction fixed;
-    RenderFunction programmable;
-    RenderFunction reference;
+    std::function<Image(const Scene&, const fixed::Options&)> fixed;
+    std::function<programmable::Picture(const Frame&, const programmable::Options&)> programmable;
+    std::function<Image(const Frame&, const reference::Options&)> reference;
     // The pixels where right rasterisers may differ; all others are interior.
-    std::function<AllowedDifference(const Frame&, const RenderOptions&)> allowed_difference;
+    std::function<AllowedDifference(const Frame&, const reference::Options&)> allowed_difference;
 };
 
 // Called before each step: how many are done, how many there are, what comes next.
 using Progress = std::function<void(int done, int total, std::string_view next)>;
 
 struct Render {
+    Path path = Path::kFixed;
     std::string name;     // "fixed", "programmable", "reference", "programmable-phong", "reference-phong"; or -exact
     std::string meaning;  // a sentence for who sees the picture
     Image image;
@@ -88,15 +91,20 @@ Verdict judge(const ImageDifference& difference, const Tolerance& tolerance);
 
 enum class Pictures : std::uint8_t { kAll, kPerVertex };  // the second: each drawn once, and not timed
 
+struct CompareOptions {
+    std::string driver;  // its name
+    Pictures pictures = Pictures::kAll;
+    double budget = PlanOptions{}.budget;  // of shaders
+    bool precise = false;  // the programmable per-vertex picture is drawn with programmable::Options::precise
+    // kPhong, or kExact, whose pictures, "programmable-exact" and "reference-exact", take the place of phong's.
+    Shading per_pixel = Shading::kPhong;
+};
+
 // The per-vertex pictures follow GL's own model (the lecture's variants off), flat or gouraud as the scene
 // says, so that the three can be held against each other; the phong pictures follow the scene's variants.
-// `per_pixel`: kPhong, or kExact, whose pictures, "programmable-exact" and "reference-exact", take the place of phong's.
-// `precise`: the programmable one of them is drawn with RenderOptions::precise.
 // What the driver draws with is drawn twice and the second time is told, for in the first the driver compiles.
-Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
-                         const Renderers& renderers, const Progress& progress = {}, Pictures pictures = Pictures::kAll,
-                         double budget = RenderOptions{}.budget, bool precise = false,
-                         Shading per_pixel = Shading::kPhong);
+Comparison compare_scene(const Scene& scene, const CompareOptions& options, const Renderers& renderers,
+                         const Progress& progress = {});
 
 // ---- What is written of it ----
 

@@ -6,8 +6,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "scene/state/shading_names.h"
-
 namespace twinlight::study {
 
 namespace {
@@ -28,11 +26,11 @@ constexpr Named<Renderer> kRenderers[] = {
     {Renderer::kPrecise, "programmable-precise", "precise shaders"},
     {Renderer::kReference, "reference", "reference"},
 };
-constexpr Named<Sending> kSendings[] = {
-    {Sending::kBuffers, "buffers", "buffers"},
-    {Sending::kClientArrays, "client-arrays", "client arrays"},
-    {Sending::kImmediate, "immediate", "immediate mode"},
-    {Sending::kDisplayList, "display-list", "display list"},
+constexpr Named<fixed::Sending> kSendings[] = {
+    {fixed::Sending::kBuffers, "buffers", "buffers"},
+    {fixed::Sending::kClientArrays, "client-arrays", "client arrays"},
+    {fixed::Sending::kImmediate, "immediate", "immediate mode"},
+    {fixed::Sending::kDisplayList, "display-list", "display list"},
 };
 constexpr Named<Target> kTargets[] = {
     {Target::kCodes, "8-bit", "8-bit target"},
@@ -53,7 +51,7 @@ constexpr Named<Powers> kPowers[] = {
 std::span<const Named<Renderer>> names(Renderer) { return kRenderers; }
 std::span<const ShadingName> names(Shading) { return kShadings; }
 std::span<const ModelRow> names(Model) { return models(); }
-std::span<const Named<Sending>> names(Sending) { return kSendings; }
+std::span<const Named<fixed::Sending>> names(fixed::Sending) { return kSendings; }
 std::span<const Named<Target>> names(Target) { return kTargets; }
 std::span<const Named<Number>> names(Number) { return kNumbers; }
 std::span<const Named<Powers>> names(Powers) { return kPowers; }
@@ -143,7 +141,7 @@ constexpr Axis kBudget = {
     .value =
         [](const Choice& choice) {
             return Value{fmt::format("{}", choice.budget), fmt::format("budget {:.3g}/255", 255 * choice.budget),
-                         choice.budget != RenderOptions{}.budget};
+                         choice.budget != PlanOptions{}.budget};
         },
     .set = [](Choice& choice, std::string_view key) { return set_number<&Choice::budget>(choice, key, 0); },
     .keys = no_keys};
@@ -181,15 +179,18 @@ std::string Choice::key() const {
     return text;
 }
 
-RenderOptions Choice::options() const {
-    RenderOptions options;
-    options.shading = shading;
-    options.tier = renderer == Renderer::kConstants ? Tier::kBaked : Tier::kUniform;
-    options.precise = renderer == Renderer::kPrecise;
-    options.sending = sending;
-    options.arithmetic = {number, powers};
-    options.budget = budget;
-    return options;
+programmable::Options Choice::shader_options() const {
+    return {{{.shading = shading}, budget},
+            renderer == Renderer::kConstants ? programmable::Tier::kBaked : programmable::Tier::kUniform,
+            renderer == Renderer::kPrecise};
+}
+
+reference::Options Choice::reference_options() const {
+    return {{.shading = shading}, reference::QuadCut::kFirstToThird, {number, powers}};
+}
+
+fixed::ReplayOptions Choice::fixed_options() const {
+    return {.shading = shading, .scrub = fixed::Scrub::kNothing, .sending = sending};
 }
 
 }  // namespace twinlight::study

@@ -7,7 +7,7 @@
 
 #include "judge/report/html.h"
 #include "judge/study/study.h"
-#include "scene/state/shading_names.h"
+#include "render/look.h"
 
 namespace twinlight::study {
 

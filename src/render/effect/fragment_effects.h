@@ -8,7 +8,4 @@ namespace twinlight {
 // Adds these facts to plan.effects, and to plan.left_out why the others are not there.
 void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan);
 
-// Whether a filter is linear: then GL_CLAMP takes in the border's colour (3.8.7), else it is GL_CLAMP_TO_EDGE.
-bool filters_linearly(const Texture& texture);
-
 }  // namespace twinlight

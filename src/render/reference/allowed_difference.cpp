@@ -26,9 +26,6 @@ constexpr double kHalfSquare = 0.5 + kSnap;
 // Lines and points may choose the pixel beside (3.4.1 allows a line to be off by one).
 constexpr double kHalfLineSquare = 1.5;
 
-// A driver may cut one that it shades flat, or has in a display list, otherwise than the same one shaded smooth, or not.
-bool is_quadrilaterals(const Draw& draw) { return draw.mode == kGL_QUADS || draw.mode == kGL_QUAD_STRIP; }
-
 // The same triangle, clipped alike, but perhaps for its polygon offset.
 bool same_triangle(const Piece& a, const Piece& b) {
     return a.shape == Shape::kTriangle && b.shape == Shape::kTriangle && a.corners == b.corners &&
@@ -88,7 +85,8 @@ class OpenPixels {
         if (other_id >= 0) {
             const Piece &piece = *fragment.piece, &other = stages_.piece(other_id);
             const glm::dvec3 between = piece.depth_plane - other.depth_plane;
-            // Appendix A: what is drawn again has the same depths; 3.5.5: r keeps offsets apart.
+            // Appendix A: what is drawn again has the same depths; 3.5.5: r keeps offsets apart. A driver may cut a
+            // quadrilateral that it shades flat, or has in a display list, otherwise than the same one shaded smooth, or not.
             if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
                 return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
             if (piece.shape == Shape::kTriangle && other.shape == Shape::kTriangle) {
@@ -191,7 +189,7 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
     }
 };
 
-AllowedDifference allowed_with_cut(const Frame& frame, const RenderOptions& options) {
+AllowedDifference allowed_with_cut(const Frame& frame, const Options& options) {
     AllowedDifference result{.edge = {}, .channels = Image(frame.width, frame.height)};
     std::vector<char> edge(result.channels.pixels.size());  // bytes, not bits: bands write beside each other
     const StagedFrame stages = run_stages(frame, options);
@@ -231,7 +229,7 @@ Frame moved(Frame frame, const glm::dvec2& pixels) {
 
 // Adds the pixels where so little beside the centre something else is seen: a thousandth of a pixel, by which colours otherwise
 // change by less than half a code.
-void add_surface_edges(const Frame& frame, const RenderOptions& options, PixelMask& edge) {
+void add_surface_edges(const Frame& frame, const Options& options, PixelMask& edge) {
     constexpr double kBeside = 1e-3;  // of a pixel
     constexpr float kHalfCode = 0.5F / 255;
     const Image here = render(frame, options);
@@ -245,7 +243,7 @@ void add_surface_edges(const Frame& frame, const RenderOptions& options, PixelMa
 
 }  // namespace
 
-AllowedDifference allowed_difference(const Frame& frame, RenderOptions options) {
+AllowedDifference allowed_difference(const Frame& frame, Options options) {
     if (options.shading == Shading::kExact) {
         options.shading = Shading::kPhong;
         AllowedDifference result = allowed_difference(frame, options);

@@ -154,7 +154,7 @@ class FragmentLoop {
 
 // Draws the picture in bands of rows, and calls visit(buffer, band) for each; y as GL counts. Buffer: a FragmentLoop.
 template <class Buffer, class Visit>
-void draw_in_bands(const StagedFrame& stages, const Frame& frame, const RenderOptions& options, const Visit& visit) {
+void draw_in_bands(const StagedFrame& stages, const Frame& frame, const Options& options, const Visit& visit) {
     const std::vector<Shader> shaders = make_shaders(stages, options);
     for_each_band(frame.height, [&](int y0, int y1) {
         const PixelRect band{0, y0, frame.width, y1};

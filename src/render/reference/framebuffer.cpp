@@ -55,7 +55,7 @@ std::vector<int> shape_numbers(const StagedFrame& stages) {
 
 }  // namespace
 
-std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options) {
+std::vector<int> seen_shapes(const Frame& frame, const Options& options) {
     const StagedFrame stages = run_stages(frame, options);
     const std::vector<int> numbers = shape_numbers(stages);
     std::vector<int> seen(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height), -1);
@@ -71,7 +71,7 @@ std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options) {
     return seen;
 }
 
-Image render(const Frame& frame, const RenderOptions& options) {
+Image render(const Frame& frame, const Options& options) {
     Image image(frame.width, frame.height);
     const StagedFrame stages = run_stages(frame, options);
     draw_in_bands<Framebuffer>(stages, frame, options, [&](Framebuffer& framebuffer, const PixelRect& band) {

@@ -101,7 +101,7 @@ void add_rulings(const Shader& shader, const Fragment& seen, const VertexRulings
 
 }  // namespace
 
-PixelHistory pixel_history(const Frame& frame, const RenderOptions& options, int x, int y) {
+PixelHistory pixel_history(const Frame& frame, const Options& options, int x, int y) {
     const StagedFrame stages = run_stages(frame, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     Framebuffer pixel(stages, shaders, {x, y, x + 1, y + 1});

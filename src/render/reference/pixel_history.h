@@ -10,6 +10,7 @@
 #include "base/image/image.h"
 #include "lighting/equation.h"
 #include "render/reference/draw_lighting.h"
+#include "render/reference/options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::reference {
@@ -49,7 +50,7 @@ struct PixelHistory {
     Rgba color{};  // the picture's
 };
 
-PixelHistory pixel_history(const Frame& frame, const RenderOptions& options, int x, int y);
+PixelHistory pixel_history(const Frame& frame, const Options& options, int x, int y);
 
 // The terms of a fragment: those of its points by their weights. Linear in all but flat shading's one point, so the
 // products add up to the colour; factors such as attenuation are means.

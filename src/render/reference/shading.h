@@ -45,7 +45,7 @@ struct PointOfFragment {
 // Colours one Draw's pieces. The StagedDraw must outlive it.
 class Shader {
   public:
-    Shader(const StagedDraw& staged, const RenderOptions& options);
+    Shader(const StagedDraw& staged, const Options& options);
 
     // In [0,1]. Real: double or Interval.
     template <class Real>

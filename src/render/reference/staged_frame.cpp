@@ -7,7 +7,7 @@
 
 namespace twinlight::reference {
 
-StagedFrame run_stages(const Frame& frame, const RenderOptions& options) {
+StagedFrame run_stages(const Frame& frame, const Options& options) {
     StagedFrame stages;
     const Draw* last = nullptr;
     const auto add_clear = [&](const Clear& clear) {
@@ -36,7 +36,7 @@ StagedFrame run_stages(const Frame& frame, const RenderOptions& options) {
     return stages;
 }
 
-std::vector<Shader> make_shaders(const StagedFrame& stages, const RenderOptions& options) {
+std::vector<Shader> make_shaders(const StagedFrame& stages, const Options& options) {
     std::vector<Shader> shaders;
     shaders.reserve(stages.draws.size());
     for (const StagedDraw& staged : stages.draws) shaders.emplace_back(staged, options);

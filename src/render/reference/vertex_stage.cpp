@@ -77,7 +77,7 @@ VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex, bool normal
     return rulings;
 }
 
-std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& options, bool clamp) {
+std::vector<LitVertex> light_vertices(const Draw& draw, const Options& options, bool clamp) {
     const DrawLighting lighting(draw, options.lecture_variants);
     const auto finish = [&](const glm::dvec4& color) { return clamp ? clamped(color) : color; };
     const std::vector<StageVertex> vertices = vertex_stage(draw);

@@ -167,6 +167,8 @@ struct Step {
     std::string_view text{};
 };
 
+struct CommandList;
+
 // Commands that can be gone through again and again, one at a time: a list, or a recorded program that is too long to be
 // held.
 struct Recording {
@@ -178,6 +180,8 @@ struct Recording {
 
     // Hands every step to `visit`, until that answers false. Throws SceneError where the recording cannot be read.
     virtual void for_each(const std::function<bool(const Step&)>& visit) const = 0;
+    // The scene in C text that it is; null for a recorded program.
+    virtual const CommandList* command_list() const { return nullptr; }
 
   protected:  // copied as what they are, or not at all
     Recording(const Recording&) = default;
@@ -194,6 +198,7 @@ struct CommandList final : Recording {
         : Recording(std::move(given_name)), commands(std::move(given_commands)) {}
 
     void for_each(const std::function<bool(const Step&)>& visit) const override;
+    const CommandList* command_list() const override { return this; }
 };
 
 // ---- The parameters of lights, materials, the light model, fog, textures and pixel storage (parameters.def) ----

@@ -35,7 +35,7 @@ void State::elsewhere_query(const Command&) {}
 // These change the picture.
 void State::elsewhere_drawing(const Command& c) {
     if (!has_time(c, evaluated_points(c))) return;
-    note_unsupported(std::string(c.name()), c.place, {"programmable", "reference"});
+    note_unsupported(std::string(c.name()), c.place);
 }
 
 // The same, and legal between Begin and End.
@@ -56,7 +56,7 @@ void State::elsewhere_secondary_color(const Command& c) {
     if (is_black) return;
     a_.secondary_color = c.place;
     if (open_ && adds_secondary_color(*open_)) {
-        note_unsupported("glSecondaryColor", c.place, {"programmable", "reference"});
+        note_unsupported("glSecondaryColor", c.place);
     }
 }
 
@@ -79,9 +79,7 @@ void State::elsewhere_point_parameter(const Command& c) {
 }
 
 void State::note_draws_elsewhere(const Draw& draw) {
-    const auto note = [this](const std::string& name, const Place& place) {
-        note_unsupported(name, place, {"programmable", "reference"});
-    };
+    const auto note = [this](const std::string& name, const Place& place) { note_unsupported(name, place); };
     if (a_.secondary_color && adds_secondary_color(draw)) note("glSecondaryColor", *a_.secondary_color);
     if (a_.fog_coordinates && draw.fog.enabled) note("glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)", *a_.fog_coordinates);
     if (!draw.draws_points()) return;

@@ -169,7 +169,7 @@ void State::set_material(const Command& c, const Spectrum* reflectance) {
     if (a_.lighting.light_model.spectrum &&
         (has_reflectance(open_->lighting.front) || has_reflectance(open_->lighting.back)))
         note_unsupported("glMaterial between glBegin and glEnd, where the material has a reflectance", c.place,
-                         {"programmable"});
+                         MissingFrom::kShaders);
     std::vector<Materials>& materials = open_->materials;
     if (materials.empty()) materials.push_back({open_->lighting.front, open_->lighting.back});
     const Materials now{a_.lighting.front, a_.lighting.back};

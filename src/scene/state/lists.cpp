@@ -143,7 +143,7 @@ std::size_t State::compile_calls(const Command& c) {
         for (double i = 0; i < count; ++i, at += size)
             names.push_back(list_name({at, static_cast<std::size_t>(size)}, c.enumerant(1)));
         if (std::ranges::find(names, 0U) != names.end()) {
-            note_unsupported("glCallLists with a name 0, in a list", c.place, {"fixed"});
+            note_unsupported("glCallLists with a name 0, in a list", c.place, MissingFrom::kFixedFunction);
         }
     }
     std::vector<std::uint32_t>& calls = lists_.open->calls;

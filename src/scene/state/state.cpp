@@ -31,8 +31,7 @@ constexpr CommandSet kTakesAnyNumber = CommandSet::of(
     {"vertex", "normal", "color", "tex_coord", "multi_tex_coord", "elsewhere_secondary_color", "elsewhere_attribute"});
 
 // Counts one more of `name`.
-void count(std::vector<Unsupported>& list, std::string_view name, const Place& place,
-           std::vector<std::string> renderers) {
+void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
     const auto find = [&] {
         return std::find_if(list.begin(), list.end(), [&](const Unsupported& u) { return u.name == name; });
     };
@@ -44,7 +43,7 @@ void count(std::vector<Unsupported>& list, std::string_view name, const Place& p
     if (found != list.end()) {
         found->count += found->count < std::numeric_limits<int>::max() ? 1 : 0;
     } else {
-        list.push_back({std::string(name), 1, place, std::move(renderers)});
+        list.push_back({std::string(name), 1, place, missing_from});
     }
 }
 
@@ -235,11 +234,11 @@ Draw State::new_draw(Enum mode, const Place& place) {
                     .lod_bias = a_.units[0].lod_bias,
                     .texture_matrix = texture_[0].back().matrix};
     if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) {
-        note_unsupported("glTexEnv(GL_COMBINE)", place, {"programmable", "reference"});
+        note_unsupported("glTexEnv(GL_COMBINE)", place);
     }
     for (std::size_t i = 1; i < a_.units.size(); ++i) {
         if (!complete_texture(a_.units[i])) continue;
-        note_unsupported(fmt::format("texture unit {}", i), place, {"programmable", "reference"});
+        note_unsupported(fmt::format("texture unit {}", i), place);
     }
     draw.fog = a_.fog;
     draw.fragment = a_.fragment;
@@ -252,9 +251,16 @@ Draw State::new_draw(Enum mode, const Place& place) {
         // Textures of further units are named above.
         const bool is_idle = row.generates_coordinates() && (capability.second > 0 || !draw.texture.texture);
         if (!row.changes_pixels || is_idle) continue;
-        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where, {"programmable", "reference"});
+        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where);
     }
     note_draws_elsewhere(draw);
+    // `#pragma twinlight light(8, ...)`: GL has eight lights.
+    const auto& lights = draw.lighting.lights;
+    const bool has_more =
+        lights.size() > kMaxLights &&
+        std::any_of(lights.begin() + kMaxLights, lights.end(), [](const LightSource& light) { return light.enabled; });
+    if (draw.lighting.enabled && has_more)
+        note_unsupported("a light beyond GL_LIGHT7", place, MissingFrom::kFixedFunction);
     return draw;
 }
 
@@ -275,17 +281,17 @@ void State::rect(const Command& c) {
     show(std::move(draw));
 }
 
-void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {
+void State::note_unsupported(const std::string& name, const Place& place, MissingFrom missing_from) {
     if (render_mode_ != kGL_RENDER) return;
-    count(unsupported_, name, place, std::move(renderers));
+    count(unsupported_, name, place, missing_from);
 }
 
 void State::note_lasting(std::string_view name, const Place& place) {
-    count(outside_, name, place, {"programmable", "reference"});
+    count(outside_, name, place, MissingFrom::kFrame);
 }
 
 void State::outside(std::string_view function, const Place& place) {
-    count(outside_, function, place, {"fixed", "programmable", "reference"});
+    count(outside_, function, place, MissingFrom::kEverything);
 }
 
 std::optional<GlError> State::unfinished() const {
@@ -304,8 +310,8 @@ std::optional<GlError> State::unfinished() const {
     return std::nullopt;
 }
 
-Frame State::take_frame(std::shared_ptr<const Recording> commands) {
-    Frame frame{options_.width, options_.height, std::move(items_), outside_, std::move(commands)};
+Frame State::take_frame() {
+    Frame frame{options_.width, options_.height, std::move(items_), outside_};
     std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
     frame.lists_called_before_made.assign(lists_.called_before_made.begin(), lists_.called_before_made.end());
     drop_picture();
@@ -329,26 +335,31 @@ void State::drop_hidden() {
     unsupported_.clear();
 }
 
-Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& options) {
+Frame make_frame(const CommandList& commands, const StateOptions& options) {
     State state(options);
     const auto refuse = [](const GlError& error) {
         throw SceneError(fmt::format("{}: {} ({})", error.place.str(), error.message, enum_name(error.code)));
     };
-    for (const Command& command : scene->commands) {
+    for (const Command& command : commands.commands) {
         state.apply(command);
         if (!state.errors().empty()) refuse(state.errors().front());
     }
     if (const auto error = state.unfinished()) {
         throw SceneError(fmt::format("{}: {}", error->place.str(), error->message));
     }
-    Frame frame = state.take_frame(scene);
+    Frame frame = state.take_frame();
     const bool draws = std::any_of(frame.items.begin(), frame.items.end(),
                                    [](const auto& item) { return std::holds_alternative<Draw>(item); });
     if (!draws) {
-        throw SceneError(
-            fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);", scene->name));
+        throw SceneError(fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
+                                     commands.name));
     }
     return frame;
+}
+
+Scene make_scene(std::shared_ptr<const CommandList> commands, const StateOptions& options) {
+    Frame frame = make_frame(*commands, options);
+    return {std::move(commands), std::move(frame)};
 }
 
 }  // namespace twinlight

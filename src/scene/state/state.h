@@ -13,6 +13,7 @@
 #include "scene/state/gl_error.h"
 #include "scene/state/lists.h"
 #include "scene/state/pixels.h"
+#include "scene/state/scene.h"
 
 namespace twinlight {
 
@@ -65,7 +66,7 @@ class State {
     // Forgets what the last Clear hides, if that clears everything.
     void drop_hidden();
     // Gives it away.
-    Frame take_frame(std::shared_ptr<const Recording> commands);
+    Frame take_frame();
 
     // glGet*: the values in force, as the float query returns them (6.1.3).
     const LightingState& lighting() const { return a_.lighting; }
@@ -260,7 +261,7 @@ class State {
     void note_draws_elsewhere(const Draw& draw);
     // Of what is drawn now, and of what changes all pictures from here on.
     void note_lasting(std::string_view name, const Place& place);
-    void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
+    void note_unsupported(const std::string& name, const Place& place, MissingFrom missing_from = MissingFrom::kFrame);
     double to_real(double c,
                    Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
 
@@ -296,8 +297,9 @@ class State {
     std::optional<GlError> exhausted_;
 };
 
-// Runs a whole scene. Throws SceneError at the first GL error, at what is left open at the end, and for a scene that
-// draws nothing.
-Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& options);
+// Runs all commands of a scene. Throws SceneError at the first GL error, at what is left open at the end, and for commands
+// that draw nothing.
+Frame make_frame(const CommandList& commands, const StateOptions& options);
+Scene make_scene(std::shared_ptr<const CommandList> commands, const StateOptions& options);
 
 }  // namespace twinlight

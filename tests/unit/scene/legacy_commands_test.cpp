@@ -22,9 +22,7 @@ State run(const std::string& text) {
     return state;
 }
 
-Frame frame_of(const std::string& text) {
-    return make_frame(std::make_shared<const CommandList>(read(text)), {.width = 16, .height = 16});
-}
+Frame frame_of(const std::string& text) { return make_frame(read(text), {.width = 16, .height = 16}); }
 
 // Their names, in order.
 std::vector<std::string> unsupported(const std::string& text) {
@@ -147,7 +145,7 @@ TEST(PixelTransfer, IsNamedInEveryPictureAfterIt) {
               Names{"glPixelTransfer(GL_RED_SCALE)"});
     State state = run("glPixelTransferf(GL_RED_SCALE, 2);");
     state.drop_picture();
-    EXPECT_EQ(state.take_frame(nullptr).unsupported.size(), 1U);
+    EXPECT_EQ(state.take_frame().unsupported.size(), 1U);
 }
 
 TEST(CopiedImages, AreThereAndNamed) {
@@ -168,7 +166,7 @@ TEST(TextureParametersOfLaterVersions, AreNamedWhereTheyAreNotAtTheirInitialValu
               Names{"glTexParameter(GL_TEXTURE_MAX_LEVEL)"});
     State state = run("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 2);");
     state.drop_picture();  // it still holds in the next
-    EXPECT_EQ(state.take_frame(nullptr).unsupported.size(), 1U);
+    EXPECT_EQ(state.take_frame().unsupported.size(), 1U);
 }
 
 // ---- Bitmaps and stipples: memory of bits (3.6.4) ----
@@ -223,12 +221,13 @@ constexpr const char* kPicking =
     "count = glRenderMode(GL_RENDER);\n";
 
 TEST(Selection, DrawsNothingInAnyRenderer) {
-    const Frame frame = frame_of(kPicking);
+    const auto [recording, frame] =
+        make_scene(std::make_shared<const CommandList>(read(kPicking)), {.width = 16, .height = 16});
     EXPECT_EQ(frame.items.size(), 1U);
     EXPECT_TRUE(frame.unsupported.empty());
     const auto context = make_offscreen_context(16, 16);
     const Rgba red{1, 0, 0, 1};
-    EXPECT_EQ(fixed::render(frame, {}).at(8, 8), red);
+    EXPECT_EQ(fixed::render({recording, frame}).at(8, 8), red);
     EXPECT_EQ(reference::render(frame, {}).at(8, 8), red);
     GLint mode = 0;
     glGetIntegerv(GL_RENDER_MODE, &mode);

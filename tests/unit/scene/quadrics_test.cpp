@@ -21,7 +21,7 @@ std::vector<Command> read(std::string_view text) { return read_scene(text, "scen
 
 std::string error_of(std::string_view text) {
     try {
-        make_frame(std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene")), {});
+        make_frame(read_scene(text, "scene.gl", "scene"), {});
     } catch (const SceneError& error) {
         return error.what();
     }
@@ -36,7 +36,7 @@ State after(std::string_view text) {
 
 std::vector<Draw> draws_of(std::string_view text) {
     std::vector<Draw> draws;
-    for (const auto& item : after(text).take_frame(nullptr).items) draws.push_back(std::get<Draw>(item));
+    for (const auto& item : after(text).take_frame().items) draws.push_back(std::get<Draw>(item));
     return draws;
 }
 

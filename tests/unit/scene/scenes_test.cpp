@@ -36,9 +36,7 @@ CommandList read(std::string_view name) {
     return read_scene(text_of(name), std::string(name) + ".gl", std::string(name));
 }
 
-Frame frame_of(CommandList scene) {
-    return make_frame(std::make_shared<const CommandList>(std::move(scene)), StateOptions{});
-}
+Frame frame_of(CommandList scene) { return make_frame(std::move(scene), StateOptions{}); }
 
 std::vector<Draw> draws(const Frame& frame) {
     std::vector<Draw> result;

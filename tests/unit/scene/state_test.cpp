@@ -18,9 +18,7 @@ State after(std::string_view text, StateOptions options = {}) {
     return state;
 }
 
-Frame frame_of(std::string_view text) {
-    return make_frame(std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene")), {});
-}
+Frame frame_of(std::string_view text) { return make_frame(read_scene(text, "scene.gl", "scene"), {}); }
 
 std::string error_of(std::string_view text) {
     try {
@@ -341,7 +339,7 @@ TEST(Frames, NameWhatTheRenderersDoNotDoYetWithCountAndPlace) {
     EXPECT_EQ(frame.unsupported[0].name, "glEnable(GL_LINE_STIPPLE)");
     EXPECT_EQ(frame.unsupported[0].first.str(), "scene.gl:2:3");
     EXPECT_GE(frame.unsupported[0].count, 2);
-    EXPECT_EQ(frame.unsupported[0].renderers, (std::vector<std::string>{"programmable", "reference"}));
+    EXPECT_EQ(frame.unsupported[0].missing_from, MissingFrom::kFrame);
 }
 
 TEST(Frames, AreRefusedWhenSomethingIsLeftOpen) {

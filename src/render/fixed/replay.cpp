@@ -1,13 +1,15 @@
-#include "render/fixed/prepared_frame.h"
+#include "render/fixed/replay.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <optional>
 #include <stdexcept>
 #include <variant>
 
+#include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/effect/scrubbed_state.h"
 #include "render/fixed/fixed.h"
@@ -94,11 +96,11 @@ void load_matrix(GLenum mode, const glm::dmat4& matrix) {
 
 // A Draw with what is set for it.
 struct PreparedDraw {
-    PreparedDraw(const Draw& from, const RenderOptions& options, Scrub scrub) : draw(&from) {
+    PreparedDraw(const Draw& from, const ReplayOptions& options) : draw(&from) {
         shade_model = from.lighting.shade_model;
         if (options.shading) shade_model = *options.shading == Shading::kFlat ? GL_FLAT : GL_SMOOTH;
         MeshContents contents;
-        if (scrub == Scrub::kNothing) {
+        if (options.scrub == Scrub::kNothing) {
             lighting = from.lighting;
             lighting.lights.resize(kMaxLights);
             textured = from.texture.texture != nullptr;
@@ -112,9 +114,8 @@ struct PreparedDraw {
                             .varies_specular = true,
                             .varies_shininess = true};
         } else {
-            RenderOptions of_gl = options;
-            of_gl.lecture_variants = false;
-            const Plan plan = plan_effects(from, of_gl);
+            const Plan plan =
+                plan_effects(from, {{.shading = options.shading, .lecture_variants = false}, options.budget});
             const EffectSet& effects = plan.effects;
             lighting = scrubbed_state(plan, kMaxLights).lighting;
             textured = effects.has_texture();
@@ -166,29 +167,28 @@ struct PreparedDraw {
 
 }  // namespace
 
-struct PreparedFrame::Impl {
+struct Replay::Impl {
     int width, height;
     std::deque<std::variant<Clear, PreparedDraw>> items;
     Textures textures{Clamping::kDriver};
 };
 
-PreparedFrame::PreparedFrame(const Frame& frame, const RenderOptions& options, Scrub scrub)
-    : impl_(std::make_unique<Impl>()) {
-    check_shading(options);
+Replay::Replay(const Frame& frame, const ReplayOptions& options) : impl_(std::make_unique<Impl>()) {
+    check_shading(options.shading);
     impl_->width = frame.width;
     impl_->height = frame.height;
     for (const auto& item : frame.items) {
         if (const Clear* clear = std::get_if<Clear>(&item)) {
             impl_->items.emplace_back(*clear);
         } else {
-            impl_->items.emplace_back(std::in_place_type<PreparedDraw>, std::get<Draw>(item), options, scrub);
+            impl_->items.emplace_back(std::in_place_type<PreparedDraw>, std::get<Draw>(item), options);
         }
     }
 }
 
-PreparedFrame::~PreparedFrame() = default;
+Replay::~Replay() = default;
 
-void PreparedFrame::draw() {
+void Replay::draw() {
     const InitialState initial(impl_->width, impl_->height);
     const FixedStages stages;
     stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
@@ -198,6 +198,17 @@ void PreparedFrame::draw() {
         else
             std::get<PreparedDraw>(item).draw_with(stages, impl_->textures);
     }
+}
+
+Image render_scrubbed(const Scene& scene, const std::optional<Shading>& shading, double budget) {
+    const Frame& frame = scene.frame;
+    const bool is_whole = std::ranges::none_of(frame.unsupported, [](const Unsupported& item) {
+        return item.missing_from == MissingFrom::kFrame || item.missing_from == MissingFrom::kEverything;
+    });
+    if (!is_whole) return render(scene, {shading});
+    Replay(frame, {.shading = shading, .scrub = Scrub::kState, .budget = budget, .patches = false}).draw();
+    glFinish();
+    return read_pixels(frame.width, frame.height);
 }
 
 }  // namespace twinlight::fixed
