@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -73,6 +74,21 @@ std::vector<std::string> names_of(const std::vector<int>& lights) {
     return names;
 }
 
+// "att spot n.VP d_cm d_cli" as "att 0.50000  spot 1.00000  n.VP 0.80000"; as it is where it has no factor but colours.
+std::string factors_of(const char* formula, const lighting::LightTerms<double>& terms) {
+    std::string text;
+    std::istringstream words(formula);
+    for (std::string word; words >> word;) {
+        if (word.find("_c") != word.npos) continue;
+        const double factor = word == "att"    ? terms.attenuation
+                              : word == "spot" ? terms.spot
+                              : word == "n.VP" ? terms.n_dot_vp
+                                               : terms.highlight;
+        text += fmt::format("{}{} {:.5f}", text.empty() ? "" : "  ", word, factor);
+    }
+    return text.empty() ? formula : text;
+}
+
 // "ruling, of GL_LIGHT0: a zero normal. Here: ambient and emission only."
 std::string text_of(const PixelFragment::Decided& decided) {
     const lighting::RulingText& text = lighting::text_of(decided.ruling);
@@ -95,10 +111,9 @@ std::string text_of(const PixelFragment& fragment, const Draw& draw) {
         for (std::size_t i = 0; i < fragment.lights.size(); ++i) {
             const lighting::LightTerms<double>& terms = mean.terms[i];
             const std::string name = light_name(fragment.lights[i]);
-            const std::string reach = fmt::format("att {:.5f}  spot {:.5f}", terms.attenuation, terms.spot);
-            text += row(name + " ambient", reach, terms.ambient);
-            text += row(name + " diffuse", fmt::format("{}  n.VP {:.5f}", reach, terms.n_dot_vp), terms.diffuse);
-            text += row(name + " specular", fmt::format("{}  f(n.h)^s {:.5f}", reach, terms.highlight), terms.specular);
+            text += row(name + " ambient", factors_of(mean.formulas.ambient, terms), terms.ambient);
+            text += row(name + " diffuse", factors_of(mean.formulas.diffuse, terms), terms.diffuse);
+            text += row(name + " specular", factors_of(mean.formulas.specular, terms), terms.specular);
         }
         text += row("primary colour", "before the clamp", mean.primary);
         if (draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
@@ -141,7 +156,11 @@ Json json_of(const PixelFragment& fragment, const Draw& draw) {
                                       {"highlight", terms.highlight},
                                       {"ambient", json_of(terms.ambient)},
                                       {"diffuse", json_of(terms.diffuse)},
-                                      {"specular", json_of(terms.specular)}});
+                                      {"specular", json_of(terms.specular)},
+                                      {"formulas",
+                                       {{"ambient", mean.formulas.ambient},
+                                        {"diffuse", mean.formulas.diffuse},
+                                        {"specular", mean.formulas.specular}}}});
         }
         json["primary_unclamped"] = json_of(mean.primary);
         json["secondary_unclamped"] = json_of(mean.secondary);

@@ -9,9 +9,7 @@
 #include <iterator>
 #include <utility>
 
-#include "render/effect/fragment_effects.h"
-#include "render/effect/keeps_w.h"
-#include "render/effect/plan_lights.h"
+#include "render/effect/plan_parts.h"
 
 namespace twinlight {
 namespace {

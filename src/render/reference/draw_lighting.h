@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "lighting/equation.h"
+#include "lighting/breakdown.h"
 #include "lighting/marked.h"
 #include "lighting/points.h"
 #include "render/reference/spectral_lighting.h"
@@ -31,7 +31,7 @@ enum class Face : std::uint8_t { kFront, kBack };
 std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants);
 
 // What the equation takes of a point: V, and the normal, reversed for the back face (2.14.1).
-lighting::Surface<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face);
+lighting::SurfacePoint<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face);
 
 class DrawLighting {
   public:
@@ -45,8 +45,9 @@ class DrawLighting {
     Colors lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
                Face face) const;
     // The same as the equation has it, and its terms of each light.
-    lighting::Lit<double> light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
-                                        lighting::LightTerms<double>* breakdown = nullptr) const;
+    lighting::MeasuredLit<double> light_surface(const LitMaterial& material,
+                                                const lighting::SurfacePoint<double>& surface,
+                                                lighting::LightTerms<double>* breakdown = nullptr) const;
     Vec scene_ambient(const LitMaterial& material) const;
     // What the vertex is lit with: its own material, with its colour where the material follows it (2.14.3).
     LitMaterial material(const StageVertex& v, Face face) const;
@@ -112,7 +113,7 @@ class PointBatch {
         std::vector<std::size_t> places;       // among all
     };
     void add(const LitMaterial& material, Side& side) const;
-    void add(const lighting::Surface<double>& point, Side& side);
+    void add(const lighting::SurfacePoint<double>& point, Side& side);
     void light(const Side& side, const Arithmetic& arithmetic);
 
     const DrawLighting& lighting_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lighting/real_cast.h"
 #include "render/reference/framebuffer.h"
 
 namespace twinlight::reference {
@@ -27,9 +28,10 @@ VertexRulings rulings_of_place(const Draw& draw, const Fragment& fragment) {
 
 LitPoint lit_point(const DrawLighting& lighting, const PointOfFragment& at,
                    const std::vector<lighting::Light<Marked>>& lights, const VertexRulings& rulings) {
-    const lighting::Surface<double> surface = surface_of(at.vertex.position_eye, at.vertex.normal_eye, at.face);
+    const lighting::SurfacePoint<double> surface = surface_of(at.vertex.position_eye, at.vertex.normal_eye, at.face);
     LitPoint point{.weight = at.weight, .material = at.material};
     point.terms.resize(lights.size());
+    point.formulas = lighting::formulas(lighting.model());
     const lighting::Lit<double> lit = lighting.light_surface(at.material, surface, point.terms.data());
     point.scene_ambient = lighting.scene_ambient(at.material);
     point.primary = lit.primary;
@@ -38,10 +40,10 @@ LitPoint lit_point(const DrawLighting& lighting, const PointOfFragment& at,
     point.marked_terms.resize(lights.size());
     const Vec3<Marked> position = vec3_cast<Vec3<Marked>>(at.vertex.position_eye),
                        normal = vec3_cast<Vec3<Marked>>(surface.normal_eye);
-    const lighting::Surface<Marked> from{
+    const lighting::SurfacePoint<Marked> from{
         marked(lighting::divided(position, Marked(at.vertex.position_eye.w)), rulings.position),
         marked(normal, rulings.normal)};
-    const lighting::Lit<Marked> with_rulings = lighting::light_surface<Marked>(
+    const lighting::Lit<Marked> with_rulings = lighting::measured_light<Marked>(
         lighting::real_cast<Marked>(lighting.model()), lighting::real_cast<Marked>(at.material), from, lights,
         point.marked_terms.data());
     point.marked_primary = with_rulings.primary;
@@ -132,6 +134,7 @@ LitPoint mean_of(const PixelFragment& fragment) {
     for (lighting::LightTerms<double>& terms : mean.terms) terms.attenuation = terms.spot = 0;
     for (const LitPoint& point : fragment.points) {
         const double w = point.weight;
+        mean.formulas = point.formulas;
         mean.material.emission += w * point.material.emission;
         mean.scene_ambient += w * point.scene_ambient;
         mean.primary += w * point.primary;

@@ -20,6 +20,7 @@ struct LitPoint {
     LitMaterial material;
     Vec scene_ambient{};
     std::vector<lighting::LightTerms<double>> terms{};  // one for each of PixelFragment::lights
+    lighting::Formulas formulas{};                      // of the terms
     Vec primary{}, secondary{};                         // before the clamp
     // The same with the rulings that they come from.
     std::vector<lighting::LightTerms<lighting::Marked>> marked_terms{};

@@ -633,5 +633,36 @@ TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
     expect_refused(run({"explain", file, "--pixel", "a"}), "--pixel is 'a'; it must be X,Y");
 }
 
+// kLamps with a pragma: explain names the factors that its terms have.
+TEST_F(Cli, ExplainsAPixelWithTheFormulasOfTheLecturesVariants) {
+    struct Formulas {
+        const char *pragma, *ambient, *specular, *ambient_row, *specular_row;
+    };
+    for (const Formulas& expected : {
+             Formulas{"", "att spot a_cm a_cli", "att spot f(n.h)^s s_cm s_cli", "att 1.00000  spot 1.00000 ",
+                      "att 1.00000  spot 1.00000  f(n.h)^s "},
+             Formulas{"#pragma twinlight specular(reflection)\n", "att spot a_cm a_cli", "att spot (r.v)^s s_cm s_cli",
+                      "att 1.00000  spot 1.00000 ", "att 1.00000  spot 1.00000  (r.v)^s "},
+             Formulas{"#pragma twinlight ambient(unattenuated)\n", "a_cm a_cli", "att spot f(n.h)^s s_cm s_cli",
+                      "a_cm a_cli ", "att 1.00000  spot 1.00000  f(n.h)^s "},
+         }) {
+        const std::string file = scene(expected.pragma + std::string(kLamps));
+        const json pixel = json::parse(run({"explain", file, "--size", "20x20", "--pixel", "3,5", "--json"}).out);
+        const json& formulas = pixel["fragments"][0]["lights"][0]["formulas"];
+        EXPECT_EQ(formulas["ambient"], expected.ambient) << expected.pragma;
+        EXPECT_EQ(formulas["diffuse"], "att spot n.VP d_cm d_cli") << expected.pragma;
+        EXPECT_EQ(formulas["specular"], expected.specular) << expected.pragma;
+
+        const std::string text = run({"explain", file, "--size", "20x20", "--pixel", "3,5"}).out;
+        const auto row = [&](const std::string& name) {
+            const std::size_t start = text.find(name);
+            return text.substr(start, text.find('\n', start) - start);
+        };
+        EXPECT_NE(row("GL_LIGHT0 ambient").find(expected.ambient_row), std::string::npos) << text;
+        EXPECT_NE(row("GL_LIGHT0 diffuse").find("att 1.00000  spot 1.00000  n.VP 1.00000 "), std::string::npos) << text;
+        EXPECT_NE(row("GL_LIGHT0 specular").find(expected.specular_row), std::string::npos) << text;
+    }
+}
+
 }  // namespace
 }  // namespace twinlight

@@ -1,9 +1,8 @@
-#include "render/effect/fragment_effects.h"
-
+// What happens to a Draw's fragments, planned: its texture and fog; and the user's clip planes.
 #include <algorithm>
 #include <utility>
 
-#include "render/effect/keeps_w.h"
+#include "render/effect/plan_parts.h"
 
 namespace twinlight {
 namespace {
