@@ -1,4 +1,4 @@
-// Programs: the programs that a renderer has made, by what they are made from, in three tiers.
+// KeptPrograms: the programs that a renderer has made, by what they are made from, in three tiers.
 //
 //   kUniform   the program of an EffectSet and a Form; a Draw's numbers are its uniforms
 //   kBaked     all numbers are constants of the program's text (bake.h)
@@ -12,15 +12,15 @@
 #include <set>
 #include <string>
 
-#include "render/programmable/program.h"
 #include "render/programmable/programmable.h"
+#include "render/programmable/shader_program.h"
 
 namespace twinlight::programmable {
 
 // Owns GL programs: dies before their context does.
-class Programs {
+class KeptPrograms {
   public:
-    explicit Programs(std::size_t limit) : limit_(limit) {}
+    explicit KeptPrograms(std::size_t limit) : limit_(limit) {}
 
     // Makes the program that draws this current, with its numbers.
     void use(const EffectSet& effects, const Form& form, const Uniforms& numbers, Tier tier);
@@ -40,7 +40,7 @@ class Programs {
         friend auto operator<=>(const Key&, const Key&) = default;  // NOLINT
     };
     struct Entry {
-        std::unique_ptr<Program> program;
+        std::unique_ptr<ShaderProgram> program;
         std::uint64_t last_used = 0;
     };
     // What a frame's n-th Draw of a Kind has been: Draws are known again by their order.
@@ -54,7 +54,7 @@ class Programs {
         bool seen = true;         // in this frame
     };
 
-    Program& find_or_make(const Key& key);
+    ShaderProgram& find_or_make(const Key& key);
     const Uniforms& constants_for(const Kind& kind, const Uniforms& numbers);
     Uniforms called_for(const Kind& kind, const Uniforms& numbers);
     void evict();

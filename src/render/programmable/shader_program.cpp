@@ -1,4 +1,4 @@
-#include "render/programmable/program.h"
+#include "render/programmable/shader_program.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "render/context/gl.h"
-#include "render/programmable/attributes.h"
+#include "render/programmable/vertex_attributes.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -66,7 +66,8 @@ bool compiles_in_parallel() {
 
 }  // namespace
 
-Program::Program(ShaderSource source, EffectSet effects) : source_(std::move(source)), effects_(std::move(effects)) {
+ShaderProgram::ShaderProgram(ShaderSource source, EffectSet effects)
+    : source_(std::move(source)), effects_(std::move(effects)) {
     vertex_ = compiled_later(GL_VERTEX_SHADER, source_.vertex);
     fragment_ = compiled_later(GL_FRAGMENT_SHADER, source_.fragment);
     program_ = glCreateProgram();
@@ -78,19 +79,19 @@ Program::Program(ShaderSource source, EffectSet effects) : source_(std::move(sou
     glLinkProgram(program_);
 }
 
-Program::~Program() {
+ShaderProgram::~ShaderProgram() {
     for (const GLuint shader : {vertex_, fragment_}) glDeleteShader(shader);
     glDeleteProgram(program_);
 }
 
-bool Program::is_ready() const {
+bool ShaderProgram::is_ready() const {
     if (vertex_ == 0 || !compiles_in_parallel()) return true;
     GLint complete = GL_TRUE;
     glGetProgramiv(program_, GL_COMPLETION_STATUS_KHR, &complete);
     return complete == GL_TRUE;
 }
 
-void Program::link() {
+void ShaderProgram::link() {
     check_compiled(vertex_, "a vertex shader", source_.vertex, effects_);
     check_compiled(fragment_, "a fragment shader", source_.fragment, effects_);
     GLint linked = GL_FALSE;
@@ -116,7 +117,7 @@ void Program::link() {
     }
 }
 
-void Program::use(const Uniforms& uniforms) {
+void ShaderProgram::use(const Uniforms& uniforms) {
     if (vertex_ != 0) link();
     glUseProgram(program_);
     for (const Slot& slot : slots_) {
@@ -127,6 +128,11 @@ void Program::use(const Uniforms& uniforms) {
             return std::min(slot.length, static_cast<GLsizei>(found->second.size()) / floats);
         };
         switch (slot.type) {
+            case GL_INT: {
+                const std::vector<GLint> whole(values, values + given(1));
+                glUniform1iv(slot.location, given(1), whole.data());
+                break;
+            }
             case GL_FLOAT: glUniform1fv(slot.location, given(1), values); break;
             case GL_FLOAT_VEC2: glUniform2fv(slot.location, given(2), values); break;
             case GL_FLOAT_VEC3: glUniform3fv(slot.location, given(3), values); break;

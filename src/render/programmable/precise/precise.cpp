@@ -1,4 +1,4 @@
-#include "render/programmable/precise.h"
+#include "render/programmable/precise/precise.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,9 @@
 #include <stdexcept>
 
 #include "render/context/gl.h"
-#include "render/programmable/mesa_floats.h"
-#include "render/programmable/origin.h"
+#include "render/programmable/form.h"
+#include "render/programmable/lighting_names.h"
+#include "render/programmable/precise/mesa_floats.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -96,20 +97,19 @@ glm::vec3 rgb(const glm::dvec4& color) { return glm::vec3(color); }
 // and STATE_LIGHTPROD), but for what each vertex brings.
 void add_face(Uniforms& uniforms, const std::string& name, const LightingState& lighting, const Material& material,
               const FaceEffects& varying) {
-    const bool ambient_varies = varying.tracks_ambient || varying.varies_ambient;
-    const bool emission_varies = varying.tracks_emission || varying.varies_emission;
     glm::vec3 base(0);
-    if (!ambient_varies) base = rgb(lighting.light_model.ambient) * rgb(material.ambient);
-    if (!emission_varies) base = base + rgb(material.emission);
+    if (!ambient_of(varying)) base = rgb(lighting.light_model.ambient) * rgb(material.ambient);
+    if (!emission_of(varying)) base = base + rgb(material.emission);
     uniforms[fmt::format("u_{}_base", name)] = floats(base);
     for_each_light(lighting, [&](std::size_t i, const LightSource& light) {
-        const auto product = [&](const char* term, const glm::dvec4& color, const glm::dvec4& of, bool varies) {
+        const auto product = [&](const char* term, const glm::dvec4& color, const glm::dvec4& of,
+                                 BroughtColor brought) {
             uniforms[fmt::format("u_light{}_{}_{}", i, name, term)] =
-                floats(varies ? rgb(color) : rgb(color) * rgb(of));
+                floats(brought ? rgb(color) : rgb(color) * rgb(of));
         };
-        product("ambient", light.ambient, material.ambient, ambient_varies);
-        product("diffuse", light.diffuse, material.diffuse, varying.tracks_diffuse || varying.varies_diffuse);
-        product("specular", light.specular, material.specular, varying.tracks_specular || varying.varies_specular);
+        product("ambient", light.ambient, material.ambient, ambient_of(varying));
+        product("diffuse", light.diffuse, material.diffuse, diffuse_of(varying));
+        product("specular", light.specular, material.specular, specular_of(varying));
     });
 }
 
@@ -205,13 +205,12 @@ Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code) 
             return values[fmt::format("u_light{}_{}_{}", i, what, space)];
         };
         in("position") = in("direction") = floats(in_space.position);
-        in("spot_direction") = floats(in_space.spot_direction);
-        value("half_dir") = floats(in_space.half_dir);
-        value("spot_cutoff_cosine") = {in_space.spot_cutoff_cosine};
+        in("spot_dir") = floats(in_space.spot_direction);
+        in("half_dir") = floats(in_space.half_dir);
+        value("cos_cutoff") = {in_space.spot_cutoff_cosine};
         value("spot_exponent") = {static_cast<float>(light.spot_exponent)};
-        value("constant_attenuation") = {static_cast<float>(light.constant_attenuation)};
-        value("linear_attenuation") = {static_cast<float>(light.linear_attenuation)};
-        value("quadratic_attenuation") = {static_cast<float>(light.quadratic_attenuation)};
+        value("attenuation") =
+            floats({light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation});
     });
     return values;
 }

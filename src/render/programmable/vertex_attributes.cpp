@@ -1,4 +1,4 @@
-#include "render/programmable/attributes.h"
+#include "render/programmable/vertex_attributes.h"
 
 #include <fmt/format.h>
 
@@ -23,11 +23,11 @@ std::vector<VertexProperty> vertex_properties(const EffectSet& effects) {
 
 std::vector<Attribute> attributes(const EffectSet& effects) {
     std::vector<Attribute> list = {{"a_position", 4}};
-    if (effects.needs_normal()) list.push_back({"a_normal", 4});
+    if (effects.needs_normal()) list.push_back({"a_normal", 4, "vec3"});
     if (effects.needs_color()) list.push_back({"a_color", 4});
     if (effects.has_texture()) list.push_back({"a_tex_coord", 4});
     for (const VertexProperty& property : vertex_properties(effects))
-        list.push_back({"a_" + property.name, property.size});
+        list.push_back({"a_" + property.name, property.size, property.type()});
     return list;
 }
 

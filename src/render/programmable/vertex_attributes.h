@@ -14,6 +14,8 @@ struct VertexProperty {
     int size = 3;      // in floats: 4 of the diffuse colour, whose alpha counts; 1 of the shininess
     Material Materials::*face = nullptr;
     glm::dvec4 Material::*color = nullptr;  // null: the shininess
+
+    std::string type() const { return size == 1 ? "float" : "vec" + std::to_string(size); }  // in GLSL
 };
 
 std::vector<VertexProperty> vertex_properties(const EffectSet& effects);
@@ -21,6 +23,7 @@ std::vector<VertexProperty> vertex_properties(const EffectSet& effects);
 struct Attribute {
     std::string name;  // "a_position"
     int size = 4;  // in floats of the array; llvmpipe fetches four faster than three, so the normal has one to spare
+    std::string type = "vec4";  // in GLSL
 
     friend bool operator==(const Attribute&, const Attribute&) = default;
 };

@@ -1,17 +1,17 @@
-// Mesh: a Draw's vertices and indices in buffers of the current context.
+// UploadedMesh: a Draw's vertices and indices in buffers of the current context.
 #pragma once
 
 #include <glm/vec3.hpp>
 #include <vector>
 
 #include "render/effect/effect_set.h"
-#include "render/programmable/attributes.h"
+#include "render/programmable/vertex_attributes.h"
 #include "render/stages/elements.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::programmable {
 
-// What decides a Mesh beside the vertices, their order and materials.
+// What decides an UploadedMesh beside the vertices, their order and materials.
 struct MeshForm {
     std::vector<Attribute> attributes;
     bool unit_normals = false;
@@ -24,13 +24,13 @@ struct MeshForm {
 MeshForm mesh_form(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
 
 // Dies before its context does.
-class Mesh {
+class UploadedMesh {
   public:
     // The attributes that the program of these effects takes.
-    Mesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
-    ~Mesh();
-    Mesh(const Mesh&) = delete;
-    Mesh& operator=(const Mesh&) = delete;
+    UploadedMesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
+    ~UploadedMesh();
+    UploadedMesh(const UploadedMesh&) = delete;
+    UploadedMesh& operator=(const UploadedMesh&) = delete;
 
     // With the program that is current.
     void draw() const;

@@ -1,4 +1,4 @@
-#include "render/programmable/mesh.h"
+#include "render/programmable/uploaded_mesh.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ MeshForm mesh_form(const Draw& draw, const EffectSet& effects, bool patches, con
             .origin_object = origin_object};
 }
 
-Mesh::Mesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object)
+UploadedMesh::UploadedMesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object)
     : elements_(draw, patches) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
@@ -45,12 +45,12 @@ Mesh::Mesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::
     }
 }
 
-Mesh::~Mesh() {
+UploadedMesh::~UploadedMesh() {
     for (const GLuint buffer : {vertices_, edge_flags_}) glDeleteBuffers(1, &buffer);
     glDeleteVertexArrays(1, &array_);
 }
 
-void Mesh::draw() const {
+void UploadedMesh::draw() const {
     glBindVertexArray(array_);
     elements_.draw();
 }

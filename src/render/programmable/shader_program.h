@@ -1,21 +1,21 @@
-// Program: compiled and linked GLSL, in the current context.
+// ShaderProgram: compiled and linked GLSL, in the current context.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "render/programmable/assembly.h"
 #include "render/programmable/draw_values.h"
+#include "render/programmable/shader_assembly.h"
 
 namespace twinlight::programmable {
 
-class Program {
+class ShaderProgram {
   public:
     // Starts to compile; a driver with GL_KHR_parallel_shader_compile goes on in threads of its own.
-    Program(ShaderSource source, EffectSet effects);
-    ~Program();
-    Program(const Program&) = delete;
-    Program& operator=(const Program&) = delete;
+    ShaderProgram(ShaderSource source, EffectSet effects);
+    ~ShaderProgram();
+    ShaderProgram(const ShaderProgram&) = delete;
+    ShaderProgram& operator=(const ShaderProgram&) = delete;
 
     // Whether use() would not wait for the compiler. True where the driver does not say. (llvmpipe makes its machine code
     // later, in the first drawing command with a program, whatever it says.)

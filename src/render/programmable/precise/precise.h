@@ -1,5 +1,5 @@
 // Precise: what --precise draws with. A Draw's lighting is neither planned nor folded: every enabled light is there, with
-// the floats and in the order of operations of Mesa's fixed function (mesa_floats.h, shaders/precise*.glsl), so that on
+// the floats and in the order of operations of Mesa's fixed function (mesa_floats.h, precise_text.cpp, precise.glsl), so that on
 // llvmpipe the colours of vertices are the fixed function's to the last bit, wherever that keeps to the text. Where it does
 // not, the text is followed.
 #pragma once

@@ -1,4 +1,4 @@
-#include "render/programmable/programs.h"
+#include "render/programmable/kept_programs.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,12 +16,12 @@ constexpr int kForgetFrames = 60;
 
 }  // namespace
 
-Program& Programs::find_or_make(const Key& key) {
+ShaderProgram& KeptPrograms::find_or_make(const Key& key) {
     const auto [found, is_new] = entries_.try_emplace(key);
     if (is_new) {
         const ShaderSource source = with_constants(assemble(key.kind.effects, key.kind.form), key.constants);
         try {
-            found->second.program = std::make_unique<Program>(source, key.kind.effects);
+            found->second.program = std::make_unique<ShaderProgram>(source, key.kind.effects);
         } catch (...) {
             entries_.erase(found);
             throw;
@@ -29,12 +29,12 @@ Program& Programs::find_or_make(const Key& key) {
         ++(key.constants.empty() ? counters_.made : counters_.baked);
     }
     found->second.last_used = ++uses_;
-    Program& program = *found->second.program;
+    ShaderProgram& program = *found->second.program;
     if (is_new) evict();  // others: this one was used last
     return program;
 }
 
-void Programs::evict() {
+void KeptPrograms::evict() {
     while (entries_.size() > limit_ && entries_.size() > 1) {
         entries_.erase(std::ranges::min_element(
             entries_, {}, [](const auto& key_and_entry) { return key_and_entry.second.last_used; }));
@@ -43,7 +43,7 @@ void Programs::evict() {
 }
 
 // Those of the numbers that the text has.
-Uniforms Programs::called_for(const Kind& kind, const Uniforms& numbers) {
+Uniforms KeptPrograms::called_for(const Kind& kind, const Uniforms& numbers) {
     const auto [names, is_new] = names_.try_emplace(kind);
     if (is_new) names->second = uniform_names(assemble(kind.effects, kind.form));
     Uniforms result;
@@ -53,7 +53,7 @@ Uniforms Programs::called_for(const Kind& kind, const Uniforms& numbers) {
 }
 
 // What is to be constant, by what this Draw's predecessors were.
-const Uniforms& Programs::constants_for(const Kind& kind, const Uniforms& numbers) {
+const Uniforms& KeptPrograms::constants_for(const Kind& kind, const Uniforms& numbers) {
     History& history = histories_[{kind, counts_[kind]++}];
     history.seen = true;
     ++history.frame;
@@ -83,10 +83,10 @@ const Uniforms& Programs::constants_for(const Kind& kind, const Uniforms& number
     return history.constants = std::move(still);
 }
 
-void Programs::use(const EffectSet& effects, const Form& form, const Uniforms& numbers, Tier tier) {
+void KeptPrograms::use(const EffectSet& effects, const Form& form, const Uniforms& numbers, Tier tier) {
     const Kind kind{effects, form};
     const std::uint64_t made_before = counters_.made + counters_.baked;
-    Program* program = nullptr;
+    ShaderProgram* program = nullptr;
     switch (tier) {
         case Tier::kUniform: program = &find_or_make({kind, {}}); break;
         case Tier::kBaked: program = &find_or_make({kind, called_for(kind, numbers)}); break;
@@ -102,7 +102,7 @@ void Programs::use(const EffectSet& effects, const Form& form, const Uniforms& n
     program->use(numbers);
 }
 
-void Programs::end_frame() {
+void KeptPrograms::end_frame() {
     std::erase_if(histories_, [](const auto& kind_and_history) { return !kind_and_history.second.seen; });
     for (auto& [kind, history] : histories_) history.seen = false;
     counts_.clear();

@@ -1,4 +1,4 @@
-#include "render/programmable/mesa_floats.h"
+#include "render/programmable/precise/mesa_floats.h"
 
 #include <algorithm>
 #include <array>
