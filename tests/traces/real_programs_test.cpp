@@ -51,7 +51,7 @@ report::Comparison comparison_of(const Scene& scene) {
         .programmable = [&](const Frame& f,
                             const programmable::Options& options) { return shaders.render(f, options); },
         .reference = reference::render,
-        .freedom = reference::freedom,
+        .allowed_difference = reference::allowed_difference,
     };
     return report::compare_scene(scene, {.driver = driver_name()}, renderers);
 }

@@ -37,7 +37,7 @@ const std::map<std::string, Table>& rooms() {
         {"base", {{"math", {}}, {"image", {"math"}}}},
         {"scene",
          {{"command", {}},
-          {"spectrum", {"command"}},
+          {"spectrum", {}},
           {"shape", {"command", "spectrum"}},
           {"state", {"command", "spectrum", "shape"}},
           {"trace", {"command"}},

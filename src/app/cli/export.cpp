@@ -7,7 +7,7 @@
 #include "app/cli/command_line.h"
 #include "render/programmable/programmable.h"
 #include "scene/command/text.h"
-#include "scene/shape/primitives.h"
+#include "scene/shape/written_out.h"
 
 namespace twinlight::cli {
 

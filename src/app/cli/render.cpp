@@ -36,7 +36,7 @@ const std::map<std::string, Path> kRenderers = {
 };
 
 // A picture is never silently partial.
-void tell_unsupported(const Frame& frame, Path path) {
+void warn_unsupported(const Frame& frame, Path path) {
     for (const Unsupported& item : frame.unsupported)
         if (lacks(path, item)) fmt::print(stderr, "twinlight: note: {}\n", report::sentence_of(item, std::array{path}));
 }
@@ -97,7 +97,7 @@ int run(const Arguments& arguments) {
     } else {
         write_file_atomically(arguments.output, png);
     }
-    tell_unsupported(scene.frame, kRenderers.at(arguments.renderer));
+    warn_unsupported(scene.frame, kRenderers.at(arguments.renderer));
     return kFine;
 }
 

@@ -7,7 +7,7 @@
 
 #include "judge/fuzz/vertex_colors.h"
 #include "scene/command/text.h"
-#include "scene/shape/primitives.h"
+#include "scene/shape/written_out.h"
 
 namespace twinlight::cli {
 

@@ -42,7 +42,7 @@ constexpr programmable::Options kOptions{{{.shading = {}, .lecture_variants = fa
 constexpr programmable::Options kLiveOptions{{{.shading = {}, .lecture_variants = false}}, programmable::Tier::kAuto};
 
 // The title says "(partial)" of a picture; which commands it lacks stands on the terminal.
-void tell_unsupported(const Frame& frame) {
+void warn_unsupported(const Frame& frame) {
     constexpr std::array shown = {Path::kFixed, Path::kProgrammable};
     for (const Unsupported& item : frame.unsupported)
         if (!report::names_of(item, shown).empty())
@@ -56,7 +56,7 @@ class Window {
         remake_frame();  // a bad scene is told before a window opens
         controls_ = make_controls(shown_.frame);
         controls_.renderer = options.renderer;
-        tell_unsupported(shown_.frame);
+        warn_unsupported(shown_.frame);
     }
 
     int run();

@@ -74,7 +74,7 @@ const std::vector<Departure>& departures() {
          .of_draw = has_wide_points_in_softpipe,
          .only_on = "softpipe"},
         {.name = "level of detail in softpipe",
-         .section = "3.8.8: rho may be as small as the larger of m_u and m_v; the reference's freedom is not as wide",
+         .section = "3.8.8: rho may be as small as the larger of m_u and m_v; the reference allows less",
          .leaves = Leaves::kOpen,
          .of_draw = has_level_of_detail_in_softpipe,
          .only_on = "softpipe"},

@@ -25,7 +25,7 @@ Pictures::Pictures(std::vector<std::string_view> lifted)
         return renderer_->render(frame, options);
     };
     renderers_.reference = reference::render;
-    renderers_.freedom = reference::freedom;
+    renderers_.allowed_difference = reference::allowed_difference;
 }
 
 Pictures::~Pictures() {
@@ -47,7 +47,7 @@ Found Pictures::compare(const std::shared_ptr<const CommandList>& commands) {
         const Departure* departure = LeftOut(*commands, lifted_).in(scene.frame);
         bool departs = false;
         for (std::size_t pair = 0; pair < kPairs; ++pair) {  // in the same order
-            const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_slack;
+            const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_allowed;
             // The share of pixels that differ by one code is judged over all pictures: a surface of one colour may lie on
             // the border of a rounding.
             const bool fails = beyond.max > comparison.tolerance.max;
@@ -64,9 +64,10 @@ Found Pictures::compare(const std::shared_ptr<const CommandList>& commands) {
                 return fmt::format("({}, {}, {}, {})", channel_code(pixel[0]), channel_code(pixel[1]),
                                    channel_code(pixel[2]), channel_code(pixel[3]));
             };
-            here.what = fmt::format("pixel {},{} of {} x {}: {} and {}, {} codes beyond the slack", beyond.worst_x,
-                                    beyond.worst_y, kSide, kSide, channels(comparison.a(comparison.pairs[pair]).image),
-                                    channels(comparison.counterpart(comparison.pairs[pair])), here.worst);
+            here.what =
+                fmt::format("pixel {},{} of {} x {}: {} and {}, {} codes beyond the allowed difference", beyond.worst_x,
+                            beyond.worst_y, kSide, kSide, channels(comparison.a(comparison.pairs[pair]).image),
+                            channels(comparison.counterpart(comparison.pairs[pair])), here.worst);
         }
         if (departure) found.left_out[departure] = {1, departs};
     } catch (const SceneError& refused) {

@@ -71,46 +71,46 @@ double from_border(float channel) {
     return std::abs(codes - std::floor(codes) - 0.5);
 }
 
-void free_ties(Freedom& freedom, const Image& reference) {
+void allow_ties(AllowedDifference& allowed, const Image& reference) {
     for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
         for (std::size_t c = 0; c < reference.pixels[i].size(); ++c) {
             if (from_border(reference.pixels[i][c]) <= 255 * kArithmetic)
-                freedom.slack.pixels[i][c] += static_cast<float>(kArithmetic);
+                allowed.channels.pixels[i][c] += static_cast<float>(kArithmetic);
         }
     }
 }
 
-// Of two pictures of drivers each may use the slack to its side, and cut quadrilaterals its own way: a driver may cut those
-// of a display list otherwise than the same ones outside of it.
-Freedom freedom_of_drivers(Freedom freedom, const Render& reference) {
-    for (std::size_t i = 0; i < freedom.slack.pixels.size(); ++i) {
-        for (std::size_t c = 0; c < freedom.slack.pixels[i].size(); ++c) {
-            float& slack = freedom.slack.pixels[i][c];
-            slack *= 2;
+// Of two pictures of drivers each may use the allowed difference to its side, and cut quadrilaterals its own way: a driver
+// may cut those of a display list otherwise than the same ones outside of it.
+AllowedDifference allowed_of_drivers(AllowedDifference allowed, const Render& reference) {
+    for (std::size_t i = 0; i < allowed.channels.pixels.size(); ++i) {
+        for (std::size_t c = 0; c < allowed.channels.pixels[i].size(); ++c) {
+            float& channel = allowed.channels.pixels[i][c];
+            channel *= 2;
             if (!reference.other_cut) continue;
-            slack += std::abs(reference.image.pixels[i][c] - reference.other_cut->pixels[i][c]);
+            channel += std::abs(reference.image.pixels[i][c] - reference.other_cut->pixels[i][c]);
         }
     }
-    return freedom;
+    return allowed;
 }
 
 // What planning may leave out of either picture (PlanOptions::budget), as the plans bound it: where the right value lies that
-// near to the border of two codes, it may cross it. Where there is slack already, it is more of it. Alpha is no light's.
-Freedom with_plans(Freedom freedom, const Render& a, const Render& b, const Render& reference) {
+// near to the border of two codes, it may cross it. Where a difference is allowed already, it is more of it. Alpha is no light's.
+AllowedDifference with_plans(AllowedDifference allowed, const Render& a, const Render& b, const Render& reference) {
     const double error = error_bound(a.plan) + error_bound(b.plan);
-    if (error == 0) return freedom;
+    if (error == 0) return allowed;
     const auto may_cross = [&](const Image& image, std::size_t i, std::size_t c) {
         return from_border(image.pixels[i][c]) <= 255 * (error + kArithmetic);
     };
-    for (std::size_t i = 0; i < freedom.slack.pixels.size(); ++i) {
+    for (std::size_t i = 0; i < allowed.channels.pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            float& slack = freedom.slack.pixels[i][c];
-            const bool more = slack > 0 || may_cross(reference.image, i, c) ||
+            float& channel = allowed.channels.pixels[i][c];
+            const bool more = channel > 0 || may_cross(reference.image, i, c) ||
                               (reference.other_cut && may_cross(*reference.other_cut, i, c));
-            if (more) slack += static_cast<float>(error);
+            if (more) channel += static_cast<float>(error);
         }
     }
-    return freedom;
+    return allowed;
 }
 
 // What the driver draws with is drawn twice and the second is timed, for in the first the driver compiles.
@@ -156,7 +156,7 @@ Render render(const PlannedRender& planned, const Scene& scene, const CompareOpt
 }  // namespace
 
 Image Comparison::counterpart(const Pair& pair) const {
-    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, freedom.slack)
+    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, allowed.channels)
                              : b(pair).image;
 }
 
@@ -171,7 +171,7 @@ Verdict Comparison::verdict() const {
 bool Comparison::within_tolerance() const { return verdict() != Verdict::kBeyond; }
 
 Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
-    const RegionDifference& judged = difference.beyond_slack;
+    const RegionDifference& judged = difference.beyond_allowed;
     const bool within =
         judged.max <= tolerance.max && (judged.differing == 0 || judged.differing_share() < tolerance.differing_share);
     return within ? Verdict::kWithin : Verdict::kBeyond;
@@ -218,27 +218,29 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     }
     begin_step("edges");
     const auto freedom_of = [&](bool per_pixel) {
-        return renderers.freedom(frame, reference::Options{look_of(per_pixel, options)});
+        return renderers.allowed_difference(frame, reference::Options{look_of(per_pixel, options)});
     };
-    result.freedom = freedom_of(false);
-    Freedom of_phong = all ? freedom_of(true) : result.freedom;
-    for (std::size_t i = 0; i < result.freedom.edge.size(); ++i) {  // one mask for all pairs
-        result.freedom.edge[i] = of_phong.edge[i] = result.freedom.edge[i] || of_phong.edge[i];
+    result.allowed = freedom_of(false);
+    AllowedDifference of_phong = all ? freedom_of(true) : result.allowed;
+    for (std::size_t i = 0; i < result.allowed.edge.size(); ++i) {  // one mask for all pairs
+        result.allowed.edge[i] = of_phong.edge[i] = result.allowed.edge[i] || of_phong.edge[i];
     }
 
-    free_ties(result.freedom, result.renders[kReference].image);
-    if (all) free_ties(of_phong, result.renders[kReferencePhong].image);
+    allow_ties(result.allowed, result.renders[kReference].image);
+    if (all) allow_ties(of_phong, result.renders[kReferencePhong].image);
 
     begin_step("differences");
-    const Freedom of_drivers = freedom_of_drivers(result.freedom, result.renders[kReference]);
+    const AllowedDifference of_drivers = allowed_of_drivers(result.allowed, result.renders[kReference]);
     for (const PlannedPair& planned : kPairs) {
         if (kRenders[planned.b].per_pixel && !all) continue;
         Pair pair;
         pair.a = planned.a;
         pair.b = planned.b;
-        const Freedom& freedom = is_of_drivers(planned) ? of_drivers : planned.phong ? of_phong : result.freedom;
+        const AllowedDifference& allowed = is_of_drivers(planned) ? of_drivers
+                                           : planned.phong        ? of_phong
+                                                                  : result.allowed;
         pair.difference = difference(result.a(pair).image, result.counterpart(pair),
-                                     with_plans(freedom, result.a(pair), result.b(pair),
+                                     with_plans(allowed, result.a(pair), result.b(pair),
                                                 result.renders[planned.phong ? kReferencePhong : kReference]));
         if (planned.judged) pair.verdict = verdict_of(result, pair);
         // The interior is what is judged; an edge pixel that is wholly different must not darken it.

@@ -74,7 +74,8 @@ std::vector<Choice> choices(const Frame& frame, bool has_slices, Extent extent, 
         for (const Shading shading : {Shading::kGouraud, Shading::kPhong})
             result.add({.renderer = kUniforms, .shading = shading, .slices = middle, .model = model.value});
     }
-    for (const fixed::Sending sending : {fixed::Sending::kClientArrays, fixed::Sending::kImmediate, fixed::Sending::kDisplayList})
+    for (const fixed::Sending sending :
+         {fixed::Sending::kClientArrays, fixed::Sending::kImmediate, fixed::Sending::kDisplayList})
         result.add({.renderer = kFixed, .sending = sending}, some_slices);
     result.add({.renderer = kFixed, .target = Target::kFloats}, some_slices);
     for (const Shading shading : {Shading::kGouraud, Shading::kPhong})

@@ -8,7 +8,7 @@
 #include <glm/matrix.hpp>
 #include <map>
 
-#include "scene/state/origin.h"
+#include "scene/state/far_from_origin.h"
 
 namespace twinlight::programmable {
 namespace {

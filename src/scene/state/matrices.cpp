@@ -52,6 +52,11 @@ State::MatrixStack& State::stack() {
     return a_.matrix_mode == kGL_PROJECTION ? projection_ : texture_[a_.active_unit];
 }
 
+std::size_t State::matrix_depth(Enum mode) const {
+    if (mode == kGL_MODELVIEW) return modelview_.size();
+    return mode == kGL_PROJECTION ? projection_.size() : texture_[a_.active_unit].size();
+}
+
 std::size_t State::stack_limit() const {
     if (a_.matrix_mode == kGL_MODELVIEW) return kModelviewStackDepth;
     return a_.matrix_mode == kGL_PROJECTION ? kProjectionStackDepth : kTextureStackDepth;

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "../run_program.h"
 #include "base/image/file.h"
@@ -306,8 +307,13 @@ TEST_F(Cli, ListsScenes) {
     ASSERT_FALSE(object["scenes"].empty());
     for (const json& item : object["scenes"]) {
         EXPECT_NE(text.find(item["name"].get<std::string>()), std::string::npos);
-        EXPECT_NE(item["description"], "");
+        const std::string description = item["description"];
+        EXPECT_TRUE(description.ends_with('.')) << description;
+        EXPECT_EQ(description.find(". "), std::string::npos) << description;
     }
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_NE(text.find("attributes.\n"), std::string::npos) << "the whole sentence of legacy, which takes three lines";
     const ProgramResult report = run({"scenes", "report"});
     EXPECT_EQ(report.status, 0);
     EXPECT_NE(report.out.find("glEnable(GL_LIGHTING);"), std::string::npos);

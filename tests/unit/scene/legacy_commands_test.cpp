@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "../../property/state_answers.h"
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
@@ -48,9 +49,9 @@ constexpr const char* kSquare = "glRectf(-1, -1, 1, 1);\n";
 // ---- Texture coordinates by unit (2.7) ----
 
 TEST(MultiTexCoord, SetsTheCoordinatesOfUnit0) {
-    EXPECT_EQ(run("glMultiTexCoord2f(GL_TEXTURE0, 0.25, 0.5);").get(kGL_CURRENT_TEXTURE_COORDS),
+    EXPECT_EQ(answer(run("glMultiTexCoord2f(GL_TEXTURE0, 0.25, 0.5);"), kGL_CURRENT_TEXTURE_COORDS),
               (std::vector<double>{0.25, 0.5, 0, 1}));
-    EXPECT_EQ(run("glMultiTexCoord4sv(GL_TEXTURE0, (GLshort[]){1, 2, 3, 4});").get(kGL_CURRENT_TEXTURE_COORDS),
+    EXPECT_EQ(answer(run("glMultiTexCoord4sv(GL_TEXTURE0, (GLshort[]){1, 2, 3, 4});"), kGL_CURRENT_TEXTURE_COORDS),
               (std::vector<double>{1, 2, 3, 4}));
     const Frame frame = frame_of("glBegin(GL_POINTS); glMultiTexCoord1i(GL_TEXTURE0, 3); glVertex2f(0, 0); glEnd();");
     EXPECT_EQ(std::get<Draw>(frame.items[0]).vertices[0].tex_coord, glm::dvec4(3, 0, 0, 1));
@@ -59,7 +60,7 @@ TEST(MultiTexCoord, SetsTheCoordinatesOfUnit0) {
 TEST(MultiTexCoord, LeavesUnit0AsItIsForOthers) {
     const State state = run("glTexCoord2f(0.5, 0.5); glMultiTexCoord2f(GL_TEXTURE1, 0.25, 0.25);");
     EXPECT_TRUE(state.errors().empty());
-    EXPECT_EQ(state.get(kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.5, 0.5, 0, 1}));
+    EXPECT_EQ(answer(state, kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.5, 0.5, 0, 1}));
     EXPECT_EQ(run("glMultiTexCoord2f(GL_FOG, 0, 0);").errors()[0].code, kGL_INVALID_ENUM);
 }
 
@@ -121,8 +122,8 @@ TEST(Evaluators, AreNamedWhereTheyDraw) {
     EXPECT_EQ(unsupported(map + kPoint), Names());
     EXPECT_EQ(unsupported(map + kPoint + "glBegin(GL_POINTS); glEvalCoord1f(0.5); glEvalPoint1(2); glEnd();"),
               (Names{"glEvalCoord1f", "glEvalPoint1"}));
-    EXPECT_EQ(run(map).get(kGL_MAP1_VERTEX_3), std::vector<double>{1});
-    EXPECT_EQ(run("glPushAttrib(GL_EVAL_BIT);" + map + "glPopAttrib();").get(kGL_MAP1_VERTEX_3),
+    EXPECT_EQ(answer(run(map), kGL_MAP1_VERTEX_3), std::vector<double>{1});
+    EXPECT_EQ(answer(run("glPushAttrib(GL_EVAL_BIT);" + map + "glPopAttrib();"), kGL_MAP1_VERTEX_3),
               std::vector<double>{0});
 }
 
@@ -153,7 +154,7 @@ TEST(CopiedImages, AreThereAndNamed) {
     EXPECT_EQ(unsupported(copy + kPoint), Names{"glCopyTexImage2D"});
     const State state = run(copy + "glTexSubImage2D(GL_TEXTURE_2D, 0, 7, 3, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, NULL);");
     EXPECT_TRUE(state.errors().empty());
-    EXPECT_EQ(state.get_tex_level_parameter(kGL_TEXTURE_2D, 0, kGL_TEXTURE_WIDTH)[0], 8);
+    EXPECT_EQ(tex_level_answer(state, kGL_TEXTURE_2D, 0, kGL_TEXTURE_WIDTH)[0], 8);
     EXPECT_EQ(run("glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, -1, 4, 0);").errors()[0].code, kGL_INVALID_VALUE);
     EXPECT_EQ(run("glCopyTexImage2D(GL_TEXTURE_2D, 99, GL_RGB, 0, 0, 1, 4, 0);").errors()[0].code, kGL_INVALID_VALUE);
 }
@@ -246,7 +247,7 @@ TEST(Selection, IsTheDriversModeWhereItHasABuffer) {
         }
         GLint mode = 0;
         glGetIntegerv(GL_RENDER_MODE, &mode);
-        EXPECT_EQ(state.get(kGL_RENDER_MODE)[0], mode) << text;
+        EXPECT_EQ(answer(state, kGL_RENDER_MODE)[0], mode) << text;
         const Enum expected = state.errors().size() > before ? state.errors().back().code : kGL_NO_ERROR;
         EXPECT_EQ(glGetError(), expected) << text;
     };
@@ -265,7 +266,7 @@ TEST(Selection, IsTheDriversModeWhereItHasABuffer) {
 TEST(Selection, IsNotCompiledIntoLists) {
     const State state =
         run("glSelectBuffer(4, (GLuint[4]){0}); glNewList(1, GL_COMPILE); glRenderMode(GL_SELECT); glEndList();");
-    EXPECT_EQ(state.get(kGL_RENDER_MODE)[0], kGL_SELECT);
+    EXPECT_EQ(answer(state, kGL_RENDER_MODE)[0], kGL_SELECT);
 }
 
 TEST(RenderMode, ChangesNothingInTheModeThatItNames) {
@@ -305,7 +306,7 @@ TEST(Queries, HaveTheLengthOfTheirAnswers) {
     const State state;
     int longer = 0;
     for (const NamedValue& name : gl_names()) {
-        const std::size_t length = state.get(name.value).size();
+        const std::size_t length = answer(state, name.value).size();
         if (length == 0 || name.value <= kGL_POLYGON || name.name.ends_with("_BIT")) continue;
         EXPECT_EQ(static_cast<std::size_t>(array_length(CommandId::glGetDoublev, name.value).value_or(1)), length)
             << name.name;
@@ -317,8 +318,8 @@ TEST(Queries, HaveTheLengthOfTheirAnswers) {
 TEST(Priorities, AreOfTheTexturesThatThereAre) {
     const State state =
         run("glBindTexture(GL_TEXTURE_2D, 3); glPrioritizeTextures(3, (GLuint[]){0, 3, 9}, (GLfloat[]){1, 0.25, 1});");
-    EXPECT_EQ(state.get_tex_parameter(kGL_TEXTURE_2D, kGL_TEXTURE_PRIORITY)[0], 0.25);
-    EXPECT_EQ(state.texture(9), nullptr);
+    EXPECT_EQ(tex_parameter_answer(state, kGL_TEXTURE_2D, kGL_TEXTURE_PRIORITY)[0], 0.25);
+    EXPECT_FALSE(state.textures().named.contains(9));
     EXPECT_EQ(run("glPrioritizeTextures(-1, (GLuint[]){0}, (GLfloat[]){1});").errors()[0].code, kGL_INVALID_VALUE);
 }
 

@@ -8,8 +8,7 @@
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
-#include "scene/shape/primitives.h"
-#include "scene/spectrum/commands.h"
+#include "scene/shape/written_out.h"
 #include "scene/state/gl_error.h"
 #include "scene/state/state.h"
 

@@ -91,7 +91,7 @@ TEST(LightState, IntegersAreMappedForColoursAndTakenAsTheyAreForPositions) {
 
 TEST(LightState, TheLaterRuleForIntegersIsAnOption) {
     const State state = after("glColor4b(127, 0, -128, -127);", {.signed_rule = SignedRule::kGl42});
-    EXPECT_EQ(state.current_color(), glm::dvec4(1, 0, -1, -1));
+    EXPECT_EQ(state.attributes().current.color, glm::dvec4(1, 0, -1, -1));
 }
 
 // ---- Errors: what is refused changes nothing ----
@@ -261,7 +261,7 @@ TEST(Vertices, CarryTheCurrentNormalAndColour) {
 }
 
 TEST(Vertices, ThreeComponentColoursHaveAlpha1) {
-    EXPECT_EQ(after("glColor4f(0, 0, 0, 0); glColor3f(0, 0, 0);").current_color().a, 1);
+    EXPECT_EQ(after("glColor4f(0, 0, 0, 0); glColor3f(0, 0, 0);").attributes().current.color.a, 1);
 }
 
 // ---- Matrices (2.11.2) ----

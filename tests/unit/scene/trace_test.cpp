@@ -305,6 +305,27 @@ TEST(Apitrace, IsAskedForWhereItIsMissing) {
     EXPECT_FALSE(std::filesystem::exists(folder / "report"));
 }
 
+TEST(Apitrace, LeavesNothingBehindHoweverTheProgramEnds) {
+    const TemporaryFolder folder, temporary;
+    write_file_atomically(folder / "game.trace", std::string("at\x10\0\0\0", 6) + std::string(64, 'x'));
+    // In the place of apitrace: a blob, and a dump that never ends.
+    write_file_atomically(folder / "apitrace",
+                          "#!/bin/sh\necho x >blob.bin; echo '1 glFlush()'; while sleep 0.05; do echo; done\n");
+    std::filesystem::permissions(folder / "apitrace", std::filesystem::perms::owner_all);
+    for (const char* signal : {"INT", "TERM", "HUP", "KILL"}) {
+        const ProgramResult result = run_shell(
+            "twinlight", "export TMPDIR=" + quoted(temporary.str()) + " PATH=" + quoted(folder.str()) + ":\"$PATH\"\n" +
+                             "env --default-signal=INT,HUP \"$PROGRAM\" render " + quoted(folder / "game.trace") +
+                             " --with reference -o " + quoted(folder / "picture.png") + " &\n" +
+                             "for i in $(seq 200); do ls \"$TMPDIR\"/*/blob.bin && break; sleep 0.1; done; kill -" +
+                             signal + " $!; wait $!\n" +
+                             "for i in $(seq 100); do [ -z \"$(ls -A \"$TMPDIR\")\" ] || sleep 0.1; done\n" +
+                             "echo left:; ls -A \"$TMPDIR\"");
+        EXPECT_NE(result.out.find("blob.bin"), std::string::npos) << signal << ": " << result.err;
+        EXPECT_TRUE(result.out.ends_with("left:\n")) << signal << ": " << result.out;
+    }
+}
+
 }  // namespace
 
 }  // namespace twinlight

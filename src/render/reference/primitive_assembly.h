@@ -23,6 +23,8 @@ struct Primitive {
     std::array<bool, 3> boundary{true, true, true};  // of a triangle: is the edge from vertex i to i+1 on the border
 };
 
+bool is_quadrilaterals(const Draw& draw);
+
 // RULING (2.6.1 and 3.5 leave the split of quadrilaterals and polygons open): quadrilaterals are cut as `cut` says,
 // and a picture of the driver may follow either cut at each pixel; GL_POLYGON is the fan of its first vertex.
 // llvmpipe cuts smooth quadrilaterals from the first corner to the third, but from the second to the fourth where a

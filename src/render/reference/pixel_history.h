@@ -2,11 +2,12 @@
 //
 // In: a Frame and the pixel's window coordinates (y up). Out: its fragments in the order of the commands, with the terms of
 // the points that they were lit at: of gouraud shading the primitive's vertices, of flat shading the provoking one, of phong
-// shading the fragment itself.
+// shading the fragment itself. The fragments and their colours are the picture's: it is drawn here, one pixel wide.
 #pragma once
 
 #include <vector>
 
+#include "base/image/image.h"
 #include "lighting/equation.h"
 #include "render/reference/draw_lighting.h"
 #include "render/reference/options.h"
@@ -36,6 +37,7 @@ struct PixelFragment {
     std::vector<int> lights{};       // numbers of the enabled lights
     std::vector<LitPoint> points{};  // none where nothing is lit
     glm::dvec4 color{0};             // after clamp, texture, colour sum and fog; before blending
+    glm::dvec4 after{0};             // what the picture has after it
     // What the specification leaves open and decided the colour.
     struct Decided {
         lighting::Ruling ruling;
@@ -44,7 +46,12 @@ struct PixelFragment {
     std::vector<Decided> rulings{};
 };
 
-std::vector<PixelFragment> pixel_fragments(const Frame& frame, const Options& options, int x, int y);
+struct PixelHistory {
+    std::vector<PixelFragment> fragments;
+    Rgba color{};  // the picture's
+};
+
+PixelHistory pixel_history(const Frame& frame, const Options& options, int x, int y);
 
 // The terms of a fragment: those of its points by their weights. Linear in all but flat shading's one point, so the
 // products add up to the colour; factors such as attenuation are means.

@@ -1,4 +1,4 @@
-#include "render/reference/stages.h"
+#include "render/reference/staged_frame.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,8 +7,8 @@
 
 namespace twinlight::reference {
 
-Stages run_stages(const Frame& frame, const Options& options) {
-    Stages stages;
+StagedFrame run_stages(const Frame& frame, const Options& options) {
+    StagedFrame stages;
     const Draw* last = nullptr;
     const auto add_clear = [&](const Clear& clear) {
         stages.clears.push_back(clear);
@@ -36,7 +36,7 @@ Stages run_stages(const Frame& frame, const Options& options) {
     return stages;
 }
 
-std::vector<Shader> make_shaders(const Stages& stages, const Options& options) {
+std::vector<Shader> make_shaders(const StagedFrame& stages, const Options& options) {
     std::vector<Shader> shaders;
     shaders.reserve(stages.draws.size());
     for (const StagedDraw& staged : stages.draws) shaders.emplace_back(staged, options);

@@ -1,6 +1,8 @@
-#include "render/reference/assembly.h"
+#include "render/reference/primitive_assembly.h"
 
+#include <algorithm>
 #include <cassert>
+#include <variant>
 
 namespace twinlight::reference {
 
@@ -50,6 +52,15 @@ class Assembler {
 };
 
 }  // namespace
+
+bool is_quadrilaterals(const Draw& draw) { return draw.mode == kGL_QUADS || draw.mode == kGL_QUAD_STRIP; }
+
+bool has_quadrilaterals(const Frame& frame) {
+    return std::ranges::any_of(frame.items, [](const auto& item) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        return draw && is_quadrilaterals(*draw);
+    });
+}
 
 std::vector<Primitive> assemble(const Draw& draw, QuadCut cut) {
     const std::size_t n = draw.count();

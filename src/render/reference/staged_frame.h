@@ -20,7 +20,7 @@ struct Step {
     StepId clear = 0;                            // negative: a Clear
 };
 
-struct Stages {
+struct StagedFrame {
     std::vector<StagedDraw> draws;
     std::vector<Piece> pieces;
     std::vector<Clear> clears;  // clears[-1 - id]; the first is the black, deep picture that every frame starts from
@@ -32,10 +32,10 @@ struct Stages {
 };
 
 // The frame must outlive the result.
-Stages run_stages(const Frame& frame, const Options& options);
+StagedFrame run_stages(const Frame& frame, const Options& options);
 
 // One for each Draw.
-std::vector<Shader> make_shaders(const Stages& stages, const Options& options);
+std::vector<Shader> make_shaders(const StagedFrame& stages, const Options& options);
 
 // Calls band(y0, y1) for bands of rows that together are [0, height), on all processors. What a band computes
 // must depend on nothing that another band writes; then the result is the same for any number of threads.

@@ -1,4 +1,4 @@
-#include "scene/shape/primitives.h"
+#include "scene/shape/written_out.h"
 
 #include <gtest/gtest.h>
 
