@@ -11,7 +11,11 @@
 #include <vector>
 
 #include "base/image/file.h"
+#include "render/programmable/programmable.h"
 #include "scene/command/command.h"
+#include "scene/command/text.h"
+#include "scene/scenes/scenes.h"
+#include "scene/state/state.h"
 
 namespace twinlight {
 namespace {
@@ -66,16 +70,27 @@ TEST(Docs, NameEveryCommandOfAScene) {
 
 // ---- docs/lighting.md ----
 
-// All C++ and GLSL below src, without comments.
+// The GLSL that C++ writes: of a scene that calls for all sorts of lights, as it is exported.
+std::string written_shaders() {
+    const auto file = std::ranges::find(kSceneFiles, "commands.gl", &EmbeddedFile::name);
+    programmable::Options options;
+    options.shading = Shading::kPhong;
+    return programmable::shader_source(make_frame(read_scene(file->text, "commands.gl", "commands"), {}), options);
+}
+
+// All C++ and GLSL below src, and the GLSL that C++ writes, without comments.
 std::vector<std::string> code() {
     std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator("src")) {
-        const std::string extension = entry.path().extension();
-        if (extension != ".h" && extension != ".cpp" && extension != ".glsl") continue;
-        std::istringstream lines(read_file(entry.path()));
+    const auto add = [&](const std::string& text) {
+        std::istringstream lines(text);
         std::string& file = files.emplace_back();
         for (std::string line; std::getline(lines, line);) file += line.substr(0, line.find("//")) + "\n";
+    };
+    for (const auto& entry : std::filesystem::recursive_directory_iterator("src")) {
+        const std::string extension = entry.path().extension();
+        if (extension == ".h" || extension == ".cpp" || extension == ".glsl") add(read_file(entry.path()));
     }
+    add(written_shaders());
     return files;
 }
 
