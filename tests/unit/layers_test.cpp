@@ -49,7 +49,12 @@ const std::map<std::string, Table>& rooms() {
           {"fixed", {"effect", "stages", "context"}},
           {"programmable", {"effect", "stages", "context"}},
           {"reference", {}}}},  // shares neither the driver's numbers nor the planner's mistakes
-        {"judge", {{"report", {}}, {"study", {"report"}}, {"fuzz", {"report"}}, {"check", {"fuzz"}}}},
+        {"judge",
+         {{"compare", {}},
+          {"report", {"compare"}},
+          {"study", {"report"}},
+          {"fuzz", {"compare"}},
+          {"check", {"compare"}}}},
         {"app", {{"cli", {}}, {"demo", {}}}},
     };
     return table;
@@ -62,9 +67,8 @@ const Table& narrower() {
         {"render/stages", {"base", "scene"}},
         {"render/fixed", {"base", "scene"}},
         {"render/programmable", {"base", "scene"}},
-        // The renderers come as functions.
-        {"judge/report", {"base", "scene", "render/effect"}},
-        {"judge/study", {"base", "scene"}},
+        {"judge/report", {"base", "scene", "render/effect", "render/context"}},
+        {"judge/study", {"base", "scene", "render/context"}},  // the renderers come as functions
     };
     return table;
 }

@@ -39,7 +39,7 @@ struct Rendered {
 // The fixed function lights vertices alone.
 std::vector<Rendered> rendered(const Frame& frame, const RenderOptions& options, const Pixel& pixel) {
     const RendererSet set(frame.width, frame.height);
-    const report::Renderers& functions = set.functions();
+    const compare::Renderers& functions = set.functions();
     std::vector<Rendered> result;
     const bool by_pixel = options.shading == Shading::kPhong || options.shading == Shading::kExact;
     if (!by_pixel) result.push_back({"fixed", functions.fixed(frame, options).at(pixel.x, pixel.y)});

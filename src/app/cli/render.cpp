@@ -29,13 +29,13 @@ struct Arguments {
     std::string output;
 };
 
-const std::map<std::string, report::RenderFunction report::Renderers::*> kRenderers = {
-    {"fixed", &report::Renderers::fixed},
-    {"programmable", &report::Renderers::programmable},
-    {"reference", &report::Renderers::reference},
+const std::map<std::string, compare::RenderFunction compare::Renderers::*> kRenderers = {
+    {"fixed", &compare::Renderers::fixed},
+    {"programmable", &compare::Renderers::programmable},
+    {"reference", &compare::Renderers::reference},
 };
 
-const std::map<std::string, report::RenderFunction> kScrubbed = {
+const std::map<std::string, compare::RenderFunction> kScrubbed = {
     {"fixed", fixed::render_scrubbed},
     {"reference",
      [](const Frame& frame, const RenderOptions& options) {
@@ -83,8 +83,9 @@ int run(const Arguments& arguments) {
     }
     const Frame frame = load_frame(arguments.scene, arguments.size, arguments.frame);
     const RendererSet renderers(frame.width, frame.height);
-    const report::RenderFunction render = arguments.scrubbed ? kScrubbed.at(arguments.renderer)
-                                                             : renderers.functions().*kRenderers.at(arguments.renderer);
+    const compare::RenderFunction render = arguments.scrubbed
+                                               ? kScrubbed.at(arguments.renderer)
+                                               : renderers.functions().*kRenderers.at(arguments.renderer);
     const RenderOptions options{.shading = arguments.shading,
                                 .lecture_variants = true,
                                 .budget = arguments.budget,

@@ -18,6 +18,7 @@
 #include "base/image/file.h"
 #include "judge/study/files.h"
 #include "judge/study/tessellation.h"
+#include "render/context/driver_name.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 

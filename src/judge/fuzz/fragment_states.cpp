@@ -1,5 +1,4 @@
-#include "judge/fuzz/fragment_states.h"
-
+// Random scenes of what happens between vertices and pixels.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "judge/fuzz/random.h"
+#include "judge/fuzz/writer.h"
 #include "scene/command/text.h"
 
 namespace twinlight::fuzz {

@@ -1,10 +1,10 @@
-#include "judge/fuzz/lighting_states.h"
-
+// Random lighting states.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "judge/fuzz/writer.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::fuzz {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <initializer_list>
@@ -11,19 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "judge/fuzz/random.h"
-#include "scene/command/command.h"
+#include "judge/fuzz/random_states.h"
 
 namespace twinlight::fuzz {
-
-// What one random scene comes from. Scenes of one structure share what the driver makes a program for (which lights, of
-// which type, ...) and differ in their values, since a program takes a driver a tenth of a second to make.
-struct Seed {
-    std::uint64_t structure = 0;
-    std::uint64_t values = 0;
-    // A departure of departures(): the scene is likely to show it. Else one in ten structures is about any of them.
-    std::string_view departure{};
-};
 
 // What the scene is about; empty: nothing.
 std::string_view departure_of(const Seed& seed, Random& structure);

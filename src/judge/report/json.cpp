@@ -1,10 +1,15 @@
 // comparison.json
 #include <nlohmann/json.hpp>
 
-#include "judge/report/comparison.h"
+#include "judge/report/report.h"
 #include "judge/report/words.h"
 
 namespace twinlight::report {
+
+using compare::Comparison;
+using compare::Pair;
+using compare::Render;
+using compare::Verdict;
 
 namespace {
 

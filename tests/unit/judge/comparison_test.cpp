@@ -1,5 +1,5 @@
 // Comparisons of stub renderers: which pictures are asked for, what is judged, what is written.
-#include "judge/report/comparison.h"
+#include "judge/compare/comparison.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,14 @@
 
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "judge/report/report.h"
 #include "judge/report/words.h"
+#include "scene/command/command.h"
 
 namespace twinlight::report {
 namespace {
+
+using namespace compare;
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -23,6 +27,7 @@ constexpr int kWidth = 40, kHeight = 30;
 
 Frame empty_frame() {
     Frame frame;
+    frame.commands = std::make_shared<const CommandList>("stub", std::vector<Command>{});
     frame.width = kWidth;
     frame.height = kHeight;
     return frame;
@@ -59,7 +64,7 @@ struct Stub {
     Comparison compare() {
         Frame frame = empty_frame();
         frame.unsupported = unsupported;
-        return compare_scene(frame, "stub", "a driver", renderers());
+        return compare_scene(frame, renderers(), {.driver = "a driver"});
     }
 };
 
@@ -105,10 +110,10 @@ TEST(Comparison, DrawsPerVertexByGlsModelAndPhongByTheScenes) {
 TEST(Comparison, TellsItsProgressStepByStep) {
     Stub stub;
     int steps = 0;
-    compare_scene(empty_frame(), "stub", "", stub.renderers(), [&](int done, int total, std::string_view) {
-        EXPECT_EQ(done, steps++);
-        EXPECT_EQ(total, 7);
-    });
+    compare_scene(empty_frame(), stub.renderers(), {.progress = [&](int done, int total, std::string_view) {
+                      EXPECT_EQ(done, steps++);
+                      EXPECT_EQ(total, 7);
+                  }});
     EXPECT_EQ(steps, 7);
 }
 
@@ -193,22 +198,40 @@ TEST(Verdict, NamesThePairsThatDiffer) {
     EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kWithin);
     EXPECT_EQ(pair_named(comparison, "fixed ~ programmable-phong").verdict, Verdict::kInformative);
     const std::vector<std::string> sentences = verdict_sentences(comparison);
-    ASSERT_EQ(sentences.size(), 3U);
+    ASSERT_EQ(sentences.size(), 4U);
     EXPECT_EQ(sentences[1],
               "fixed ~ programmable: 1,170 of 1,170 interior pixels differ (100.00%), by up to 25/255 at (1, 0).");
 }
 
-TEST(Verdict, NamesKnownDeparturesWhereItIsBeyond) {
+// A wide line, which softpipe draws half a pixel too far along, and no other driver.
+TEST(Verdict, NamesWhatTheDriverIsKnownToGetWrongWhereItIsBeyond) {
+    Draw line;
+    line.mode = kGL_LINES;
+    line.vertices.resize(2);
+    line.raster.line_width = 5;
+    Frame frame = empty_frame();
+    frame.items.emplace_back(line);
     Stub stub;
-    Comparison comparison = stub.compare();
-    comparison.known_departures = {"fog (3.10)"};
-    EXPECT_EQ(verdict_sentences(comparison).size(), 1U);
+    const auto compared = [&](const std::string& driver) {
+        return compare_scene(frame, stub.renderers(), {.driver = driver + ", EGL", .per_vertex_only = true});
+    };
+    const std::string softpipe = "softpipe, 3.3 (Compatibility Profile) Mesa 22.3.1";
+    EXPECT_EQ(verdict_sentences(compared(softpipe)).size(), 1U);
+    EXPECT_EQ(verdict_sentences(compared("a GPU, 4.6 Mesa 22.3.6")).size(), 1U);
     stub.fixed = 0.6F;
-    comparison = stub.compare();
-    comparison.known_departures = {"fog (3.10)"};
-    EXPECT_NE(verdict_sentences(comparison).back().find(": fog (3.10); see golden/known_differences."),
-              std::string::npos);
-    EXPECT_EQ(json::parse(comparison_json(comparison))["known_departures"], json({"fog (3.10)"}));
+    const Comparison beyond = compared(softpipe);
+    ASSERT_EQ(beyond.known_departures.size(), 1U);
+    EXPECT_TRUE(beyond.known_departures[0].starts_with("wide lines in softpipe (3.4.2: "));
+    EXPECT_EQ(verdict_sentences(beyond).back(), "This scene does what softpipe of Mesa 22.3.1 is known to get wrong: " +
+                                                    beyond.known_departures[0] + "; see golden/known_differences.");
+    EXPECT_EQ(json::parse(comparison_json(beyond))["known_departures"], json(beyond.known_departures));
+    for (const char* driver : {"a GPU, 4.6 Mesa 22.3.6", "softpipe, 3.3 (Compatibility Profile) Mesa 25.0.7", "?"}) {
+        const Comparison other = compared(driver);
+        EXPECT_EQ(other.known_departures.size(), 0U);
+        EXPECT_EQ(verdict_sentences(other).back(), "No known bugs are listed for this driver.");
+    }
+    const Comparison listed = compared("llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6");
+    EXPECT_TRUE(verdict_sentences(listed).back().starts_with("fixed ~ reference: "));
 }
 
 TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
@@ -249,7 +272,7 @@ TEST(Verdict, IsNotGivenForPhongAgainstFixed) {
     };
     renderers.programmable = brighter_in_phong(plain.programmable);
     renderers.reference = brighter_in_phong(plain.reference);
-    const Comparison comparison = compare_scene(empty_frame(), "stub", "", renderers);
+    const Comparison comparison = compare_scene(empty_frame(), renderers);
     EXPECT_TRUE(comparison.within_tolerance());
     EXPECT_GT(pair_named(comparison, "fixed ~ programmable-phong").difference.interior.max, 0.4);
 }
@@ -380,7 +403,7 @@ TEST(Comparison, TakesTheBoundOfThePlansForSlack) {
     stub.fixed = stub.reference = 128.3F / 255;  // 0.2 below the border
     stub.programmable = 129.0F / 255;
     const auto compared = [&](double budget) {
-        return compare_scene(frame, "stub", "", stub.renderers(), {}, Pictures::kPerVertex, budget);
+        return compare_scene(frame, stub.renderers(), {.budget = budget, .per_vertex_only = true});
     };
     const Comparison within = compared(0.5 / 255);
     EXPECT_NEAR(error_bound(within.renders[1].plan), 0.4 / 255, 1e-9);

@@ -1,4 +1,4 @@
-#include "judge/check/check.h"
+#include "judge/check/suite.h"
 
 #include <fmt/format.h>
 #include <fnmatch.h>
@@ -10,7 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "judge/check/variants.h"
-#include "judge/fuzz/vertex_colors.h"
+#include "judge/compare/vertex_colors.h"
+#include "render/context/driver_name.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 #include "render/reference/reference.h"
@@ -22,7 +23,7 @@ namespace twinlight::check {
 
 namespace {
 
-using fuzz::Color;
+using compare::Color;
 
 // ---- What is asked ----
 
@@ -64,7 +65,7 @@ bool agree(const std::optional<Seen>& value, const Right& right) {
 
 std::optional<Seen> seen(const Color& color) { return color ? std::optional<Seen>(*color) : std::nullopt; }
 
-void worsen(Verdict& verdict, Verdict by) { verdict = std::max(verdict, by); }
+void worsen(Outcome& outcome, Outcome by) { outcome = std::max(outcome, by); }
 
 double float_tolerance(const Case& of) { return of.tolerance.value_or(kTolerance); }
 
@@ -89,9 +90,9 @@ void judge_fixed(const Case& of, const Frame& frame, const std::string& driver, 
                  Result& result) {
     if (has_variants(frame)) return;
     if (!of.expects_error() && error != kGL_NO_ERROR) {  // whatever the specification leaves open
-        worsen(result.verdicts[static_cast<std::size_t>(Path::kFixed)], Verdict::kNew);
+        worsen(result.outcomes[static_cast<std::size_t>(Path::kFixed)], Outcome::kNew);
         result.findings.push_back(
-            {Path::kFixed, "", Verdict::kNew, {.kind = Spot::Kind::kError, .shading = {}}, error, kGL_NO_ERROR, ""});
+            {Path::kFixed, "", Outcome::kNew, {.kind = Spot::Kind::kError, .shading = {}}, error, kGL_NO_ERROR, ""});
     }
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.shading) continue;
@@ -102,19 +103,19 @@ void judge_fixed(const Case& of, const Frame& frame, const std::string& driver, 
                    ::fnmatch(("*" + differs.driver + "*").c_str(), driver.c_str(), 0) == 0;
         });
         const bool agrees = agree(value, of_floats(of, expected));
-        Verdict verdict = Verdict::kPass;
+        Outcome outcome = Outcome::kPass;
         std::string name;
         if (listed != of.differs.end()) {
             name = listed->name;
-            verdict = agrees                                                              ? Verdict::kVanished
-                      : agree(value, {listed->value, listed->value, float_tolerance(of)}) ? Verdict::kDeparts
-                                                                                          : Verdict::kNew;
+            outcome = agrees                                                              ? Outcome::kVanished
+                      : agree(value, {listed->value, listed->value, float_tolerance(of)}) ? Outcome::kDeparts
+                                                                                          : Outcome::kNew;
         } else if (!agrees) {
-            verdict = of.is_ruling ? Verdict::kRuling : Verdict::kNew;
+            outcome = of.is_ruling ? Outcome::kRuling : Outcome::kNew;
         }
-        worsen(result.verdicts[static_cast<std::size_t>(Path::kFixed)], verdict);
-        if (verdict != Verdict::kPass)
-            result.findings.push_back({Path::kFixed, "", verdict, expected.spot, value, expected.value, name});
+        worsen(result.outcomes[static_cast<std::size_t>(Path::kFixed)], outcome);
+        if (outcome != Outcome::kPass)
+            result.findings.push_back({Path::kFixed, "", outcome, expected.spot, value, expected.value, name});
     }
 }
 
@@ -122,10 +123,10 @@ void judge_own(Path path, std::string_view variant, const Spot& spot, const Righ
                const std::optional<Seen>& value, Result& result) {
     const glm::dvec4* color = value ? std::get_if<glm::dvec4>(&*value) : nullptr;
     if (color && !is_finite(*color)) ++result.non_finite;
-    Verdict& verdict = result.verdicts[static_cast<std::size_t>(path)];
-    if (agree(value, right)) return worsen(verdict, Verdict::kPass);
-    worsen(verdict, Verdict::kNew);
-    result.findings.push_back({path, std::string(variant), Verdict::kNew, spot, value, right.value, ""});
+    Outcome& outcome = result.outcomes[static_cast<std::size_t>(path)];
+    if (agree(value, right)) return worsen(outcome, Outcome::kPass);
+    worsen(outcome, Outcome::kNew);
+    result.findings.push_back({path, std::string(variant), Outcome::kNew, spot, value, right.value, ""});
 }
 
 // Twinlight's own, which shaders and the reference are spared.
@@ -147,7 +148,7 @@ void hold_to_long_double(const Expectation& expected, const Color& value, const 
 // As fragments have it.
 Right as_sum(Right right, const glm::dvec3& secondary) {
     for (Seen* color : {&right.value, &right.other})
-        *color = fuzz::color_sum(std::get<glm::dvec4>(*color), glm::dvec4(secondary, 0));
+        *color = compare::color_sum(std::get<glm::dvec4>(*color), glm::dvec4(secondary, 0));
     return right;
 }
 
@@ -155,14 +156,13 @@ Right as_sum(Right right, const glm::dvec3& secondary) {
 std::vector<glm::dvec4> sums_in_long_double(const Draw& draw, bool back) {
     std::vector<glm::dvec4> sums;
     for (const reference::LitVertex& vertex : reference::light_vertices(draw, long_double().options, false))
-        sums.push_back(back ? fuzz::color_sum(vertex.back_primary, vertex.back_secondary)
-                            : fuzz::color_sum(vertex.front_primary, vertex.front_secondary));
+        sums.push_back(compare::face_colors(vertex, back).sum());
     return sums;
 }
 
 // The same as a shading shows them, which need not be what GL's own does. Phong makes each fragment's normal unit; flat
 // shading shows the provoking vertex of a polygon (2.14.7, table 2.12).
-std::vector<glm::dvec4> sums_in_long_double(const fuzz::VertexScene& scene, std::optional<Shading> shading) {
+std::vector<glm::dvec4> sums_in_long_double(const compare::VertexScene& scene, std::optional<Shading> shading) {
     Draw draw = scene.draw();
     draw.lighting.normalize |= shading == Shading::kPhong;
     std::vector<glm::dvec4> sums = sums_in_long_double(draw, scene.shows_back());
@@ -171,26 +171,25 @@ std::vector<glm::dvec4> sums_in_long_double(const fuzz::VertexScene& scene, std:
     return sums;
 }
 
-void judge_reference(const Case& of, const fuzz::VertexScene& scene, Result& result) {
+void judge_reference(const Case& of, const compare::VertexScene& scene, Result& result) {
     const bool back = scene.shows_back();
     for (const Variant& variant : reference_variants()) {
         const std::vector<reference::LitVertex> lit = reference::light_vertices(scene.draw(), variant.options, false);
         for (const Expectation& expected : of.expectations) {
             if (expected.spot.kind != Spot::Kind::kVertex) continue;
-            const reference::LitVertex& vertex = lit.at(static_cast<std::size_t>(expected.spot.vertex));
-            const glm::dvec4 primary = back ? vertex.back_primary : vertex.front_primary;
-            const glm::dvec4 secondary = back ? vertex.back_secondary : vertex.front_secondary;
+            const compare::FaceColors face =
+                compare::face_colors(lit.at(static_cast<std::size_t>(expected.spot.vertex)), back);
             const Right right = of_reference(of, expected, variant.options);
             const glm::dvec4 right_secondary(expected.secondary, 1);
-            judge_own(Path::kReference, variant.name, expected.spot, right, primary, result);
+            judge_own(Path::kReference, variant.name, expected.spot, right, face.primary, result);
             judge_own(Path::kReference, variant.name + " secondary", expected.spot,
-                      {right_secondary, right_secondary, right.tolerance}, glm::dvec4(glm::dvec3(secondary), 1),
+                      {right_secondary, right_secondary, right.tolerance}, glm::dvec4(glm::dvec3(face.secondary), 1),
                       result);
         }
     }
 }
 
-void judge_shaders(const Case& of, const fuzz::VertexScene& scene, const Variant& variant,
+void judge_shaders(const Case& of, const compare::VertexScene& scene, const Variant& variant,
                    const std::vector<Color>& colors, Result& result) {
     const std::vector<glm::dvec4> of_gl = sums_in_long_double(scene, {});
     const std::vector<glm::dvec4> exact = sums_in_long_double(scene, variant.options.shading);
@@ -271,14 +270,14 @@ std::vector<Variant> variants_of(const Case& of, const Frame& frame, Path path) 
 
 }  // namespace
 
-std::string_view word_of(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::kNotAsked: return "not asked";
-        case Verdict::kPass: return "pass";
-        case Verdict::kRuling: return "ruling";
-        case Verdict::kDeparts: return "departs";
-        case Verdict::kNew: return "NEW";
-        case Verdict::kVanished: return "VANISHED";
+std::string_view word_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::kNotAsked: return "not asked";
+        case Outcome::kPass: return "pass";
+        case Outcome::kRuling: return "ruling";
+        case Outcome::kDeparts: return "departs";
+        case Outcome::kNew: return "NEW";
+        case Outcome::kVanished: return "VANISHED";
     }
     return "";
 }
@@ -287,31 +286,23 @@ std::string finding_text(const Case& of, const Finding& finding) {
     std::string text =
         fmt::format("{}{}{}, {}: {}, ", kPathNames.at(static_cast<std::size_t>(finding.path)),
                     finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), text_of(finding.value));
-    if (finding.verdict == Verdict::kVanished)
+    if (finding.outcome == Outcome::kVanished)
         return text + "as the text says; the case lists another: " + finding.name;
-    text += (finding.verdict == Verdict::kRuling ? "ruled " : "expected ") + text_of(finding.expected);
-    if (finding.verdict != Verdict::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
+    text += (finding.outcome == Outcome::kRuling ? "ruled " : "expected ") + text_of(finding.expected);
+    if (finding.outcome != Outcome::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
     return text;
 }
 
 bool Result::fails() const {
     return !error.empty() || non_finite > 0 || from_long_double > kTolerance ||
-           std::ranges::any_of(verdicts, is_failure);
+           std::ranges::any_of(outcomes, is_failure);
 }
 
 Suite::Suite()
-    : context_(make_offscreen_context(fuzz::kShaderPicture, fuzz::kShaderPicture, ColorBuffer::kFloat)),
-      driver_(driver_name()) {
-    renderer_.emplace();
-}
-
-Suite::~Suite() {
-    context_->make_current();
-    renderer_.reset();
-}
+    : context_(compare::kShaderPicture, compare::kShaderPicture, ColorBuffer::kFloat), driver_(driver_name()) {}
 
 std::vector<Result> Suite::run(std::span<const Case> cases) {
-    context_->make_current();
+    context_.make_current();
     std::vector<Result> results(cases.size());
     run_vertices(cases, results);
     run_pictures(cases, results);
@@ -319,14 +310,14 @@ std::vector<Result> Suite::run(std::span<const Case> cases) {
 }
 
 void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& results) {
-    std::vector<std::optional<fuzz::VertexScene>> scenes(cases.size());
+    std::vector<std::optional<compare::VertexScene>> scenes(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& of = cases[i];
         if (!of.is_of_vertices()) continue;
         try {
-            CarriedOut given = of.carried_out(fuzz::kVertexWindow);
+            CarriedOut given = of.carried_out(compare::kVertexWindow);
             judge_error(of, given.error, results[i]);
-            scenes[i] = fuzz::make_vertex_scene(std::move(given.frame), results[i].error);
+            scenes[i] = compare::make_vertex_scene(std::move(given.frame), results[i].error);
         } catch (const SceneError& refused) {
             results[i].error = refused.what();
         }
@@ -340,7 +331,7 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
             continue;
         }
         driver_error();
-        const std::vector<Color> fixed = fuzz::fixed_colors(*scenes[i]);
+        const std::vector<Color> fixed = compare::fixed_colors(*scenes[i]);
         judge_fixed(
             of, scenes[i]->frame, driver_, driver_error(),
             [&](const Expectation& expected) { return seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex))); },
@@ -348,9 +339,9 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
         judge_reference(of, *scenes[i], results[i]);
     }
     for (const Variant& variant : shader_variants()) {
-        const auto colors = fuzz::shader_colors(scenes, *renderer_, variant.options);
+        const auto colors = compare::shader_colors(scenes, context_.shaders(), variant.options);
         for (std::size_t i = 0; i < cases.size(); ++i) {
-            if (!scenes[i] || (scenes[i]->shows_back() && !fuzz::knows_faces_of_corners())) continue;
+            if (!scenes[i] || (scenes[i]->shows_back() && !compare::knows_faces_of_corners())) continue;
             if (is_asked(variant, scenes[i]->frame))
                 judge_shaders(cases[i], *scenes[i], variant, colors[i], results[i]);
         }
@@ -373,7 +364,7 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
             result.pictures.emplace_back("fixed", fixed);
             std::vector<Picture> pictures;
             for (const Variant& variant : variants_of(of, frame, Path::kProgrammable))
-                pictures.push_back({Path::kProgrammable, variant, renderer_->render(frame, variant.options)});
+                pictures.push_back({Path::kProgrammable, variant, context_.shaders().render(frame, variant.options)});
             for (const Variant& variant : variants_of(of, frame, Path::kReference))
                 pictures.push_back({Path::kReference, variant, reference::render(frame, variant.options)});
             for (const Picture& picture : pictures) judge_picture(of, picture, result);
@@ -390,10 +381,10 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
 
 void Suite::draw_vertices(const Case& of, Result& result) {
     if (!of.is_of_vertices() || !result.error.empty()) return;
-    context_->make_current();
+    context_.make_current();
     const Frame frame = of.carried_out(kVertexSide).frame;
     if (!has_variants(frame)) result.pictures.emplace_back("fixed", fixed::render(frame, {}));
-    result.pictures.emplace_back("programmable", renderer_->render(frame, plain().options));
+    result.pictures.emplace_back("programmable", context_.shaders().render(frame, plain().options));
     result.pictures.emplace_back("reference", reference::render(frame, plain().options));
 }
 

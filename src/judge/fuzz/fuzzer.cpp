@@ -1,17 +1,15 @@
-#include "judge/fuzz/fuzz.h"
+#include "judge/fuzz/fuzzer.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "judge/fuzz/disguise.h"
 #include "judge/fuzz/floats.h"
-#include "judge/fuzz/fragment_states.h"
-#include "judge/fuzz/lighting_states.h"
 #include "judge/fuzz/pictures.h"
-#include "judge/fuzz/random.h"
+#include "judge/fuzz/random_states.h"
 #include "judge/fuzz/shrink.h"
+#include "render/context/driver_name.h"
 #include "scene/command/text.h"
 
 namespace twinlight::fuzz {
@@ -54,7 +52,7 @@ std::string failure_text(const Failure& failure, const Options& options) {
 
 bool Summary::too_many_differ(std::size_t pair) const {
     return static_cast<double>(differing_pixels[pair]) >
-           report::Tolerance{}.differing_share * static_cast<double>(pixels[pair]);
+           compare::Tolerance{}.differing_share * static_cast<double>(pixels[pair]);
 }
 
 bool Summary::fails() const {
@@ -70,7 +68,7 @@ bool Summary::fails() const {
 namespace {
 
 // Whether a smaller scene fails in the same way. A difference of another size has another cause.
-bool is_same(const PairFound& before, const PairFound& now) {
+bool is_same(const PairDifferences& before, const PairDifferences& now) {
     constexpr double kAlike = 8;
     return now.fails && now.misses == before.misses && now.worst < kAlike * before.worst &&
            before.worst < kAlike * now.worst;
@@ -126,7 +124,7 @@ class Run {
             states.push_back(state);
             scenes.push_back(shared(random_scene(options_, state)));
         }
-        const std::vector<Found> found = floats_->compare(scenes);
+        const std::vector<StateDifferences> found = floats_->compare(scenes);
         summary_.float_states += states.size();
         for (std::size_t i = 0; i < states.size() && !stops(); ++i) {
             count(found[i], states[i], summary_.vertices, summary_.worst_float, summary_.vertices_left_out);
@@ -136,7 +134,7 @@ class Run {
 
     void compare_picture(std::uint64_t state) {
         const auto scene = shared(random_scene(options_, state));
-        const Found found = pictures_->compare(scene);
+        const StateDifferences found = pictures_->compare(scene);
         ++summary_.picture_states;
         count(found, state, summary_.pixels, summary_.worst_picture, summary_.pictures_left_out);
         for (std::size_t pair = 0; pair < kPairs; ++pair)
@@ -144,7 +142,7 @@ class Run {
         if (found.fails()) fail(state, scene, found);
     }
 
-    static void count(const Found& found, std::uint64_t state, std::array<long, kPairs>& compared,
+    static void count(const StateDifferences& found, std::uint64_t state, std::array<long, kPairs>& compared,
                       std::array<Worst, kPairs>& worst, LeftOutCounts& left_out) {
         for (std::size_t pair = 0; pair < kPairs; ++pair) {
             compared[pair] += found.pairs[pair].compared;
@@ -156,11 +154,11 @@ class Run {
         }
     }
 
-    Found compare_one(bool picture, const std::shared_ptr<const CommandList>& scene) {
+    StateDifferences compare_one(bool picture, const std::shared_ptr<const CommandList>& scene) {
         return picture ? pictures_->compare(scene) : floats_->compare(std::span(&scene, 1)).front();
     }
 
-    void fail(std::uint64_t state, const std::shared_ptr<const CommandList>& scene, const Found& found) {
+    void fail(std::uint64_t state, const std::shared_ptr<const CommandList>& scene, const StateDifferences& found) {
         Failure failure;
         failure.state = state;
         failure.driver = summary_.driver;
@@ -174,13 +172,13 @@ class Run {
             while (!found.pairs[failure.pair].fails) ++failure.pair;
             // The reference stands in most pairs that say something.
             if (found.pairs[1].fails && failure.pair == 0) failure.pair = 1;
-            const PairFound& first = found.pairs[failure.pair];
+            const PairDifferences& first = found.pairs[failure.pair];
             show(state - options_.first, "shrinking");
             failure.scene = !options_.shrinks ? *scene : shrink(*scene, [&](const CommandList& smaller) {
-                const Found again = compare_one(failure.is_picture, shared(smaller));
+                const StateDifferences again = compare_one(failure.is_picture, shared(smaller));
                 return again.error.empty() && is_same(first, again.pairs[failure.pair]);
             });
-            const Found smallest = compare_one(failure.is_picture, shared(failure.scene));
+            const StateDifferences smallest = compare_one(failure.is_picture, shared(failure.scene));
             failure.what = smallest.pairs[failure.pair].what;
         }
         if (progress_.found) progress_.found(failure);

@@ -13,7 +13,7 @@
 #include "render/effect/explanation.h"
 #include "scene/state/frame.h"
 
-namespace twinlight::report {
+namespace twinlight::compare {
 
 using RenderFunction = std::function<Image(const Frame&, const RenderOptions&)>;
 
@@ -25,9 +25,6 @@ struct Renderers {
     // The pixels where right rasterisers may differ; all others are interior.
     std::function<Freedom(const Frame&, const RenderOptions&)> freedom;
 };
-
-// Called before each step: how many are done, how many there are, what comes next.
-using Progress = std::function<void(int done, int total, std::string_view next)>;
 
 struct Render {
     std::string name;     // "fixed", "programmable", "reference", "programmable-phong", "reference-phong"; or -exact
@@ -64,15 +61,15 @@ struct Pair {
 
 struct Comparison {
     std::string scene;
-    std::string driver;
+    std::string driver;  // driver_name()
     int width = 0, height = 0;
     std::vector<Render> renders;
     std::vector<Pair> pairs;
     Freedom freedom;  // of the per-vertex pictures; its edges are of all
     std::vector<Unsupported> unsupported;
-    // Where pictures differ beyond the tolerance: what the scene does of which the driver is known to leave the
-    // specification's text, "name (section)". The caller's.
+    // Where pictures differ beyond the tolerance: what the scene does that this driver is known to get wrong, "name (section)".
     std::vector<std::string> known_departures{};
+    bool is_listed_driver = false;  // whether anything is known of this driver
     Tolerance tolerance;
 
     const Render& a(const Pair& pair) const { return renders[pair.a]; }
@@ -83,56 +80,29 @@ struct Comparison {
     bool within_tolerance() const;  // as far as the pictures tell: no pair is beyond
 };
 
+// ---- The verdict (verdict.cpp) ----
+
 // What a comparison says of two pictures that show the whole scene.
 Verdict judge(const ImageDifference& difference, const Tolerance& tolerance);
+// The same of two that may lack what is in Comparison::unsupported.
+Verdict judge(const Comparison& comparison, const Pair& pair);
 
-enum class Pictures : std::uint8_t { kAll, kPerVertex };  // the second: each drawn once, and not timed
+// ---- How it is made ----
+
+struct CompareOptions {
+    std::string driver{};  // driver_name() of the driver that the renderers use
+    double budget = RenderOptions{}.budget;
+    bool precise = false;  // the programmable picture per vertex is drawn with RenderOptions::precise
+    Shading per_pixel =
+        Shading::kPhong;           // or kExact: "programmable-exact" and "reference-exact" replace phong's pictures
+    bool per_vertex_only = false;  // no pictures per pixel; each is drawn once, and not timed
+    // Called before each step: how many are done, how many there are, what comes next.
+    std::function<void(int done, int total, std::string_view next)> progress{};
+};
 
 // The per-vertex pictures follow GL's own model (the lecture's variants off), flat or gouraud as the scene
 // says, so that the three can be held against each other; the phong pictures follow the scene's variants.
-// `per_pixel`: kPhong, or kExact, whose pictures, "programmable-exact" and "reference-exact", take the place of phong's.
-// `precise`: the programmable one of them is drawn with RenderOptions::precise.
 // What the driver draws with is drawn twice and the second time is told, for in the first the driver compiles.
-Comparison compare_scene(const Frame& frame, const std::string& scene, const std::string& driver,
-                         const Renderers& renderers, const Progress& progress = {}, Pictures pictures = Pictures::kAll,
-                         double budget = RenderOptions{}.budget, bool precise = false,
-                         Shading per_pixel = Shading::kPhong);
+Comparison compare_scene(const Frame& frame, const Renderers& renderers, const CompareOptions& options = {});
 
-// ---- What is written of it ----
-
-// "fixed.png"
-std::string picture_file(const Render& render);
-// "difference-fixed-programmable.png"
-std::string difference_file(const Comparison& comparison, const Pair& pair);
-
-// One JSON object, indented, with a newline at the end:
-//   {"scene", "driver", "size": [w, h], "verdict": "within" | "beyond" | "partial",
-//    "renders": [{"name", "file", "ms", "error_bound"}],   the last of what is drawn from plans
-//    "pairs": [{"a", "b",                        names of renders
-//               "interior": {"pixels", "differing", "max", "rms", "worst": [x, y]},
-//               "beyond_slack": {the same},     what is judged of the interior
-//               "edge": {the same},
-//               "verdict": "within" | "beyond" | "partial" | "informative",
-//               "tolerance": {"max", "differing_share"},   of the interior; not where informative
-//               "file", "factor"}],             the difference picture and its amplification
-//    "known_departures": ["name (section)"],    where beyond: of the driver, that the scene may show
-//    "unsupported": [{"name", "count", "place", "renderers": [...]}]}
-// max and rms are of channels on [0,1]; x and y count from the top left.
-std::string comparison_json(const Comparison& comparison);
-
-// Encoded once, written as files and inside the page.
-struct EncodedPictures {
-    std::vector<std::string> renders;      // PNG, in the order of Comparison::renders
-    std::vector<std::string> differences;  // PNG, in the order of Comparison::pairs
-    std::string edges;                     // PNG, white where the edge mask is set
-};
-EncodedPictures encode_pictures(const Comparison& comparison);
-
-// A page that holds everything: pictures, style and script are inside.
-std::string comparison_page(const Comparison& comparison, const EncodedPictures& pictures);
-
-// The pictures, comparison.json and index.html, into a folder that is made if it is not there: all of them or
-// none. Throws FileError.
-void write_report(const Comparison& comparison, const std::string& folder);
-
-}  // namespace twinlight::report
+}  // namespace twinlight::compare

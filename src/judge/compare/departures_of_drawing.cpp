@@ -8,10 +8,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "judge/fuzz/departure_rules.h"
-#include "render/context/context.h"
+#include "judge/compare/departure_rules.h"
 
-namespace twinlight::fuzz {
+namespace twinlight::compare {
 
 namespace {
 
@@ -23,8 +22,6 @@ bool is_clipped(const Draw& draw) {
         return std::max({std::abs(clip.x), std::abs(clip.y), std::abs(clip.z)}) > clip.w;
     });
 }
-
-bool is_softpipe() { return driver_name().starts_with("softpipe"); }
 
 bool offsets_borders(const Draw& draw) {
     if (!draw.raster.depth_test) return false;  // which alone shows it
@@ -75,18 +72,16 @@ bool any_corners(const Draw& draw, const std::function<bool(const Corners&)>& ar
 
 bool draws_borders_of_clipped_polygons(const Draw& draw) { return draw.draws_borders() && is_clipped(draw); }
 
-bool has_faces_on_borders_in_softpipe(const Draw& draw) {
-    return draw.draws_borders() && draw.lighting.enabled && draw.lighting.light_model.two_side && is_softpipe();
+bool has_faces_on_borders(const Draw& draw) {
+    return draw.draws_borders() && draw.lighting.enabled && draw.lighting.light_model.two_side;
 }
 
-bool has_wide_lines_in_softpipe(const Draw& draw) {
-    return draw.draws_lines() && draw.raster.line_width > 1 && is_softpipe();
-}
+bool has_wide_lines(const Draw& draw) { return draw.draws_lines() && draw.raster.line_width > 1; }
 
 // Whatever chooses by the level of detail: a mipmap, or one of two filters.
-bool has_level_of_detail_in_softpipe(const Draw& draw) {
+bool has_level_of_detail(const Draw& draw) {
     const Texture* texture = draw.texture.texture.get();
-    return texture && texture->min_filter != texture->mag_filter && is_softpipe();
+    return texture && texture->min_filter != texture->mag_filter;
 }
 
 bool has_edge_flags_in_strip(const Draw& draw) {
@@ -134,9 +129,7 @@ bool has_no_q(const Draw& draw, const Vertex& vertex) {
     return draw.texture.texture && (draw.texture.texture_matrix * vertex.tex_coord).w <= 1e-6;
 }
 
-bool has_wide_points_in_softpipe(const Draw& draw) {
-    return draw.draws_points() && draw.raster.point_size > 1 && is_softpipe();
-}
+bool has_wide_points(const Draw& draw) { return draw.draws_points() && draw.raster.point_size > 1; }
 
 bool biases_level_of_points(const Draw& draw) {
     return draw.draws_points() && draw.texture.texture && draw.texture.lod_bias > 0;
@@ -154,4 +147,4 @@ bool clamps_between_nearest_and_linear(const Draw& draw) {
     return min_nearest != (texture->mag_filter == kGL_NEAREST);
 }
 
-}  // namespace twinlight::fuzz
+}  // namespace twinlight::compare

@@ -7,11 +7,15 @@
 #include <algorithm>
 #include <string_view>
 
-#include "judge/report/comparison.h"
 #include "judge/report/html.h"
+#include "judge/report/report.h"
 #include "judge/report/words.h"
 
 namespace twinlight::report {
+
+using compare::Comparison;
+using compare::Pair;
+using compare::Render;
 
 namespace {
 

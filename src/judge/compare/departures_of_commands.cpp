@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "judge/fuzz/departure_rules.h"
+#include "judge/compare/departure_rules.h"
 #include "scene/state/attributes.h"
 
-namespace twinlight::fuzz {
+namespace twinlight::compare {
 
 namespace {
 
@@ -239,4 +239,4 @@ CommandRule shows_cut_of_rectangles() {
     };
 }
 
-}  // namespace twinlight::fuzz
+}  // namespace twinlight::compare

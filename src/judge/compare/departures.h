@@ -1,16 +1,17 @@
 // Where a driver is known to leave the specification's text (golden/known_differences), and where the text leaves the answer
-// to rounding. The fuzzer leaves such cases out by name, and counts them.
+// to rounding. `compare` names the first on the drivers where they were seen; the fuzzer leaves both out by name, and counts them.
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "render/context/driver_name.h"
 #include "scene/command/command.h"
 #include "scene/state/frame.h"
 
-namespace twinlight::fuzz {
+namespace twinlight::compare {
 
 enum class Leaves : std::uint8_t {
     kFixedFunction,  // the driver's fixed function leaves the text; its shaders do not
@@ -21,22 +22,37 @@ enum class Leaves : std::uint8_t {
 // Is handed the commands of a scene, one after the other, and says each time whether the departure shows in those so far.
 using CommandRule = std::function<bool(const Command&)>;
 
-// The first that is there says where it applies: anywhere in a scene, to a Draw, or to a vertex.
+// A driver on which a departure was seen, and the release of Mesa: "Mesa 22.3" stands for all its patches.
+struct SeenOn {
+    std::string_view driver, version;
+};
+
 struct Departure {
     std::string_view name;
     std::string_view section;
     Leaves leaves = Leaves::kFixedFunction;
+    std::span<const SeenOn> seen_on{};  // empty: it is of no driver (kOpen)
+    // The first that is there says where it applies: anywhere in a scene, to a Draw, or to a vertex.
     CommandRule (*of_commands)() = nullptr;
     bool (*of_draw)(const Draw& draw) = nullptr;
     bool (*of_vertex)(const Draw& draw, const Vertex& vertex) = nullptr;
-    std::string_view only_on{};  // a driver that is not the listed one's: golden/known_differences does not have it
+
+    bool is_known_on(const Driver& driver) const;
+    // Whether a driver that was not measured, or in another version, may show it as well.
+    bool may_show_on(const Driver& driver) const;
 };
 const std::vector<Departure>& departures();
 
-// What applies to a scene; asked vertex by vertex. `lifted`: names that are not left out.
-class LeftOut {
+// Whether departures of this driver in this version are listed at all.
+bool is_listed(const Driver& driver);
+
+// All that this driver is known to show somewhere in a frame. Goes through the frame's commands once.
+std::vector<const Departure*> known_departures_in(const Frame& frame, const Driver& driver);
+
+// What the fuzzer leaves out of a scene; asked vertex by vertex. `lifted`: names that are not left out.
+class DeparturesOfScene {
   public:
-    LeftOut(const CommandList& scene, const std::vector<std::string_view>& lifted);
+    DeparturesOfScene(const CommandList& scene, const Driver& driver, const std::vector<std::string_view>& lifted);
 
     // Null where nothing applies. Those that are of shaders, too, come first.
     const Departure* at(const Draw& draw, const Vertex& vertex) const;
@@ -49,7 +65,4 @@ class LeftOut {
     const Departure* of_all_ = nullptr;
 };
 
-// All that apply somewhere in a frame, but for those that rounding decides. Goes through the frame's commands once.
-std::vector<const Departure*> departures_in(const Frame& frame);
-
-}  // namespace twinlight::fuzz
+}  // namespace twinlight::compare

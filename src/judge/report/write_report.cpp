@@ -5,9 +5,13 @@
 
 #include "base/image/file.h"
 #include "base/image/png.h"
-#include "judge/report/comparison.h"
+#include "judge/report/report.h"
 
 namespace twinlight::report {
+
+using compare::Comparison;
+using compare::Pair;
+using compare::Render;
 
 namespace {
 
@@ -20,6 +24,12 @@ Image edge_picture(const Comparison& comparison) {
 }
 
 }  // namespace
+
+std::string picture_file(const Render& render) { return render.name + ".png"; }
+
+std::string difference_file(const Comparison& comparison, const Pair& pair) {
+    return "difference-" + comparison.a(pair).name + "-" + comparison.b(pair).name + ".png";
+}
 
 EncodedPictures encode_pictures(const Comparison& comparison) {
     EncodedPictures pictures;

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "judge/check/case.h"
-#include "render/context/context.h"
-#include "render/programmable/programmable.h"
+#include "judge/compare/shader_context.h"
 
 namespace twinlight::check {
 
@@ -18,7 +17,7 @@ enum class Path : std::uint8_t { kFixed, kProgrammable, kReference };
 inline constexpr std::size_t kPaths = 3;
 inline constexpr std::array<std::string_view, kPaths> kPathNames = {"fixed", "programmable", "reference"};
 
-enum class Verdict : std::uint8_t {
+enum class Outcome : std::uint8_t {
     kNotAsked,  // the fixed function, where all is about what GL does not have
     kPass,
     kRuling,  // the specification leaves the answer open: programmable and reference give what Twinlight rules, fixed something
@@ -26,15 +25,15 @@ enum class Verdict : std::uint8_t {
     kNew,       // a departure that no list knows
     kVanished,  // one that the list has and the driver no longer shows
 };
-inline constexpr std::size_t kVerdicts = 6;
-std::string_view word_of(Verdict verdict);  // "not asked", "pass", "ruling", "departs", "NEW", "VANISHED"
-inline bool is_failure(Verdict verdict) { return verdict == Verdict::kNew || verdict == Verdict::kVanished; }
+inline constexpr std::size_t kOutcomes = 6;
+std::string_view word_of(Outcome outcome);  // "not asked", "pass", "ruling", "departs", "NEW", "VANISHED"
+inline bool is_failure(Outcome outcome) { return outcome == Outcome::kNew || outcome == Outcome::kVanished; }
 
 // What is not as expected, or a departure that is gone.
 struct Finding {
     Path path{};
     std::string variant;  // "baked", "float"; empty for fixed
-    Verdict verdict{};
+    Outcome outcome{};
     Spot spot;
     std::optional<Seen> value;  // nothing where it is not shown
     Seen expected;
@@ -45,7 +44,7 @@ struct Finding {
 std::string finding_text(const Case& of, const Finding& finding);
 
 struct Result {
-    std::array<Verdict, kPaths> verdicts{};
+    std::array<Outcome, kPaths> outcomes{};
     std::vector<Finding> findings;
     long non_finite = 0;  // of programmable and reference
     // How far the shaders are from the reference in long double, at the places that the case names.
@@ -61,9 +60,6 @@ class Suite {
   public:
     // Throws std::runtime_error that says what the driver refused.
     Suite();
-    ~Suite();
-    Suite(const Suite&) = delete;
-    Suite& operator=(const Suite&) = delete;
 
     const std::string& driver() const { return driver_; }
     // In the order of the cases.
@@ -75,8 +71,7 @@ class Suite {
     void run_vertices(std::span<const Case> cases, std::vector<Result>& results);
     void run_pictures(std::span<const Case> cases, std::vector<Result>& results);
 
-    std::unique_ptr<OffscreenContext> context_;
-    std::optional<programmable::Renderer> renderer_;  // dies before the context
+    compare::ShaderContext context_;
     std::string driver_;
 };
 

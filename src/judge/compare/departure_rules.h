@@ -2,9 +2,9 @@
 // this vertex of it?
 #pragma once
 
-#include "judge/fuzz/departures.h"
+#include "judge/compare/departures.h"
 
-namespace twinlight::fuzz {
+namespace twinlight::compare {
 
 // ---- Of the order of commands ----
 
@@ -25,16 +25,16 @@ CommandRule shows_cut_of_rectangles();
 // ---- Between vertices and pixels ----
 
 bool draws_borders_of_clipped_polygons(const Draw& draw);
-bool has_faces_on_borders_in_softpipe(const Draw& draw);
-bool has_wide_lines_in_softpipe(const Draw& draw);
-bool has_level_of_detail_in_softpipe(const Draw& draw);
+bool has_faces_on_borders(const Draw& draw);
+bool has_wide_lines(const Draw& draw);
+bool has_level_of_detail(const Draw& draw);
 bool has_edge_flags_in_strip(const Draw& draw);
 bool offsets_other_modes_alone(const Draw& draw);
 bool offsets_one_of_two_modes(const Draw& draw);
 bool offsets_borders_without_area(const Draw& draw);
 bool offsets_borders_out_of_range(const Draw& draw);
 bool has_no_q(const Draw& draw, const Vertex& vertex);
-bool has_wide_points_in_softpipe(const Draw& draw);
+bool has_wide_points(const Draw& draw);
 bool biases_level_of_points(const Draw& draw);
 bool adds_secondary_color_in_fog(const Draw& draw);
 bool clamps_between_nearest_and_linear(const Draw& draw);
@@ -54,4 +54,4 @@ bool is_at_exact_edge_of_cone(const Draw& draw, const Vertex& vertex);
 bool is_near_edge_of_cone(const Draw& draw, const Vertex& vertex);
 bool has_light_at_horizon(const Draw& draw, const Vertex& vertex);
 
-}  // namespace twinlight::fuzz
+}  // namespace twinlight::compare

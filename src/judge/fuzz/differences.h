@@ -6,19 +6,21 @@
 #include <string>
 #include <string_view>
 
-#include "judge/fuzz/departures.h"
+#include "judge/compare/departures.h"
 
 namespace twinlight::fuzz {
 
-enum class Pair : std::uint8_t { kFixedProgrammable, kFixedReference, kProgrammableReference };
+enum class RendererPair : std::uint8_t { kFixedProgrammable, kFixedReference, kProgrammableReference };
 inline constexpr std::size_t kPairs = 3;
 inline constexpr std::array<std::string_view, kPairs> kPairNames = {"fixed ~ programmable", "fixed ~ reference",
                                                                     "programmable ~ reference"};
 
-inline bool has_fixed(std::size_t pair) { return pair != static_cast<std::size_t>(Pair::kProgrammableReference); }
+inline bool has_fixed(std::size_t pair) {
+    return pair != static_cast<std::size_t>(RendererPair::kProgrammableReference);
+}
 
 // Of one pair: vertices, or interior pixels.
-struct PairFound {
+struct PairDifferences {
     long compared = 0;
     long differing = 0;  // pixels of another code
     double worst = 0;    // floats: of the terms' magnitude; pictures: codes beyond the slack
@@ -31,10 +33,10 @@ struct PairFound {
 struct LeftOutCount {
     long cases = 0, differing = 0;
 };
-using LeftOutCounts = std::map<const Departure*, LeftOutCount>;
+using LeftOutCounts = std::map<const compare::Departure*, LeftOutCount>;
 
-struct Found {
-    std::array<PairFound, kPairs> pairs;
+struct StateDifferences {
+    std::array<PairDifferences, kPairs> pairs;
     LeftOutCounts left_out;  // vertices, or pictures
     std::string error;       // of a scene that GL or a renderer refuses: the generator's mistake
 

@@ -12,7 +12,7 @@
 #include "render/reference/reference.h"
 #include "scene/state/frame.h"
 
-namespace twinlight::fuzz {
+namespace twinlight::compare {
 
 using Color = std::optional<glm::dvec4>;  // nothing where a renderer shows no such vertex
 
@@ -46,6 +46,18 @@ inline constexpr std::size_t kMostVertexScenes = std::size_t{kShaderTiles} * kSh
 // The sum of primary and secondary colour as fragments have it (2.14.6, 3.9).
 glm::dvec4 color_sum(const glm::dvec4& primary, const glm::dvec4& secondary);
 
+// One face of a vertex of the reference.
+struct FaceColors {
+    glm::dvec4 primary, secondary;
+    glm::dvec4 magnitude;  // of the terms that make them up
+
+    glm::dvec4 sum() const { return color_sum(primary, secondary); }
+};
+FaceColors face_colors(const reference::LitVertex& vertex, bool back);
+
+// What a channel at float precision may be off by, relative to the magnitude: the last places that float operations lose.
+double vertex_tolerance(const Draw& draw, const Vertex& vertex);
+
 // GL's own model, of which nothing is left out.
 inline RenderOptions gls_own_model() {
     RenderOptions options;
@@ -57,4 +69,4 @@ inline RenderOptions gls_own_model() {
 // softpipe's gl_FrontFacing is not that of the polygon where polygons are drawn as points (docs/architecture.md).
 bool knows_faces_of_corners();
 
-}  // namespace twinlight::fuzz
+}  // namespace twinlight::compare

@@ -6,9 +6,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "judge/fuzz/departure_rules.h"
+#include "judge/compare/departure_rules.h"
 
-namespace twinlight::fuzz {
+namespace twinlight::compare {
 
 namespace {
 
@@ -149,4 +149,4 @@ bool has_light_at_horizon(const Draw& draw, const Vertex& vertex) {
     });
 }
 
-}  // namespace twinlight::fuzz
+}  // namespace twinlight::compare

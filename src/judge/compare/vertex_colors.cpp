@@ -1,18 +1,20 @@
-#include "judge/fuzz/vertex_colors.h"
+#include "judge/compare/vertex_colors.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
-#include "render/context/context.h"
+#include "render/context/driver_name.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::fuzz {
+namespace twinlight::compare {
 
 namespace {
 
@@ -163,6 +165,59 @@ glm::dvec4 color_sum(const glm::dvec4& primary, const glm::dvec4& secondary) {
     return clamped(clamped(primary) + glm::dvec4(glm::dvec3(clamped(secondary)), 0));
 }
 
-bool knows_faces_of_corners() { return !driver_name().starts_with("softpipe"); }
+FaceColors face_colors(const reference::LitVertex& vertex, bool back) {
+    return back ? FaceColors{vertex.back_primary, vertex.back_secondary, vertex.back_magnitude}
+                : FaceColors{vertex.front_primary, vertex.front_secondary, vertex.front_magnitude};
+}
 
-}  // namespace twinlight::fuzz
+bool knows_faces_of_corners() { return current_driver().name != "softpipe"; }
+
+// ---- The tolerance ----
+
+namespace {
+
+// What a channel may be off by, relative to the sum of the magnitudes of a colour's terms, in units of a float's last place.
+// 2.1.1 allows each operation 1e-5; what drivers and shaders really lose is less.
+constexpr double kUlp = 0x1p-23;
+constexpr double kArithmeticUlps = 40;  // as many operations deep
+// Of n.h, which its power multiplies by the exponent: a unit normal, and one that is the product of an inverse matrix that
+// the driver has in floats.
+constexpr double kUnitCosineUlps = 1, kCosineUlps = 3;
+// Of the logarithm that a power is made of: it is multiplied by the exponent, and matters where n.h is greater than 1, for
+// then the power is the greatest term by far.
+constexpr double kLogarithmUlps = 5;
+// Of each of the two unit vectors whose sum is made unit to h_i: where they nearly cancel, the sum is as far off, but short.
+constexpr double kHalfVectorUlps = 1;
+
+// The shortest sum of the directions to a light and to the viewer: 2 at most.
+double shortest_half_vector(const Draw& draw, const Vertex& vertex) {
+    const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
+    const glm::dvec3 position_eye = glm::dvec3(at) / at.w;
+    const glm::dvec3 to_viewer =
+        draw.lighting.light_model.local_viewer ? glm::normalize(-position_eye) : glm::dvec3(0, 0, 1);
+    double shortest = 2;
+    for (const LightSource& light : draw.lighting.lights) {
+        if (!light.enabled) continue;
+        const glm::dvec3 direction(light.position_eye);
+        const double w = light.position_eye.w;
+        const glm::dvec3 to_light = glm::normalize(w == 0 ? direction : direction / w - position_eye);
+        shortest = std::min(shortest, glm::length(to_light + to_viewer));
+    }
+    return shortest;
+}
+
+}  // namespace
+
+double vertex_tolerance(const Draw& draw, const Vertex& vertex) {
+    const LightingState& lighting = draw.lighting;
+    const Materials materials =
+        draw.materials.empty() ? Materials{lighting.front, lighting.back} : draw.materials[vertex.material];
+    const double exponent = std::max(materials.front.shininess, materials.back.shininess);
+    const double of_half_vector = 2 * kHalfVectorUlps / shortest_half_vector(draw, vertex);
+    if (lighting.normalize) return kUlp * (kArithmeticUlps + (kUnitCosineUlps + of_half_vector) * exponent);
+    const glm::dvec3 normal_eye = glm::transpose(glm::inverse(glm::dmat3(draw.eye_from_object))) * vertex.normal_object;
+    const double length = lighting.rescale_normal ? 1 : std::max(1.0, glm::length(normal_eye));
+    return kUlp * (kArithmeticUlps + (kCosineUlps + of_half_vector + kLogarithmUlps * std::log(length)) * exponent);
+}
+
+}  // namespace twinlight::compare

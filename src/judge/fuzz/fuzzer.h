@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/fuzz/comparison.h"
+#include "judge/fuzz/differences.h"
 
 namespace twinlight::fuzz {
 
@@ -57,7 +57,7 @@ struct Summary {
     LeftOutCounts vertices_left_out, pictures_left_out;
     std::vector<Failure> failures;
 
-    // Beyond the share of pixels that may differ by one code (report::Tolerance): a failure of all pictures together.
+    // Beyond the share of pixels that may differ by one code (compare::Tolerance): a failure of all pictures together.
     bool too_many_differ(std::size_t pair) const;
     bool fails() const;
 };
