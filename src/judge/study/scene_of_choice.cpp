@@ -1,4 +1,4 @@
-#include "judge/study/tessellation.h"
+#include "judge/study/scene_of_choice.h"
 
 #include <algorithm>
 #include <utility>
@@ -54,6 +54,26 @@ CommandList with_slices(const CommandList& scene, int slices) {
 
 bool has_slices(const CommandList& scene) {
     return std::ranges::any_of(scene.commands, [](const Command& command) { return counts_of(command).around != 0; });
+}
+
+Frame enlarged(const Frame& frame, int samples) {
+    Frame result = frame;
+    result.width *= samples;
+    result.height *= samples;
+    const auto enlarge = [&](Viewport& box) {
+        for (int* length : {&box.x, &box.y, &box.width, &box.height}) *length *= samples;
+    };
+    for (auto& item : result.items) {
+        if (Clear* clear = std::get_if<Clear>(&item)) enlarge(clear->scissor.box);
+        Draw* draw = std::get_if<Draw>(&item);
+        if (!draw) continue;
+        enlarge(draw->raster.viewport);
+        enlarge(draw->fragment.scissor.box);
+        draw->raster.line_width *= samples;
+        draw->raster.point_size *= samples;
+        draw->raster.polygon_offset.factor *= samples;  // of the depth's slope, from pixel to pixel (3.5.5)
+    }
+    return result;
 }
 
 }  // namespace twinlight::study

@@ -1,7 +1,8 @@
-// The same scene with finer or coarser meshes.
+// The scene as a choice draws it: with finer or coarser meshes, or larger.
 #pragma once
 
 #include "scene/command/command.h"
+#include "scene/state/frame.h"
 
 namespace twinlight::study {
 
@@ -11,5 +12,8 @@ CommandList with_slices(const CommandList& scene, int slices);
 
 // Whether there is such a shape.
 bool has_slices(const CommandList& scene);
+
+// The same picture, `samples` times as wide and as high.
+Frame enlarged(const Frame& frame, int samples);
 
 }  // namespace twinlight::study

@@ -1,8 +1,8 @@
-#include "judge/study/files.h"
-
+// A study's folder: study.json, study.csv, study.svg, index.html, and its pictures.
 #include <filesystem>
 
 #include "base/image/file.h"
+#include "judge/study/study.h"
 
 namespace twinlight::study {
 

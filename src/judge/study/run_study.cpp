@@ -1,5 +1,3 @@
-#include "judge/study/study.h"
-
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -8,6 +6,7 @@
 
 #include "base/image/difference.h"
 #include "base/image/png.h"
+#include "judge/study/study.h"
 
 namespace twinlight::study {
 
@@ -18,15 +17,6 @@ constexpr std::size_t kLeastRounds = 3;
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-double quantile(std::vector<double> values, double part) {
-    if (values.empty()) return 0;
-    std::ranges::sort(values);
-    const double place = part * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
-}
-
 // One for each number of slices: the scene, and which pixels are silhouettes.
 struct Mesh {
     Frame frame;
@@ -36,17 +26,16 @@ struct Mesh {
 // A study in the making: each choice stays ready for its turns.
 class Run {
   public:
-    Run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const Renderers& renderers,
+    Run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const ChoiceRenderers& renderers,
         const Settings& settings)
         : frame_of_(frame_of),
           renderers_(renderers),
           settings_(settings),
           scene_(frame_of(0)),
-          truth_(
-              renderers
-                  .prepare(scene_,
-                           {.renderer = Renderer::kReference, .shading = Shading::kExact, .samples = settings.coverage})
-                  .picture()) {
+          truth_(renderers
+                     .prepare(scene_,
+                              {.method = Method::kReference, .shading = Shading::kExact, .samples = settings.coverage})
+                     .picture()) {
         study_.width = scene_.width;
         study_.height = scene_.height;
         study_.extent = settings.extent;
@@ -54,7 +43,7 @@ class Run {
         study_.series.resize(1);
         study_.truth_png = encode_png(truth_.image());
         seen_ = renderers.seen(scene_, {.shading = Shading::kExact});
-        all_ = choices(scene_, has_slices, settings.extent, settings.coverage);
+        all_ = select_choices(scene_, has_slices, settings.extent, settings.coverage);
     }
 
     Study study() {
@@ -115,7 +104,7 @@ class Run {
 
     void draw(const Choice& choice) {
         const Mesh& mesh = mesh_of(choice);
-        Prepared prepared = renderers_.prepare(with_model(mesh.frame, choice.model), choice);
+        Prepared prepared = renderers_.prepare(with_lighting_change(mesh.frame, choice.lighting_change), choice);
         const Image picture = prepared.picture();
         Point point;
         point.choice = choice;
@@ -156,14 +145,14 @@ class Run {
     double time_of(std::size_t i) const {
         // A frame of a film: the one before it was drawn in the same way. (llvmpipe keeps 64 variants of its triangle setup,
         // and takes more than it needs: what other choices have put there in between is not this one's cost.)
-        if (study_.points[i].choice.renderer != Renderer::kReference) prepared_[i].draw();
+        if (study_.points[i].choice.method != Method::kReference) prepared_[i].draw();
         const auto before = Clock::now();
         prepared_[i].draw();
         return seconds_since(before);
     }
 
     const std::function<Frame(int slices)>& frame_of_;
-    const Renderers& renderers_;
+    const ChoiceRenderers& renderers_;
     const Settings& settings_;
     Frame scene_;
     Truth truth_;
@@ -176,11 +165,11 @@ class Run {
 
 }  // namespace
 
-double Point::median_seconds() const { return quantile(seconds, 0.5); }
+double Point::median_seconds() const { return median(seconds); }
 
 std::array<double, 2> Point::quartiles_seconds() const { return {quantile(seconds, 0.25), quantile(seconds, 0.75)}; }
 
-Study run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const Renderers& renderers,
+Study run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const ChoiceRenderers& renderers,
           const Settings& settings) {
     return Run(frame_of, has_slices, renderers, settings).study();
 }

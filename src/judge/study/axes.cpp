@@ -1,11 +1,10 @@
-#include "judge/study/choice.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
+#include "judge/study/choice.h"
 #include "scene/state/shading_names.h"
 
 namespace twinlight::study {
@@ -21,12 +20,12 @@ struct Named {
     const char* words;
 };
 
-constexpr Named<Renderer> kRenderers[] = {
-    {Renderer::kFixed, "fixed", "fixed function"},
-    {Renderer::kUniforms, "programmable", "shaders with uniforms"},
-    {Renderer::kConstants, "programmable-baked", "shaders with constants"},
-    {Renderer::kPrecise, "programmable-precise", "precise shaders"},
-    {Renderer::kReference, "reference", "reference"},
+constexpr Named<Method> kMethods[] = {
+    {Method::kFixed, "fixed", "fixed function"},
+    {Method::kUniforms, "programmable", "shaders with uniforms"},
+    {Method::kConstants, "programmable-baked", "shaders with constants"},
+    {Method::kPrecise, "programmable-precise", "precise shaders"},
+    {Method::kReference, "reference", "reference"},
 };
 constexpr Named<Sending> kSendings[] = {
     {Sending::kBuffers, "buffers", "buffers"},
@@ -50,9 +49,9 @@ constexpr Named<Powers> kPowers[] = {
     {Powers::kTable, "table", "powers by table"},
 };
 
-std::span<const Named<Renderer>> names(Renderer) { return kRenderers; }
+std::span<const Named<Method>> names(Method) { return kMethods; }
 std::span<const ShadingName> names(Shading) { return kShadings; }
-std::span<const ModelRow> names(Model) { return models(); }
+std::span<const LightingChangeRow> names(LightingChange) { return lighting_changes(); }
 std::span<const Named<Sending>> names(Sending) { return kSendings; }
 std::span<const Named<Target>> names(Target) { return kTargets; }
 std::span<const Named<Number>> names(Number) { return kNumbers; }
@@ -152,10 +151,10 @@ constexpr Axis kBudget = {
 
 const std::vector<Axis>& axes() {
     static const std::vector<Axis> all = {
-        of_names<&Choice::renderer, Told::kAlways>("renderer", "who draws"),
+        of_names<&Choice::method, Told::kAlways>("renderer", "who draws"),
         of_names<&Choice::shading, Told::kAlways>("shading", "shading"),
         kSlices,
-        of_names<&Choice::model, Told::kUnlessUsual>("model", "what is lit in another way"),
+        of_names<&Choice::lighting_change, Told::kUnlessUsual>("model", "what is lit in another way"),
         of_names<&Choice::sending, Told::kUnlessUsual>("sending", "how vertices are sent"),
         of_names<&Choice::target, Told::kUnlessUsual>("target", "what is drawn into"),
         kSamples,
@@ -184,8 +183,8 @@ std::string Choice::key() const {
 RenderOptions Choice::options() const {
     RenderOptions options;
     options.shading = shading;
-    options.tier = renderer == Renderer::kConstants ? Tier::kBaked : Tier::kUniform;
-    options.precise = renderer == Renderer::kPrecise;
+    options.tier = method == Method::kConstants ? Tier::kBaked : Tier::kUniform;
+    options.precise = method == Method::kPrecise;
     options.sending = sending;
     options.arithmetic = {number, powers};
     options.budget = budget;

@@ -1,4 +1,4 @@
-#include "app/cli/samples.h"
+#include "app/cli/study_samples.h"
 
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"

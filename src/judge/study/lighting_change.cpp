@@ -1,4 +1,4 @@
-#include "judge/study/model.h"
+#include "judge/study/lighting_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,22 +73,22 @@ bool rescaling_normalizes(const Draw& draw) {
     });
 }
 
-constexpr ModelRow kModels[] = {
-    {Model::kWhole, "whole", "as the scene says", [](const Draw&) { return true; }, [](Draw&) {}},
-    {Model::kNoSpecular, "no-specular", "no highlights", shines,
+constexpr LightingChangeRow kChanges[] = {
+    {LightingChange::kWhole, "whole", "as the scene says", [](const Draw&) { return true; }, [](Draw&) {}},
+    {LightingChange::kNoSpecular, "no-specular", "no highlights", shines,
      [](Draw& draw) { for_materials(draw, [](Material& material) { material.specular = glm::dvec4(0, 0, 0, 1); }); }},
-    {Model::kReflection, "reflection", "highlights by reflection",
+    {LightingChange::kReflection, "reflection", "highlights by reflection",
      [](const Draw& draw) { return shines(draw) && draw.lighting.light_model.specular == Word::half_vector; },
      [](Draw& draw) { set_specular(draw, Word::reflection, kReflectionExponent); }},
-    {Model::kHalfVector, "half-vector", "highlights by half vector",
+    {LightingChange::kHalfVector, "half-vector", "highlights by half vector",
      [](const Draw& draw) { return shines(draw) && draw.lighting.light_model.specular == Word::reflection; },
      [](Draw& draw) { set_specular(draw, Word::half_vector, 1 / kReflectionExponent); }},
-    {Model::kDistantViewer, "distant-viewer", "distant viewer",
+    {LightingChange::kDistantViewer, "distant-viewer", "distant viewer",
      [](const Draw& draw) { return draw.lighting.light_model.local_viewer && shines(draw); },
      [](Draw& draw) { draw.lighting.light_model.local_viewer = false; }},
-    {Model::kDirectional, "directional", "directional lights",
+    {LightingChange::kDirectional, "directional", "directional lights",
      [](const Draw& draw) { return any_light(draw, is_place); }, make_directional},
-    {Model::kNoAttenuation, "no-attenuation", "no attenuation",
+    {LightingChange::kNoAttenuation, "no-attenuation", "no attenuation",
      [](const Draw& draw) {
          return any_light(draw, [](const LightSource& light) {
              return is_place(light) && (light.linear_attenuation != 0 || light.quadratic_attenuation != 0 ||
@@ -101,7 +101,7 @@ constexpr ModelRow kModels[] = {
              light.linear_attenuation = light.quadratic_attenuation = 0;
          });
      }},
-    {Model::kNoSpots, "no-spots", "no cones",
+    {LightingChange::kNoSpots, "no-spots", "no cones",
      [](const Draw& draw) {
          return any_light(draw, [](const LightSource& light) {
              return light.spot_cutoff_deg != 180 || light.smooth_cone.has_value();
@@ -113,38 +113,40 @@ constexpr ModelRow kModels[] = {
              light.smooth_cone.reset();
          });
      }},
-    {Model::kRescale, "rescale", "normals rescaled", [](const Draw& draw) { return draw.lighting.normalize; },
+    {LightingChange::kRescale, "rescale", "normals rescaled", [](const Draw& draw) { return draw.lighting.normalize; },
      [](Draw& draw) {
          draw.lighting.rescale_normal |= draw.lighting.normalize;
          draw.lighting.normalize = false;
      }},
-    {Model::kNoNormalize, "no-normalize", "normals as they come",
+    {LightingChange::kNoNormalize, "no-normalize", "normals as they come",
      [](const Draw& draw) { return draw.lighting.normalize || draw.lighting.rescale_normal; },
      [](Draw& draw) { draw.lighting.normalize = draw.lighting.rescale_normal = false; }},
 };
 
-const ModelRow& row_of(Model model) { return *std::ranges::find(kModels, model, &ModelRow::value); }
+const LightingChangeRow& row_of(LightingChange change) {
+    return *std::ranges::find(kChanges, change, &LightingChangeRow::value);
+}
 
 }  // namespace
 
-std::span<const ModelRow> models() { return kModels; }
+std::span<const LightingChangeRow> lighting_changes() { return kChanges; }
 
-bool matters(const Frame& frame, Model model) {
+bool matters(const Frame& frame, LightingChange change) {
     bool any = false;
     for (const auto& item : frame.items) {
         const Draw* draw = std::get_if<Draw>(&item);
         if (!draw || !draw->lighting.enabled) continue;
-        const bool here = row_of(model).matters(*draw);
-        if (here && model == Model::kRescale && !rescaling_normalizes(*draw)) return false;
+        const bool here = row_of(change).matters(*draw);
+        if (here && change == LightingChange::kRescale && !rescaling_normalizes(*draw)) return false;
         any |= here;
     }
     return any;
 }
 
-Frame with_model(const Frame& frame, Model model) {
+Frame with_lighting_change(const Frame& frame, LightingChange change) {
     Frame result = frame;
     for (auto& item : result.items)
-        if (Draw* draw = std::get_if<Draw>(&item); draw && draw->lighting.enabled) row_of(model).apply(*draw);
+        if (Draw* draw = std::get_if<Draw>(&item); draw && draw->lighting.enabled) row_of(change).apply(*draw);
     return result;
 }
 

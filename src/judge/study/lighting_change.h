@@ -7,7 +7,7 @@
 
 namespace twinlight::study {
 
-enum class Model : std::uint8_t {
+enum class LightingChange : std::uint8_t {
     kWhole,
     kNoSpecular,
     kReflection,  // (r.v)^(s/4) in the place of (n.h)^s
@@ -20,18 +20,18 @@ enum class Model : std::uint8_t {
     kNoNormalize,  // normals as they come
 };
 
-struct ModelRow {
-    Model value;
+struct LightingChangeRow {
+    LightingChange value;
     const char* key;
     const char* words;
     bool (*matters)(const Draw& draw);  // of a Draw that is lit
     void (*apply)(Draw& draw);
 };
-std::span<const ModelRow> models();
+std::span<const LightingChangeRow> lighting_changes();
 
-// Whether the scene has what the model does in another way.
-bool matters(const Frame& frame, Model model);
-Frame with_model(const Frame& frame, Model model);
+// Whether the scene has what is changed.
+bool matters(const Frame& frame, LightingChange change);
+Frame with_lighting_change(const Frame& frame, LightingChange change);
 
 // Highlights of the same width by either vector: r.v is cos(2a) where n.h is cos(a), and for small angles
 // cos(2a)^(s/4) is cos(a)^s but for terms of a^4 (F. Fisher, A. Woo, "R.E versus N.H Specular Highlights", Graphics Gems IV, 1994).
