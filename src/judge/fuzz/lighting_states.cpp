@@ -322,8 +322,10 @@ class LightingState : Writer {
             const Enum face = of_back   ? kGL_BACK
                               : of_both ? kGL_FRONT_AND_BACK
                                         : one_of({kGL_FRONT, kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK});
-            vertex_materials_.emplace_back(
-                face, one_of({kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION, kGL_SHININESS}));
+            // Where the driver gets the back wrong, it is a product with a light's colour.
+            const Enum pname = of_back ? one_of({kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR})
+                                       : one_of({kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION, kGL_SHININESS});
+            vertex_materials_.emplace_back(face, pname);
         }
     }
 
