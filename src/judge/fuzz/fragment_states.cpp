@@ -5,8 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "judge/fuzz/random.h"
-#include "judge/fuzz/writer.h"
+#include "judge/fuzz/random_states.h"
 #include "scene/command/text.h"
 
 namespace twinlight::fuzz {

@@ -18,6 +18,9 @@ struct Seed {
     std::string_view departure{};
 };
 
+// What the scene is about; empty: nothing.
+std::string_view departure_of(const Seed& seed, Random& structure);
+
 // Everything that the equation of 2.14.1 reads: one primitive with three vertices, which stand in different corners of the view;
 // random lights, materials, light model, colour material, matrices, normals and colours. Values of moderate size, no coordinate
 // at 0, but where the scene is about a departure.
