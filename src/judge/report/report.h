@@ -23,6 +23,7 @@ std::string difference_file(const compare::Comparison& comparison, const compare
 //               "verdict": "within" | "beyond" | "partial" | "informative",
 //               "tolerance": {"max", "differing_share"},   of the interior; not where informative
 //               "file", "factor"}],             the difference picture and its amplification
+//    "is_listed_driver": whether any bugs of this driver and version are listed
 //    "known_departures": ["name (section)"],    where beyond: known of this driver, and the scene may show it
 //    "unsupported": [{"name", "count", "place", "renderers": [...]}]}
 // max and rms are of channels on [0,1]; x and y count from the top left.

@@ -225,9 +225,11 @@ TEST(Verdict, NamesWhatTheDriverIsKnownToGetWrongWhereItIsBeyond) {
     EXPECT_EQ(verdict_sentences(beyond).back(), "This scene does what softpipe of Mesa 22.3.1 is known to get wrong: " +
                                                     beyond.known_departures[0] + "; see golden/known_differences.");
     EXPECT_EQ(json::parse(comparison_json(beyond))["known_departures"], json(beyond.known_departures));
+    EXPECT_EQ(json::parse(comparison_json(beyond))["is_listed_driver"], true);
     for (const char* driver : {"a GPU, 4.6 Mesa 22.3.6", "softpipe, 3.3 (Compatibility Profile) Mesa 25.0.7", "?"}) {
         const Comparison other = compared(driver);
         EXPECT_EQ(other.known_departures.size(), 0U);
+        EXPECT_EQ(json::parse(comparison_json(other))["is_listed_driver"], false);
         EXPECT_EQ(verdict_sentences(other).back(), "No known bugs are listed for this driver.");
     }
     const Comparison listed = compared("llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6");
