@@ -1,4 +1,5 @@
 // Powers of lanes: base^exponent for bases that are not negative. 0^0 is 1 (2.1.1).
+// Not xsimd's pow(): measured, it is up to 57 epsilon off (these: 1), and takes 1.1 to 2.6 times as long as the library in doubles.
 #pragma once
 
 #include <cmath>
@@ -12,14 +13,16 @@
 namespace twinlight::lighting {
 
 enum class PowerBy : std::uint8_t {
-    kLibrary,  // any exponent, lane by lane
-    // Where all lanes have the same exponent, and is_short_product(exponent):
+    kLibrary,  // any exponents
+    // Where all lanes have the same exponent:
+    kTable,
+    // Where is_short_product(exponent) too:
     kExactProducts,
     kRoundedProducts,
-    kTable,  // where all lanes have the same one
 };
 
-// a b + c and a b - c, rounded once, where the processor does so. (xsimd 8 rounds twice on some that need not.)
+// a b + c and a b - c, rounded once, where the processor does so. (xsimd 8 rounds twice with AVX-512, and its fms() for NEON
+// is c - a b.)
 template <class Arch>
 struct FusedProduct {
     static constexpr bool kThere = false;

@@ -1,6 +1,6 @@
 // Lanes: a number type of several doubles or floats that one instruction works on, for the templates of equation.h.
 //
-// Its arithmetic is IEEE's, lane by lane, and nothing is contracted: only powers may round otherwise than the scalar ones do.
+// Its arithmetic is IEEE's, lane by lane, and nothing is contracted: only powers may round differently from the scalar ones.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace twinlight::lighting {
 
 enum class Range : std::uint8_t {
     kAny,    // the rulings of real.h hold
-    kPlain,  // there are no guards: what they would be for is NaN or infinite in the end, and to be done again with kAny
+    kPlain,  // no guards: where they are needed the result is NaN or infinite, and is computed again with kAny
 };
 
 // Scalar: float or double. Arch: one of xsimd's instruction sets, which this file's includer is compiled for.
@@ -69,12 +69,12 @@ template <class Scalar, class Arch, Range kRange, PowerBy kPower>
 struct Limits<Lanes<Scalar, Arch, kRange, kPower>> : Limits<Scalar> {};
 
 template <class Scalar, class Arch, PowerBy kPower>
-Lanes<Scalar, Arch, Range::kPlain, kPower> representable(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
+Lanes<Scalar, Arch, Range::kPlain, kPower> finite_or_zero(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
     return x;
 }
 
-// A quotient by 0 is NaN or infinite, and stays so unless a choice leaves it out, as it leaves out the guarded one; a negative
-// one larger(x, 0) makes 0, the guarded one as well.
+// A quotient by 0 is NaN or infinite, and stays so unless a choice discards it, as it would discard the guarded one.
+// larger(x, 0) makes negative ones 0, guarded or not.
 template <class Scalar, class Arch, PowerBy kPower>
 Lanes<Scalar, Arch, Range::kPlain, kPower> positive_or_one(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
     return x;

@@ -1,5 +1,5 @@
-// Marked: a double that knows which rulings it comes from. The templates of equation.h and real.h over it tell of any colour
-// which rulings decided it; what a ruling gave and an exact 0 multiplies away decided nothing.
+// Marked: a double that knows which rulings it comes from. Over it, the templates of equation.h and real.h find the rulings
+// that decided a colour. A ruling's value that an exact 0 multiplies away decided nothing.
 #pragma once
 
 #include <cmath>

@@ -60,7 +60,7 @@ void Points::clear() {
     for_each_column(*this, [](Column& column) { column.clear(); });
 }
 
-void Points::add(const Surface<double>& point) {
+void Points::add(const SurfacePoint<double>& point) {
     push_back(surface.position_eye, point.position_eye);
     push_back(surface.normal_eye, point.normal_eye);
 }

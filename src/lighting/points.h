@@ -1,7 +1,7 @@
 // The lighting equation for many points at once, on the widest SIMD instructions that the processor has.
 //
-// The same templates as for one point (equation.h), over batches of doubles. What comes of it is what light_surface<double>
-// gives, but for the rounding of powers: within 4 units in the last place of the sum of the terms' magnitudes.
+// The same templates as for one point (equation.h), over batches of doubles. The results are light_surface<double>'s, except
+// for the rounding of powers: within 4 units in the last place of the sum of the terms' magnitudes.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ inline Vec3<double> at(const Vec3<Each>& columns, std::size_t point) {
 }
 
 struct Points {
-    Surface<Column> surface;
+    SurfacePoint<Column> surface;
     Material<Column> material;        // whose columns are all of one length
     bool makes_unit_normals = false;  // the normals are made unit vectors first
 
@@ -39,7 +39,7 @@ struct Points {
     void clear();  // all points, and the material
     bool has_one_material() const { return material.shininess.size() == 1; }
     std::size_t size() const { return surface.position_eye.x.size(); }
-    void add(const Surface<double>& point);
+    void add(const SurfacePoint<double>& point);
     void add(const Material<double>& of_point);  // one for each point, or one
 };
 

@@ -1,15 +1,15 @@
 // light_points over one number type: what each file that is compiled for an instruction set instantiates.
 //
-// Only templates over that type stand here and in what this includes. Anything else might be compiled for a wide set and
+// This file and its includes hold only templates over that type. Anything else might be compiled for a wide set and
 // chosen by the linker for all processors (tests/unit/lighting/points_test.cpp looks at the symbols).
 #pragma once
 
 #include <optional>
-#include <span>
 #include <type_traits>
 
 #include "lighting/lanes.h"
 #include "lighting/points.h"
+#include "lighting/real_cast.h"
 
 namespace twinlight::lighting {
 
@@ -79,6 +79,20 @@ template <class Scalar, class Arch, PowerBy kPower>
     return xsimd::all(abs(sum).batch <= Limits<Scalar>::largest);
 }
 
+// A material whose colours are multiplied into the lights' and the model's already.
+struct White {
+    template <class Real>
+    friend Vec3<Real> operator*(White /*white*/, Vec3<Real> color) {
+        return color;
+    }
+};
+template <class Real>
+struct WhiteMaterial {
+    Vec3<Real> emission{};
+    White ambient{}, diffuse{}, specular{};
+    Real diffuse_alpha{1}, shininess{0};
+};
+
 // One lighting state. The points must outlive it.
 template <class Real>
 class Kernel {
@@ -87,29 +101,18 @@ class Kernel {
         : points_(points), model_(real_cast<Real>(model)) {
         lights_.reserve(lights.size());
         for (const Light<double>& light : lights) lights_.push_back(real_cast<Real>(light));
-        if (!points.has_one_material()) return;
-        const Material<double> material = load<double>(points.material, 0);
-        material_ = real_cast<Real>(material);
-        products_.reserve(lights.size());
-        for (std::size_t i = 0; i < lights.size(); ++i) {
-            products_.push_back(products(material_, lights_[i]));
-            products_.back().has_ambient = material.ambient * lights[i].ambient != Vec3<double>{};
-            products_.back().has_specular = material.specular * lights[i].specular != Vec3<double>{};
-        }
+        if (points.has_one_material()) multiply_in(load<double>(points.material, 0), lights);
     }
 
     // False, and nothing stored, where a lane needs what the guards of real.h are for and Real has none.
     // flatten: what is a Real is to stay in registers from end to end.
     [[gnu::flatten]] bool light(std::size_t first, Lit<Column>& columns) const {
         const Vec3<Real> normal = load<Real>(points_.surface.normal_eye, first);
-        const Surface<Real> surface{load<Real>(points_.surface.position_eye, first),
-                                    points_.makes_unit_normals ? unit(normal) : normal};
-        const std::span<const Light<Real>> lights(lights_);
-        const Lit<Real> lit =
-            points_.has_one_material()
-                ? light_surface_with([&](std::size_t i) -> const Products<Real>& { return products_[i]; }, model_,
-                                     material_, surface, lights)
-                : light_surface<Real>(model_, load<Real>(points_.material, first), surface, lights);
+        const SurfacePoint<Real> surface{load<Real>(points_.surface.position_eye, first),
+                                         points_.makes_unit_normals ? unit(normal) : normal};
+        const Lit<Real> lit = points_.has_one_material()
+                                  ? light_surface<Real>(model_, material_, surface, lights_)
+                                  : light_surface<Real>(model_, load<Real>(points_.material, first), surface, lights_);
         if (!is_sound(lit)) return false;
         store(lit.primary, columns.primary, first);
         if (model_.separate_specular) store(lit.secondary, columns.secondary, first);
@@ -127,12 +130,24 @@ class Kernel {
     }
 
   private:
+    void multiply_in(const Material<double>& material, const std::vector<Light<double>>& lights) {
+        const auto own = real_cast<Real>(material);
+        material_ = {.emission = own.emission, .shininess = own.shininess};
+        model_.ambient = own.ambient * model_.ambient;
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            Light<Real>& light = lights_[i];
+            light.ambient = own.ambient * light.ambient;
+            light.diffuse = own.diffuse * light.diffuse;
+            light.specular = own.specular * light.specular;
+            light.has_ambient = material.ambient * lights[i].ambient != Vec3<double>{};
+            light.has_specular = material.specular * lights[i].specular != Vec3<double>{};
+        }
+    }
+
     const Points& points_;
     Model<Real> model_;
     std::vector<Light<Real>> lights_;
-    // Where all points have one material:
-    Material<Real> material_;
-    std::vector<Products<Real>> products_;  // with each light
+    WhiteMaterial<Real> material_;  // where all points have one
 };
 
 // There are as many points as lanes at least.

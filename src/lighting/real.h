@@ -1,12 +1,11 @@
 // What an equation over any number type needs: choices without branches, and arithmetic that stays finite.
 //
-// Real may be float, double, long double, a batch of SIMD lanes or a number that knows which rulings it comes from (marked.h);
-// such types bring their own select(), abs(), sqrt() and power() or pow() by argument-dependent lookup, and specialise Limits.
+// Real may be float, double, long double, a batch of SIMD lanes or a number that knows its rulings (marked.h). Such types
+// bring their own select(), abs(), sqrt() and power() or pow(), found by argument-dependent lookup, and specialise Limits.
 #pragma once
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/math/vec3.h"
 #include "lighting/rulings.h"
@@ -20,13 +19,13 @@ constexpr Real power_of_two(int exponent) {
     return result;
 }
 
-// To be specialised for batches, whose std::numeric_limits say nothing.
+// Batches specialise it: std::numeric_limits does not know them.
 template <class Real>
 struct Limits {
     static_assert(std::numeric_limits<Real>::is_specialized);
     static constexpr Real largest = std::numeric_limits<Real>::max();
     static constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-    // Between 1 / big and big, squares neither overflow nor lose digits; scale_up brings all that is smaller there.
+    // Between small and big, squares neither overflow nor lose digits; scale_up brings all smaller numbers there.
     static constexpr Real big = power_of_two<Real>(std::numeric_limits<Real>::max_exponent / 2 - 2);
     static constexpr Real small = Real(1) / big;
     static constexpr Real scale_up = power_of_two<Real>(std::numeric_limits<Real>::max_exponent / 4 * 3);
@@ -38,7 +37,7 @@ Real select(bool mask, Real a, Real b) {
     return mask ? a : b;
 }
 
-// `value`, which a ruling gave; with `where`: where that holds. Nothing is done but for numbers that know where they come from.
+// `value`, which comes from a ruling; with `where`: only where that holds. Only numbers that know their rulings keep it.
 template <class Value>
 Value ruled(Ruling /*ruling*/, Value value) {
     return value;
@@ -65,15 +64,15 @@ Real clamp01(Real x) {
     return select(x > Real(0), select(x < Real(1), x, Real(1)), Real(0));
 }
 
-// RULING: what is NaN, or beyond the largest Real, contributes 0.
+// RULING: NaN, or a number beyond the largest Real, contributes 0.
 template <class Real>
-Real representable(Real x) {
+Real finite_or_zero(Real x) {
     using std::abs;
     return select(abs(x) <= Limits<Real>::largest, x, ruled(Ruling::kNoNumber, Real(0)));
 }
 template <class Real>
-Vec3<Real> representable(Vec3<Real> c) {
-    return {representable(c.x), representable(c.y), representable(c.z)};
+Vec3<Real> finite_or_zero(Vec3<Real> c) {
+    return {finite_or_zero(c.x), finite_or_zero(c.y), finite_or_zero(c.z)};
 }
 
 template <class Real>
@@ -89,22 +88,22 @@ Real power(Real base, Real exponent) {
     return select(exponent == Real(0), Real(1), pow(base, exponent));
 }
 
-// What to divide by: x, or 1 where x is not positive.
+// A divisor: x, or 1 where x is not positive.
 template <class Real>
 Real positive_or_one(Real x) {
     return select(x > Real(0), x, Real(1));
 }
 
-// 1 / x; 0 where that is beyond the largest Real, and, which is `ruling`, where x is not positive.
+// a / length; `ruling` answers a where the length is 0.
 template <class Real>
-Real inverse_or_zero(Real x, Ruling ruling) {
-    return select(x > Real(0), representable(Real(1) / x), ruled(ruling, Real(0)));
+Real over_length(Real a, Real length, Ruling ruling) {
+    return ruled(ruling, length <= Real(0), a / positive_or_one(length));
 }
 
-// The cosine of an angle in degrees; exactly 0 at 90, which pi does not give.
+// 1 / x; 0 where that is beyond the largest Real, and, by `ruling`, where x is not positive.
 template <class Real>
-Real cos_deg(double angle_deg) {
-    return angle_deg == 90 ? Real(0) : Real(std::cos(angle_deg * std::numbers::pi / 180));
+Real inverse_or_zero(Real x, Ruling ruling) {
+    return select(x > Real(0), finite_or_zero(Real(1) / x), ruled(ruling, Real(0)));
 }
 
 template <class Real>
@@ -113,9 +112,9 @@ struct UnitAndLength {
     Real length;
 };
 
-// hat(v) and |v|. RULING: the zero vector, and one with an infinite component, has the direction 0.
-// Vectors whose squares would overflow or underflow are scaled by a power of two first, which is exact. kSquares is named where
-// floats would fail, as they do in shaders and drivers.
+// v / |v| and |v|. RULING: the zero vector, and one with an infinite component, has the direction 0.
+// Vectors whose squares would overflow or underflow are scaled by a power of two first, which is exact. kSquares is the ruling
+// where floats would fail, as they do in shaders and drivers.
 template <class Real>
 UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
     using L = Limits<Real>;
@@ -126,18 +125,29 @@ UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
     const Real scaled_length = length(scaled);
     const Real inverse = Real(1) / positive_or_one(scaled_length);
     const Real full_length = scaled_length / scale;
-    const Vec3<Real> dir = ruled(Ruling::kSquares, biggest > Real(Limits<float>::big), representable(scaled * inverse));
+    const Vec3<Real> dir =
+        ruled(Ruling::kSquares, biggest > Real(Limits<float>::big), finite_or_zero(scaled * inverse));
     return {ruled(Ruling::kSquares, positive_or_one(biggest) < Real(Limits<float>::small), dir),
             select(full_length <= L::largest, full_length, L::largest)};
+}
+
+// A direction; `ruling` answers where it is 0.
+template <class Real>
+Vec3<Real> ruled_zero(Ruling ruling, Vec3<Real> dir) {
+    return ruled(ruling, dot(dir, dir) <= Real(0), dir);
 }
 
 template <class Real>
 Vec3<Real> unit(Vec3<Real> v) {
     return unit_and_length(v).dir;
 }
+template <class Real>
+Vec3<Real> unit(Vec3<Real> v, Ruling where_zero) {
+    return ruled_zero(where_zero, unit(v));
+}
 
-// (v, w) divided by w, where that is no further away than its square can be told. RULING: what lies at infinity (w = 0, or a
-// quotient that Real cannot hold) is very far away in that direction, which is the limit. Not for batches.
+// (v, w) divided by w. RULING: a point at infinity (w = 0, or a quotient whose square Real cannot hold) is very far away in
+// that direction, which is the limit. Not for batches.
 template <class Real>
 Vec3<Real> divided(Vec3<Real> v, Real w) {
     const Vec3<Real> quotient = v / w, size = magnitudes(quotient);

@@ -172,8 +172,8 @@ constexpr Effect kOfFragments[] = {
 // Times are with and without: the ratio is how many times as long it takes with the effect.
 void compare_effect(Results& results, const Effect& effect, const Frame& with, const Frame& without,
                     const std::optional<Shading>& shading) {
-    std::vector<Way> ways = {shader_way("shaders, with", with, Tier::kUniform, true, shading),
-                             shader_way("shaders, without", without, Tier::kUniform, true, shading)};
+    std::vector<Way> ways = {shader_way("shaders, with", with, programmable::Tier::kUniform, true, shading),
+                             shader_way("shaders, without", without, programmable::Tier::kUniform, true, shading)};
     if (!shading) {
         ways.push_back(fixed_way("fixed, with", with, fixed::Scrub::kState, true));
         ways.push_back(fixed_way("fixed, without, as told", without, fixed::Scrub::kNothing, true));

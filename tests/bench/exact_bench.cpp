@@ -29,7 +29,7 @@ const char* const kState =
 
 Frame frame_with(const std::string& shape) {
     const auto scene = std::make_shared<const CommandList>(read_scene(kState + shape, "scene.gl", "scene"));
-    return make_frame(scene, {.width = kSide, .height = kSide});
+    return make_frame(*scene, {.width = kSide, .height = kSide});
 }
 
 // A shape that freeglut sends as many strips, as one Draw of triangles that share vertices: the fastest that a mesh is drawn.
@@ -76,13 +76,13 @@ void compare_shape(Results& results, const std::string& name, const std::string&
                    const std::function<std::string(int slices)>& shape_of) {
     const auto context = make_offscreen_context(kSide, kSide, ColorBuffer::kFloat);
     const Frame exact = frame_with(exact_shape);
-    const Image truth = reference::render(exact, {.shading = Shading::kExact});
+    const Image truth = reference::render(exact, {{.shading = Shading::kExact}});
     const std::vector<int> slices = {16, 32, 64, 128, 256};
-    std::vector<Way> ways = {shader_way("exact, uniforms", exact, Tier::kUniform, false, Shading::kExact),
-                             shader_way("exact, baked", exact, Tier::kBaked, false, Shading::kExact)};
+    std::vector<Way> ways = {shader_way("exact, uniforms", exact, programmable::Tier::kUniform, false, Shading::kExact),
+                             shader_way("exact, baked", exact, programmable::Tier::kBaked, false, Shading::kExact)};
     for (const int n : slices)
         ways.push_back(shader_way(fmt::format("phong, uniforms, {} slices", n), as_one_draw(frame_with(shape_of(n))),
-                                  Tier::kUniform, true, Shading::kPhong));
+                                  programmable::Tier::kUniform, true, Shading::kPhong));
     std::vector<double> errors;
     for (const Way& way : ways) {
         way.run();

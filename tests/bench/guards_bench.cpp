@@ -63,15 +63,15 @@ std::string without_guards(std::string text, Found& found) {
 // Draws as the renderer does; without guards where `found` is given.
 class Drawn {
   public:
-    Drawn(const Draw& draw, const RenderOptions& options, Found* found = nullptr)
+    Drawn(const Draw& draw, const programmable::Options& options, Found* found = nullptr)
         : draw_(draw),
           plan_(plan_effects(draw, options)),
           code_(code_for(draw, plan_)),
           numbers_(uniforms(draw, plan_, code_)),
-          mesh_(draw, code_.effects, options, code_.origin_object.value_or(glm::dvec3(0))) {
+          mesh_(draw, code_.effects, options.patches, code_.origin_object.value_or(glm::dvec3(0))) {
         ShaderSource source = assemble(code_.effects, code_.form);
         if (found) source = {without_guards(source.vertex, *found), without_guards(source.fragment, *found)};
-        if (options.tier == Tier::kBaked) {
+        if (options.tier == programmable::Tier::kBaked) {
             Uniforms constants = numbers_;
             const auto names = uniform_names(source);
             std::erase_if(constants, [&](const auto& number) { return !names.contains(number.first); });
@@ -122,7 +122,7 @@ void check_same(Drawn& guarded, Drawn& naive) {
 
 // How many times as long it takes with guards, over the scenes; of vertices, where nothing is rasterised.
 double times_as_long(Results& results, const std::string& stage, const std::vector<LitScene>& scenes,
-                     const RenderOptions& options, bool rasterises, Found& found) {
+                     const programmable::Options& options, bool rasterises, Found& found) {
     std::vector<double> ratios;
     for (const LitScene& scene : scenes) {
         const auto guarded = std::make_shared<Drawn>(scene.draw, options);
@@ -146,11 +146,11 @@ void compare_guards(Results& results) {
     const std::vector<LitScene> spheres = seven_scenes(sphere(512, 256));
     std::vector<double> all;
     Found found{};
-    for (const Tier tier : {Tier::kUniform, Tier::kBaked}) {
-        const std::string of = tier == Tier::kBaked ? "baked" : "uniforms";
+    for (const programmable::Tier tier : {programmable::Tier::kUniform, programmable::Tier::kBaked}) {
+        const std::string of = tier == programmable::Tier::kBaked ? "baked" : "uniforms";
         all.push_back(
             times_as_long(results, "guards at vertices, " + of, spheres, options_for(tier, true), false, found));
-        RenderOptions phong = options_for(tier, false);
+        programmable::Options phong = options_for(tier, false);
         phong.shading = Shading::kPhong;
         all.push_back(times_as_long(results, "guards per fragment, " + of, domes, phong, true, found));
     }

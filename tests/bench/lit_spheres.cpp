@@ -177,8 +177,6 @@ std::vector<LitScene> idle_scenes(const Draw& mesh) {
     return scenes;
 }
 
-Frame frame_of(const Draw& draw, int side) {
-    return {.width = side, .height = side, .items = {draw}, .unsupported = {}, .commands = nullptr};
-}
+Frame frame_of(const Draw& draw, int side) { return {.width = side, .height = side, .items = {draw}}; }
 
 }  // namespace twinlight::bench

@@ -46,8 +46,8 @@ void check_same(const std::string& name, const std::vector<Way>& ways) {
 void compare_pixels(Results& results) {
     const auto context = make_offscreen_context(kSide, kSide);
     programmable::Renderer renderer;
-    const auto drawing = [&](std::string name, const Frame& frame, Tier tier) {
-        RenderOptions options;
+    const auto drawing = [&](std::string name, const Frame& frame, programmable::Tier tier) {
+        programmable::Options options;
         options.shading = Shading::kPhong;
         options.tier = tier;
         const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, options);
@@ -60,7 +60,8 @@ void compare_pixels(Results& results) {
         const Frame frame = frame_of(draw, kSide);
         const auto uber = std::shared_ptr(make_uber(draw));
         std::vector<Way> ways = {finishing("uber shader, a loop", [uber] { uber->draw(); }),
-                                 drawing("uniforms", frame, Tier::kUniform), drawing("baked", frame, Tier::kBaked)};
+                                 drawing("uniforms", frame, programmable::Tier::kUniform),
+                                 drawing("baked", frame, programmable::Tier::kBaked)};
         if (is_first) {
             const auto flags = std::shared_ptr(make_flag_uber(draw));
             ways.push_back(finishing("uber shader, flags", [flags] { flags->draw(); }));
@@ -69,7 +70,8 @@ void compare_pixels(Results& results) {
         Draw unlit = draw;
         unlit.lighting.enabled = false;
         const Frame unlit_frame = frame_of(unlit, kSide);
-        ways.push_back(drawing("baked, without lighting", unlit_frame, Tier::kBaked));  // what no shader can do without
+        ways.push_back(drawing("baked, without lighting", unlit_frame,
+                               programmable::Tier::kBaked));  // what no shader can do without
         const auto timed = results.compare("per fragment: " + scene.name, ways);
         over_uber.push_back(times_faster(timed[2], timed[0]));
         uniform_over_uber.push_back(times_faster(timed[1], timed[0]));

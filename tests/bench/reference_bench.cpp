@@ -22,9 +22,9 @@ namespace {
 void compare_references(Results& results) {
     std::vector<double> ratios;
     for (const LitScene& scene : idle_scenes(sphere(128, 64))) {
-        RenderOptions options;
-        options.lecture_variants = false;
-        const Frame whole = frame_of(scene.draw), scrubbed = scrubbed_frame(whole, options);
+        const PlanOptions plan{{.shading = {}, .lecture_variants = false}};
+        const reference::Options options{plan};
+        const Frame whole = frame_of(scene.draw), scrubbed = scrubbed_frame(whole, plan);
         const std::vector<Timed> times = results.compare(
             "reference, " + scene.name, {{.name = "all state", .run = [&] { reference::render(whole, options); }},
                                          {.name = "scrubbed", .run = [&] { reference::render(scrubbed, options); }}});
@@ -37,8 +37,8 @@ void compare_references(Results& results) {
 
 constexpr int kSide = 512;
 
-RenderOptions phong(Tier tier) {
-    RenderOptions options;
+programmable::Options phong(programmable::Tier tier) {
+    programmable::Options options;
     options.shading = Shading::kPhong;
     options.tier = tier;
     options.lecture_variants = false;
@@ -92,7 +92,7 @@ class LitPoints {
 void compare_with_driver(Results& results) {
     const auto context = make_offscreen_context(kSide, kSide);
     programmable::Renderer renderer;
-    const auto drawing = [&](std::string name, const Frame& frame, Tier tier) {
+    const auto drawing = [&](std::string name, const Frame& frame, programmable::Tier tier) {
         const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, phong(tier));
         return Way{std::move(name), [&renderer, prepared] {
                        renderer.draw(*prepared);
@@ -108,8 +108,8 @@ void compare_with_driver(Results& results) {
         const auto lights = static_cast<double>(std::ranges::count_if(draw.lighting.lights, &LightSource::enabled));
         const auto timed = results.compare("doubles beside floats: " + scene.name,
                                            {{.name = "reference, lighting", .run = [&] { points.light({}); }},
-                                            drawing("llvmpipe, uniforms", frame, Tier::kUniform),
-                                            drawing("llvmpipe, baked", frame, Tier::kBaked),
+                                            drawing("llvmpipe, uniforms", frame, programmable::Tier::kUniform),
+                                            drawing("llvmpipe, baked", frame, programmable::Tier::kBaked),
                                             {.name = "llvmpipe, uber shader", .run = [uber] {
                                                  uber->draw();
                                                  glFinish();
@@ -168,7 +168,7 @@ void compare_processors(Results& results) {
     const Frame frame = frame_of(on_dome(seven_scenes()[3].draw, kSide), kSide);
     const auto drawing = [&](const cpu_set_t& processors) {
         sched_setaffinity(0, sizeof processors, &processors);
-        reference::render(frame, phong(Tier::kUniform));
+        reference::render(frame, reference::Options{phong(programmable::Tier::kUniform)});
     };
     const auto timed =
         results.compare(fmt::format("reference: a picture on 1 and on {} processors", CPU_COUNT(&all)),

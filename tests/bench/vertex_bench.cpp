@@ -13,7 +13,7 @@
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/effect/plan.h"
-#include "render/fixed/prepared_frame.h"
+#include "render/fixed/replay.h"
 #include "render/programmable/programmable.h"
 #include "ways.h"
 
@@ -30,11 +30,11 @@ void compare_seven_scenes(Results& results, const Draw& mesh) {
         const Frame frame = frame_of(scene.draw);
         const auto timed =
             results.compare(scene.name, {fixed_way("fixed, rows", frame, fixed::Scrub::kNothing, false),
-                                         shader_way("uniforms, rows", frame, Tier::kUniform, false),
-                                         shader_way("baked, rows", frame, Tier::kBaked, false),
+                                         shader_way("uniforms, rows", frame, programmable::Tier::kUniform, false),
+                                         shader_way("baked, rows", frame, programmable::Tier::kBaked, false),
                                          fixed_way("fixed, patches", frame, fixed::Scrub::kNothing, true),
-                                         shader_way("uniforms, patches", frame, Tier::kUniform, true),
-                                         shader_way("baked, patches", frame, Tier::kBaked, true)});
+                                         shader_way("uniforms, patches", frame, programmable::Tier::kUniform, true),
+                                         shader_way("baked, patches", frame, programmable::Tier::kBaked, true)});
         uniform_rows.push_back(times_faster(timed[1], timed[0]));
         baked_rows.push_back(times_faster(timed[2], timed[0]));
         uniform.push_back(times_faster(timed[4], timed[3]));
@@ -49,14 +49,14 @@ void compare_seven_scenes(Results& results, const Draw& mesh) {
 }
 
 void compare_precise(Results& results, const Draw& mesh) {
-    RenderOptions precise = options_for(Tier::kUniform, true);
+    programmable::Options precise = options_for(programmable::Tier::kUniform, true);
     precise.precise = true;
     std::vector<double> ratios;
     for (const LitScene& scene : seven_scenes(mesh)) {
         const Frame frame = frame_of(scene.draw);
         const auto timed = results.compare(
             scene.name + ", --precise",
-            {shader_way("uniforms", frame, Tier::kUniform, true), shader_way("precise", frame, precise)});
+            {shader_way("uniforms", frame, programmable::Tier::kUniform, true), shader_way("precise", frame, precise)});
         ratios.push_back(times_faster(timed[1], timed[0]));
     }
     results.ratio("vertex_precise_over_uniform", geometric_mean(ratios));
@@ -96,11 +96,11 @@ void compare_first_frames(Results& results) {
             make().run();
         };
     };
-    const auto timed =
-        results.compare("the first frame, programs compiled: " + scene.name,
-                        {{"fixed", first([&] { return fixed_way("", frame, fixed::Scrub::kNothing, false); })},
-                         {"uniforms", first([&] { return shader_way("", frame, Tier::kUniform, false); })},
-                         {"baked", first([&] { return shader_way("", frame, Tier::kBaked, false); })}});
+    const auto timed = results.compare(
+        "the first frame, programs compiled: " + scene.name,
+        {{"fixed", first([&] { return fixed_way("", frame, fixed::Scrub::kNothing, false); })},
+         {"uniforms", first([&] { return shader_way("", frame, programmable::Tier::kUniform, false); })},
+         {"baked", first([&] { return shader_way("", frame, programmable::Tier::kBaked, false); })}});
     results.ratio("first_frame_over_fixed", times_faster(timed[1], timed[0]));
     results.ratio("first_frame_baked_over_fixed", times_faster(timed[2], timed[0]));
 }
@@ -108,7 +108,7 @@ void compare_first_frames(Results& results) {
 Way planning(const Draw& draw) {
     const auto facts = std::make_shared<const VertexFacts>(vertex_facts(draw));
     return {"planned, where the vertices' facts are kept",
-            [facts, &draw] { plan_effects(draw, options_for(Tier::kUniform, true), *facts); }};
+            [facts, &draw] { plan_effects(draw, options_for(programmable::Tier::kUniform, true), *facts); }};
 }
 
 void compare_planning(Results& results) {
@@ -116,11 +116,12 @@ void compare_planning(Results& results) {
     std::vector<double> shares, anew;
     for (const LitScene& scene : seven_scenes(sphere(512, 256))) {
         const Frame frame = frame_of(scene.draw);
-        const auto timed = results.compare("planning: " + scene.name,
-                                           {shader_way("baked, patches, drawn into 64 x 64", frame, Tier::kBaked, true),
-                                            planning(scene.draw),
-                                            {"planned, the vertices looked through",
-                                             [&] { plan_effects(scene.draw, options_for(Tier::kUniform, true)); }}});
+        const auto timed =
+            results.compare("planning: " + scene.name,
+                            {shader_way("baked, patches, drawn into 64 x 64", frame, programmable::Tier::kBaked, true),
+                             planning(scene.draw),
+                             {"planned, the vertices looked through",
+                              [&] { plan_effects(scene.draw, options_for(programmable::Tier::kUniform, true)); }}});
         const auto share = [&](std::size_t i) { return timed[i].median() / (timed[i].median() + timed[0].median()); };
         shares.push_back(share(1));
         anew.push_back(share(2));
@@ -141,7 +142,7 @@ Way live_way(std::string name, const Draw& draw, const programmable::Limits& lim
         moving.lighting.lights[0].position_eye.x = draw.lighting.lights[0].position_eye.x + shift;
         if (moves_vertex)
             moving.vertices.back().position_object.x = draw.vertices.back().position_object.x + 1e-9 * number;
-        renderer->draw(*frame, options_for(Tier::kAuto, false));
+        renderer->draw(*frame, options_for(programmable::Tier::kAuto, false));
         glFinish();
     };
     return {std::move(name), step};
@@ -152,11 +153,11 @@ void compare_still_frames(Results& results) {
     const programmable::Limits nothing{.mesh_bytes = 0};
     std::vector<double> still, changing, known;
     for (const LitScene& scene : seven_scenes(sphere(512, 256))) {
-        const auto timed =
-            results.compare("frame after frame: " + scene.name,
-                            {live_way("anew each time", scene.draw, nothing), live_way("vertices kept", scene.draw, {}),
-                             live_way("one vertex moves", scene.draw, {}, true),
-                             shader_way("planned and sent once", frame_of(scene.draw), Tier::kAuto, false)});
+        const auto timed = results.compare(
+            "frame after frame: " + scene.name,
+            {live_way("anew each time", scene.draw, nothing), live_way("vertices kept", scene.draw, {}),
+             live_way("one vertex moves", scene.draw, {}, true),
+             shader_way("planned and sent once", frame_of(scene.draw), programmable::Tier::kAuto, false)});
         still.push_back(times_faster(timed[1], timed[0]));
         changing.push_back(times_faster(timed[2], timed[0]));
         known.push_back(times_faster(timed[3], timed[1]));
@@ -199,9 +200,9 @@ double many_lights_over_eight(Results& results, bool rasterised) {
     for (std::size_t i = 1; i < kMaxLights; ++i) one.lighting.lights[i].enabled = false;
     draws.push_back(one);
     for (const Draw& draw : draws) {
-        const Way drawing = shader_way("", frame_of(draw, kPicture), Tier::kUniform, true);
+        const Way drawing = shader_way("", frame_of(draw, kPicture), programmable::Tier::kUniform, true);
         const Way plan = planning(draw);
-        const std::size_t lit = plan_effects(draw, options_for(Tier::kUniform, true)).lights.size();
+        const std::size_t lit = plan_effects(draw, options_for(programmable::Tier::kUniform, true)).lights.size();
         const std::string name =
             &draw == &draws.back() ? "1 light" : fmt::format("{} lights", draw.lighting.lights.size());
         ways.push_back({fmt::format("{}, of which {} matter", name, lit), [drawing, plan] {

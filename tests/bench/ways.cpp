@@ -8,8 +8,8 @@
 
 namespace twinlight::bench {
 
-RenderOptions options_for(Tier tier, bool patches) {
-    RenderOptions options;
+programmable::Options options_for(programmable::Tier tier, bool patches) {
+    programmable::Options options;
     options.lecture_variants = false;
     options.tier = tier;
     options.patches = patches;
@@ -17,14 +17,15 @@ RenderOptions options_for(Tier tier, bool patches) {
 }
 
 Way fixed_way(std::string name, const Frame& frame, fixed::Scrub scrub, bool patches) {
-    const auto prepared = std::make_shared<fixed::PreparedFrame>(frame, options_for(Tier::kUniform, patches), scrub);
+    const auto prepared =
+        std::make_shared<fixed::Replay>(frame, fixed::ReplayOptions{.scrub = scrub, .patches = patches});
     return {std::move(name), [prepared] {
                 prepared->draw();
                 glFinish();
             }};
 }
 
-Way shader_way(std::string name, const Frame& frame, const RenderOptions& options) {
+Way shader_way(std::string name, const Frame& frame, const programmable::Options& options) {
     const auto renderer = std::make_shared<programmable::Renderer>();
     const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, options);
     return {std::move(name), [renderer, prepared] {
@@ -33,8 +34,9 @@ Way shader_way(std::string name, const Frame& frame, const RenderOptions& option
             }};
 }
 
-Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches, const std::optional<Shading>& shading) {
-    RenderOptions options = options_for(tier, patches);
+Way shader_way(std::string name, const Frame& frame, programmable::Tier tier, bool patches,
+               const std::optional<Shading>& shading) {
+    programmable::Options options = options_for(tier, patches);
     options.shading = shading;
     return shader_way(std::move(name), frame, options);
 }

@@ -5,17 +5,18 @@
 #include <string>
 
 #include "ratios.h"
-#include "render/fixed/prepared_frame.h"
+#include "render/fixed/replay.h"
+#include "render/programmable/options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::bench {
 
 // GL's own model, so that all draw the same.
-RenderOptions options_for(Tier tier, bool patches);
+programmable::Options options_for(programmable::Tier tier, bool patches);
 
 Way fixed_way(std::string name, const Frame& frame, fixed::Scrub scrub, bool patches);
-Way shader_way(std::string name, const Frame& frame, const RenderOptions& options);
-Way shader_way(std::string name, const Frame& frame, Tier tier, bool patches,
+Way shader_way(std::string name, const Frame& frame, const programmable::Options& options);
+Way shader_way(std::string name, const Frame& frame, programmable::Tier tier, bool patches,
                const std::optional<Shading>& shading = {});
 
 }  // namespace twinlight::bench

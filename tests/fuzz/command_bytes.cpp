@@ -153,15 +153,16 @@ class Walk {
             case Extent::kOutputMemory: return 1;
             case Extent::kArray: return static_cast<std::size_t>(parameter.count);
             case Extent::kRest: return said();
-            case Extent::kByPname: {
+            case Extent::kArrayByPname: {
                 const std::optional<int> length =
                     array_length(command.id, command.enumerant(command.arguments.size() - 1));
                 return length ? static_cast<std::size_t>(*length) : said();
             }
-            case Extent::kByCount:
-            case Extent::kNames:
+            case Extent::kArrayByCount:
+            case Extent::kNewNames:
             case Extent::kControlPoints: return std::min(command.count(i), kMostValues);
             case Extent::kOutput:
+            case Extent::kOutputByPname:
             case Extent::kOutputByCount:
             case Extent::kPointer:
             case Extent::kImage: return 0;

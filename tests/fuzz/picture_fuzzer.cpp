@@ -24,11 +24,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (const Draw* draw = std::get_if<Draw>(&item)) vertices += draw->vertices.size();
     constexpr std::size_t kMostVertices = 4096;
     if (vertices > kMostVertices) return 0;
-    const Frame frame = state.take_frame(scene);
+    const Frame frame = state.take_frame();
     for (const auto& item : frame.items)
         if (const Draw* draw = std::get_if<Draw>(&item)) plan_effects(*draw, {});
     for (const Shading shading : {Shading::kGouraud, Shading::kPhong}) {
-        const Image image = reference::render(frame, {.shading = shading});
+        const Image image = reference::render(frame, {{.shading = shading}});
         for (const Rgba& pixel : image.pixels)
             for (const float channel : pixel)
                 if (!std::isfinite(channel)) {

@@ -17,7 +17,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     state.unfinished();
     // What the input's last byte chooses of the names that can be asked for.
     const std::size_t chosen = size > 0 ? data[size - 1] : 0;
-    for (std::size_t i = chosen; i < gl_names().size(); i += 64) state.get(gl_names()[i].value);
-    state.take_frame(scene);
+    for (std::size_t i = chosen; i < gl_names().size(); i += 64) {
+        const Enum name = gl_names()[i].value;
+        state.capability(name);
+        state.get_light(kGL_LIGHT0, name);
+        state.get_material(kGL_FRONT, name);
+    }
+    state.take_frame();
     return 0;
 }

@@ -36,9 +36,9 @@ int differing_pixels(const FragmentCase& shown) {
         read_scene(std::string(kStart) + shown.scene, "case.gl", std::string(shown.name)));
     StateOptions options;
     options.width = options.height = kWindow;
-    const Frame frame = make_frame(scene, options);
+    const auto [recording, frame] = make_scene(scene, options);
     EXPECT_TRUE(frame.unsupported.empty());
-    const Image driver = fixed::render(frame, {}), reference = reference::render(frame, {});
+    const Image driver = fixed::render({recording, frame}), reference = reference::render(frame, {});
     const Freedom freedom = reference::freedom(frame);
     int differing = 0;
     for (std::size_t i = 0; i < driver.pixels.size(); ++i) {

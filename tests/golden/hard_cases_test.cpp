@@ -51,9 +51,9 @@ TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
 TEST(HardCasesOfTheReference, AreFinite) {
     for (const Case& of : load_cases()) {
         SCOPED_TRACE(of.name);
-        const Frame frame = of.carried_out(kSide).frame;
+        const Frame frame = of.carried_out(kSide).scene.frame;
         for (const Number number : {Number::kFloat, Number::kDouble, Number::kLongDouble}) {
-            RenderOptions options = compare::gls_own_model();
+            reference::Options options{compare::kGlsOwnModel};
             options.arithmetic.number = number;
             for (const auto& item : frame.items) {
                 const Draw* draw = std::get_if<Draw>(&item);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "../property/state_answers.h"
 #include "fragment_departures.h"
 #include "judge/check/case.h"
 #include "judge/compare/departures.h"
@@ -65,7 +66,7 @@ void alpha_of_glcolor3() {
         "glBegin(GL_POINTS); glColor4f(1, 1, 1, 0.25); glVertex2f(0, 0); glEnd();\n"
         "glBegin(GL_POINTS); glColor3f(1, 1, 1); glColor4f(1, 1, 1, 0.25); glVertex2f(0, 0);\n"
         "glColor3f(0.5, 0.5, 0.5); glEnd();");
-    EXPECT_EQ(both.state.current_color(), glm::dvec4(0.5, 0.5, 0.5, 1));
+    EXPECT_EQ(both.state.attributes().current.color, glm::dvec4(0.5, 0.5, 0.5, 1));
     std::array<GLfloat, 4> color{};
     glGetFloatv(GL_CURRENT_COLOR, color.data());
     expect_departure(color[3] == 0.25F);
@@ -76,7 +77,7 @@ void components_of_tex_coord() {
         "glBegin(GL_POINTS); glTexCoord4f(1, 1, 1, 0.25); glVertex2f(0, 0); glEnd();\n"
         "glBegin(GL_POINTS); glTexCoord2f(1, 1); glTexCoord4f(1, 1, 1, 0.25); glVertex2f(0, 0);\n"
         "glTexCoord2f(0.5, 0.5); glEnd();");
-    EXPECT_EQ(both.state.get(kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.5, 0.5, 0, 1}));
+    EXPECT_EQ(answer(both.state, kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.5, 0.5, 0, 1}));
     std::array<GLfloat, 4> coords{};
     glGetFloatv(GL_CURRENT_TEXTURE_COORDS, coords.data());
     expect_departure(coords[3] == 0.25F);
@@ -94,7 +95,7 @@ void mode_without_buffer() {
     ASSERT_EQ(both.state.errors().size(), 1u);
     EXPECT_EQ(both.state.errors()[0].code, kGL_INVALID_OPERATION);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
-    EXPECT_EQ(both.state.get(kGL_RENDER_MODE)[0], kGL_RENDER);
+    EXPECT_EQ(answer(both.state, kGL_RENDER_MODE)[0], kGL_RENDER);
     GLint mode = 0;
     glGetIntegerv(GL_RENDER_MODE, &mode);
     expect_departure(mode == GL_SELECT);
@@ -102,7 +103,7 @@ void mode_without_buffer() {
 
 void transposed_texture_matrix() {
     const Both both("glMatrixMode(GL_TEXTURE); glActiveTexture(GL_TEXTURE1); glTranslatef(0.5, 0, 0);");
-    EXPECT_EQ(both.state.get(kGL_TRANSPOSE_TEXTURE_MATRIX)[3], 0.5);
+    EXPECT_EQ(answer(both.state, kGL_TRANSPOSE_TEXTURE_MATRIX)[3], 0.5);
     std::array<GLfloat, 16> matrix{};
     glGetFloatv(GL_TRANSPOSE_TEXTURE_MATRIX, matrix.data());
     expect_departure(matrix[3] == 0);
@@ -120,13 +121,13 @@ void material_before_pop() {
 
 void color_sum_after_pop() {
     const Both both("glPushAttrib(GL_FOG_BIT | GL_ENABLE_BIT); glEnable(GL_COLOR_SUM); glPopAttrib();");
-    EXPECT_EQ(both.state.get(kGL_COLOR_SUM)[0], 0);
+    EXPECT_EQ(answer(both.state, kGL_COLOR_SUM)[0], 0);
     expect_departure(glIsEnabled(GL_COLOR_SUM) == GL_TRUE);
 }
 
 void lights_after_pop() {
     const Both both("glPushAttrib(GL_ENABLE_BIT); glEnable(GL_LIGHT0); glPopAttrib();");
-    EXPECT_EQ(both.state.get(kGL_LIGHT0)[0], 0);
+    EXPECT_EQ(answer(both.state, kGL_LIGHT0)[0], 0);
     expect_departure(glIsEnabled(GL_LIGHT0) == GL_TRUE);
 }
 
@@ -134,7 +135,7 @@ void change_within_inner_push() {
     const Both both(
         "glPushAttrib(GL_VIEWPORT_BIT); glPushAttrib(GL_FOG_BIT); glDepthRange(0.25, 0.5); glPopAttrib(); "
         "glPopAttrib();");
-    EXPECT_EQ(both.state.get(kGL_DEPTH_RANGE), (std::vector<double>{0, 1}));
+    EXPECT_EQ(answer(both.state, kGL_DEPTH_RANGE), (std::vector<double>{0, 1}));
     std::array<GLdouble, 2> range{};
     glGetDoublev(GL_DEPTH_RANGE, range.data());
     expect_departure(range[0] == 0.25);
@@ -142,7 +143,7 @@ void change_within_inner_push() {
 
 void mipmap_hint_after_pop() {
     const Both both("glPushAttrib(GL_HINT_BIT); glHint(GL_GENERATE_MIPMAP_HINT, GL_NICEST); glPopAttrib();");
-    EXPECT_EQ(both.state.get(kGL_GENERATE_MIPMAP_HINT)[0], kGL_DONT_CARE);
+    EXPECT_EQ(answer(both.state, kGL_GENERATE_MIPMAP_HINT)[0], kGL_DONT_CARE);
     GLint hint = 0;
     glGetIntegerv(GL_GENERATE_MIPMAP_HINT, &hint);
     expect_departure(hint == GL_NICEST);
@@ -158,7 +159,7 @@ void client_state_by_enable() {
 void generate_mipmap_after_pop() {
     const Both both(
         "glPushAttrib(GL_TEXTURE_BIT); glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE); glPopAttrib();");
-    EXPECT_EQ(both.state.get_tex_parameter(kGL_TEXTURE_2D, kGL_GENERATE_MIPMAP)[0], 0);
+    EXPECT_EQ(tex_parameter_answer(both.state, kGL_TEXTURE_2D, kGL_GENERATE_MIPMAP)[0], 0);
     GLint generate = 0;
     glGetTexParameteriv(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, &generate);
     expect_departure(generate == GL_TRUE);
@@ -179,7 +180,7 @@ void texture_matrix_after_pop() {
     const Both both(
         "glActiveTexture(GL_TEXTURE7); glPushAttrib(GL_TEXTURE_BIT); glActiveTexture(GL_TEXTURE1);\n"
         "glMatrixMode(GL_TEXTURE); glPopAttrib(); glTranslatef(0.5, 0, 0);");
-    EXPECT_EQ(both.state.get(kGL_TEXTURE_MATRIX)[12], 0.5);
+    EXPECT_EQ(answer(both.state, kGL_TEXTURE_MATRIX)[12], 0.5);
     std::array<GLfloat, 16> matrix{};
     glGetFloatv(GL_TEXTURE_MATRIX, matrix.data());
     expect_departure(matrix[12] == 0);

@@ -35,24 +35,24 @@ std::vector<std::string> scene_names() {
     return names;
 }
 
-Frame frame_of(const std::string& name) {
+Scene scene_of(const std::string& name) {
     const auto file = std::find_if(kSceneFiles.begin(), kSceneFiles.end(),
                                    [&](const EmbeddedFile& f) { return f.name == name + ".gl"; });
     const auto scene = std::make_shared<const CommandList>(read_scene(file->text, name + ".gl", name));
-    return make_frame(scene, {.width = kWidth, .height = kHeight});
+    return make_scene(scene, {.width = kWidth, .height = kHeight});
 }
 
 compare::Comparison comparison_of(const std::string& name, Shading per_pixel = Shading::kPhong) {
-    const Frame frame = frame_of(name);
     const auto context = make_offscreen_context(kWidth, kHeight);
     programmable::Renderer shaders;
     const compare::Renderers renderers = {
         .fixed = fixed::render,
-        .programmable = [&](const Frame& f, const RenderOptions& options) { return shaders.render(f, options); },
+        .programmable = [&](const Frame& frame,
+                            const programmable::Options& options) { return shaders.render(frame, options); },
         .reference = reference::render,
         .freedom = reference::freedom,
     };
-    return compare::compare_scene(frame, renderers, {.driver = driver_name(), .per_pixel = per_pixel});
+    return compare::compare_scene(scene_of(name), {.driver = driver_name(), .per_pixel = per_pixel}, renderers);
 }
 
 // Writes it instead where `make golden` asks for that.
@@ -98,7 +98,7 @@ TEST_P(GoldenScenes, AgreeThreeWaysAndWithTheGoldenPictures) {
 
 // Of the reference alone: nothing is left to a driver.
 TEST_P(GoldenScenes, HaveTheGoldenPictureOfTheirExactSurfaces) {
-    const Image image = reference::render(frame_of(GetParam()), {.shading = Shading::kExact});
+    const Image image = reference::render(scene_of(GetParam()).frame, {{.shading = Shading::kExact}});
     expect_golden(GetParam(), "reference-exact.png", image,
                   {.edge = PixelMask(image.pixels.size()), .slack = Image(image.width, image.height)});
 }

@@ -31,8 +31,7 @@ const Made& made() {
     static const Made all = [] {
         Made m;
         for (const EmbeddedFile& file : kSceneFiles)
-            m.frames.push_back(
-                make_frame(std::make_shared<const CommandList>(read(file)), {.width = 64, .height = 64}));
+            m.frames.push_back(make_frame(read(file), {.width = 64, .height = 64}));
         load_recording("tests/traces/glxgears/dump.txt")->for_each([&](const Step& step) {
             if (m.pictures.empty() || step.kind == Step::Kind::kFrameEnd) m.pictures.emplace_back();
             if (step.kind == Step::Kind::kCommand) m.pictures.back().push_back(step.command);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/programmable/options.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
@@ -23,11 +24,11 @@ inline constexpr double kCode = 1.0 / 255;
 
 inline Frame frame_of(const std::string& text, int width = kSide, int height = kSide) {
     const auto scene = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
-    return make_frame(scene, {.width = width, .height = height});
+    return make_frame(*scene, {.width = width, .height = height});
 }
 
-inline RenderOptions exact(Tier tier) {
-    RenderOptions options;
+inline programmable::Options exact(programmable::Tier tier) {
+    programmable::Options options;
     options.shading = Shading::kExact;
     options.budget = 0;
     options.tier = tier;
@@ -57,7 +58,7 @@ class Truth {
     explicit Truth(const Frame& frame) {
         constexpr double kStep = 1e-3;
         for (const auto& [x, y] : {std::pair(0.0, 0.0), {kStep, 0.0}, {-kStep, 0.0}, {0.0, kStep}, {0.0, -kStep}})
-            pictures_.push_back(reference::render(shifted(frame, x, y), {.shading = Shading::kExact}));
+            pictures_.push_back(reference::render(shifted(frame, x, y), {{.shading = Shading::kExact}}));
     }
     const Image& picture() const { return pictures_.front(); }
     bool is_edge(std::size_t pixel) const {

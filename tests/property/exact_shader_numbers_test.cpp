@@ -62,12 +62,12 @@ TEST(SurfaceFacts, LeaveNoPictureOffByMoreThanThePlansBound) {
     int left_out = 0;
     for (const std::string& shape : shapes()) {
         const Frame frame = frame_of(kCamera + kLit + faint + shape);
-        RenderOptions options = exact(Tier::kUniform);
-        const Image whole = renderer.render(frame, options);
+        programmable::Options options = exact(programmable::Tier::kUniform);
+        const Image whole = renderer.render(frame, options).image;
         options.budget = 16 * kCode;
         const double bound = error_bound(explain(frame, options));
         left_out += bound > 0;
-        const Image image = renderer.render(frame, options);
+        const Image image = renderer.render(frame, options).image;
         for (std::size_t i = 0; i < image.pixels.size(); ++i)
             EXPECT_LE(apart(image.pixels[i], whole.pixels[i]), bound + 1.01 * kCode) << shape;
     }
@@ -92,13 +92,13 @@ TEST(ExactShaderDepths, AreTheReferences) {
             for (const std::string& shape : shapes()) {
                 const Frame frame = frame_of(kCamera + kLit + state.commands + shape);
                 const Truth truth(frame);
-                renderer.render(frame, exact(Tier::kUniform));
+                renderer.render(frame, exact(programmable::Tier::kUniform));
                 for (int y = 3; y < kSide; y += 7)
                     for (int x = 3; x < kSide; x += 7) {
                         if (truth.is_edge(static_cast<std::size_t>((kSide - 1 - y) * kSide + x))) continue;
                         double expected = 1;
                         for (const reference::PixelFragment& fragment :
-                             reference::pixel_fragments(frame, {.shading = Shading::kExact}, x, y))
+                             reference::pixel_fragments(frame, {{.shading = Shading::kExact}}, x, y))
                             if (fragment.passes) expected = fragment.depth;
                         float actual = 0;
                         glReadPixels(x, y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &actual);
@@ -124,10 +124,10 @@ TEST(ExactShaderFloats, AreOrdersOfMagnitudeNearerThanAFineMesh) {
                               "glutSolidCone(0.8, 1.2, 128, 64);"}) {
         const Frame frame = frame_of(kCamera + kLit + shape, kWide, kWide);
         const Truth truth(frame);
-        RenderOptions options = exact(Tier::kUniform);
-        const Image surface = renderer.render(frame, options);
+        programmable::Options options = exact(programmable::Tier::kUniform);
+        const Image surface = renderer.render(frame, options).image;
         options.shading = Shading::kPhong;
-        const Image mesh = renderer.render(frame, options);
+        const Image mesh = renderer.render(frame, options).image;
         double surface_square = 0, mesh_square = 0, worst = 0;
         int count = 0;
         for (std::size_t i = 0; i < mesh.pixels.size(); ++i) {

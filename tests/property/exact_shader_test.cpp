@@ -51,9 +51,9 @@ class ExactShader : public ::testing::Test {
     void expect_exact(const std::string& name, const Frame& frame, double tolerance) {
         const Truth truth(frame);
         const bool is_third = ++cases_ % 3 == 0;
-        for (const Tier tier : {Tier::kUniform, Tier::kBaked}) {
-            if (tier == Tier::kBaked && !is_third) continue;
-            const Image image = renderer_.render(frame, exact(tier));
+        for (const programmable::Tier tier : {programmable::Tier::kUniform, programmable::Tier::kBaked}) {
+            if (tier == programmable::Tier::kBaked && !is_third) continue;
+            const Image image = renderer_.render(frame, exact(tier)).image;
             const Found found = compare(truth, image, tolerance);
             drawn_ += found.drawn;
             edges_ += found.edges;
@@ -63,7 +63,7 @@ class ExactShader : public ::testing::Test {
             if (found.interiors_off + found.edges_off == 0) continue;
             const std::size_t at = found.worst_pixel;
             fmt::print("{}{}: {} interior pixels off by up to {:.2f} codes, at {},{}; {} of {} edges\n", name,
-                       tier == Tier::kBaked ? ", baked" : "", found.interiors_off, found.worst / kCode,
+                       tier == programmable::Tier::kBaked ? ", baked" : "", found.interiors_off, found.worst / kCode,
                        static_cast<int>(at) % image.width, static_cast<int>(at) / image.width, found.edges_off,
                        found.edges);
         }
@@ -95,8 +95,10 @@ TEST_F(ExactShader, DrawsEveryShapeInEveryStateAsTheReferenceDoes) {
 }
 
 TEST_F(ExactShader, OfMatricesWithoutInverseIsEmpty) {
-    const Image image =
-        renderer_.render(frame_of(kCamera + "glScalef(1, 0, 1); glutSolidSphere(0.8, 20, 20);"), exact(Tier::kUniform));
+    const Image image = renderer_
+                            .render(frame_of(kCamera + "glScalef(1, 0, 1); glutSolidSphere(0.8, 20, 20);"),
+                                    exact(programmable::Tier::kUniform))
+                            .image;
     for (const Rgba& pixel : image.pixels) EXPECT_EQ(apart(pixel, {}), 0);
 }
 
@@ -159,13 +161,14 @@ TEST(ExactShaderScenes, DifferFromTheReferenceInMeshesAlone) {
     for (const EmbeddedFile& file : kSceneFiles) {
         const Frame frame = frame_of(std::string(file.text), kWidth, kHeight);
         const Truth truth(frame);
-        RenderOptions options = exact(Tier::kUniform);
-        const Image picture = renderer.render(frame, options);
+        programmable::Options options = exact(programmable::Tier::kUniform);
+        const Image picture = renderer.render(frame, options).image;
         options.shading = Shading::kPhong;
-        const Image phong = renderer.render(frame, options), phong_truth = reference::render(frame, options);
+        const Image phong = renderer.render(frame, options).image,
+                    phong_truth = reference::render(frame, reference::Options{options});
         std::array<Image, 2> levels;
         for (std::size_t i = 0; i < 2; ++i)
-            levels[i] = reference::render(at_other_levels(frame, i == 0 ? -0.5 : 0.5), {.shading = Shading::kExact});
+            levels[i] = reference::render(at_other_levels(frame, i == 0 ? -0.5 : 0.5), {{.shading = Shading::kExact}});
         for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
             if (apart(phong.pixels[i], phong_truth.pixels[i]) > kFiltered) continue;
             EXPECT_LE(std::min(truth.nearest(i, picture.pixels[i]),

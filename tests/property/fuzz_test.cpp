@@ -52,7 +52,7 @@ TEST(Fuzz, LeavesLittleOfAPictureOpen) {
     for (std::uint64_t picture = 0; picture < 150; ++picture) {
         const std::uint64_t state = picture * kPicturesPerStructure * kPictureEvery + kPictureEvery - 1;
         const auto scene = std::make_shared<const CommandList>(random_scene({.seed = 20}, state));
-        const Freedom freedom = reference::freedom(make_frame(scene, {.width = 64, .height = 64}));
+        const Freedom freedom = reference::freedom(make_frame(*scene, {.width = 64, .height = 64}));
         for (std::size_t i = 0; i < freedom.edge.size(); ++i) {
             ++pixels;
             if (freedom.edge[i]) continue;
@@ -103,6 +103,22 @@ TEST(Fuzz, FindsEachDepartureThatIsLifted) {
         ASSERT_EQ(found.failures.size(), 1u);
         EXPECT_LT(found.failures[0].pair, kPairs) << found.failures[0].what;
     }
+}
+
+// What `compare` says of a scene that the driver gets wrong: a spot with a shininess of 0.
+TEST(Fuzz, NamesTheDeparturesOfAFrame) {
+    const auto names_of = [](const std::string& text) {
+        std::vector<std::string_view> names;
+        const auto scene = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
+        for (const Departure* departure : departures_in(make_scene(scene, {}))) names.push_back(departure->name);
+        return names;
+    };
+    const std::string lit = "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);";
+    EXPECT_EQ(names_of(lit + "glutSolidCube(1);"),
+              std::vector<std::string_view>{"shininess 0 with attenuation or a spot"});
+    EXPECT_EQ(names_of(lit + "glMaterialf(GL_FRONT, GL_SHININESS, 5); glColor4f(1, 1, 1, 0); glColor3f(1, 1, 1); "
+                             "glutSolidCube(1);"),
+              std::vector<std::string_view>{"glColor3 after glColor4"});
 }
 
 TEST(Fuzz, ShrinksAFailureToASceneThatStillFails) {

@@ -71,9 +71,9 @@ class HostileTraces : public testing::Test {
             const RecordedFrame recorded =
                 make_recorded_frame(recording, {.number = {}, .width = kSide, .height = kSide});
             if (renderers) {
-                const Frame& frame = recorded.frame;
-                EXPECT_EQ(fixed::render(frame, {}).width, kSide);
-                EXPECT_EQ(shaders()->render(frame, {}).width, kSide);
+                const Frame& frame = recorded.scene.frame;
+                EXPECT_EQ(fixed::render(recorded.scene).width, kSide);
+                EXPECT_EQ(shaders()->render(frame, {}).image.width, kSide);
                 EXPECT_EQ(reference::render(frame, {}).width, kSide);
             }
             return kPicture;

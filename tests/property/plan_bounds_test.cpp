@@ -206,7 +206,7 @@ class Check {
     void run() {
         RandomScene scene(seed_);
         Draw draw = scene.draw();
-        const RenderOptions options{.shading = scene.shading(), .lecture_variants = true, .budget = scene.budget()};
+        const PlanOptions options{{.shading = scene.shading()}, scene.budget()};
         plan_ = plan_effects(draw, options);
         ASSERT_LE(plan_.error_bound, options.budget) << "seed " << seed_;
         ++tally_.scenes;

@@ -22,7 +22,7 @@
 #include "render/context/gl.h"
 #include "render/effect/plan.h"
 #include "render/fixed/fixed.h"
-#include "render/fixed/prepared_frame.h"
+#include "render/fixed/replay.h"
 #include "render/programmable/mesh.h"
 #include "render/programmable/precise.h"
 #include "render/programmable/program.h"
@@ -38,7 +38,8 @@ namespace {
 using Id = CommandId;
 
 constexpr int kWindow = 64;
-constexpr RenderOptions kPrecise = {.shading = {}, .lecture_variants = false, .budget = 0, .precise = true};
+constexpr programmable::Options kPrecise = {
+    {{.shading = {}, .lecture_variants = false}, 0}, programmable::Tier::kUniform, true};
 
 using Floats = std::array<float, 4>;
 constexpr Floats kNothing{};
@@ -158,7 +159,7 @@ class SecondaryColors {
 // The outputs of the vertex program, by transform feedback.
 class VertexPrograms {
   public:
-    Triangle lit(Draw draw, const RenderOptions& options) {
+    Triangle lit(Draw draw, const programmable::Options& options) {
         const Plan plan = plan_effects(draw, options);
         using namespace programmable;
         Code code = options.precise ? precise_code(draw, plan) : code_for(draw, plan);
@@ -177,7 +178,7 @@ class VertexPrograms {
         }
         program->use(numbers);
         draw.mode = kGL_POINTS;
-        return captured(Mesh(draw, code.effects, options, code.origin_object.value_or(glm::dvec3(0))), outputs);
+        return captured(Mesh(draw, code.effects, false, code.origin_object.value_or(glm::dvec3(0))), outputs);
     }
 
   private:
@@ -258,11 +259,11 @@ class Comparison {
     void compare_state(std::uint64_t state, ModelviewKind kind) {
         const auto scene = std::make_shared<const CommandList>(fuzz::random_scene({.seed = 77}, state));
         const StateOptions size{.width = kWindow, .height = kWindow};
-        const Draw drawn = std::get<Draw>(make_frame(scene, size).items.back());
+        const Draw drawn = std::get<Draw>(make_frame(*scene, size).items.back());
         if (drawn.vertices.size() < 3) return;
         fuzz::Random random(state);
         const auto commands = resolved(with_modelview(drawn, modelview_of(kind, drawn, random)));
-        const Frame frame = make_frame(commands, size);
+        const Frame frame = make_frame(*commands, size);
         const Draw& draw = std::get<Draw>(frame.items.back());
         const bool two_side = draw.lighting.light_model.two_side;
         const bool separate = draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
@@ -277,7 +278,7 @@ class Comparison {
 
         const bool is_control = found.states % kControlEvery == 1;
         const Triangle ordinary =
-            is_control ? programs_.lit(draw, {.shading = {}, .lecture_variants = false, .budget = 0}) : Triangle{};
+            is_control ? programs_.lit(draw, {{{.shading = {}, .lecture_variants = false}, 0}}) : Triangle{};
         // What rounding decides is not left out: the same floats decide alike.
         const compare::DeparturesOfScene departures(
             *commands, current_driver(), {"light at the horizon of a vertex", "vertex near the edge of a spot's cone"});
@@ -348,14 +349,14 @@ TEST(Precise, DrawsBuiltInScenesInTheFixedFunctionsFloats) {
     for (const EmbeddedFile& file : kSceneFiles) {
         const std::string name(file.name);
         const auto scene = std::make_shared<const CommandList>(read_scene(file.text, name, name));
-        Frame frame = make_frame(scene, {.width = kWidth, .height = kHeight});
+        Frame frame = make_frame(*scene, {.width = kWidth, .height = kHeight});
         const std::size_t left_out = std::erase_if(frame.items, [](const auto& item) {
             const Draw* draw = std::get_if<Draw>(&item);
             return draw && sums_in_fragments(*draw);
         });
-        fixed::PreparedFrame(frame, kPrecise, fixed::Scrub::kNothing).draw();
+        fixed::Replay(frame, {}).draw();
         const Image of_fixed = read_pixels(kWidth, kHeight);
-        const Image precise = renderer.render(frame, kPrecise);
+        const Image precise = renderer.render(frame, kPrecise).image;
         std::size_t differing = 0;
         for (std::size_t i = 0; i < precise.pixels.size(); ++i) differing += of_fixed.pixels[i] != precise.pixels[i];
         fmt::print("{}: {} of {} pixels differ in floats; {} of {} Draws left out\n", name, differing,
@@ -369,10 +370,10 @@ TEST(Precise, IsOfVerticesAndOfUniforms) {
     const auto context = make_offscreen_context(1, 1);
     const auto scene = std::make_shared<const CommandList>(
         read_scene("glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();", "scene.gl", "scene"));
-    const Frame frame = make_frame(scene, {.width = 1, .height = 1});
-    RenderOptions phong = kPrecise, baked = kPrecise;
+    const Frame frame = make_frame(*scene, {.width = 1, .height = 1});
+    programmable::Options phong = kPrecise, baked = kPrecise;
     phong.shading = Shading::kPhong;
-    baked.tier = Tier::kBaked;
+    baked.tier = programmable::Tier::kBaked;
     EXPECT_THROW(programmable::PreparedFrame(frame, phong), std::invalid_argument);
     EXPECT_THROW(programmable::PreparedFrame(frame, baked), std::invalid_argument);
 }
@@ -390,7 +391,7 @@ glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 1);
 glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();)",
                                                                       "scene.gl", "scene"));
     programmable::Renderer renderer;
-    const Image image = renderer.render(make_frame(scene, {.width = 1, .height = 1}), kPrecise);
+    const Image image = renderer.render(make_frame(*scene, {.width = 1, .height = 1}), kPrecise).image;
     EXPECT_FLOAT_EQ(image.at(0, 0)[0], 0.2F * 0.2F + 0.2F / 2);  // of the scene's ambient light, and of the light's
 }
 

@@ -278,14 +278,14 @@ class SceneText {
     std::string text_;
 };
 
-Frame frame_of(const std::string& text) {
+Scene scene_of(const std::string& text) {
     auto commands = std::make_shared<const CommandList>(read_scene(text, "random.gl", "random"));
     State state({.width = kWidth, .height = kHeight});
     for (const Command& command : commands->commands) state.apply(command);
     EXPECT_TRUE(state.errors().empty()) << state.errors().front().message << "\n" << text;
-    Frame frame = state.take_frame(commands);
+    Frame frame = state.take_frame();
     EXPECT_TRUE(frame.unsupported.empty()) << frame.unsupported.front().name << "\n" << text;
-    return frame;
+    return {std::move(commands), std::move(frame)};
 }
 
 // What the fixed function may show: between these, channel by channel.
@@ -295,13 +295,13 @@ struct Bounds {
 
 Bounds fixed_bounds(const SceneText& scene) {
     Bounds bounds;
-    bounds.itself = fixed::render(frame_of(scene.text({})), {});
+    bounds.itself = fixed::render(scene_of(scene.text({})));
     bounds.least = bounds.greatest = bounds.itself;
     std::vector<SceneText::Moved> moves = {{.level = kLevelStep}, {.level = -kLevelStep}};
     for (int x : {-1, 0, 1})
         for (int y : {-1, 0, 1}) moves.push_back({.x = x * kGridStep, .y = y * kGridStep});
     for (const SceneText::Moved& move : moves) {
-        const Image moved = fixed::render(frame_of(scene.text(move)), {});
+        const Image moved = fixed::render(scene_of(scene.text(move)));
         for (std::size_t i = 0; i < moved.pixels.size(); ++i) {
             for (std::size_t c = 0; c < 4; ++c) {
                 bounds.least.pixels[i][c] = std::min(bounds.least.pixels[i][c], moved.pixels[i][c]);
@@ -346,11 +346,11 @@ class Comparison {
     void compare(int structure) {
         const SceneText scene = SceneText(structure).build();
         const Bounds bounds = fixed_bounds(scene);
-        const Frame frame = frame_of(scene.text({}));
-        judge(fmt::format("fragments_{}", structure), scene, bounds, renderer_.render(frame, {}), total_);
+        const Frame frame = scene_of(scene.text({})).frame;
+        judge(fmt::format("fragments_{}", structure), scene, bounds, renderer_.render(frame, {}).image, total_);
         if (!scene.is_linear() || structure % 2 != 0) return;  // half of them, for time
         judge(fmt::format("fragments_{}_phong", structure), scene, bounds,
-              renderer_.render(frame, {.shading = Shading::kPhong}), total_phong_);
+              renderer_.render(frame, {{{.shading = Shading::kPhong}}}).image, total_phong_);
     }
 
     // The scenes are worth drawing, and what is left to rounding is little.

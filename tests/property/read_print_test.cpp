@@ -80,7 +80,7 @@ Command random_command(fuzz::Random& random, CommandId id) {
             command.arguments.push_back(random.below(static_cast<int>(size) + 1));
             continue;
         }
-        if (parameter.extent == Extent::kByCount || parameter.extent == Extent::kNames) {
+        if (parameter.extent == Extent::kArrayByCount || parameter.extent == Extent::kNewNames) {
             // The first counted array decides how long the others are.
             if (!is_counted) command.arguments.back() = random.below(5) - 1;
             is_counted = true;
@@ -105,7 +105,7 @@ Command random_command(fuzz::Random& random, CommandId id) {
             random_map(random, command);
             continue;
         }
-        const bool names = parameter.extent == Extent::kNames || parameter.extent == Extent::kResult;
+        const bool names = parameter.extent == Extent::kNewNames || parameter.extent == Extent::kResult;
         if (names && parameter.kind != Kind::kQuadric) {
             for (int i = 0; i < count; ++i) command.arguments.push_back(1 + random.below(1000));
             continue;
@@ -116,10 +116,10 @@ Command random_command(fuzz::Random& random, CommandId id) {
                 std::make_shared<const Memory>(Memory{Kind::kUbyte, image("a picture.png").rgba, "a picture.png"});
             continue;
         }
-        if (parameter.extent == Extent::kOutput) continue;
+        if (parameter.is_output()) continue;
         if (parameter.extent == Extent::kRest) count = random.below(5);
         if (parameter.extent == Extent::kArray) count = parameter.count;
-        if (parameter.extent == Extent::kByPname) {
+        if (parameter.extent == Extent::kArrayByPname) {
             // Half of the time a pname that exists, so that the array has its true length.
             std::vector<Enum> pnames;
             for (const ParameterInfo& info : parameter_infos()) {

@@ -14,7 +14,7 @@
 #include "render/context/driver_name.h"
 #include "render/effect/scrubbed_state.h"
 #include "render/fixed/fixed.h"
-#include "render/fixed/prepared_frame.h"
+#include "render/fixed/replay.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/scenes/scenes.h"
@@ -24,19 +24,18 @@ namespace twinlight {
 namespace {
 
 // A comparison whose first pair is scrubbed ~ literal, and whose second is scrubbed ~ reference.
-compare::Comparison compare_scrubbed(const Frame& frame, double budget) {
+compare::Comparison compare_scrubbed(const Scene& scene, double budget) {
     const compare::Renderers renderers = {
-        .fixed =
-            [budget](const Frame& f, RenderOptions options) {
-                options.budget = budget;
-                options.patches = true;
-                return fixed::render_scrubbed(f, options);
+        .fixed = [budget](const Scene& s,
+                          const fixed::Options& options) { return fixed::render_scrubbed(s, options.shading, budget); },
+        .programmable =
+            [&](const Frame&, const programmable::Options& options) {
+                return programmable::Picture{fixed::render(scene, {options.shading}), {}};
             },
-        .programmable = fixed::render,
         .reference = reference::render,
         .freedom = reference::freedom,
     };
-    return compare::compare_scene(frame, renderers, {.per_vertex_only = true});
+    return compare::compare_scene(scene, {.per_vertex_only = true}, renderers);
 }
 
 void expect_within(const compare::Comparison& comparison, std::size_t pair_number, double budget) {
@@ -55,10 +54,10 @@ TEST(Scrubbed, DrawsTheBuiltInScenesAsLiterally) {
     for (const EmbeddedFile& file : kSceneFiles) {
         const auto scene =
             std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), std::string(file.name)));
-        const Frame frame = make_frame(scene, {.width = kSide, .height = kSide});
+        const Scene made = make_scene(scene, {.width = kSide, .height = kSide});
         const auto context = make_offscreen_context(kSide, kSide);
-        for (const double budget : {0.0, RenderOptions{}.budget}) {
-            const compare::Comparison comparison = compare_scrubbed(frame, budget);
+        for (const double budget : {0.0, PlanOptions{}.budget}) {
+            const compare::Comparison comparison = compare_scrubbed(made, budget);
             expect_within(comparison, kLiteral, budget);
             if (budget != 0) continue;
             const ImageDifference& difference = comparison.pairs[kLiteral].difference;
@@ -77,11 +76,11 @@ TEST(Scrubbed, IsTheSameToTheReference) {
         SCOPED_TRACE(file.name);
         const auto scene =
             std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), std::string(file.name)));
-        const Frame frame = make_frame(scene, {.width = kSide, .height = kSide});
+        const Frame frame = make_frame(*scene, {.width = kSide, .height = kSide});
         for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)}) {
-            RenderOptions options{.shading = shading, .budget = 0};
-            const Image whole = reference::render(frame, options);
-            const Image scrubbed = reference::render(scrubbed_frame(frame, options), options);
+            const PlanOptions options{{.shading = shading}, 0};
+            const Image whole = reference::render(frame, reference::Options{options});
+            const Image scrubbed = reference::render(scrubbed_frame(frame, options), reference::Options{options});
             std::size_t differing = 0;
             float worst = 0;
             for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
@@ -104,14 +103,14 @@ TEST(Scrubbed, DrawsRandomStatesAsLiterally) {
         // Every other one a picture of fragments' states, of structures that are far apart.
         const std::uint64_t state = i * 97 * fuzz::kPictureEvery + (i % 2 == 0 ? fuzz::kPictureEvery - 1 : i % 31);
         const auto scene = std::make_shared<const CommandList>(fuzz::random_scene(options, state));
-        const Frame frame = make_frame(scene, {.width = kSide, .height = kSide});
-        if (compare::DeparturesOfScene(*scene, current_driver(), {}).in(frame)) {
+        const Scene made = make_scene(scene, {.width = kSide, .height = kSide});
+        if (compare::DeparturesOfScene(*scene, current_driver(), {}).in(made.frame)) {
             ++departures;
             continue;
         }
         SCOPED_TRACE(fmt::format("twinlight fuzz --seed 7 --first {} --count 1\n{}", state, print_scene(*scene)));
-        const double budget = i % 4 < 2 ? 0 : RenderOptions{}.budget;
-        const compare::Comparison comparison = compare_scrubbed(frame, budget);
+        const double budget = i % 4 < 2 ? 0 : PlanOptions{}.budget;
+        const compare::Comparison comparison = compare_scrubbed(made, budget);
         expect_within(comparison, kLiteral, budget);
         expect_within(comparison, kReference, budget);
         ++compared;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "render/context/context.h"
-#include "render/fixed/prepared_frame.h"
+#include "render/fixed/replay.h"
 #include "scene/command/text.h"
 #include "scene/scenes/scenes.h"
 #include "scene/state/state.h"
@@ -13,10 +13,8 @@ namespace {
 TEST(Sending, ChangesNothingOfThePicture) {
     constexpr int kWidth = 160, kHeight = 120;
     const auto context = make_offscreen_context(kWidth, kHeight);
-    const auto picture = [&](const Frame& frame, Sending sending) {
-        RenderOptions options;
-        options.sending = sending;
-        fixed::PreparedFrame(frame, options, fixed::Scrub::kNothing).draw();
+    const auto picture = [&](const Frame& frame, fixed::Sending sending) {
+        fixed::Replay(frame, {.sending = sending}).draw();
         return read_pixels(kWidth, kHeight);
     };
     std::vector<std::pair<std::string, std::string>> scenes;
@@ -34,19 +32,19 @@ glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, indices);
 )");
     for (const auto& [name, text] : scenes) {
         const auto scene = std::make_shared<const CommandList>(read_scene(text, name, name));
-        const Frame frame = make_frame(scene, {.width = kWidth, .height = kHeight});
-        const Image buffers = picture(frame, Sending::kBuffers);
+        const Frame frame = make_frame(*scene, {.width = kWidth, .height = kHeight});
+        const Image buffers = picture(frame, fixed::Sending::kBuffers);
         EXPECT_NE(buffers.pixels, Image(kWidth, kHeight).pixels) << name << " draws nothing";
-        EXPECT_TRUE(picture(frame, Sending::kClientArrays).pixels == buffers.pixels) << name;
-        EXPECT_TRUE(picture(frame, Sending::kImmediate).pixels == buffers.pixels) << name;
+        EXPECT_TRUE(picture(frame, fixed::Sending::kClientArrays).pixels == buffers.pixels) << name;
+        EXPECT_TRUE(picture(frame, fixed::Sending::kImmediate).pixels == buffers.pixels) << name;
         // From a list Mesa cuts quadrilaterals along the other diagonal; GL leaves it open (3.5).
         Frame without_quads = frame;
         std::erase_if(without_quads.items, [](const auto& item) {
             const Draw* draw = std::get_if<Draw>(&item);
             return draw && (draw->mode == kGL_QUADS || draw->mode == kGL_QUAD_STRIP);
         });
-        EXPECT_TRUE(picture(without_quads, Sending::kDisplayList).pixels ==
-                    picture(without_quads, Sending::kBuffers).pixels)
+        EXPECT_TRUE(picture(without_quads, fixed::Sending::kDisplayList).pixels ==
+                    picture(without_quads, fixed::Sending::kBuffers).pixels)
             << name;
     }
 }

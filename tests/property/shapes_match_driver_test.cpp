@@ -15,6 +15,7 @@
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
+#include "state_answers.h"
 
 namespace twinlight {
 namespace {
@@ -86,11 +87,12 @@ class ShapesAndTheDriver : public testing::Test {
         // GLU's floats: an angle up to 2 pi rounded, and a handful of products.
         constexpr double kFloat = 0x1p-24 * (2 * 3.15 * 2 + 6);
         for (int i = 0; i < 3; ++i) {
-            EXPECT_NEAR(static_cast<double>(normal[static_cast<std::size_t>(i)]), state.current_normal()[i], kFloat);
+            EXPECT_NEAR(static_cast<double>(normal[static_cast<std::size_t>(i)]),
+                        state.attributes().current.normal_object[i], kFloat);
         }
         for (int i = 0; i < 4; ++i) {
             EXPECT_NEAR(static_cast<double>(tex_coord[static_cast<std::size_t>(i)]),
-                        state.get(kGL_CURRENT_TEXTURE_COORDS).at(static_cast<std::size_t>(i)), kFloat);
+                        answer(state, kGL_CURRENT_TEXTURE_COORDS).at(static_cast<std::size_t>(i)), kFloat);
         }
     }
 
@@ -104,12 +106,11 @@ class ShapesAndTheDriver : public testing::Test {
             "gluLookAt(1, 2, 3,  0, 0, 0.2,  0, 1, 0); glNormal3f(0, 0, 1);" +
             drawing;
         const auto scene = std::make_shared<const CommandList>(read_scene(text, "shape.gl", "shape"));
-        const Frame frame = make_frame(scene, {.width = kWidth, .height = kHeight});
-        const Image driver = fixed::render(frame, {});
+        const auto [recording, frame] = make_scene(scene, {.width = kWidth, .height = kHeight});
+        const Image driver = fixed::render({recording, frame});
         // Where a strip's quadrilaterals are cut is the driver's choice.
-        const Image right =
-            nearer_of(driver, reference::render(frame, {.shading = {}, .quad_cut = QuadCut::kFirstToThird}),
-                      reference::render(frame, {.shading = {}, .quad_cut = QuadCut::kSecondToFourth}));
+        const Image right = nearer_of(driver, reference::render(frame, {{}, reference::QuadCut::kFirstToThird}),
+                                      reference::render(frame, {{}, reference::QuadCut::kSecondToFourth}));
         const ImageDifference found = difference(driver, right, reference::edge_pixels(frame));
         EXPECT_LE(found.interior.max, 1.0 / 255) << found.interior.worst_x << "," << found.interior.worst_y;
         // As often as float and double lie on different sides of a rounding border.

@@ -15,12 +15,13 @@
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
+#include "state_answers.h"
 
 namespace twinlight {
 
 namespace {
 
-constexpr bool is_elsewhere(std::string_view effect) { return effect.starts_with("elsewhere"); }
+constexpr bool is_driver_only(std::string_view effect) { return effect.starts_with("driver_only"); }
 
 constexpr int kSequences = 2000;
 constexpr int kCommands = 120;  // a sequence
@@ -28,16 +29,12 @@ constexpr int kCommands = 120;  // a sequence
 // ---- Random commands ----
 
 // The commands that State does not follow, and glDrawBuffer, whose buffers an offscreen context does not have.
-constexpr CommandId kElsewhere[] = {
-#define GL_COMMAND(name, effect, ...) is_elsewhere(#effect) ? CommandId::name : CommandId::glDrawBuffer,
+constexpr CommandId kDriverOnly[] = {
+#define GL_COMMAND(name, effect, ...) is_driver_only(#effect) ? CommandId::name : CommandId::glDrawBuffer,
 #define SHAPE_COMMAND(name, effect, ...)
 #define QUADRIC_COMMAND(name, effect, ...)
 #define PRAGMA_COMMAND(name, effect, ...)
 #include "scene/command/commands.def"
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
 };
 
 Enum one_of(fuzz::Random& random, const std::vector<Enum>& choices) {
@@ -182,7 +179,7 @@ bool uses_arrays_or_names(const Signature& sig) {
                           sig.name.starts_with("glDrawArrays") || sig.name == "glArrayElement";
     return is_array || std::any_of(sig.parameters.begin(), sig.parameters.end(), [](const Parameter& p) {
                return p.extent == Extent::kPointer || p.extent == Extent::kOutputByCount ||
-                      p.extent == Extent::kByCount || p.extent == Extent::kNames || p.name == "buffer" ||
+                      p.extent == Extent::kArrayByCount || p.extent == Extent::kNewNames || p.name == "buffer" ||
                       p.name == "list" || p.name == "base";
            });
 }
@@ -197,14 +194,14 @@ Command random_command(fuzz::Random& random) {
         if (sig.name.starts_with("glMultTranspose") || sig.name.starts_with("glFrustum")) continue;
         if (uses_arrays_or_names(sig)) continue;
         // What State does not follow, it does not check either.
-        if (std::find(std::begin(kElsewhere), std::end(kElsewhere), id) != std::end(kElsewhere)) continue;
+        if (std::find(std::begin(kDriverOnly), std::end(kDriverOnly), id) != std::end(kDriverOnly)) continue;
         // Half of the table are variants of glColor and glVertex.
         const bool frequent = sig.name.starts_with("glColor") || sig.name.starts_with("glVertex") ||
                               sig.name.starts_with("glTexCoord") || sig.name.starts_with("glMultiTexCoord");
         if (frequent && random.chance(0.7)) continue;
         Command command{id, {}, {}};
         for (const Parameter& parameter : sig.parameters) {
-            if (parameter.extent == Extent::kOutput) break;
+            if (parameter.is_output()) break;
             if (parameter.extent == Extent::kResult) {
                 command.arguments.push_back(0);
                 break;
@@ -218,7 +215,7 @@ Command random_command(fuzz::Random& random) {
                 continue;
             }
             int count = parameter.extent == Extent::kArray ? parameter.count : 1;
-            if (parameter.extent == Extent::kByPname) {
+            if (parameter.extent == Extent::kArrayByPname) {
                 count = array_length(id, command.enumerant(command.arguments.size() - 1)).value_or(4);
             }
             const bool bits = parameter.kind == Kind::kBitfield;
@@ -246,7 +243,7 @@ Command random_command(fuzz::Random& random) {
 
 // 2.12: the plane is undefined where the modelview matrix is singular, and inaccurate where it is nearly so.
 bool is_inaccurate_plane(const State& state) {
-    const std::vector<double> values = state.get(kGL_MODELVIEW_MATRIX);
+    const std::vector<double> values = answer(state, kGL_MODELVIEW_MATRIX);
     const glm::dmat4 matrix = glm::make_mat4(values.data());
     if (glm::determinant(matrix) == 0) return true;
     const auto norm = [](const glm::dmat4& m) {
@@ -265,7 +262,7 @@ bool is_departure(const Command& command, const State& state) {
         !command.sig().parameters.empty() && command.sig().parameters.back().extent == Extent::kValue;
     if (owner && is_single && !name.starts_with("glGet")) {
         // glLightf(..., GL_AMBIENT, ...): 2.14.2 says INVALID_ENUM; the driver takes the value as the first of four.
-        const ParameterInfo* info = find_parameter(*owner, command.enumerant(command.sig().scalars() - 2));
+        const ParameterInfo* info = find_parameter(*owner, command.enumerant(command.sig().parameters.size() - 2));
         if (info && info->count > 1) return true;
     }
     // 2.14.3: what tracks a colour has it at once; the driver loses a glColor that stands before a new glColorMaterial.
@@ -273,7 +270,7 @@ bool is_departure(const Command& command, const State& state) {
     const bool changes_color = command.id == CommandId::glColorMaterial || command.id == CommandId::glPopAttrib;
     if (changes_color && state.lighting().color_material.enabled) return true;
     // 2.7: glTexCoord1 to 3 set the others to 0, 0, 1, and glColor3 sets alpha to 1; the driver may keep what was there.
-    const std::vector<double> coords = state.get(kGL_CURRENT_TEXTURE_COORDS);
+    const std::vector<double> coords = answer(state, kGL_CURRENT_TEXTURE_COORDS);
     const bool plain = coords == std::vector<double>{coords.empty() ? 0 : coords[0], 0, 0, 1};
     if (name.starts_with("glTexCoord") && name[10] != '4' && !plain) return true;
     // 2.5: GL_INVALID_ENUM; the driver takes the lowest three bits of whatever it is given for the unit.
@@ -290,20 +287,20 @@ bool is_departure(const Command& command, const State& state) {
                        (name.starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP);
     // 6.1.14: what is changed within an inner glPushAttrib that does not save it, the outer one restores; the driver does not.
     if (command.id == CommandId::glPushAttrib && command.enumerant(0) != kGL_ALL_ATTRIB_BITS &&
-        state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0)
+        answer(state, kGL_ATTRIB_STACK_DEPTH)[0] > 0)
         return true;
     if (switches && enum_name(command.enumerant(0)).ends_with("_ARRAY")) return true;  // the driver takes them as well
-    if (stays && state.get(kGL_ATTRIB_STACK_DEPTH)[0] > 0) return true;
+    if (stays && answer(state, kGL_ATTRIB_STACK_DEPTH)[0] > 0) return true;
     // Beyond the fixed function's units a driver has some for shaders; those are no part of State.
     const auto is_shaders_unit = [](Enum unit) { return unit >= kGL_TEXTURE0 + kMaxTextureUnits && unit < 0x8600; };
     if (command.id == CommandId::glActiveTexture && is_shaders_unit(command.enumerant(0))) return true;
     // The driver goes on with the texture matrix of the unit that was active before.
-    if (command.id == CommandId::glPopAttrib && state.get(kGL_MATRIX_MODE)[0] == kGL_TEXTURE) return true;
+    if (command.id == CommandId::glPopAttrib && answer(state, kGL_MATRIX_MODE)[0] == kGL_TEXTURE) return true;
     // Of EXT_direct_state_access, which the driver has.
     const auto is_unit = [](Enum mode) { return mode >= kGL_TEXTURE0 && mode <= kGL_TEXTURE0 + 31; };
     if (command.id == CommandId::glMatrixMode && is_unit(command.enumerant(0))) return true;
     if (command.id == CommandId::glClipPlane && is_inaccurate_plane(state)) return true;
-    return name.starts_with("glColor3") && state.current_color().a != 1;
+    return name.starts_with("glColor3") && state.attributes().current.color.a != 1;
 }
 
 // ---- What the driver holds ----
@@ -339,11 +336,12 @@ void expect_same_state(const State& state, const fixed::Driver& driver) {
     // Everything else that has a name: what State answers is what the driver answers.
     int answered = 0;
     for (const NamedValue& name : gl_names()) {
-        std::vector<double> expected = state.get(name.value);
+        std::vector<double> expected = answer(state, name.value);
         const bool is_query = !expected.empty() && !name.name.ends_with("_BIT");
         if (!is_query || name.value <= kGL_POLYGON) continue;
         // A departure (golden/known_differences): the driver answers for unit 0.
-        if (name.value == kGL_TRANSPOSE_TEXTURE_MATRIX && state.get(kGL_ACTIVE_TEXTURE)[0] != kGL_TEXTURE0) continue;
+        if (name.value == kGL_TRANSPOSE_TEXTURE_MATRIX && answer(state, kGL_ACTIVE_TEXTURE)[0] != kGL_TEXTURE0)
+            continue;
 
         // The driver gave the scene's objects names of its own.
         const auto driver_name = [&](ObjectType type) {
@@ -361,20 +359,20 @@ void expect_same_state(const State& state, const fixed::Driver& driver) {
     for (Enum plane = kGL_CLIP_PLANE0; plane <= kGL_CLIP_PLANE0 + 7; ++plane) {
         std::array<GLdouble, 4> values{};
         glGetClipPlane(plane, values.data());
-        expect_near({values.begin(), values.end()}, state.get_clip_plane(plane), enum_name(plane));
+        expect_near({values.begin(), values.end()}, clip_plane_answer(state, plane), enum_name(plane));
     }
     for (const ParameterInfo& info : parameter_infos()) {
         std::array<GLfloat, 4> values{};
         if (info.owner == Owner::kTexEnv || info.owner == Owner::kTexFilterControl) {
             const Enum target = info.owner == Owner::kTexEnv ? kGL_TEXTURE_ENV : kGL_TEXTURE_FILTER_CONTROL;
             glGetTexEnvfv(target, info.pname, values.data());
-            expect_near({values.begin(), values.begin() + info.count}, state.get_tex_env(target, info.pname),
+            expect_near({values.begin(), values.begin() + info.count}, tex_env_answer(state, target, info.pname),
                         enum_name(info.pname));
         }
         if (info.owner != Owner::kTexture || info.pname == kGL_TEXTURE_WRAP_R) continue;
         for (Enum target : {kGL_TEXTURE_1D, kGL_TEXTURE_2D}) {
             glGetTexParameterfv(target, info.pname, values.data());
-            expect_near({values.begin(), values.begin() + info.count}, state.get_tex_parameter(target, info.pname),
+            expect_near({values.begin(), values.begin() + info.count}, tex_parameter_answer(state, target, info.pname),
                         enum_name(target) + " " + enum_name(info.pname));
         }
     }

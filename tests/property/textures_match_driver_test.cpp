@@ -126,7 +126,7 @@ double expect_same(State& state, fixed::Driver& driver, const std::vector<Comman
     }
     EXPECT_TRUE(state.errors().empty()) << state.errors().front().message;
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-    const Texture* texture = state.texture(1);
+    const Texture* texture = state.textures().named.contains(1) ? state.textures().named.at(1).get() : nullptr;
     if (!texture) {
         ADD_FAILURE() << "no texture";
         return 0;

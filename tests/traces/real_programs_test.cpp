@@ -44,16 +44,17 @@ std::vector<std::string> recordings() {
     return names;
 }
 
-compare::Comparison comparison_of(const Frame& frame) {
-    const auto context = make_offscreen_context(frame.width, frame.height);
+compare::Comparison comparison_of(const Scene& scene) {
+    const auto context = make_offscreen_context(scene.frame.width, scene.frame.height);
     programmable::Renderer shaders;
     const compare::Renderers renderers = {
         .fixed = fixed::render,
-        .programmable = [&](const Frame& f, const RenderOptions& options) { return shaders.render(f, options); },
+        .programmable = [&](const Frame& f,
+                            const programmable::Options& options) { return shaders.render(f, options); },
         .reference = reference::render,
         .freedom = reference::freedom,
     };
-    return compare::compare_scene(frame, renderers, {.driver = driver_name()});
+    return compare::compare_scene(scene, {.driver = driver_name()}, renderers);
 }
 
 std::size_t pixels_drawn(const Image& image) {
@@ -69,7 +70,7 @@ TEST_P(RealPrograms, LookAlikeThreeWays) {
     const RecordedFrame recorded = make_recorded_frame(recording, {});
     EXPECT_EQ(recorded.error_count, 0u) << (recorded.first_error ? recorded.first_error->message : "");
 
-    const compare::Comparison comparison = comparison_of(recorded.frame);
+    const compare::Comparison comparison = comparison_of(recorded.scene);
     std::set<std::string> unsupported;
     for (const Unsupported& item : comparison.unsupported) unsupported.insert(item.name);
     const auto expected = expected_unsupported().find(GetParam());

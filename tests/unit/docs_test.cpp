@@ -1,6 +1,10 @@
-// docs/scene-language.md names every command of the table, and none that is not there.
+// docs/scene-language.md names every command of the table, and no other; docs/lighting.md names only symbols that exist.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -57,6 +61,73 @@ TEST(Docs, NameEveryCommandOfAScene) {
     for (const Signature& sig : signatures()) {
         if (sig.family == Family::kPragma) continue;
         EXPECT_TRUE(named.contains(std::string(sig.name))) << sig.name << " is missing";
+    }
+}
+
+// ---- docs/lighting.md ----
+
+// All C++ and GLSL below src, without comments.
+std::vector<std::string> code() {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator("src")) {
+        const std::string extension = entry.path().extension();
+        if (extension != ".h" && extension != ".cpp" && extension != ".glsl") continue;
+        std::istringstream lines(read_file(entry.path()));
+        std::string& file = files.emplace_back();
+        for (std::string line; std::getline(lines, line);) file += line.substr(0, line.find("//")) + "\n";
+    }
+    return files;
+}
+
+bool is_word_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+// Whether the text has the word, or, where it ends in "...", one that starts so; with "(" after it for a function.
+bool has_word(const std::string& text, std::string word) {
+    const bool is_start = word.ends_with("...");
+    if (is_start) word.resize(word.size() - 3);
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        const bool starts = at == 0 || !is_word_letter(text[at - 1]);
+        if (starts && (is_start || word.ends_with('(') || end == text.size() || !is_word_letter(text[end])))
+            return true;
+    }
+    return false;
+}
+
+// What the rows of tables have in backquotes: `f()`, `Class::member`, `u_FACE_...`.
+std::set<std::string> symbols_of_tables(const std::string& page) {
+    std::set<std::string> symbols;
+    std::istringstream lines(page);
+    const std::regex symbol("[A-Za-z_][A-Za-z0-9_]*(::[A-Za-z_][A-Za-z0-9_]*)?(\\(|\\.\\.\\.)?");
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("| ")) continue;
+        std::istringstream parts(line);  // every second one stands in backquotes
+        std::string part;
+        for (bool is_quoted = false; std::getline(parts, part, '`'); is_quoted = !is_quoted) {
+            if (!is_quoted) continue;
+            for (std::sregex_iterator match(part.begin(), part.end(), symbol), end; match != end; ++match)
+                symbols.insert(match->str());
+        }
+    }
+    return symbols;
+}
+
+TEST(Docs, NameOnlySymbolsOfTheLightingThatExist) {
+    std::string page = read_file("docs/lighting.md");
+    page.resize(page.find("\n## "));  // the tables of the equation, and of what comes before and after it
+    const std::set<std::string> symbols = symbols_of_tables(page);
+    EXPECT_GT(symbols.size(), 40U);
+    const std::vector<std::string> files = code();
+    for (const std::string& symbol : symbols) {
+        const std::size_t colons = symbol.find("::");
+        const std::string member = colons == symbol.npos ? symbol : symbol.substr(colons + 2);
+        const auto has_symbol = [&](const std::string& file) {
+            const std::string type = symbol.substr(0, colons);
+            return has_word(file, member) &&
+                   (colons == symbol.npos || has_word(file, "struct " + type) || has_word(file, "class " + type));
+        };
+        EXPECT_TRUE(std::ranges::any_of(files, has_symbol))
+            << "docs/lighting.md names " << symbol << ", which is not in src";
     }
 }
 

@@ -18,8 +18,8 @@ namespace twinlight::programmable {
 inline constexpr double kFloatArithmetic = 20 * std::numeric_limits<float>::epsilon();
 inline constexpr double kHalfRoot3 = 0.86602540378443865;
 
-inline const RenderOptions kPhong{.shading = Shading::kPhong};
-inline const RenderOptions kGlAlone{.shading = std::nullopt, .lecture_variants = false};
+inline const Options kPhong{{{.shading = Shading::kPhong}}};
+inline const Options kGlAlone{{{.shading = std::nullopt, .lecture_variants = false}}};
 
 // A black material, no scene ambient, GL_LIGHT0 on: each test adds the term that it looks at.
 inline LightingState dark() {
@@ -54,18 +54,18 @@ inline Draw point(const glm::dvec3& position, const LightingState& lighting = da
     return draw;
 }
 
-inline Image picture(Draw draw, int size, const RenderOptions& options = {}) {
+inline Image picture(Draw draw, int size, const Options& options = {}) {
     const auto context = make_offscreen_context(size, size, ColorBuffer::kFloat);
     draw.raster.viewport = {0, 0, size, size};
-    Frame frame{.width = size, .height = size, .items = {draw}, .unsupported = {}, .commands = nullptr};
+    Frame frame{.width = size, .height = size, .items = {draw}};
     Renderer renderer;
-    Image image = renderer.render(frame, options);
+    Image image = renderer.render(frame, options).image;
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     return image;
 }
 
 // The colour of a picture of one pixel.
-inline glm::dvec4 color(const Draw& draw, const RenderOptions& options = {}) {
+inline glm::dvec4 color(const Draw& draw, const Options& options = {}) {
     const Rgba c = picture(draw, 1, options).at(0, 0);
     return {c[0], c[1], c[2], c[3]};
 }

@@ -37,7 +37,7 @@ const std::map<std::string, Table>& rooms() {
         {"base", {{"math", {}}, {"image", {"math"}}}},
         {"scene",
          {{"command", {}},
-          {"spectrum", {"command"}},
+          {"spectrum", {}},
           {"shape", {"command", "spectrum"}},
           {"state", {"command", "spectrum", "shape"}},
           {"trace", {"command"}},
@@ -45,7 +45,7 @@ const std::map<std::string, Table>& rooms() {
         {"render",
          {{"context", {}},
           {"effect", {}},
-          {"stages", {"effect", "context"}},
+          {"stages", {"context"}},
           {"fixed", {"effect", "stages", "context"}},
           {"programmable", {"effect", "stages", "context"}},
           {"reference", {}}}},  // shares neither the driver's numbers nor the planner's mistakes
@@ -67,8 +67,9 @@ const Table& narrower() {
         {"render/stages", {"base", "scene"}},
         {"render/fixed", {"base", "scene"}},
         {"render/programmable", {"base", "scene"}},
-        {"judge/report", {"base", "scene", "render/effect", "render/context"}},
-        {"judge/study", {"base", "scene", "render/context"}},  // the renderers come as functions
+        // The renderers come as functions.
+        {"judge/report", {"base", "scene", "render"}},
+        {"judge/study", {"base", "scene", "render"}},
     };
     return table;
 }

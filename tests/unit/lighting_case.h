@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "lighting/equation.h"
+#include "lighting/breakdown.h"
+#include "lighting/light_setup.h"
 
 namespace twinlight::lighting {
 
@@ -17,25 +18,21 @@ inline constexpr double kArithmetic = 32 * std::numeric_limits<double>::epsilon(
 struct Case {
     Model<double> model;
     Material<double> material{.diffuse = {1, 1, 1}, .diffuse_alpha = 0.5};
-    Surface<double> surface{{0, 0, 0}, {0, 0, 1}};
+    SurfacePoint<double> surface{{0, 0, 0}, {0, 0, 1}};
     std::vector<Light<double>> lights{Light<double>{.diffuse = {1, 1, 1}}};
 
     Light<double>& light() { return lights[0]; }
     void place_light(D position, double w = 1) { place(light(), position, w); }
-    void aim_spot(D direction, double cutoff_deg) {
-        light().spot_dir_eye = unit(direction);
-        light().is_spot = cutoff_deg != 180;
-        light().cos_cutoff = cos_deg<double>(cutoff_deg);
-    }
+    void aim_spot(D direction, double cutoff_deg) { aim(light(), direction, cutoff_deg); }
     // Only the specular term, white.
     void only_specular(double shininess) {
         material = {.specular = {1, 1, 1}, .shininess = shininess};
         light().specular = {1, 1, 1};
     }
-    Lit<double> lit() const { return light_surface<double>(model, material, surface, lights); }
+    MeasuredLit<double> lit() const { return measured_light<double>(model, material, surface, lights); }
     LightTerms<double> terms() const {
         std::vector<LightTerms<double>> breakdown(lights.size());
-        light_surface<double>(model, material, surface, lights, breakdown.data());
+        measured_light<double>(model, material, surface, lights, breakdown.data());
         return breakdown[0];
     }
     double red() const { return lit().primary.x; }

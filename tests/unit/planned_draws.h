@@ -9,8 +9,8 @@
 
 namespace twinlight {
 
-inline const RenderOptions kPhong{.shading = Shading::kPhong};
-inline const RenderOptions kGlAlone{.shading = std::nullopt, .lecture_variants = false};
+inline const PlanOptions kPhong{{.shading = Shading::kPhong}};
+inline const PlanOptions kGlAlone{{.shading = std::nullopt, .lecture_variants = false}};
 
 // A triangle lit by GL_LIGHT0, white and directional, in GL's initial state: diffuse alone is called for.
 inline Draw lit_triangle() {
@@ -40,12 +40,12 @@ inline Draw with_vertex_colors(Draw draw = lit_triangle()) {
     return draw;
 }
 
-inline EffectSet facts(const Draw& draw, const RenderOptions& options = {}) {
+inline EffectSet facts(const Draw& draw, const PlanOptions& options = {}) {
     return plan_effects(draw, options).effects;
 }
 
 // Why `what` is left out; empty if it is not.
-inline std::string reason(const Draw& draw, const std::string& what, const RenderOptions& options = {}) {
+inline std::string reason(const Draw& draw, const std::string& what, const PlanOptions& options = {}) {
     const Plan plan = plan_effects(draw, options);
     for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
         for (const LeftOut& left_out : list)

@@ -48,7 +48,7 @@ inline glm::dvec4 pixel(const Image& image, int x, int y) {
 
 inline constexpr int kSize = 16;
 
-inline Image draw_window(std::initializer_list<Draw> draws, const RenderOptions& options = {}) {
+inline Image draw_window(std::initializer_list<Draw> draws, const reference::Options& options = {}) {
     return reference::render(frame_of(kSize, kSize, draws), options);
 }
 

@@ -63,7 +63,7 @@ glRotatef(30, 1, 1, 0);
 glutSolidCube(1);
 )";
 
-constexpr RenderOptions kOptions = {.shading = {}, .lecture_variants = false};
+constexpr programmable::Options kOptions{{{.shading = {}, .lecture_variants = false}}};
 
 std::filesystem::path build_folder() {
     const char* build = std::getenv("TWINLIGHT_BUILD");
@@ -189,11 +189,11 @@ class DemoWindow : public testing::Test {
         return image;
     }
 
-    Frame expected_frame(const Controls& controls, int width = 640, int height = 480) {
+    Scene expected_scene(const Controls& controls, int width = 640, int height = 480) {
         StateOptions options;
         options.width = width;
         options.height = height;
-        return make_frame(std::make_shared<const CommandList>(apply_view(scene_, controls.view)), options);
+        return make_scene(std::make_shared<const CommandList>(apply_view(scene_, controls.view)), options);
     }
 
     // The same commands on OSMesa. Both libraries hold the same Mesa, so interiors are equal bit for bit. A border that
@@ -202,11 +202,12 @@ class DemoWindow : public testing::Test {
     void expect_as_on_osmesa(const Image& actual, const Controls& controls, int width = 640, int height = 480) {
         ASSERT_EQ(actual.width, width);
         ASSERT_EQ(actual.height, height);
-        const Frame frame = expected_frame(controls, width, height);
+        const Scene scene = expected_scene(controls, width, height);
         const auto context = make_offscreen_context(width, height);
-        const Image expected = controls.renderer == Renderer::kFixed ? fixed::render(frame, kOptions)
-                                                                     : programmable::Renderer().render(frame, kOptions);
-        expect_near(actual, expected, reference::edge_pixels(frame), 0);
+        const Image expected = controls.renderer == Path::kFixed
+                                   ? fixed::render(scene)
+                                   : programmable::Renderer().render(scene.frame, kOptions).image;
+        expect_near(actual, expected, reference::edge_pixels(scene.frame), 0);
     }
 
     // `interior`: by how much a channel may differ there.
@@ -237,16 +238,16 @@ std::unique_ptr<Xvfb> DemoWindow::server_;
 TEST_F(DemoWindow, WritesTheScreenshotOfAScript) {
     struct Script {
         std::string options, keys;
-        Renderer renderer = Renderer::kFixed;
+        Path renderer = Path::kFixed;
         int width = 640, height = 480;
     };
-    for (const Script& script : {Script{"", ""}, Script{"--with programmable", "", Renderer::kProgrammable},
-                                 Script{"--size 320x200", "f1++", Renderer::kFixed, 320, 200}, Script{"", "\tm2-"}}) {
+    for (const Script& script : {Script{"", ""}, Script{"--with programmable", "", Path::kProgrammable},
+                                 Script{"--size 320x200", "f1++", Path::kFixed, 320, 200}, Script{"", "\tm2-"}}) {
         SCOPED_TRACE(script.options + " --keys " + script.keys);
         const Ran ran = run(on_display(program() + " " + scene_file_ + " " + script.options + " --keys '" +
                                        script.keys + "' --quit-after 2 --screenshot " + picture_file_));
         ASSERT_EQ(ran.status, 0) << ran.output;
-        Controls controls = make_controls(expected_frame({}));
+        Controls controls = make_controls(expected_scene({}).frame);
         controls.renderer = script.renderer;
         for (const char key : script.keys) press(controls, key);
         expect_as_on_osmesa(picture(), controls, script.width, script.height);
@@ -256,15 +257,15 @@ TEST_F(DemoWindow, WritesTheScreenshotOfAScript) {
 TEST_F(DemoWindow, DrawsTheBuiltInScenesWithBothRenderers) {
     for (const EmbeddedFile& file : kSceneFiles) {
         const std::string name(file.name.substr(0, file.name.rfind(".gl")));
-        scene_ = load_scene(name);
-        for (const Renderer renderer : {Renderer::kFixed, Renderer::kProgrammable}) {
+        scene_ = *load_commands(name);
+        for (const Path renderer : {Path::kFixed, Path::kProgrammable}) {
             std::string options = name;
-            options += renderer == Renderer::kFixed ? " --with fixed" : " --with programmable";
+            options += renderer == Path::kFixed ? " --with fixed" : " --with programmable";
             SCOPED_TRACE(options);
             const Ran ran =
                 run(on_display(program() + " " + options + " --quit-after 1 --screenshot " + picture_file_));
             ASSERT_EQ(ran.status, 0) << ran.output;
-            Controls controls = make_controls(expected_frame({}));
+            Controls controls = make_controls(expected_scene({}).frame);
             controls.renderer = renderer;
             expect_as_on_osmesa(picture(), controls);
         }
@@ -277,7 +278,7 @@ TEST_F(DemoWindow, AnswersKeysAndMouse) {
     // The pointer stands in the window, which therefore has the keys: no window manager runs here.
     ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight").status, 0);
     xdotool("mousemove 300 200");
-    Controls controls = make_controls(expected_frame({}));
+    Controls controls = make_controls(expected_scene({}).frame);
 
     const auto check = [&](const std::string& what, const std::string& commands) {
         SCOPED_TRACE(what);
@@ -327,14 +328,14 @@ TEST_F(DemoWindow, ShowsTheDifferenceOfTheTwo) {
                   .status,
               0);
     const Image actual = picture();
-    const Frame frame = expected_frame({});
+    const Scene scene = expected_scene({});
     const auto context = make_offscreen_context(640, 480);
-    const Image a = fixed::render(frame, kOptions);
-    const Image b = programmable::Renderer().render(frame, kOptions);
+    const Image a = fixed::render(scene);
+    const Image b = programmable::Renderer().render(scene.frame, kOptions).image;
     const PixelMask no_edges(a.pixels.size());
     const int factor = amplification_for(difference(a, b, no_edges).interior.max);
     // Where one code differs between the two libraries, the amplified difference does by `factor` codes.
-    expect_near(actual, difference_picture(a, b, factor), reference::edge_pixels(frame), factor / 255.0);
+    expect_near(actual, difference_picture(a, b, factor), reference::edge_pixels(scene.frame), factor / 255.0);
 }
 
 TEST_F(DemoWindow, KeepsTheProportionsOfThePictureInAnyWindow) {
@@ -349,7 +350,7 @@ TEST_F(DemoWindow, KeepsTheProportionsOfThePictureInAnyWindow) {
         image = picture();
         return image.width != 320;
     }));
-    expect_as_on_osmesa(image, make_controls(expected_frame({})), 400, 300);
+    expect_as_on_osmesa(image, make_controls(expected_scene({}).frame), 400, 300);
     xdotool("key q");
     EXPECT_EQ(demo.ended(), 0);
 }

@@ -114,7 +114,7 @@ TEST(ExportedC, DrawsWhatTheFixedFunctionDraws) {
         ASSERT_EQ(drawn.out.size(), std::size_t{kWidth} * kHeight * 3);
 
         ASSERT_EQ(run_program("twinlight", {"render", scene, "--with", "fixed", "-o", folder / "fixed.png"}).status, 0);
-        const Frame frame = make_frame(std::make_shared<const CommandList>(load_scene(scene)), {});
+        const Frame frame = make_frame(*load_commands(scene), {});
         const ImageDifference found =
             difference(picture_of(drawn.out), read_png(folder / "fixed.png"), reference::edge_pixels(frame));
         // Both libraries hold the same Mesa; edges as in the tests of the window.

@@ -8,10 +8,9 @@
 
 #include "app/cli/progress.h"
 #include "base/image/file.h"
-#include "render/fixed/fixed.h"
 #include "scene/scenes/load.h"
 #include "scene/state/recorded_frame.h"
-#include "scene/state/shading_names.h"
+#include "scene/state/state.h"
 
 namespace twinlight::cli {
 
@@ -69,7 +68,7 @@ void add_frame_option(CLI::App& app, std::optional<int>& frame) {
 namespace {
 
 // A recorded program's picture; it may have a long way to it.
-Frame load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
+Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
                           std::optional<int> number) {
     FrameChoice choice{.number = number};
     if (size) {
@@ -93,24 +92,21 @@ Frame load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
             "twinlight: note: GL refuses {} of the program's commands up to this frame; the first: {}: {} ({})\n",
             recorded.error_count, first.place.str(), one_line(first.message), enum_name(first.code));
     }
-    return std::move(recorded.frame);
+    return std::move(recorded.scene);
 }
 
 }  // namespace
 
-Frame load_frame(const std::string& scene, std::optional<Size> size, std::optional<int> frame) {
-    const std::shared_ptr<const Recording> recording = load_recording(scene);
-    const auto list = std::dynamic_pointer_cast<const CommandList>(recording);
-    if (!list) return load_recorded_frame(recording, size, frame);
+Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame) {
+    std::shared_ptr<const Recording> recording = load_recording(name);
+    const CommandList* commands = recording->command_list();
+    if (!commands) return load_recorded_frame(recording, size, frame);
     if (frame) {
-        throw UsageError(fmt::format("--frame chooses a picture of a recorded program; the scene '{}' has one", scene));
+        throw UsageError(fmt::format("--frame chooses a picture of a recorded program; the scene '{}' has one", name));
     }
-    StateOptions options;
-    options.width = size.value_or(Size{}).width;
-    options.height = size.value_or(Size{}).height;
-    Frame made = make_frame(list, options);
-    fixed::note_lights_beyond(made, {});
-    return made;
+    const auto [width, height] = size.value_or(Size{});
+    Frame made = make_frame(*commands, {.width = width, .height = height});
+    return {std::move(recording), std::move(made)};
 }
 
 bool result_in_color() {

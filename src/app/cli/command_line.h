@@ -9,8 +9,9 @@
 #include <string_view>
 
 #include "app/program.h"
+#include "render/look.h"
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
+#include "scene/state/scene.h"
 
 namespace twinlight::cli {
 
@@ -43,18 +44,18 @@ CLI::Validator one_of(const Map& map) {
 CLI::Option* add_scene_argument(CLI::App& app, std::string& scene);
 void add_shading_option(CLI::App& app, std::optional<Shading>& shading);
 
-// RenderOptions::budget.
+// PlanOptions::budget.
 void add_budget_option(CLI::App& app, double& budget);
 
-// RenderOptions::precise.
+// programmable::Options::precise.
 void add_precise_flag(CLI::App& app, bool& precise);
 
 // Which picture of a recorded program.
 void add_frame_option(CLI::App& app, std::optional<int>& frame);
 
-// The picture that a scene comes to. What a recorded program says of itself, and what GL refuses of it, is told on
-// standard error.
-Frame load_frame(const std::string& scene, std::optional<Size> size, std::optional<int> frame = std::nullopt);
+// A scene, or a recorded program's picture. Notes about a recording (where it breaks off, what GL refuses) go to standard
+// error.
+Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame = std::nullopt);
 
 // Whether escape sequences may colour what is printed: a terminal, and NO_COLOR (no-color.org) is not set.
 bool result_in_color();

@@ -20,7 +20,7 @@ struct Arguments {
     std::optional<Size> size;
     std::optional<int> frame;
     std::string folder;
-    double budget = RenderOptions{}.budget;
+    double budget = PlanOptions{}.budget;
     bool precise = false, json = false;
     Shading per_pixel = Shading::kPhong;
 };
@@ -76,18 +76,19 @@ std::string summary(const compare::Comparison& comparison, const std::string& fo
 }
 
 int run(const Arguments& arguments) {
-    const Frame frame = load_frame(arguments.scene, arguments.size, arguments.frame);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
     compare::Comparison comparison;
     {
         ProgressBar bar;
-        const RendererSet renderers(frame.width, frame.height);
+        const RendererSet renderers(scene.frame.width, scene.frame.height);
         comparison = compare::compare_scene(
-            frame, renderers.functions(),
+            scene,
             {.driver = driver_name(),
              .budget = arguments.budget,
              .precise = arguments.precise,
              .per_pixel = arguments.per_pixel,
-             .progress = [&](int done, int total, std::string_view next) { bar.show(done, total, next); }});
+             .progress = [&](int done, int total, std::string_view next) { bar.show(done, total, next); }},
+            renderers.functions());
     }
     report::write_report(comparison, arguments.folder);
     write_result(arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder));

@@ -22,7 +22,7 @@ struct Arguments {
     std::optional<Size> size;
     std::optional<int> frame;
     std::string pixel;
-    double budget = RenderOptions{}.budget;
+    double budget = PlanOptions{}.budget;
     bool json = false;
 };
 
@@ -75,11 +75,12 @@ std::string counted(std::size_t count, const char* what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string summary(const Frame& frame, const std::vector<ExplainedDraw>& draws, double budget) {
+std::string summary(const Scene& scene, const std::vector<ExplainedDraw>& draws, double budget) {
     std::size_t count = 0;
     for (const ExplainedDraw& draw : draws) count += draw.numbers.size();
-    std::string text = fmt::format("{}, {} x {}: {}, {}; budget: {}\n", frame.commands->name, frame.width, frame.height,
-                                   counted(count, "draw"), counted(draws.size(), "different plan"), in_codes(budget));
+    std::string text =
+        fmt::format("{}, {} x {}: {}, {}; budget: {}\n", scene.name(), scene.frame.width, scene.frame.height,
+                    counted(count, "draw"), counted(draws.size(), "different plan"), in_codes(budget));
     for (const ExplainedDraw& draw : draws) {
         text += "\n" + heading(name_of(draw)) +
                 "\n  simulated: " + fmt::format("{}", fmt::join(facts_of(draw.plan).of_draw, ", ")) + "\n" +
@@ -120,8 +121,8 @@ Json json_of(const ExplainedDraw& draw) {
     return json;
 }
 
-std::string json_text(const Frame& frame, const std::vector<ExplainedDraw>& draws, double budget) {
-    Json json = {{"scene", frame.commands->name}, {"size", {frame.width, frame.height}}, {"budget", budget}};
+std::string json_text(const Scene& scene, const std::vector<ExplainedDraw>& draws, double budget) {
+    Json json = {{"scene", scene.name()}, {"size", {scene.frame.width, scene.frame.height}}, {"budget", budget}};
     json["error_bound"] = error_bound(draws);
     json["plans"] = Json::array();
     for (const ExplainedDraw& draw : draws) json["plans"].push_back(json_of(draw));
@@ -129,15 +130,15 @@ std::string json_text(const Frame& frame, const std::vector<ExplainedDraw>& draw
 }
 
 int run(const Arguments& arguments) {
-    const Frame frame = load_frame(arguments.scene, arguments.size, arguments.frame);
-    const RenderOptions options{.shading = arguments.shading, .lecture_variants = true, .budget = arguments.budget};
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
+    const PlanOptions options{{.shading = arguments.shading}, arguments.budget};
     if (!arguments.pixel.empty()) {
-        const Pixel pixel = parse_pixel(arguments.pixel, frame);
-        write_result(explain_pixel(frame, options, pixel, arguments.json));
+        const Pixel pixel = parse_pixel(arguments.pixel, scene.frame);
+        write_result(explain_pixel(scene, options, pixel, arguments.json));
         return kFine;
     }
-    const std::vector<ExplainedDraw> draws = explain(frame, options);
-    write_result(arguments.json ? json_text(frame, draws, arguments.budget) : summary(frame, draws, arguments.budget));
+    const std::vector<ExplainedDraw> draws = explain(scene.frame, options);
+    write_result(arguments.json ? json_text(scene, draws, arguments.budget) : summary(scene, draws, arguments.budget));
     return kFine;
 }
 

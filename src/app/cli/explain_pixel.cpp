@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,7 @@ using reference::LitPoint;
 using reference::PixelFragment;
 using reference::Vec;
 
-const char* name_of(Shading shading) {
+const char* words_of(Shading shading) {
     switch (shading) {
         case Shading::kFlat: return "flat: of the provoking vertex";
         case Shading::kGouraud: return "gouraud: between the vertices' terms, factors are means";
@@ -37,14 +38,15 @@ struct Rendered {
 };
 
 // The fixed function lights vertices alone.
-std::vector<Rendered> rendered(const Frame& frame, const RenderOptions& options, const Pixel& pixel) {
+std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, const Pixel& pixel) {
+    const Frame& frame = scene.frame;
     const RendererSet set(frame.width, frame.height);
     const compare::Renderers& functions = set.functions();
     std::vector<Rendered> result;
     const bool by_pixel = options.shading == Shading::kPhong || options.shading == Shading::kExact;
-    if (!by_pixel) result.push_back({"fixed", functions.fixed(frame, options).at(pixel.x, pixel.y)});
-    result.push_back({"programmable", functions.programmable(frame, options).at(pixel.x, pixel.y)});
-    result.push_back({"reference", functions.reference(frame, options).at(pixel.x, pixel.y)});
+    if (!by_pixel) result.push_back({"fixed", functions.fixed(scene, {options.shading}).at(pixel.x, pixel.y)});
+    result.push_back({"programmable", functions.programmable(frame, {options}).image.at(pixel.x, pixel.y)});
+    result.push_back({"reference", functions.reference(frame, reference::Options{options}).at(pixel.x, pixel.y)});
     return result;
 }
 
@@ -71,6 +73,21 @@ std::vector<std::string> names_of(const std::vector<int>& lights) {
     return names;
 }
 
+// "att spot n.VP d_cm d_cli" as "att 0.50000  spot 1.00000  n.VP 0.80000"; as it is where it has no factor but colours.
+std::string factors_of(const char* formula, const lighting::LightTerms<double>& terms) {
+    std::string text;
+    std::istringstream words(formula);
+    for (std::string word; words >> word;) {
+        if (word.find("_c") != word.npos) continue;
+        const double factor = word == "att"    ? terms.attenuation
+                              : word == "spot" ? terms.spot
+                              : word == "n.VP" ? terms.n_dot_vp
+                                               : terms.highlight;
+        text += fmt::format("{}{} {:.5f}", text.empty() ? "" : "  ", word, factor);
+    }
+    return text.empty() ? formula : text;
+}
+
 // "ruling, of GL_LIGHT0: a zero normal. Here: ambient and emission only."
 std::string text_of(const PixelFragment::Decided& decided) {
     const lighting::RulingText& text = lighting::text_of(decided.ruling);
@@ -86,17 +103,16 @@ std::string text_of(const PixelFragment& fragment, const Draw& draw) {
                     fragment.depth, fragment.passes ? "" : ", does not pass its tests");
     if (fragment.is_lit) {
         const LitPoint mean = mean_of(fragment);
-        text += fmt::format("  {}\n  {:<24} {:<44} {:>9} {:>9} {:>9}\n", name_of(fragment.shading), "", "", "red",
+        text += fmt::format("  {}\n  {:<24} {:<44} {:>9} {:>9} {:>9}\n", words_of(fragment.shading), "", "", "red",
                             "green", "blue");
         text += row("emission", "e_cm", mean.material.emission);
         text += row("scene ambient", "a_cm a_cs", mean.scene_ambient);
         for (std::size_t i = 0; i < fragment.lights.size(); ++i) {
             const lighting::LightTerms<double>& terms = mean.terms[i];
             const std::string name = light_name(fragment.lights[i]);
-            const std::string reach = fmt::format("att {:.5f}  spot {:.5f}", terms.attenuation, terms.spot);
-            text += row(name + " ambient", reach, terms.ambient);
-            text += row(name + " diffuse", fmt::format("{}  n.VP {:.5f}", reach, terms.n_dot_vp), terms.diffuse);
-            text += row(name + " specular", fmt::format("{}  f(n.h)^s {:.5f}", reach, terms.highlight), terms.specular);
+            text += row(name + " ambient", factors_of(mean.formulas.ambient, terms), terms.ambient);
+            text += row(name + " diffuse", factors_of(mean.formulas.diffuse, terms), terms.diffuse);
+            text += row(name + " specular", factors_of(mean.formulas.specular, terms), terms.specular);
         }
         text += row("primary colour", "before the clamp", mean.primary);
         if (draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
@@ -139,7 +155,11 @@ Json json_of(const PixelFragment& fragment, const Draw& draw) {
                                       {"highlight", terms.highlight},
                                       {"ambient", json_of(terms.ambient)},
                                       {"diffuse", json_of(terms.diffuse)},
-                                      {"specular", json_of(terms.specular)}});
+                                      {"specular", json_of(terms.specular)},
+                                      {"formulas",
+                                       {{"ambient", mean.formulas.ambient},
+                                        {"diffuse", mean.formulas.diffuse},
+                                        {"specular", mean.formulas.specular}}}});
         }
         json["primary_unclamped"] = json_of(mean.primary);
         json["secondary_unclamped"] = json_of(mean.secondary);
@@ -173,13 +193,14 @@ Pixel parse_pixel(const std::string& text, const Frame& frame) {
     return pixel;
 }
 
-std::string explain_pixel(const Frame& frame, const RenderOptions& options, const Pixel& pixel, bool as_json) {
+std::string explain_pixel(const Scene& scene, const PlanOptions& options, const Pixel& pixel, bool as_json) {
+    const Frame& frame = scene.frame;
     const std::vector<PixelFragment> fragments =
-        reference::pixel_fragments(frame, options, pixel.x, frame.height - 1 - pixel.y);
-    const std::vector<Rendered> pictures = rendered(frame, options, pixel);
+        reference::pixel_fragments(frame, reference::Options{options}, pixel.x, frame.height - 1 - pixel.y);
+    const std::vector<Rendered> pictures = rendered(scene, options, pixel);
     const std::vector<const Draw*> draws = draws_of(frame);
     if (as_json) {
-        Json json = {{"scene", frame.commands->name}, {"pixel", {pixel.x, pixel.y}}, {"fragments", Json::array()}};
+        Json json = {{"scene", scene.name()}, {"pixel", {pixel.x, pixel.y}}, {"fragments", Json::array()}};
         for (const PixelFragment& fragment : fragments)
             json["fragments"].push_back(json_of(fragment, *draws[fragment.draw]));
         for (const Rendered& picture : pictures)
@@ -187,7 +208,7 @@ std::string explain_pixel(const Frame& frame, const RenderOptions& options, cons
         return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     }
     std::string text = fmt::format(
-        "{}, pixel {},{} of {} x {}: {}\n", frame.commands->name, pixel.x, pixel.y, frame.width, frame.height,
+        "{}, pixel {},{} of {} x {}: {}\n", scene.name(), pixel.x, pixel.y, frame.width, frame.height,
         fragments.empty() ? "no draw covers it"
                           : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
     bool variants = false;

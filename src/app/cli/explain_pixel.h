@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "scene/state/frame.h"
+#include "render/effect/plan.h"
+#include "scene/state/scene.h"
 
 namespace twinlight::cli {
 
@@ -15,6 +16,6 @@ struct Pixel {
 Pixel parse_pixel(const std::string& text, const Frame& frame);
 
 // The fragments that cover it, with every term of their lighting by the reference; then what the three renderers draw there.
-std::string explain_pixel(const Frame& frame, const RenderOptions& options, const Pixel& pixel, bool as_json);
+std::string explain_pixel(const Scene& scene, const PlanOptions& options, const Pixel& pixel, bool as_json);
 
 }  // namespace twinlight::cli

@@ -7,7 +7,7 @@
 #include "app/cli/command_line.h"
 #include "render/programmable/programmable.h"
 #include "scene/command/text.h"
-#include "scene/shape/primitives.h"
+#include "scene/shape/written_out.h"
 
 namespace twinlight::cli {
 
@@ -25,24 +25,25 @@ struct Arguments {
 constexpr std::size_t kMostExported = 1'000'000;
 
 // The commands that lead to the picture.
-CommandList commands_of(const Frame& frame) {
-    CommandList commands(frame.commands->name, {});
-    frame.commands->for_each([&](const Step& step) {
+CommandList commands_of(const Scene& scene) {
+    CommandList commands(scene.name(), {});
+    scene.recording->for_each([&](const Step& step) {
         if (step.kind == Step::Kind::kCommand) commands.commands.push_back(step.command);
         if (commands.commands.size() <= kMostExported) return true;
         throw SceneError(
             fmt::format("{}: more than {} commands lead to this picture, too many to be printed; choose an "
                         "earlier --frame",
-                        frame.commands->name, kMostExported));
+                        scene.name(), kMostExported));
     });
     return commands;
 }
 
-const std::map<std::string, std::function<std::string(const Frame&, const RenderOptions&)>> kForms = {
-    {"c", [](const Frame& frame,
-             const RenderOptions&) { return print_c_program(with_pragmas_written_out(commands_of(frame))); }},
-    {"glsl", programmable::shader_source},
-    {"scene", [](const Frame& frame, const RenderOptions&) { return print_scene(commands_of(frame)); }},
+using Export = std::function<std::string(const Scene&, const programmable::Options&)>;
+const std::map<std::string, Export> kForms = {
+    {"c",
+     [](const Scene& scene, const auto&) { return print_c_program(with_pragmas_written_out(commands_of(scene))); }},
+    {"glsl", [](const Scene& scene, const auto& options) { return programmable::shader_source(scene.frame, options); }},
+    {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_of(scene)); }},
 };
 
 int run(const Arguments& arguments) {
@@ -52,10 +53,10 @@ int run(const Arguments& arguments) {
     if (arguments.form != "glsl" && arguments.precise)
         throw UsageError("--precise is of the shaders; use it with --as glsl");
     // The whole scene is run first: what has an error is not exported.
-    const Frame frame = load_frame(arguments.scene, {}, arguments.frame);
-    RenderOptions options{.shading = arguments.shading, .lecture_variants = true};
+    const Scene scene = load_scene(arguments.scene, {}, arguments.frame);
+    programmable::Options options{{{.shading = arguments.shading}}};
     options.precise = arguments.precise;
-    write_result(kForms.at(arguments.form)(frame, options));
+    write_result(kForms.at(arguments.form)(scene, options));
     return kFine;
 }
 

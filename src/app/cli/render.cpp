@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <array>
 #include <map>
 
 #include "app/cli/command_line.h"
@@ -11,7 +11,7 @@
 #include "base/image/png.h"
 #include "judge/report/words.h"
 #include "render/effect/scrubbed_state.h"
-#include "render/fixed/fixed.h"
+#include "render/fixed/replay.h"
 #include "render/reference/reference.h"
 
 namespace twinlight::cli {
@@ -25,31 +25,40 @@ struct Arguments {
     std::optional<Size> size;
     std::optional<int> frame;
     bool scrubbed = false, baked = false, precise = false;
-    double budget = RenderOptions{}.budget;
+    double budget = PlanOptions{}.budget;
     std::string output;
 };
 
-const std::map<std::string, compare::RenderFunction compare::Renderers::*> kRenderers = {
-    {"fixed", &compare::Renderers::fixed},
-    {"programmable", &compare::Renderers::programmable},
-    {"reference", &compare::Renderers::reference},
-};
-
-const std::map<std::string, compare::RenderFunction> kScrubbed = {
-    {"fixed", fixed::render_scrubbed},
-    {"reference",
-     [](const Frame& frame, const RenderOptions& options) {
-         return reference::render(scrubbed_frame(frame, options), options);
-     }},
+const std::map<std::string, Path> kRenderers = {
+    {"fixed", Path::kFixed},
+    {"programmable", Path::kProgrammable},
+    {"reference", Path::kReference},
 };
 
 // A picture is never silently partial.
-void tell_unsupported(const Frame& frame, const std::string& renderer) {
-    for (Unsupported item : frame.unsupported) {
-        if (std::ranges::find(item.renderers, renderer) == item.renderers.end()) continue;
-        item.renderers = {renderer};
-        fmt::print(stderr, "twinlight: note: {}\n", report::sentence_of(item));
+void warn_unsupported(const Frame& frame, Path path) {
+    for (const Unsupported& item : frame.unsupported)
+        if (lacks(path, item)) fmt::print(stderr, "twinlight: note: {}\n", report::sentence_of(item, std::array{path}));
+}
+
+Image drawn(const Arguments& arguments, const Scene& scene) {
+    const RendererSet renderers(scene.frame.width, scene.frame.height);
+    const PlanOptions plan{{.shading = arguments.shading}, arguments.budget};
+    switch (kRenderers.at(arguments.renderer)) {
+        case Path::kFixed:
+            return arguments.scrubbed ? fixed::render_scrubbed(scene, arguments.shading, arguments.budget)
+                                      : renderers.functions().fixed(scene, {arguments.shading});
+        case Path::kProgrammable:
+            return renderers.functions()
+                .programmable(scene.frame,
+                              {plan, arguments.baked ? programmable::Tier::kBaked : programmable::Tier::kUniform,
+                               arguments.precise})
+                .image;
+        case Path::kReference:
+            return renderers.functions().reference(arguments.scrubbed ? scrubbed_frame(scene.frame, plan) : scene.frame,
+                                                   reference::Options{plan});
     }
+    return {};
 }
 
 int run(const Arguments& arguments) {
@@ -81,23 +90,14 @@ int run(const Arguments& arguments) {
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
         throw UsageError("-o - would write a PNG's bytes to the terminal; redirect it or name a file");
     }
-    const Frame frame = load_frame(arguments.scene, arguments.size, arguments.frame);
-    const RendererSet renderers(frame.width, frame.height);
-    const compare::RenderFunction render = arguments.scrubbed
-                                               ? kScrubbed.at(arguments.renderer)
-                                               : renderers.functions().*kRenderers.at(arguments.renderer);
-    const RenderOptions options{.shading = arguments.shading,
-                                .lecture_variants = true,
-                                .budget = arguments.budget,
-                                .tier = arguments.baked ? Tier::kBaked : Tier::kUniform,
-                                .precise = arguments.precise};
-    const std::string png = encode_png(render(frame, options));
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
+    const std::string png = encode_png(drawn(arguments, scene));
     if (to_stdout) {
         write_result(png);
     } else {
         write_file_atomically(arguments.output, png);
     }
-    tell_unsupported(frame, arguments.renderer);
+    warn_unsupported(scene.frame, kRenderers.at(arguments.renderer));
     return kFine;
 }
 

@@ -7,7 +7,7 @@ namespace twinlight::cli {
 
 RendererSet::RendererSet(int width, int height) : context_(make_offscreen_context(width, height)) {
     functions_.fixed = fixed::render;
-    functions_.programmable = [this](const Frame& frame, const RenderOptions& options) {
+    functions_.programmable = [this](const Frame& frame, const programmable::Options& options) {
         return programmable_.render(frame, options);
     };
     functions_.reference = reference::render;

@@ -8,7 +8,7 @@
 #include "judge/compare/vertex_colors.h"
 #include "render/context/driver_name.h"
 #include "scene/command/text.h"
-#include "scene/shape/primitives.h"
+#include "scene/shape/written_out.h"
 
 namespace twinlight::cli {
 
@@ -133,7 +133,7 @@ glm::dvec2 window_place(const Case& of, const Spot& spot) {
     if (spot.kind == Spot::Kind::kPixel) return {spot.x, kSide - 1 - spot.y};
     std::string error;
     const std::optional<compare::VertexScene> scene =
-        compare::make_vertex_scene(of.carried_out(compare::kVertexWindow).frame, error);
+        compare::make_vertex_scene(of.carried_out(compare::kVertexWindow).scene, error);
     const glm::dvec4& clip = scene.value().lit.at(static_cast<std::size_t>(spot.vertex)).position_clip;
     return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * static_cast<double>(kSide);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/cli/command_line.h"
 
@@ -21,12 +22,35 @@ using Json = nlohmann::ordered_json;
 
 std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
 
-// A scene's first comment line says what it is.
+// A scene's first comment starts with a sentence that says what it is.
 std::string description_of(const EmbeddedFile& file) {
-    std::string_view line = file.text.substr(0, file.text.find('\n'));
-    if (!line.starts_with("//")) return "";
-    line.remove_prefix(std::min(line.find_first_not_of("/ "), line.size()));
-    return std::string(line);
+    std::string sentence;
+    std::istringstream lines{std::string(file.text)};
+    for (std::string line; std::getline(lines, line) && line.starts_with("// ");) {
+        sentence += (sentence.empty() ? "" : " ") + line.substr(3);
+        if (const std::size_t end = sentence.find(". "); end != std::string::npos) return sentence.substr(0, end + 1);
+        if (sentence.ends_with('.')) break;
+    }
+    return sentence;
+}
+
+// The words in lines of at most 80 columns, which start at this one but for the first.
+std::string wrapped(const std::string& words, std::size_t indent) {
+    constexpr std::size_t kColumns = 80;
+    std::string text;
+    std::size_t column = indent;
+    std::istringstream in(words);
+    for (std::string word; in >> word; column += word.size()) {
+        if (column > indent && column + 1 + word.size() > kColumns) {
+            text += "\n" + std::string(indent, ' ');
+            column = indent;
+        } else if (column > indent) {
+            text += " ";
+            ++column;
+        }
+        text += word;
+    }
+    return text;
 }
 
 int list(const Arguments& arguments) {
@@ -42,7 +66,7 @@ int list(const Arguments& arguments) {
     for (const EmbeddedFile& file : kSceneFiles) width = std::max(width, name_of(file).size());
     std::string text;
     for (const EmbeddedFile& file : kSceneFiles) {
-        text += fmt::format("{:{}}  {}\n", name_of(file), width, description_of(file));
+        text += fmt::format("{:{}}  {}\n", name_of(file), width, wrapped(description_of(file), width + 2));
     }
     write_result(text);
     return kFine;

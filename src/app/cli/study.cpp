@@ -120,13 +120,13 @@ int run(Arguments arguments) {
     if (arguments.scene.empty()) throw UsageError("SCENE is missing, or --merge with files to lay over each other");
     const std::optional<study::Study> earlier = earlier_study(arguments);
     const Size size = arguments.size.value_or(arguments.quick ? kQuickSize : kSize);
-    const Frame frame = load_frame(arguments.scene, size);
-    const auto* scene = dynamic_cast<const CommandList*>(frame.commands.get());
-    const bool has_slices = scene && study::has_slices(*scene);
+    const Scene scene = load_scene(arguments.scene, size);
+    const Frame& frame = scene.frame;
+    const CommandList* commands = scene.recording->command_list();
+    const bool has_slices = commands && study::has_slices(*commands);
     const auto frame_of = [&](int slices) {
         if (slices == 0) return frame;
-        return make_frame(std::make_shared<const CommandList>(study::with_slices(*scene, slices)),
-                          {.width = frame.width, .height = frame.height});
+        return make_frame(study::with_slices(*commands, slices), {.width = frame.width, .height = frame.height});
     };
     // Before the work, not after it.
     std::error_code error;
@@ -135,9 +135,9 @@ int run(Arguments arguments) {
     StudyRenderers renderers(frame.width, frame.height);
 
     study::Study about;  // what is known of it beforehand
-    about.scene = frame.commands->name;
-    if (scene) {
-        std::istringstream text(print_scene(*scene));
+    about.scene = scene.name();
+    if (commands) {
+        std::istringstream text(print_scene(*commands));
         about.fingerprint = fingerprint(text);
     } else {
         std::ifstream file(arguments.scene, std::ios::binary);

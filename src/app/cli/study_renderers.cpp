@@ -5,7 +5,7 @@
 
 #include "judge/study/scene_of_choice.h"
 #include "render/context/gl.h"
-#include "render/fixed/prepared_frame.h"
+#include "render/fixed/replay.h"
 #include "render/reference/reference.h"
 
 namespace twinlight::cli {
@@ -31,7 +31,7 @@ Image clamped(Image image) {
 
 study::Prepared by_reference(Frame frame, const study::Choice& choice) {
     const auto ready = std::make_shared<const Frame>(std::move(frame));
-    const auto picture = [ready, options = choice.options(), samples = choice.samples] {
+    const auto picture = [ready, options = choice.reference_options(), samples = choice.samples] {
         Image image = reference::render(*ready, options);
         return samples == 1 ? image : reduced(image, samples);
     };
@@ -41,7 +41,7 @@ study::Prepared by_reference(Frame frame, const study::Choice& choice) {
 // Drivers may have no precise programs, and scenes lights that the fixed function has not.
 std::shared_ptr<programmable::PreparedFrame> prepared_for_shaders(const Frame& frame, const study::Choice& choice) {
     try {
-        return std::make_shared<programmable::PreparedFrame>(frame, choice.options());
+        return std::make_shared<programmable::PreparedFrame>(frame, choice.shader_options());
     } catch (const std::runtime_error& refusal) {
         if (choice.method == study::Method::kPrecise) throw study::Refused(refusal.what());
         throw;
@@ -72,7 +72,7 @@ study::Prepared StudyRenderers::prepare(const Frame& frame, const study::Choice&
     std::function<void()> draw;
     if (choice.method == study::Method::kFixed) {
         const auto kept = std::make_shared<const Frame>(std::move(drawn));
-        const auto ready = std::make_shared<fixed::PreparedFrame>(*kept, choice.options(), fixed::Scrub::kNothing);
+        const auto ready = std::make_shared<fixed::Replay>(*kept, choice.fixed_options());
         draw = [kept, ready] { ready->draw(); };
     } else {
         const auto ready = prepared_for_shaders(drawn, choice);

@@ -10,9 +10,10 @@ namespace twinlight::cli {
 
 namespace {
 
-constexpr RenderOptions kPerPixel = {.shading = Shading::kPhong};
+constexpr Look kPerPixel = {.shading = Shading::kPhong};
 
-std::function<void()> drawn(programmable::Renderer& renderer, const Frame& frame, const RenderOptions& options) {
+std::function<void()> drawn(programmable::Renderer& renderer, const Frame& frame,
+                            const programmable::Options& options) {
     const auto ready = std::make_shared<programmable::PreparedFrame>(frame, options);
     return [ready, &renderer] {
         renderer.draw(*ready);
@@ -26,12 +27,12 @@ std::optional<study::SpectralStudy> study_samples(const Frame& frame, bool quick
     if (!study::has_spectrum(frame)) return std::nullopt;
     programmable::Renderer renderer;
     const study::SpectralRenderers renderers = {
-        .reference = [](const Frame& sampled) { return reference::render(sampled, kPerPixel); },
+        .reference = [](const Frame& sampled) { return reference::render(sampled, {kPerPixel}); },
         .shaders = [&renderer](const Frame& sampled) -> std::function<void()> {
-            return drawn(renderer, sampled, kPerPixel);
+            return drawn(renderer, sampled, {{kPerPixel}});
         },
         .sampling_shaders = [&renderer](const Frame& sampled) -> std::function<void()> {
-            RenderOptions every_point = kPerPixel;
+            programmable::Options every_point{{kPerPixel}};
             every_point.fold_spectra = false;
             return drawn(renderer, sampled, every_point);
         }};

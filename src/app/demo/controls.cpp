@@ -26,7 +26,7 @@ void toggle_shade_model(Controls& controls) {
 }
 
 void toggle_renderer(Controls& controls) {
-    controls.renderer = controls.renderer == Renderer::kFixed ? Renderer::kProgrammable : Renderer::kFixed;
+    controls.renderer = controls.renderer == Path::kFixed ? Path::kProgrammable : Path::kFixed;
     controls.difference = false;  // the key asks to see a renderer
 }
 
@@ -75,10 +75,8 @@ std::vector<const Draw*> draws(const Frame& frame) {
 
 // A picture is never silently partial.
 bool is_partial(const Controls& controls, const Frame& frame) {
-    const std::string shown = controls.renderer == Renderer::kFixed && !controls.difference ? "fixed" : "programmable";
-    return std::ranges::any_of(frame.unsupported, [&](const Unsupported& item) {
-        return std::ranges::find(item.renderers, shown) != item.renderers.end();
-    });
+    const Path shown = controls.difference ? Path::kProgrammable : controls.renderer;
+    return std::ranges::any_of(frame.unsupported, [&](const Unsupported& item) { return lacks(shown, item); });
 }
 
 }  // namespace
@@ -140,7 +138,7 @@ std::string summary(const std::string& scene, const Controls& controls, const Fr
     if (controls.difference) {
         text += "|fixed - programmable| times " + std::to_string(amplification);
     } else {
-        text += controls.renderer == Renderer::kFixed ? "fixed" : "programmable";
+        text += name_of(controls.renderer);
     }
     if (is_partial(controls, frame)) text += " (partial)";
     text += " -";

@@ -7,19 +7,18 @@
 #include <string_view>
 
 #include "app/demo/view.h"
+#include "render/path.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::demo {
 
-enum class Renderer : std::uint8_t { kFixed, kProgrammable };
-
 struct Controls {
     View view;
-    Renderer renderer = Renderer::kFixed;
-    bool difference = false;   // the picture is |fixed - programmable|, amplified
-    bool keys_shown = false;   // the overlay of all keys
-    bool status_shown = true;  // the overlay of one line
-    bool save_asked = false;   // the window writes the picture and takes this back
+    Path renderer = Path::kFixed;  // or kProgrammable
+    bool difference = false;       // the picture is |fixed - programmable|, amplified
+    bool keys_shown = false;       // the overlay of all keys
+    bool status_shown = true;      // the overlay of one line
+    bool save_asked = false;       // the window writes the picture and takes this back
     bool quit_asked = false;
     View initial_view;           // what r goes back to
     bool scene_is_flat = false;  // the scene's own shade model: f starts with the other one

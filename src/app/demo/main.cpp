@@ -33,7 +33,7 @@ int run(int argc, char** argv) {
                if (name != "fixed" && name != "programmable") {
                    throw CLI::ValidationError("--with", "'" + name + "' is not one of fixed, programmable");
                }
-               options.renderer = name == "fixed" ? demo::Renderer::kFixed : demo::Renderer::kProgrammable;
+               options.renderer = name == "fixed" ? Path::kFixed : Path::kProgrammable;
            },
            "the renderer to start with: fixed or programmable")
         ->option_text("RENDERER");
@@ -49,7 +49,7 @@ int run(int argc, char** argv) {
     if (!parse_command_line(app, argc, argv)) return kFine;
     options.width = size.width;
     options.height = size.height;
-    return demo::show(std::make_shared<const CommandList>(load_scene(scene)), options);
+    return demo::show(load_commands(scene), options);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "app/demo/window.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -35,19 +36,17 @@ static_assert(GLUT_KEY_F1 == 1 && GLUT_KEY_LEFT == 100 && GLUT_KEY_UP == 101 && 
 constexpr int kWheelUp = 3, kWheelDown = 4;   // how freeglut reports the wheel as buttons
 constexpr int kLineHeight = 15, kMargin = 6;  // of the overlays, in pixels; the font is 8 by 13
 
-// The two renderers are to be held against each other, so both follow GL's own model, without the lecture's variants.
-constexpr RenderOptions kOptions = {.shading = {}, .lecture_variants = false};
+// The two renderers are compared, so both follow GL's own model, without the lecture's variants.
+constexpr programmable::Options kOptions{{{.shading = {}, .lecture_variants = false}}};
 // Of frame after frame: what stands still is baked into the shaders. Pictures that are compared have kOptions.
-constexpr RenderOptions kLiveOptions = {.shading = {}, .lecture_variants = false, .tier = Tier::kAuto};
+constexpr programmable::Options kLiveOptions{{{.shading = {}, .lecture_variants = false}}, programmable::Tier::kAuto};
 
 // The title says "(partial)" of a picture; which commands it lacks stands on the terminal.
-void tell_unsupported(const Frame& frame) {
-    for (Unsupported item : frame.unsupported) {
-        const auto is_reference = [](const std::string& renderer) { return renderer == "reference"; };
-        std::erase_if(item.renderers, is_reference);  // which the window does not show
-        if (item.renderers.empty()) continue;
-        std::fprintf(stderr, "twinlight-demo: note: %s\n", report::sentence_of(item).c_str());
-    }
+void warn_unsupported(const Frame& frame) {
+    constexpr std::array shown = {Path::kFixed, Path::kProgrammable};
+    for (const Unsupported& item : frame.unsupported)
+        if (!report::names_of(item, shown).empty())
+            std::fprintf(stderr, "twinlight-demo: note: %s\n", report::sentence_of(item, shown).c_str());
 }
 
 class Window {
@@ -55,9 +54,9 @@ class Window {
     Window(std::shared_ptr<const CommandList> scene, const WindowOptions& options)
         : scene_(std::move(scene)), options_(options) {
         remake_frame();  // a bad scene is told before a window opens
-        controls_ = make_controls(frame_);
+        controls_ = make_controls(shown_.frame);
         controls_.renderer = options.renderer;
-        tell_unsupported(frame_);
+        warn_unsupported(shown_.frame);
     }
 
     int run();
@@ -76,7 +75,7 @@ class Window {
     void draw_picture();
     void place_picture();
     void draw_overlays();
-    Image render(Renderer renderer);
+    Image render(Path renderer);
 
     // An exception must not fly through GLUT's C code: it ends the main loop.
     template <class Action>
@@ -97,7 +96,7 @@ class Window {
     int width_ = 0, height_ = 0;  // of the window
     Viewport picture_;            // its size, and where in the window it is shown
     std::optional<View> framed_view_;
-    Frame frame_;  // made from the scene under framed_view_
+    Scene shown_;  // made from the scene under framed_view_
     std::unique_ptr<programmable::Renderer> programmable_;
     int amplification_ = 1;  // of the difference shown
     std::string summary_;    // of what is shown
@@ -195,15 +194,14 @@ void Window::remake_frame() {
     StateOptions options;
     options.width = picture_.width > 0 ? picture_.width : options_.width;
     options.height = picture_.height > 0 ? picture_.height : options_.height;
-    frame_ = make_frame(seen, options);
-    fixed::note_lights_beyond(frame_, {});
+    shown_ = make_scene(seen, options);
     framed_view_ = controls_.view;
 }
 
 void Window::display() {
     remake_frame();
     draw_picture();
-    summary_ = summary(scene_->name, controls_, frame_, amplification_);
+    summary_ = summary(scene_->name, controls_, shown_.frame, amplification_);
     glutSetWindowTitle((summary_ + " - twinlight").c_str());
     ++frames_shown_;
     const bool last = options_.quit_after > 0 && frames_shown_ >= options_.quit_after;
@@ -236,24 +234,24 @@ void Window::save() {
 
 void Window::draw_picture() {
     if (controls_.difference) {
-        const Image fixed = render(Renderer::kFixed);
-        const Image programmable = render(Renderer::kProgrammable);
+        const Image fixed = render(Path::kFixed);
+        const Image programmable = render(Path::kProgrammable);
         const PixelMask no_edges(fixed.pixels.size());
         amplification_ = amplification_for(difference(fixed, programmable, no_edges).interior.max);
         const fixed::InitialState initial(width_, height_);
         draw_image(difference_picture(fixed, programmable, amplification_), 0, picture_.height);
-    } else if (controls_.renderer == Renderer::kFixed) {
-        fixed::draw(frame_, kOptions);
+    } else if (controls_.renderer == Path::kFixed) {
+        fixed::draw(shown_);
     } else {
         if (!programmable_) programmable_ = std::make_unique<programmable::Renderer>();
-        programmable_->draw(frame_, kLiveOptions);
+        programmable_->draw(shown_.frame, kLiveOptions);
     }
 }
 
-Image Window::render(Renderer renderer) {
-    if (renderer == Renderer::kFixed) return fixed::render(frame_, kOptions);
+Image Window::render(Path renderer) {
+    if (renderer == Path::kFixed) return fixed::render(shown_);
     if (!programmable_) programmable_ = std::make_unique<programmable::Renderer>();
-    return programmable_->render(frame_, kOptions);
+    return programmable_->render(shown_.frame, kOptions).image;
 }
 
 // From the lower left corner to the middle, between black bars.

@@ -12,7 +12,7 @@ namespace twinlight::demo {
 struct WindowOptions {
     int width = 640;  // of the picture; a window of other proportions shows it with bars
     int height = 480;
-    Renderer renderer = Renderer::kFixed;
+    Path renderer = Path::kFixed;
     std::string keys;        // pressed before the first frame
     std::string screenshot;  // the file that s writes
     int quit_after = 0;      // frames, then the picture is written if `screenshot` is given; 0: the user quits

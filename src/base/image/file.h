@@ -1,4 +1,4 @@
-// Whole files: read in one go, written whole or not at all.
+// Whole files: read in one go, written whole or not at all; and those that travel inside the binary.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,12 @@
 #include <vector>
 
 namespace twinlight {
+
+// The Makefile's `embed` writes tables of them.
+struct EmbeddedFile {
+    std::string_view name;  // without its folder
+    std::string_view text;
+};
 
 // what() is one line: "path: reason".
 struct FileError : std::runtime_error {

@@ -293,13 +293,13 @@ bool Case::expects_error() const {
 
 CarriedOut Case::carried_out(int side) const {
     const StateOptions options{.width = side, .height = side};
-    if (!expects_error()) return {.frame = make_frame(scene, options)};
+    if (!expects_error()) return {.scene = make_scene(scene, options)};
     State state(options);
     for (const Command& command : scene->commands) state.apply(command);
     // What is too large for Twinlight, the driver must not be asked for.
     if (const auto error = state.exhausted() ? state.exhausted() : state.unfinished())
         throw SceneError(fmt::format("{}: {}", error->place.str(), error->message));
-    return {state.take_frame(scene), state.errors().empty() ? kGL_NO_ERROR : state.errors().front().code};
+    return {{scene, state.take_frame()}, state.errors().empty() ? kGL_NO_ERROR : state.errors().front().code};
 }
 
 Case read_case(std::string_view text, const std::string& file, const std::string& name) {

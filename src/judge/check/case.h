@@ -10,9 +10,10 @@
 #include <variant>
 #include <vector>
 
-#include "base/math/embedded_file.h"
+#include "base/image/file.h"
+#include "render/look.h"
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
+#include "scene/state/scene.h"
 
 namespace twinlight {
 
@@ -65,7 +66,7 @@ struct Differs {
 
 // What a case's commands come to, and the first error that they raise.
 struct CarriedOut {
-    Frame frame;
+    Scene scene;
     Enum error = kGL_NO_ERROR;
 };
 

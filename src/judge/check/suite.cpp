@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "judge/check/variants.h"
 #include "judge/compare/vertex_colors.h"
@@ -28,7 +29,9 @@ using compare::Color;
 // ---- What is asked ----
 
 // --precise follows GL's own model alone.
-bool is_asked(const Variant& variant, const Frame& frame) { return !(variant.options.precise && has_variants(frame)); }
+bool is_asked(const ShaderVariant& variant, const Frame& frame) {
+    return !(variant.options.precise && has_variants(frame));
+}
 
 Enum driver_error() {
     const Enum first = glGetError();
@@ -75,8 +78,7 @@ Right of_floats(const Case& of, const Expectation& expected) {
 }
 
 // Of what the reference calculates. Long double has one answer.
-Right of_reference(const Case& of, const Expectation& expected, const RenderOptions& options) {
-    const Number number = options.arithmetic.number;
+Right of_reference(const Case& of, const Expectation& expected, Number number) {
     const double floats = float_tolerance(of);
     return {expected.value, number == Number::kLongDouble ? expected.value : expected.other,
             number == Number::kFloat ? floats : std::min(floats, kWrittenTolerance)};
@@ -173,13 +175,13 @@ std::vector<glm::dvec4> sums_in_long_double(const compare::VertexScene& scene, s
 
 void judge_reference(const Case& of, const compare::VertexScene& scene, Result& result) {
     const bool back = scene.shows_back();
-    for (const Variant& variant : reference_variants()) {
+    for (const ReferenceVariant& variant : reference_variants()) {
         const std::vector<reference::LitVertex> lit = reference::light_vertices(scene.draw(), variant.options, false);
         for (const Expectation& expected : of.expectations) {
             if (expected.spot.kind != Spot::Kind::kVertex) continue;
             const compare::FaceColors face =
                 compare::face_colors(lit.at(static_cast<std::size_t>(expected.spot.vertex)), back);
-            const Right right = of_reference(of, expected, variant.options);
+            const Right right = of_reference(of, expected, variant.options.arithmetic.number);
             const glm::dvec4 right_secondary(expected.secondary, 1);
             judge_own(Path::kReference, variant.name, expected.spot, right, face.primary, result);
             judge_own(Path::kReference, variant.name + " secondary", expected.spot,
@@ -189,7 +191,7 @@ void judge_reference(const Case& of, const compare::VertexScene& scene, Result& 
     }
 }
 
-void judge_shaders(const Case& of, const compare::VertexScene& scene, const Variant& variant,
+void judge_shaders(const Case& of, const compare::VertexScene& scene, const ShaderVariant& variant,
                    const std::vector<Color>& colors, Result& result) {
     const std::vector<glm::dvec4> of_gl = sums_in_long_double(scene, {});
     const std::vector<glm::dvec4> exact = sums_in_long_double(scene, variant.options.shading);
@@ -216,12 +218,14 @@ glm::dvec4 color_at(const Image& image, const Spot& spot) {
 
 struct Picture {
     Path path;
-    Variant variant;
+    std::string variant;
+    std::optional<Shading> shading;
+    Number number;  // of the reference
     Image image;
 };
 
 bool is_of(const Spot& spot, const Picture& picture) {
-    return spot.kind == Spot::Kind::kPixel && spot.shading == picture.variant.options.shading;
+    return spot.kind == Spot::Kind::kPixel && spot.shading == picture.shading;
 }
 
 // What a picture shows where the case expects something of this shading.
@@ -229,16 +233,15 @@ void judge_picture(const Case& of, const Picture& picture, Result& result) {
     result.non_finite += non_finite_pixels(picture.image);
     for (const Expectation& expected : of.expectations) {
         if (!is_of(expected.spot, picture)) continue;
-        const Right right = picture.path == Path::kReference ? of_reference(of, expected, picture.variant.options)
-                                                             : of_floats(of, expected);
-        judge_own(picture.path, picture.variant.name, expected.spot, right, color_at(picture.image, expected.spot),
-                  result);
+        const Right right =
+            picture.path == Path::kReference ? of_reference(of, expected, picture.number) : of_floats(of, expected);
+        judge_own(picture.path, picture.variant, expected.spot, right, color_at(picture.image, expected.spot), result);
     }
 }
 
 void hold_to_long_double(const Case& of, const std::vector<Picture>& pictures, Result& result) {
     for (const Picture& exact : pictures) {
-        if (exact.variant.options.arithmetic.number != Number::kLongDouble) continue;
+        if (exact.path != Path::kReference || exact.number != Number::kLongDouble) continue;
         for (const Picture& picture : pictures) {
             if (picture.path != Path::kProgrammable) continue;
             for (const Expectation& e : of.expectations)
@@ -248,24 +251,34 @@ void hold_to_long_double(const Case& of, const std::vector<Picture>& pictures, R
     }
 }
 
-// The variants that draw some of the case's expectations: those of its shadings, and all numbers and tiers of each.
-std::vector<Variant> variants_of(const Case& of, const Frame& frame, Path path) {
-    std::vector<Variant> result;
+// The pictures of a case: those of its shadings, by all numbers and tiers of each.
+std::vector<Picture> pictures_of(const Case& of, const Frame& frame, programmable::Renderer& renderer) {
     std::vector<std::optional<Shading>> shadings;
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.kind == Spot::Kind::kPixel &&
             std::ranges::find(shadings, expected.spot.shading) == shadings.end())
             shadings.push_back(expected.spot.shading);
     }
+    std::vector<Picture> shown, exact;
     for (const std::optional<Shading>& shading : shadings) {
-        for (Variant variant : path == Path::kReference ? reference_variants() : shader_variants()) {
+        const std::string suffix = shading ? std::string(" ") + name_of(*shading) : "";
+        for (ShaderVariant variant : shader_variants()) {
             if (variant.options.shading || (variant.options.precise && shading) || !is_asked(variant, frame)) continue;
             variant.options.shading = shading;
-            if (shading) variant.name += *shading == Shading::kPhong ? " phong" : " exact";
-            result.push_back(variant);
+            shown.push_back({Path::kProgrammable,
+                             variant.name + suffix,
+                             shading,
+                             {},
+                             renderer.render(frame, variant.options).image});
+        }
+        for (ReferenceVariant variant : reference_variants()) {
+            variant.options.shading = shading;
+            exact.push_back({Path::kReference, variant.name + suffix, shading, variant.options.arithmetic.number,
+                             reference::render(frame, variant.options)});
         }
     }
-    return result;
+    std::ranges::move(exact, std::back_inserter(shown));
+    return shown;
 }
 
 }  // namespace
@@ -283,9 +296,8 @@ std::string_view word_of(Outcome outcome) {
 }
 
 std::string finding_text(const Case& of, const Finding& finding) {
-    std::string text =
-        fmt::format("{}{}{}, {}: {}, ", kPathNames.at(static_cast<std::size_t>(finding.path)),
-                    finding.variant.empty() ? "" : " ", finding.variant, finding.spot.str(), text_of(finding.value));
+    std::string text = fmt::format("{}{}{}, {}: {}, ", name_of(finding.path), finding.variant.empty() ? "" : " ",
+                                   finding.variant, finding.spot.str(), text_of(finding.value));
     if (finding.outcome == Outcome::kVanished)
         return text + "as the text says; the case lists another: " + finding.name;
     text += (finding.outcome == Outcome::kRuling ? "ruled " : "expected ") + text_of(finding.expected);
@@ -317,7 +329,7 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
         try {
             CarriedOut given = of.carried_out(compare::kVertexWindow);
             judge_error(of, given.error, results[i]);
-            scenes[i] = compare::make_vertex_scene(std::move(given.frame), results[i].error);
+            scenes[i] = compare::make_vertex_scene(std::move(given.scene), results[i].error);
         } catch (const SceneError& refused) {
             results[i].error = refused.what();
         }
@@ -333,16 +345,16 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
         driver_error();
         const std::vector<Color> fixed = compare::fixed_colors(*scenes[i]);
         judge_fixed(
-            of, scenes[i]->frame, driver_, driver_error(),
+            of, scenes[i]->scene.frame, driver_, driver_error(),
             [&](const Expectation& expected) { return seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex))); },
             results[i]);
         judge_reference(of, *scenes[i], results[i]);
     }
-    for (const Variant& variant : shader_variants()) {
+    for (const ShaderVariant& variant : shader_variants()) {
         const auto colors = compare::shader_colors(scenes, context_.shaders(), variant.options);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             if (!scenes[i] || (scenes[i]->shows_back() && !compare::knows_faces_of_corners())) continue;
-            if (is_asked(variant, scenes[i]->frame))
+            if (is_asked(variant, scenes[i]->scene.frame))
                 judge_shaders(cases[i], *scenes[i], variant, colors[i], results[i]);
         }
     }
@@ -354,25 +366,21 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
         Result& result = results[i];
         if (of.is_of_vertices()) continue;
         try {
-            const auto [frame, error] = of.carried_out(kSide);
+            const auto [scene, error] = of.carried_out(kSide);
+            const Frame& frame = scene.frame;
             judge_error(of, error, result);
             driver_error();
-            const Image fixed = fixed::render(frame, {});
+            const Image fixed = fixed::render(scene);
             judge_fixed(
                 of, frame, driver_, driver_error(),
                 [&](const Expectation& expected) { return Seen(color_at(fixed, expected.spot)); }, result);
             result.pictures.emplace_back("fixed", fixed);
-            std::vector<Picture> pictures;
-            for (const Variant& variant : variants_of(of, frame, Path::kProgrammable))
-                pictures.push_back({Path::kProgrammable, variant, context_.shaders().render(frame, variant.options)});
-            for (const Variant& variant : variants_of(of, frame, Path::kReference))
-                pictures.push_back({Path::kReference, variant, reference::render(frame, variant.options)});
+            std::vector<Picture> pictures = pictures_of(of, frame, context_.shaders());
             for (const Picture& picture : pictures) judge_picture(of, picture, result);
             hold_to_long_double(of, pictures, result);
             for (Picture& picture : pictures)
-                result.pictures.emplace_back(
-                    fmt::format("{} {}", kPathNames.at(static_cast<std::size_t>(picture.path)), picture.variant.name),
-                    std::move(picture.image));
+                result.pictures.emplace_back(fmt::format("{} {}", name_of(picture.path), picture.variant),
+                                             std::move(picture.image));
         } catch (const SceneError& refused) {
             result.error = refused.what();
         }
@@ -382,10 +390,10 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
 void Suite::draw_vertices(const Case& of, Result& result) {
     if (!of.is_of_vertices() || !result.error.empty()) return;
     context_.make_current();
-    const Frame frame = of.carried_out(kVertexSide).frame;
-    if (!has_variants(frame)) result.pictures.emplace_back("fixed", fixed::render(frame, {}));
-    result.pictures.emplace_back("programmable", context_.shaders().render(frame, plain().options));
-    result.pictures.emplace_back("reference", reference::render(frame, plain().options));
+    const Scene scene = of.carried_out(kVertexSide).scene;
+    if (!has_variants(scene.frame)) result.pictures.emplace_back("fixed", fixed::render(scene));
+    result.pictures.emplace_back("programmable", context_.shaders().render(scene.frame, plain().options).image);
+    result.pictures.emplace_back("reference", reference::render(scene.frame, {}));
 }
 
 }  // namespace twinlight::check

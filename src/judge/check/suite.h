@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,12 +9,9 @@
 
 #include "judge/check/case.h"
 #include "judge/compare/shader_context.h"
+#include "render/path.h"
 
 namespace twinlight::check {
-
-enum class Path : std::uint8_t { kFixed, kProgrammable, kReference };
-inline constexpr std::size_t kPaths = 3;
-inline constexpr std::array<std::string_view, kPaths> kPathNames = {"fixed", "programmable", "reference"};
 
 enum class Outcome : std::uint8_t {
     kNotAsked,  // the fixed function, where all is about what GL does not have

@@ -6,47 +6,43 @@ namespace twinlight::check {
 
 namespace {
 
-template <class Change>
-RenderOptions with(Change change) {
-    RenderOptions options;
-    options.budget = 0;
-    change(options);
-    return options;
+using programmable::Tier;
+
+ShaderVariant shaders(std::string name, const std::optional<Shading>& shading, Tier tier = Tier::kUniform,
+                      bool precise = false) {
+    return {std::move(name), {{{.shading = shading}, 0}, tier, precise}};
+}
+
+ReferenceVariant numbers(std::string name, Arithmetic arithmetic) {
+    return {std::move(name), {{}, reference::QuadCut::kFirstToThird, arithmetic}};
 }
 
 }  // namespace
 
-Variant plain() {
-    return {"uniform", with([](RenderOptions&) {})};
-}
+ShaderVariant plain() { return shaders("uniform", {}); }
 
-Variant long_double() {
-    return {"long double", with([](RenderOptions& o) { o.arithmetic.number = Number::kLongDouble; })};
-}
+ReferenceVariant long_double() { return numbers("long double", {Number::kLongDouble}); }
 
-std::vector<Variant> shader_variants() {
-    std::vector<Variant> variants = {
+std::vector<ShaderVariant> shader_variants() {
+    std::vector<ShaderVariant> variants = {
         plain(),
-        {"baked", with([](RenderOptions& o) { o.tier = Tier::kBaked; })},
-        {"precise", with([](RenderOptions& o) { o.precise = true; })},
-        {"flat", with([](RenderOptions& o) { o.shading = Shading::kFlat; })},
-        {"phong", with([](RenderOptions& o) { o.shading = Shading::kPhong; })},
-        {"baked phong", with([](RenderOptions& o) {
-             o.tier = Tier::kBaked;
-             o.shading = Shading::kPhong;
-         })},
+        shaders("baked", {}, Tier::kBaked),
+        shaders("precise", {}, Tier::kUniform, true),
+        shaders("flat", Shading::kFlat),
+        shaders("phong", Shading::kPhong),
+        shaders("baked phong", Shading::kPhong, Tier::kBaked),
     };
-    if (!programmable::has_precise()) std::erase_if(variants, [](const Variant& v) { return v.options.precise; });
+    if (!programmable::has_precise()) std::erase_if(variants, [](const ShaderVariant& v) { return v.options.precise; });
     return variants;
 }
 
 // Powers from a table, the accuracy study's third choice, are off by design.
-std::vector<Variant> reference_variants() {
+std::vector<ReferenceVariant> reference_variants() {
     return {
         long_double(),
-        {"double", with([](RenderOptions&) {})},
-        {"float", with([](RenderOptions& o) { o.arithmetic.number = Number::kFloat; })},
-        {"double, squaring", with([](RenderOptions& o) { o.arithmetic.powers = Powers::kSquaring; })},
+        numbers("double", {}),
+        numbers("float", {Number::kFloat}),
+        numbers("double, squaring", {Number::kDouble, Powers::kSquaring}),
     };
 }
 

@@ -1,23 +1,28 @@
-// What a case is asked of: the shaders' tiers and shadings, the reference's numbers.
+// The shaders' tiers and shadings, and the reference's numbers, that every case is checked with.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "scene/state/frame.h"
+#include "render/programmable/options.h"
+#include "render/reference/options.h"
 
 namespace twinlight::check {
 
+// Whole: nothing is left out, and the lecture's variants are in.
+template <class Options>
 struct Variant {
     std::string name;
-    RenderOptions options;  // whole, a lecture's variants included
+    Options options;
 };
+using ShaderVariant = Variant<programmable::Options>;
+using ReferenceVariant = Variant<reference::Options>;
 
-Variant plain();  // shaders with uniforms, the reference in double
-Variant long_double();
+ShaderVariant plain();  // with uniforms
+ReferenceVariant long_double();
 
 // As far as the current context has them.
-std::vector<Variant> shader_variants();
-std::vector<Variant> reference_variants();
+std::vector<ShaderVariant> shader_variants();
+std::vector<ReferenceVariant> reference_variants();
 
 }  // namespace twinlight::check

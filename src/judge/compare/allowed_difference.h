@@ -14,7 +14,7 @@ void allow_ties(Freedom& freedom, const Image& reference);
 // of a display list otherwise than the same ones outside of it.
 Freedom freedom_of_drivers(Freedom freedom, const Render& reference);
 
-// What planning may leave out of either picture (RenderOptions::budget), as the plans bound it: where the right value lies that
+// What planning may leave out of either picture (PlanOptions::budget), as the plans bound it: where the right value lies that
 // near to the border of two codes, it may cross it. Where there is slack already, it is more of it.
 Freedom with_plans(Freedom freedom, const Render& a, const Render& b, const Render& reference);
 

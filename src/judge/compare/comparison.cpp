@@ -14,38 +14,40 @@ namespace twinlight::compare {
 
 namespace {
 
-constexpr RenderOptions kPerVertex = {.shading = std::nullopt, .lecture_variants = false};
-constexpr RenderOptions kPerPixel = {.shading = Shading::kPhong, .lecture_variants = true};
-
 struct PlannedRender {
+    Path path;
+    bool per_pixel;  // with the lecture's variants
     const char* name;
     const char* meaning;
-    RenderFunction Renderers::*renderer;
-    RenderOptions options;
-    bool by_driver;
-};
-const std::array kRenders = {
-    PlannedRender{"fixed", "The driver's fixed function carries the commands out. It lights vertices.",
-                  &Renderers::fixed, kPerVertex, true},
-    PlannedRender{"programmable", "Shaders on the same driver light vertices by GL's model.", &Renderers::programmable,
-                  kPerVertex, true},
-    PlannedRender{"reference", "The specification's equation in double precision, no driver. It lights vertices.",
-                  &Renderers::reference, kPerVertex, false},
-    PlannedRender{"programmable-phong", "Shaders light every pixel and follow the scene's pragmas.",
-                  &Renderers::programmable, kPerPixel, true},
-    PlannedRender{"reference-phong", "The reference lights every pixel and follows the scene's pragmas.",
-                  &Renderers::reference, kPerPixel, false},
-};
 
-// The same of exact surfaces.
-PlannedRender exact(PlannedRender planned) {
-    planned.name = planned.by_driver ? "programmable-exact" : "reference-exact";
-    planned.meaning =
-        planned.by_driver
-            ? "Shaders cast a ray through every pixel at the surfaces that curved shapes stand for."
-            : "The reference casts a ray through every pixel at the surfaces that curved shapes stand for.";
-    planned.options.shading = Shading::kExact;
-    return planned;
+    bool by_driver() const { return path != Path::kReference; }
+};
+constexpr std::array kRenders = {
+    PlannedRender{Path::kFixed, false, "fixed",
+                  "The driver's fixed function carries the commands out. It lights vertices."},
+    PlannedRender{Path::kProgrammable, false, "programmable",
+                  "Shaders on the same driver light vertices by GL's model."},
+    PlannedRender{Path::kReference, false, "reference",
+                  "The specification's equation in double precision, no driver. It lights vertices."},
+    PlannedRender{Path::kProgrammable, true, "programmable-phong",
+                  "Shaders light every pixel and follow the scene's pragmas."},
+    PlannedRender{Path::kReference, true, "reference-phong",
+                  "The reference lights every pixel and follows the scene's pragmas."},
+};
+// Of exact surfaces, in the place of phong's.
+constexpr std::array kExactRenders = {
+    PlannedRender{Path::kProgrammable, true, "programmable-exact",
+                  "Shaders cast a ray through every pixel at the surfaces that curved shapes stand for."},
+    PlannedRender{Path::kReference, true, "reference-exact",
+                  "The reference casts a ray through every pixel at the surfaces that curved shapes stand for."},
+};
+constexpr const char* kPreciseMeaning =
+    "Shaders light vertices by GL's model, in the order of operations of Mesa's fixed function.";
+
+// The per-vertex pictures follow GL's own model.
+Look look_of(bool per_pixel, const CompareOptions& options) {
+    if (per_pixel) return {.shading = options.per_pixel, .lecture_variants = true};
+    return {.shading = std::nullopt, .lecture_variants = false};
 }
 
 constexpr std::size_t kReference = 2, kReferencePhong = 4;
@@ -60,23 +62,44 @@ constexpr std::array kPairs = {
     PlannedPair{3, 4, true, true}, PlannedPair{0, 3, false},  // what GL's lighting of vertices cannot show
 };
 
-bool is_of_drivers(const PlannedPair& pair) { return kRenders[pair.a].by_driver && kRenders[pair.b].by_driver; }
+bool is_of_drivers(const PlannedPair& pair) { return kRenders[pair.a].by_driver() && kRenders[pair.b].by_driver(); }
 
-// `warms_up`: what a driver draws with is drawn once before it is timed.
-Render render(const PlannedRender& planned, const Frame& frame, const Renderers& renderers, bool warms_up) {
+// What the driver draws with is drawn twice and the second is timed, for in the first the driver compiles.
+template <class Draw>
+auto timed(bool twice, double& ms, const Draw& draw) {
     using Clock = std::chrono::steady_clock;
-    const RenderFunction& draw = renderers.*planned.renderer;
-    if (planned.by_driver && warms_up) draw(frame, planned.options);
+    if (twice) draw();
     const Clock::time_point start = Clock::now();
-    Image image = draw(frame, planned.options);
-    const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
-    Render result{.name = planned.name, .meaning = planned.meaning, .image = std::move(image), .ms = taken.count()};
-    if (planned.renderer == &Renderers::programmable && !planned.options.precise)
-        result.plan = explain(frame, planned.options);
-    if (!planned.by_driver && has_quadrilaterals(frame)) {
-        RenderOptions other = planned.options;
-        other.quad_cut = QuadCut::kSecondToFourth;
-        result.other_cut = draw(frame, other);
+    auto picture = draw();
+    ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return picture;
+}
+
+Render render(const PlannedRender& planned, const Scene& scene, const CompareOptions& options,
+              const Renderers& renderers) {
+    Render result{.path = planned.path, .name = planned.name, .meaning = planned.meaning, .image = {}};
+    const Look look = look_of(planned.per_pixel, options);
+    const bool twice = planned.by_driver() && !options.per_vertex_only;
+    switch (planned.path) {
+        case Path::kFixed:
+            result.image = timed(twice, result.ms, [&] { return renderers.fixed(scene, {look.shading}); });
+            break;
+        case Path::kProgrammable: {
+            programmable::Options shaders{{look, options.budget}};
+            shaders.precise = options.precise && !planned.per_pixel;
+            if (shaders.precise) result.meaning = kPreciseMeaning;
+            programmable::Picture picture =
+                timed(twice, result.ms, [&] { return renderers.programmable(scene.frame, shaders); });
+            result.image = std::move(picture.image);
+            if (!shaders.precise) result.plan = explain(std::move(picture.plans));
+            break;
+        }
+        case Path::kReference:
+            result.image =
+                timed(twice, result.ms, [&] { return renderers.reference(scene.frame, reference::Options{look}); });
+            if (reference::has_quadrilaterals(scene.frame))
+                result.other_cut = renderers.reference(scene.frame, {look, reference::QuadCut::kSecondToFourth});
+            break;
     }
     return result;
 }
@@ -88,7 +111,7 @@ Image Comparison::counterpart(const Pair& pair) const {
                              : b(pair).image;
 }
 
-Comparison compare_scene(const Frame& frame, const Renderers& renderers, const CompareOptions& options) {
+Comparison compare_scene(const Scene& scene, const CompareOptions& options, const Renderers& renderers) {
     constexpr int kSteps = static_cast<int>(kRenders.size()) + 2;
     int done = 0;
     const auto begin_step = [&](std::string_view name) {
@@ -96,40 +119,38 @@ Comparison compare_scene(const Frame& frame, const Renderers& renderers, const C
     };
 
     Comparison result;
-    if (frame.commands) result.scene = frame.commands->name;
+    const Frame& frame = scene.frame;
+    const bool all = !options.per_vertex_only;
+    result.scene = scene.name();
     result.driver = options.driver;
     result.width = frame.width;
     result.height = frame.height;
     result.unsupported = frame.unsupported;
-    for (PlannedRender planned : kRenders) {
-        const bool is_per_pixel = planned.options.shading.has_value();
-        if (is_per_pixel && options.per_vertex_only) continue;
-        planned.options.budget = options.budget;
-        if (options.precise && planned.renderer == &Renderers::programmable && !is_per_pixel) {
-            planned.options.precise = true;
-            planned.meaning =
-                "Shaders light vertices by GL's model, in the order of operations of Mesa's fixed function.";
-        }
-        if (is_per_pixel && options.per_pixel == Shading::kExact) planned = exact(planned);
+    for (std::size_t i = 0; i < kRenders.size(); ++i) {
+        const bool exact = kRenders[i].per_pixel && options.per_pixel == Shading::kExact;
+        const PlannedRender& planned =
+            exact ? kExactRenders[i - (kRenders.size() - kExactRenders.size())] : kRenders[i];
+        if (planned.per_pixel && !all) continue;
         begin_step(planned.name);
-        result.renders.push_back(render(planned, frame, renderers, !options.per_vertex_only));
+        result.renders.push_back(render(planned, scene, options, renderers));
     }
     begin_step("edges");
-    result.freedom = renderers.freedom(frame, kPerVertex);
-    RenderOptions of_pixels = kPerPixel;
-    of_pixels.shading = options.per_pixel;
-    Freedom of_phong = options.per_vertex_only ? result.freedom : renderers.freedom(frame, of_pixels);
+    const auto freedom_of = [&](bool per_pixel) {
+        return renderers.freedom(frame, reference::Options{look_of(per_pixel, options)});
+    };
+    result.freedom = freedom_of(false);
+    Freedom of_phong = all ? freedom_of(true) : result.freedom;
     for (std::size_t i = 0; i < result.freedom.edge.size(); ++i) {  // one mask for all pairs
         result.freedom.edge[i] = of_phong.edge[i] = result.freedom.edge[i] || of_phong.edge[i];
     }
 
     allow_ties(result.freedom, result.renders[kReference].image);
-    if (!options.per_vertex_only) allow_ties(of_phong, result.renders[kReferencePhong].image);
+    if (all) allow_ties(of_phong, result.renders[kReferencePhong].image);
 
     begin_step("differences");
     const Freedom of_drivers = freedom_of_drivers(result.freedom, result.renders[kReference]);
     for (const PlannedPair& planned : kPairs) {
-        if (planned.b >= result.renders.size()) continue;  // per pixel
+        if (kRenders[planned.b].per_pixel && !all) continue;
         Pair pair;
         pair.a = planned.a;
         pair.b = planned.b;
@@ -145,7 +166,7 @@ Comparison compare_scene(const Frame& frame, const Renderers& renderers, const C
     const Driver driver = parse_driver_name(options.driver);
     result.is_listed_driver = is_listed(driver);
     if (!result.within_tolerance())
-        for (const Departure* departure : known_departures_in(frame, driver))
+        for (const Departure* departure : known_departures_in(scene, driver))
             result.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
     return result;
 }

@@ -11,22 +11,25 @@
 #include "base/image/difference.h"
 #include "base/image/image.h"
 #include "render/effect/explanation.h"
-#include "scene/state/frame.h"
+#include "render/fixed/fixed.h"
+#include "render/path.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/options.h"
+#include "scene/state/scene.h"
 
 namespace twinlight::compare {
 
-using RenderFunction = std::function<Image(const Frame&, const RenderOptions&)>;
-
 // What compare_scene draws with.
 struct Renderers {
-    RenderFunction fixed;
-    RenderFunction programmable;
-    RenderFunction reference;
+    std::function<Image(const Scene&, const fixed::Options&)> fixed;
+    std::function<programmable::Picture(const Frame&, const programmable::Options&)> programmable;
+    std::function<Image(const Frame&, const reference::Options&)> reference;
     // The pixels where right rasterisers may differ; all others are interior.
-    std::function<Freedom(const Frame&, const RenderOptions&)> freedom;
+    std::function<Freedom(const Frame&, const reference::Options&)> freedom;
 };
 
 struct Render {
+    Path path = Path::kFixed;
     std::string name;     // "fixed", "programmable", "reference", "programmable-phong", "reference-phong"; or -exact
     std::string meaning;  // a sentence for who sees the picture
     Image image;
@@ -90,11 +93,11 @@ Verdict judge(const Comparison& comparison, const Pair& pair);
 // ---- How it is made ----
 
 struct CompareOptions {
-    std::string driver{};  // driver_name() of the driver that the renderers use
-    double budget = RenderOptions{}.budget;
-    bool precise = false;  // the programmable picture per vertex is drawn with RenderOptions::precise
-    Shading per_pixel =
-        Shading::kPhong;           // or kExact: "programmable-exact" and "reference-exact" replace phong's pictures
+    std::string driver{};                  // driver_name() of the driver that the renderers use
+    double budget = PlanOptions{}.budget;  // of shaders
+    bool precise = false;  // the programmable per-vertex picture is drawn with programmable::Options::precise
+    // kPhong, or kExact, whose pictures, "programmable-exact" and "reference-exact", take the place of phong's.
+    Shading per_pixel = Shading::kPhong;
     bool per_vertex_only = false;  // no pictures per pixel; each is drawn once, and not timed
     // Called before each step: how many are done, how many there are, what comes next.
     std::function<void(int done, int total, std::string_view next)> progress{};
@@ -103,6 +106,6 @@ struct CompareOptions {
 // The per-vertex pictures follow GL's own model (the lecture's variants off), flat or gouraud as the scene
 // says, so that the three can be held against each other; the phong pictures follow the scene's variants.
 // What the driver draws with is drawn twice and the second time is told, for in the first the driver compiles.
-Comparison compare_scene(const Frame& frame, const Renderers& renderers, const CompareOptions& options = {});
+Comparison compare_scene(const Scene& scene, const CompareOptions& options, const Renderers& renderers);
 
 }  // namespace twinlight::compare

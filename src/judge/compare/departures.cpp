@@ -236,18 +236,16 @@ bool is_listed(const Driver& driver) {
     return std::ranges::any_of(departures(), [&](const Departure& departure) { return departure.is_known_on(driver); });
 }
 
-std::vector<const Departure*> known_departures_in(const Frame& frame, const Driver& driver) {
+std::vector<const Departure*> known_departures_in(const Scene& scene, const Driver& driver) {
     OfCommands of_commands;
-    if (frame.commands) {
-        frame.commands->for_each([&](const Step& step) {
-            if (step.kind == Step::Kind::kCommand) of_commands.see(step.command);
-            return true;
-        });
-    }
+    scene.recording->for_each([&](const Step& step) {
+        if (step.kind == Step::Kind::kCommand) of_commands.see(step.command);
+        return true;
+    });
     std::vector<const Departure*> found;
     for (const Departure& departure : departures()) {
         if (departure.leaves == Leaves::kOpen || !departure.is_known_on(driver)) continue;
-        if (departure.of_commands ? of_commands.apply(departure) : applies_in(departure, frame))
+        if (departure.of_commands ? of_commands.apply(departure) : applies_in(departure, scene.frame))
             found.push_back(&departure);
     }
     return found;

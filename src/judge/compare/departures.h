@@ -9,7 +9,7 @@
 
 #include "render/context/driver_name.h"
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
+#include "scene/state/scene.h"
 
 namespace twinlight::compare {
 
@@ -46,8 +46,8 @@ const std::vector<Departure>& departures();
 // Whether departures of this driver in this version are listed at all.
 bool is_listed(const Driver& driver);
 
-// All that this driver is known to show somewhere in a frame. Goes through the frame's commands once.
-std::vector<const Departure*> known_departures_in(const Frame& frame, const Driver& driver);
+// All that this driver is known to show somewhere in a scene. Goes through its commands once.
+std::vector<const Departure*> known_departures_in(const Scene& scene, const Driver& driver);
 
 // What the fuzzer leaves out of a scene; asked vertex by vertex. `lifted`: names that are not left out.
 class DeparturesOfScene {

@@ -5,15 +5,6 @@
 
 namespace twinlight::compare {
 
-namespace {
-
-// Whether a render leaves this out. Its name is its renderer's, "-phong" or "-exact" may follow.
-bool lacks(const Render& render, const Unsupported& item) {
-    return std::ranges::any_of(item.renderers, [&](const std::string& name) { return render.name.starts_with(name); });
-}
-
-}  // namespace
-
 Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
     const RegionDifference& judged = difference.beyond_slack;
     const bool within =
@@ -26,8 +17,8 @@ Verdict judge(const Comparison& comparison, const Pair& pair) {
     const Render &a = comparison.a(pair), &b = comparison.b(pair);
     bool partial = false;
     for (const Unsupported& item : comparison.unsupported) {
-        if (lacks(a, item) != lacks(b, item)) return Verdict::kPartial;  // a difference may come of it
-        partial = partial || lacks(a, item);
+        if (lacks(a.path, item) != lacks(b.path, item)) return Verdict::kPartial;  // a difference may come of it
+        partial = partial || lacks(a.path, item);
     }
     return partial && verdict == Verdict::kWithin ? Verdict::kPartial : verdict;
 }

@@ -46,16 +46,17 @@ bool VertexScene::shows_back() const {
     return draw().raster.front_face == kGL_CCW ? area <= 0 : area >= 0;
 }
 
-std::optional<VertexScene> make_vertex_scene(Frame frame, std::string& error) {
-    VertexScene scene{std::move(frame), {}};
-    const Draw* draw = scene.frame.items.empty() ? nullptr : std::get_if<Draw>(&scene.frame.items.back());
+std::optional<VertexScene> make_vertex_scene(Scene made, std::string& error) {
+    VertexScene scene{std::move(made), {}};
+    const Frame& frame = scene.scene.frame;
+    const Draw* draw = frame.items.empty() ? nullptr : std::get_if<Draw>(&frame.items.back());
     const std::size_t least = draw && draws_polygons(draw->mode) ? 3 : 1;
     if (!draw || !draw->lighting.enabled || draw->vertices.size() < least || draw->vertices.size() > 3)
         error = "the last thing drawn is not a lit primitive of three vertices";
-    else if (!scene.frame.unsupported.empty())
-        error = scene.frame.unsupported.front().name + " is not supported";
+    else if (!frame.unsupported.empty())
+        error = frame.unsupported.front().name + " is not supported";
     if (!error.empty()) return std::nullopt;
-    scene.lit = reference::light_vertices(*draw, gls_own_model(), false);
+    scene.lit = reference::light_vertices(*draw, {kGlsOwnModel}, false);
     if (!stands_in_corners(scene.lit)) error = "two vertices stand in one corner of the view, or one in none";
     if (!error.empty()) return std::nullopt;
     return scene;
@@ -63,7 +64,7 @@ std::optional<VertexScene> make_vertex_scene(Frame frame, std::string& error) {
 
 std::optional<VertexScene> make_vertex_scene(const std::shared_ptr<const CommandList>& commands, std::string& error) {
     try {
-        return make_vertex_scene(make_frame(commands, {.width = kVertexWindow, .height = kVertexWindow}), error);
+        return make_vertex_scene(make_scene(commands, {.width = kVertexWindow, .height = kVertexWindow}), error);
     } catch (const SceneError& refused) {
         error = refused.what();
         return std::nullopt;
@@ -91,7 +92,7 @@ std::vector<Color> fixed_colors(const VertexScene& scene) {
     const bool unclamped = can_show_unclamped_colors();
     if (unclamped) glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
     glRenderMode(GL_FEEDBACK);
-    scene.frame.commands->for_each([&](const Step& step) {
+    scene.scene.recording->for_each([&](const Step& step) {
         if (step.kind == Step::Kind::kCommand) driver.execute(step.command);
         return true;
     });
@@ -136,7 +137,7 @@ Draw as_points(const VertexScene& scene, const Viewport& tile) {
 }  // namespace
 
 std::vector<std::vector<Color>> shader_colors(std::span<const std::optional<VertexScene>> scenes,
-                                              programmable::Renderer& renderer, const RenderOptions& options) {
+                                              programmable::Renderer& renderer, const programmable::Options& options) {
     Frame frame;
     frame.width = frame.height = kShaderPicture;
     std::vector<Viewport> tiles;
@@ -145,7 +146,7 @@ std::vector<std::vector<Color>> shader_colors(std::span<const std::optional<Vert
         tiles.push_back({n % kShaderTiles * kShaderTile, n / kShaderTiles * kShaderTile, kShaderTile, kShaderTile});
         if (scenes[i]) frame.items.emplace_back(as_points(*scenes[i], tiles.back()));
     }
-    const Image image = renderer.render(frame, options);
+    const Image image = renderer.render(frame, options).image;
     std::vector<std::vector<Color>> colors(scenes.size());
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         if (!scenes[i]) continue;

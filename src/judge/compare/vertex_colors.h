@@ -10,7 +10,7 @@
 
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
-#include "scene/state/frame.h"
+#include "scene/state/scene.h"
 
 namespace twinlight::compare {
 
@@ -18,17 +18,17 @@ using Color = std::optional<glm::dvec4>;  // nothing where a renderer shows no s
 
 // A scene whose last Draw is lit and has three vertices or fewer, each in a corner of the view of its own.
 struct VertexScene {
-    Frame frame;                            // what the driver is sent stands in it
+    Scene scene;
     std::vector<reference::LitVertex> lit;  // GL's own model, unclamped
 
-    const Draw& draw() const { return std::get<Draw>(frame.items.back()); }
+    const Draw& draw() const { return std::get<Draw>(scene.frame.items.back()); }
     bool shows_back() const;
 };
 
 // Nothing, and the reason, for a scene that GL refuses or that is not of this form.
 std::optional<VertexScene> make_vertex_scene(const std::shared_ptr<const CommandList>& commands, std::string& error);
-// The same of a frame of kVertexWindow by kVertexWindow pixels that is made.
-std::optional<VertexScene> make_vertex_scene(Frame frame, std::string& error);
+// The same of a scene of kVertexWindow by kVertexWindow pixels that is made.
+std::optional<VertexScene> make_vertex_scene(Scene scene, std::string& error);
 inline constexpr int kVertexWindow = 64;  // of the fixed function's feedback
 
 // In the order of the vertices: the colours that feedback returns, unclamped where the driver can. Of two-sided polygons those of the face that shows.
@@ -37,7 +37,7 @@ std::vector<Color> fixed_colors(const VertexScene& scene);
 // The same of shaders, for all scenes at once, in a context of kShaderPicture by kShaderPicture pixels of floats. At most
 // kMostVertexScenes.
 std::vector<std::vector<Color>> shader_colors(std::span<const std::optional<VertexScene>> scenes,
-                                              programmable::Renderer& renderer, const RenderOptions& options);
+                                              programmable::Renderer& renderer, const programmable::Options& options);
 inline constexpr int kShaderTile = 4;    // of a scene: a vertex stands in each corner
 inline constexpr int kShaderTiles = 32;  // in a row
 inline constexpr int kShaderPicture = kShaderTiles * kShaderTile;
@@ -58,13 +58,8 @@ FaceColors face_colors(const reference::LitVertex& vertex, bool back);
 // What a channel at float precision may be off by, relative to the magnitude: the last places that float operations lose.
 double vertex_tolerance(const Draw& draw, const Vertex& vertex);
 
-// GL's own model, of which nothing is left out.
-inline RenderOptions gls_own_model() {
-    RenderOptions options;
-    options.lecture_variants = false;
-    options.budget = 0;
-    return options;
-}
+// GL's own model.
+inline constexpr Look kGlsOwnModel{.shading = {}, .lecture_variants = false};
 
 // softpipe's gl_FrontFacing is not that of the polygon where polygons are drawn as points (docs/architecture.md).
 bool knows_faces_of_corners();

@@ -106,7 +106,7 @@ std::vector<StateDifferences> Floats::compare(std::span<const std::shared_ptr<co
         if (scenes.back()) fixed[i] = compare::fixed_colors(*scenes.back());
     }
     const std::vector<std::vector<Color>> shaders =
-        compare::shader_colors(scenes, context_.shaders(), compare::gls_own_model());
+        compare::shader_colors(scenes, context_.shaders(), {{compare::kGlsOwnModel, 0}});
     for (std::size_t i = 0; i < commands.size(); ++i) {
         if (scenes[i]) found[i] = judge(*scenes[i], fixed[i], shaders[i], {*commands[i], driver, lifted_});
     }

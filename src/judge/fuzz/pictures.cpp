@@ -20,25 +20,26 @@ double codes(double difference) { return std::round(255 * difference); }
 
 Pictures::Pictures(std::vector<std::string_view> lifted) : lifted_(std::move(lifted)), context_(kSide, kSide) {
     renderers_.fixed = fixed::render;
-    renderers_.programmable = [this](const Frame& frame, const RenderOptions& options) {
+    renderers_.programmable = [this](const Frame& frame, const programmable::Options& options) {
         return context_.shaders().render(frame, options);
     };
     renderers_.reference = reference::render;
     renderers_.freedom = reference::freedom;
 }
 
-StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& scene) {
+StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& commands) {
     StateDifferences found;
     try {
-        const Frame frame = make_frame(scene, {.width = kSide, .height = kSide});
-        if (!frame.unsupported.empty()) {
-            found.error = frame.unsupported.front().name + " is not supported";
+        const Scene scene = make_scene(commands, {.width = kSide, .height = kSide});
+        if (!scene.frame.unsupported.empty()) {
+            found.error = scene.frame.unsupported.front().name + " is not supported";
             return found;
         }
         context_.make_current();
         const compare::Comparison comparison =
-            compare::compare_scene(frame, renderers_, {.budget = 0, .per_vertex_only = true});
-        const compare::Departure* departure = compare::DeparturesOfScene(*scene, current_driver(), lifted_).in(frame);
+            compare::compare_scene(scene, {.budget = 0, .per_vertex_only = true}, renderers_);
+        const compare::Departure* departure =
+            compare::DeparturesOfScene(*commands, current_driver(), lifted_).in(scene.frame);
         bool departs = false;
         for (std::size_t pair = 0; pair < kPairs; ++pair) {  // in the same order
             const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_slack;

@@ -16,7 +16,7 @@ class Pictures {
     // `lifted`: departures that are not left out.
     explicit Pictures(std::vector<std::string_view> lifted);
 
-    StateDifferences compare(const std::shared_ptr<const CommandList>& scene);
+    StateDifferences compare(const std::shared_ptr<const CommandList>& commands);
     static constexpr int kSide = 64;
 
   private:

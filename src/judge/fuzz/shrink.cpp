@@ -118,7 +118,7 @@ class Shrinker {
             const Kind kind = parameters[p].kind;
             if (kind != Kind::kFloat && kind != Kind::kDouble && kind != Kind::kInt) return false;
             const Extent extent = parameters[p].extent;
-            if (extent == Extent::kPointer || extent == Extent::kNames || extent == Extent::kResult) return false;
+            if (extent == Extent::kPointer || extent == Extent::kNewNames || extent == Extent::kResult) return false;
             const bool is_name = command.arguments[argument] >= 0x100 &&
                                  enum_name(static_cast<Enum>(command.arguments[argument])).starts_with("GL");
             return !(kind == Kind::kInt && is_name);

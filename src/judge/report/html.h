@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/math/embedded_file.h"
+#include "base/image/file.h"
 
 namespace twinlight {
 

@@ -59,7 +59,7 @@ std::string comparison_json(const Comparison& comparison) {
         json["unsupported"].push_back({{"name", unsupported.name},
                                        {"count", unsupported.count},
                                        {"place", unsupported.first.str()},
-                                       {"renderers", unsupported.renderers}});
+                                       {"renderers", names_of(unsupported)}});
     }
     // A scene's name may hold any bytes; JSON is UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -86,11 +86,19 @@ std::vector<std::string> verdict_sentences(const Comparison& comparison) {
     return sentences;
 }
 
-std::string sentence_of(const Unsupported& unsupported) {
+std::vector<std::string_view> names_of(const Unsupported& unsupported, std::span<const Path> shown) {
+    std::vector<std::string_view> names;
+    for (const Path path : shown)
+        if (lacks(path, unsupported)) names.push_back(name_of(path));
+    return names;
+}
+
+std::string sentence_of(const Unsupported& unsupported, std::span<const Path> shown) {
+    const std::vector<std::string_view> names = names_of(unsupported, shown);
     std::string renderers;
-    for (std::size_t i = 0; i < unsupported.renderers.size(); ++i) {
-        if (i > 0) renderers += i + 1 == unsupported.renderers.size() ? " and " : ", ";
-        renderers += unsupported.renderers[i];
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) renderers += i + 1 == names.size() ? " and " : ", ";
+        renderers += names[i];
     }
     const std::string count = unsupported.count == 1 ? "once" : fmt::format("{} times", unsupported.count);
     return fmt::format("{} ({}, {}{}) is not done by {}.", unsupported.name, count,

@@ -1,7 +1,9 @@
 // A comparison in words: what the page and the terminal say alike.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "judge/compare/comparison.h"
@@ -22,7 +24,9 @@ std::vector<std::string> verdict_sentences(const compare::Comparison& comparison
 
 // Whether a part of the pair's difference is slack, and is not judged.
 bool has_slack(const compare::Pair& pair);
+// Those of the `shown` renderers that do not do it.
+std::vector<std::string_view> names_of(const Unsupported& unsupported, std::span<const Path> shown = kAllPaths);
 // "glEnable(GL_FOG), 2 times, first at scene.gl:3:1, is not done by programmable and reference."
-std::string sentence_of(const Unsupported& unsupported);
+std::string sentence_of(const Unsupported& unsupported, std::span<const Path> shown = kAllPaths);
 
 }  // namespace twinlight::report

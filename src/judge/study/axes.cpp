@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "judge/study/choice.h"
-#include "scene/state/shading_names.h"
 
 namespace twinlight::study {
 
@@ -27,11 +26,11 @@ constexpr Named<Method> kMethods[] = {
     {Method::kPrecise, "programmable-precise", "precise shaders"},
     {Method::kReference, "reference", "reference"},
 };
-constexpr Named<Sending> kSendings[] = {
-    {Sending::kBuffers, "buffers", "buffers"},
-    {Sending::kClientArrays, "client-arrays", "client arrays"},
-    {Sending::kImmediate, "immediate", "immediate mode"},
-    {Sending::kDisplayList, "display-list", "display list"},
+constexpr Named<fixed::Sending> kSendings[] = {
+    {fixed::Sending::kBuffers, "buffers", "buffers"},
+    {fixed::Sending::kClientArrays, "client-arrays", "client arrays"},
+    {fixed::Sending::kImmediate, "immediate", "immediate mode"},
+    {fixed::Sending::kDisplayList, "display-list", "display list"},
 };
 constexpr Named<Target> kTargets[] = {
     {Target::kCodes, "8-bit", "8-bit target"},
@@ -52,7 +51,7 @@ constexpr Named<Powers> kPowers[] = {
 std::span<const Named<Method>> names(Method) { return kMethods; }
 std::span<const ShadingName> names(Shading) { return kShadings; }
 std::span<const LightingChangeRow> names(LightingChange) { return lighting_changes(); }
-std::span<const Named<Sending>> names(Sending) { return kSendings; }
+std::span<const Named<fixed::Sending>> names(fixed::Sending) { return kSendings; }
 std::span<const Named<Target>> names(Target) { return kTargets; }
 std::span<const Named<Number>> names(Number) { return kNumbers; }
 std::span<const Named<Powers>> names(Powers) { return kPowers; }
@@ -142,7 +141,7 @@ constexpr Axis kBudget = {
     .value =
         [](const Choice& choice) {
             return Value{fmt::format("{}", choice.budget), fmt::format("budget {:.3g}/255", 255 * choice.budget),
-                         choice.budget != RenderOptions{}.budget};
+                         choice.budget != PlanOptions{}.budget};
         },
     .set = [](Choice& choice, std::string_view key) { return set_number<&Choice::budget>(choice, key, 0); },
     .keys = no_keys};
@@ -180,15 +179,18 @@ std::string Choice::key() const {
     return text;
 }
 
-RenderOptions Choice::options() const {
-    RenderOptions options;
-    options.shading = shading;
-    options.tier = method == Method::kConstants ? Tier::kBaked : Tier::kUniform;
-    options.precise = method == Method::kPrecise;
-    options.sending = sending;
-    options.arithmetic = {number, powers};
-    options.budget = budget;
-    return options;
+programmable::Options Choice::shader_options() const {
+    return {{{.shading = shading}, budget},
+            method == Method::kConstants ? programmable::Tier::kBaked : programmable::Tier::kUniform,
+            method == Method::kPrecise};
+}
+
+reference::Options Choice::reference_options() const {
+    return {{.shading = shading}, reference::QuadCut::kFirstToThird, {number, powers}};
+}
+
+fixed::ReplayOptions Choice::fixed_options() const {
+    return {.shading = shading, .scrub = fixed::Scrub::kNothing, .sending = sending};
 }
 
 }  // namespace twinlight::study

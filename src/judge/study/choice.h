@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "judge/study/lighting_change.h"
+#include "render/fixed/replay.h"
+#include "render/programmable/options.h"
+#include "render/reference/options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::study {
 
-// Who draws; of the shaders, with which programs (RenderOptions::tier, ::precise).
+// Who draws; of the shaders, with which programs (programmable::Options).
 enum class Method : std::uint8_t { kFixed, kUniforms, kConstants, kPrecise, kReference };
 
 // What the driver draws into.
@@ -22,18 +25,20 @@ struct Choice {
     Shading shading = Shading::kGouraud;
     int slices = 0;  // 0: as the scene has them, or none at all (exact surfaces)
     LightingChange lighting_change = LightingChange::kWhole;
-    Sending sending = Sending::kBuffers;
+    fixed::Sending sending = fixed::Sending::kBuffers;
     Target target = Target::kCodes;
     int samples = 1;                  // the side of a pixel's square of samples
     Number number = Number::kDouble;  // of the reference, as the next
     Powers powers = Powers::kPow;
-    double budget = RenderOptions{}.budget;
+    double budget = PlanOptions{}.budget;
 
     // "shaders with uniforms, gouraud, 32 slices": what is as usual is not told.
     std::string words() const;
     // The same for files and keys: "programmable-gouraud-32"
     std::string key() const;
-    RenderOptions options() const;
+    programmable::Options shader_options() const;
+    reference::Options reference_options() const;
+    fixed::ReplayOptions fixed_options() const;
 
     friend bool operator==(const Choice&, const Choice&) = default;
 };

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "judge/study/study.h"
-#include "scene/state/shading_names.h"
+#include "render/look.h"
 
 namespace twinlight::study {
 

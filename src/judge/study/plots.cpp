@@ -11,7 +11,7 @@
 #include "judge/report/html.h"
 #include "judge/study/study.h"
 #include "render/context/driver_name.h"
-#include "scene/state/shading_names.h"
+#include "render/look.h"
 
 namespace twinlight::study {
 

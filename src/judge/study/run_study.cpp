@@ -42,7 +42,7 @@ class Run {
         study_.coverage = settings.coverage;
         study_.series.resize(1);
         study_.truth_png = encode_png(truth_.image());
-        seen_ = renderers.seen(scene_, {.shading = Shading::kExact});
+        seen_ = renderers.seen(scene_, {{.shading = Shading::kExact}});
         all_ = select_choices(scene_, has_slices, settings.extent, settings.coverage);
     }
 
@@ -65,7 +65,7 @@ class Run {
         const auto [found, is_new] = meshes_.try_emplace({choice.slices, is_exact});
         if (is_new) {
             found->second.frame = is_exact ? scene_ : frame_of_(choice.slices);
-            const RenderOptions lit_by_pixel{.shading = is_exact ? Shading::kExact : Shading::kPhong};
+            const reference::Options lit_by_pixel{{.shading = is_exact ? Shading::kExact : Shading::kPhong}};
             found->second.is_silhouette =
                 silhouettes(renderers_.seen(found->second.frame, lit_by_pixel), seen_, study_.width, study_.height);
         }

@@ -73,7 +73,8 @@ std::vector<Choice> select_choices(const Frame& frame, bool has_slices, Extent e
         for (const Shading shading : {Shading::kGouraud, Shading::kPhong})
             result.add({.method = kUniforms, .shading = shading, .slices = middle, .lighting_change = change.value});
     }
-    for (const Sending sending : {Sending::kClientArrays, Sending::kImmediate, Sending::kDisplayList})
+    for (const fixed::Sending sending :
+         {fixed::Sending::kClientArrays, fixed::Sending::kImmediate, fixed::Sending::kDisplayList})
         result.add({.method = kFixed, .sending = sending}, some_slices);
     result.add({.method = kFixed, .target = Target::kFloats}, some_slices);
     for (const Shading shading : {Shading::kGouraud, Shading::kPhong})

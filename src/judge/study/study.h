@@ -83,7 +83,7 @@ struct ChoiceRenderers {
     // Throws Refused: the choice is left out.
     std::function<Prepared(const Frame& frame, const Choice& choice)> prepare;
     // Which shape is seen at each pixel: render/reference/reference.h.
-    std::function<std::vector<int>(const Frame& frame, const RenderOptions& options)> seen;
+    std::function<std::vector<int>(const Frame& frame, const reference::Options& options)> seen;
 };
 
 struct Progress {

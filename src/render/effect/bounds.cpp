@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "render/effect/directional_spot.h"
-#include "render/effect/keeps_w.h"
+#include "base/math/directions.h"
+#include "lighting/light_setup.h"
 
 namespace twinlight {
 namespace {
@@ -25,14 +25,6 @@ constexpr double kAngleMargin = 1e-6;
 // A bound is rounded up by this: powers magnify rounding by up to 128.
 constexpr double kUp = 1 + 1e-9;
 constexpr double kLargestExponent = 128;  // of 2.14.2, and of what is said here
-
-double largest_component(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-// The zero vector stays 0.
-glm::dvec3 unit(const glm::dvec3& v) {
-    const double biggest = largest_component(v);
-    return biggest > 0 && biggest <= std::numeric_limits<double>::max() ? glm::normalize(v / biggest) : glm::dvec3(0);
-}
 
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
@@ -275,6 +267,17 @@ double largest_attenuation(const LightSource& light, double nearest, double fart
     if (turn > nearest && turn < farthest) smallest = std::min(smallest, denominator(turn));
     smallest -= kRounding * (std::abs(k0) + farthest * (std::abs(k1) + std::abs(k2) * farthest));
     return smallest > 0 ? 1 / smallest * kUp : kInfinity;
+}
+
+double directional_spot(const LightSource& source) {
+    if (source.spot_cutoff_deg == 180 && !source.smooth_cone) return 1;
+    using Vec = Vec3<double>;
+    lighting::Light<double> light;
+    place(light, vec3_cast<Vec>(source.position_eye), 0.0);
+    aim(light, vec3_cast<Vec>(source.spot_direction_eye), source.spot_cutoff_deg);
+    light.spot_exponent = source.spot_exponent;
+    if (source.smooth_cone) soften(light, source.smooth_cone->inner_deg, source.smooth_cone->outer_deg);
+    return lighting::spot(light, light.position_eye);
 }
 
 LightFactors quick_factors(const DrawBounds& bounds, const LightSource& light) {

@@ -49,6 +49,9 @@ DrawBounds draw_bounds(const Draw& draw, const VertexFacts& vertices, const Ligh
 // The largest att_i over distances of [nearest, farthest] (farthest may be infinite): rigorous for any factors.
 double largest_attenuation(const LightSource& light, double nearest, double farthest);
 
+// spot_i of a directional light, the same at every vertex.
+double directional_spot(const LightSource& source);
+
 struct Range {
     double low = 0, high = 0;
 };

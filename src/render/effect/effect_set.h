@@ -16,7 +16,7 @@
 //   separate_specular, specular_model        a light is specular
 //   shininess                                a light is specular
 //   spectral_products                        tracks_* or varies_* of an ambient, diffuse or specular colour
-//   spectral_groups                          no spectral_products; only where RenderOptions::fold_spectra is off
+//   spectral_groups                          no spectral_products; only where PlanOptions::fold_spectra is off
 //   tracks_*, varies_*                       that property of the material is called for; one of both at most
 //   lights[i].attenuated, .spot              the light is positional
 //   lights[i].spot without an exponent       its cone does not hold all of the Draw
@@ -39,6 +39,7 @@
 #include <string>
 #include <vector>
 
+#include "render/look.h"
 #include "scene/state/frame.h"
 
 namespace twinlight {

@@ -37,43 +37,51 @@ void widen(Plan& plan, const Plan& other) {
 }
 
 // One for the parts of a shape that have the same facts.
-std::vector<ExplainedDraw> explain_shapes(const Frame& frame, const RenderOptions& options) {
+std::vector<ExplainedDraw> explain_shapes(std::vector<PlannedDraw> plans) {
     std::vector<ExplainedDraw> draws;
     std::map<std::string, std::size_t> of_shape;  // by facts
+    int last = 0;
+    for (PlannedDraw& planned : plans) {
+        if (planned.begins_shape && planned.number != last) of_shape.clear();
+        last = planned.number;
+        const auto [known, is_new] = of_shape.try_emplace(facts_of(planned.plan), draws.size());
+        if (is_new)
+            draws.push_back({.numbers = {}, .place = planned.place, .plan = std::move(planned.plan)});
+        else
+            widen(draws[known->second].plan, planned.plan);
+        std::vector<int>& numbers = draws[known->second].numbers;
+        if (numbers.empty() || numbers.back() != planned.number) numbers.push_back(planned.number);
+    }
+    return draws;
+}
+
+std::vector<PlannedDraw> plan_frame(const Frame& frame, const PlanOptions& options) {
+    std::vector<PlannedDraw> plans;
     const Draw* last = nullptr;
     int number = 0;
     for (const auto& item : frame.items) {
         const Draw* draw = std::get_if<Draw>(&item);
         if (!draw) continue;
         ++number;
-        const bool is_first_part = !last || !are_one_shape(*last, *draw);
+        const bool begins_shape = !last || !are_one_shape(*last, *draw);
         last = draw;
-        if (is_first_part) of_shape.clear();
-        const auto add = [&](Plan plan) {
-            const auto [known, is_new] = of_shape.try_emplace(facts_of(plan), draws.size());
-            if (is_new)
-                draws.push_back({.numbers = {}, .place = draw->place, .plan = std::move(plan)});
-            else
-                widen(draws[known->second].plan, plan);
-            std::vector<int>& numbers = draws[known->second].numbers;
-            if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
-        };
+        const auto add = [&](Plan plan) { plans.push_back({number, draw->place, begins_shape, std::move(plan)}); };
         if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
             add(plan_effects(*draw, options));
-        } else if (is_first_part) {
+        } else if (begins_shape) {
             for (const SurfaceDraw& surface : surface_draws(*draw))
                 add(plan_effects(surface.draw, options, surface.facts));
         }
     }
-    return draws;
+    return plans;
 }
 
 }  // namespace
 
-std::vector<ExplainedDraw> explain(const Frame& frame, const RenderOptions& options) {
+std::vector<ExplainedDraw> explain(std::vector<PlannedDraw> plans) {
     std::vector<ExplainedDraw> draws;
     std::map<std::string, std::size_t> by_text;
-    for (ExplainedDraw& shape : explain_shapes(frame, options)) {
+    for (ExplainedDraw& shape : explain_shapes(std::move(plans))) {
         const auto [known, is_new] = by_text.try_emplace(text_of(shape.plan), draws.size());
         if (is_new) {
             draws.push_back(std::move(shape));
@@ -83,6 +91,10 @@ std::vector<ExplainedDraw> explain(const Frame& frame, const RenderOptions& opti
         }
     }
     return draws;
+}
+
+std::vector<ExplainedDraw> explain(const Frame& frame, const PlanOptions& options) {
+    return explain(plan_frame(frame, options));
 }
 
 double error_bound(const std::vector<ExplainedDraw>& draws) {

@@ -1,4 +1,4 @@
-// The plans of a frame, for who wants to read them: Draws with equal plans are one.
+// The plans of a frame, for people to read: Draws with equal plans are one.
 #pragma once
 
 #include <string>
@@ -8,6 +8,14 @@
 
 namespace twinlight {
 
+// The plan of a Draw, or of an exact surface: in the order in which they are drawn.
+struct PlannedDraw {
+    int number = 0;  // of the Draw, from 1 up
+    Place place;
+    bool begins_shape = false;  // the Draw is the first part of its shape
+    Plan plan;
+};
+
 struct ExplainedDraw {
     std::vector<int> numbers;  // of the Draws, from 1 up
     Place place;               // of the first
@@ -16,7 +24,9 @@ struct ExplainedDraw {
     Plan plan;
 };
 
-std::vector<ExplainedDraw> explain(const Frame& frame, const RenderOptions& options);
+std::vector<ExplainedDraw> explain(std::vector<PlannedDraw> plans);
+// Plans it first.
+std::vector<ExplainedDraw> explain(const Frame& frame, const PlanOptions& options);
 
 // How far a channel may be off in the whole picture: Draws that blend do not add their errors up (Plan::budget).
 double error_bound(const std::vector<ExplainedDraw>& draws);

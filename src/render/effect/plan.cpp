@@ -9,9 +9,7 @@
 #include <iterator>
 #include <utility>
 
-#include "render/effect/fragment_effects.h"
-#include "render/effect/keeps_w.h"
-#include "render/effect/plan_lights.h"
+#include "render/effect/plan_parts.h"
 
 namespace twinlight {
 namespace {
@@ -79,7 +77,7 @@ Material::Reflectances reflectances_of(const Material& material, const FaceEffec
 
 class Planner {
   public:
-    Planner(const Draw& draw, const RenderOptions& options, const VertexFacts& vertices)
+    Planner(const Draw& draw, const PlanOptions& options, const VertexFacts& vertices)
         : draw_(draw), options_(options), vertices_(vertices) {
         plan_.vertices = vertices;
     }
@@ -439,7 +437,7 @@ class Planner {
     }
 
     const Draw& draw_;
-    const RenderOptions& options_;
+    const PlanOptions& options_;
     const VertexFacts& vertices_;
     Plan plan_;
     std::vector<Materials> materials_;  // in force, of the vertices; one where they have all the same
@@ -447,11 +445,11 @@ class Planner {
 
 }  // namespace
 
-Plan plan_effects(const Draw& draw, const RenderOptions& options) {
+Plan plan_effects(const Draw& draw, const PlanOptions& options) {
     return plan_effects(draw, options, vertex_facts(draw));
 }
 
-Plan plan_effects(const Draw& draw, const RenderOptions& options, const VertexFacts& vertices) {
+Plan plan_effects(const Draw& draw, const PlanOptions& options, const VertexFacts& vertices) {
     return Planner(draw, options, vertices).plan();
 }
 

@@ -1,7 +1,7 @@
 // The planner: which effects a Draw calls for, why the others are left out, and how far a colour may be off by that.
 //
 // Nearly all that is left out is exactly nothing. Lights that are faint are left out too, as long as all of them together
-// stay within RenderOptions::budget (render/effect/bounds.h says how they are bounded; docs/effects.md).
+// stay within PlanOptions::budget (render/effect/bounds.h says how they are bounded; docs/effects.md).
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 
 #include "render/effect/effect_set.h"
 #include "render/effect/vertex_facts.h"
+#include "render/look.h"
 
 namespace twinlight {
 
@@ -76,9 +77,18 @@ struct Plan {
     double budget = 0;
 };
 
-Plan plan_effects(const Draw& draw, const RenderOptions& options);
+struct PlanOptions : Look {
+    // How far a colour's channel may be off, before rounding to codes, by what is left out because it is small;
+    // 0: only what is exactly nothing. The default is half of what rounding to 8 bits hides.
+    double budget = 0.5 / 255;
+    // Where a scene has spectra: false lights every vertex or fragment in all samples, as if materials varied from point to
+    // point. The picture is the same: for who asks what samples cost (judge/study/spectral.h).
+    bool fold_spectra = true;
+};
+
+Plan plan_effects(const Draw& draw, const PlanOptions& options);
 // The same for who keeps the facts of vertices that stay as they are: then the cost does not grow with their number.
-Plan plan_effects(const Draw& draw, const RenderOptions& options, const VertexFacts& vertices);
+Plan plan_effects(const Draw& draw, const PlanOptions& options, const VertexFacts& vertices);
 
 // The lights that are in, those that may add most first.
 std::vector<LightBound> lights_by_bound(const Plan& plan);

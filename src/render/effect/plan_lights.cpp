@@ -1,5 +1,4 @@
-#include "render/effect/plan_lights.h"
-
+// The lights of a Draw: which are out because they are nothing or faint, and which effects the others need.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,7 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "render/effect/directional_spot.h"
+#include "lighting/real.h"
+#include "render/effect/plan_parts.h"
 
 namespace twinlight {
 namespace {
@@ -83,8 +83,8 @@ class LightsPlanner {
             constant_reach = directional_spot(light);
         } else {
             effects.attenuated = light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
-            const double k0 = light.constant_attenuation;
-            if (!effects.attenuated) constant_reach = k0 > 0 ? 1 / k0 : 0;  // RULING: 1/0 contributes nothing
+            if (!effects.attenuated)
+                constant_reach = lighting::inverse_or_zero(light.constant_attenuation, lighting::Ruling::kAttenuation);
             effects.spot = is_spot && !light.smooth_cone;
             effects.smooth_cone = light.smooth_cone.has_value();
             if (effects.spot) effects.spot_exponent = power_of(light.spot_exponent);

@@ -69,7 +69,7 @@ ScrubbedState scrubbed_state(const Plan& plan, std::size_t most_lights) {
     return state;
 }
 
-Frame scrubbed_frame(const Frame& frame, const RenderOptions& options) {
+Frame scrubbed_frame(const Frame& frame, const PlanOptions& options) {
     Frame result = frame;
     for (auto& item : result.items) {
         Draw* draw = std::get_if<Draw>(&item);

@@ -28,6 +28,6 @@ ScrubbedState scrubbed_state(const Plan& plan, std::size_t most_lights);
 
 // Every Draw with the scrubbed state of its plan, and all lights that are called for. The reference draws it to show what a plan
 // saves whoever simulates; the reference that others are held against has no plan.
-Frame scrubbed_frame(const Frame& frame, const RenderOptions& options);
+Frame scrubbed_frame(const Frame& frame, const PlanOptions& options);
 
 }  // namespace twinlight

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
@@ -37,5 +38,8 @@ struct VertexFacts {
 };
 
 VertexFacts vertex_facts(const Draw& draw);
+
+// Whether positions, or texture coordinates, keep their w under the matrix: its last row is 0, 0, 0, 1.
+inline bool keeps_w(const glm::dmat4& m) { return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1; }
 
 }  // namespace twinlight

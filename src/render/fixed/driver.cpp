@@ -6,7 +6,7 @@
 #include "render/fixed/execute.h"
 #include "render/fixed/fixed.h"
 #include "scene/command/command_set.h"
-#include "scene/spectrum/commands.h"
+#include "scene/shape/written_out.h"
 
 namespace twinlight::fixed {
 
@@ -80,7 +80,7 @@ namespace {
 constexpr GLsizei kMostHitValues = 1 << 16;
 
 // Queries whose answers' lengths State does not know: they change nothing, and are not sent.
-constexpr CommandSet kQueries = CommandSet::of({"elsewhere_query"});
+constexpr CommandSet kQueries = CommandSet::of({"driver_only_query"});
 
 }  // namespace
 
@@ -99,8 +99,7 @@ void Driver::feedback_buffer(GLsizei size, GLenum type) {
 
 void Driver::execute(const Command& command) {
     if (kQueries.contains(command.id)) return;
-    if (command.id == CommandId::pragma_texture) return execute(texture_command(command));
-    if (const auto color = gl_command_of_spectrum(command)) return execute(*color);
+    if (const auto written_out = gl_command_of(command)) return execute(*written_out);
     if (!may_see(command)) return;
     switch (command.id) {
         case CommandId::glGenTextures:

@@ -15,7 +15,7 @@
 #include "render/fixed/fixed.h"
 #include "scene/command/command_set.h"
 #include "scene/state/lists.h"
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
 
 namespace twinlight::fixed {
 

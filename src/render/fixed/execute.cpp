@@ -10,79 +10,36 @@
 
 #include "render/context/gl.h"
 #include "render/fixed/draw_parts.h"
-#include "render/fixed/execute.h"
+#include "scene/command/memory.h"
 #include "scene/shape/shape.h"
 
 namespace twinlight::fixed {
 
 namespace {
 
-// The C type of each Kind.
-template <Kind>
-struct CType;
-template <>
-struct CType<Kind::kEnum> {
-    using type = GLenum;
-};
-template <>
-struct CType<Kind::kBitfield> {
-    using type = GLbitfield;
-};
-template <>
-struct CType<Kind::kBoolean> {
-    using type = GLboolean;
-};
-template <>
-struct CType<Kind::kByte> {
-    using type = GLbyte;
-};
-template <>
-struct CType<Kind::kShort> {
-    using type = GLshort;
-};
-template <>
-struct CType<Kind::kInt> {
-    using type = GLint;
-};
-template <>
-struct CType<Kind::kSizei> {
-    using type = GLsizei;
-};
-template <>
-struct CType<Kind::kUbyte> {
-    using type = GLubyte;
-};
-template <>
-struct CType<Kind::kUshort> {
-    using type = GLushort;
-};
-template <>
-struct CType<Kind::kUint> {
-    using type = GLuint;
-};
-template <>
-struct CType<Kind::kFloat> {
-    using type = GLfloat;
-};
-template <>
-struct CType<Kind::kDouble> {
-    using type = GLdouble;
-};
-template <>
-struct CType<Kind::kSizeiptr> {
-    using type = GLsizeiptr;
-};
-
-// A row's parameter as C declares it.
-template <Kind kind>
-using Value = typename CType<kind>::type;
-template <Kind kind>
-using Input = const typename CType<kind>::type*;
-template <Kind kind>
-using Output = typename CType<kind>::type*;
 // What the function returns: no argument.
 template <class Returned>
 struct Result {};
+
+// A row's parameter as C declares it.
+template <Kind kind, Extent extent>
+auto declared() {
+    using enum Extent;
+    using Value = CType<kind>;
+    if constexpr (extent == kValue)
+        return Value{};
+    else if constexpr (extent == kResult)
+        return Result<Value>{};
+    else if constexpr (extent == kPointer)
+        return static_cast<const void*>(nullptr);
+    else if constexpr (extent == kOutputMemory)
+        return static_cast<void*>(nullptr);
+    else if constexpr (extent == kArray || extent == kArrayByPname || extent == kArrayByCount ||
+                       extent == kControlPoints)
+        return static_cast<const Value*>(nullptr);
+    else
+        return static_cast<Value*>(nullptr);
+}
 
 // The longest array of a fixed length that a command of the table reads or writes; shorter ones are padded with 0, so
 // that the driver never reads past the end whatever pname it is given.
@@ -174,20 +131,7 @@ void Executor::execute(const Command& command) {
     if (command.id == CommandId::glReadBuffer) return;  // the picture is read from there
     switch (command.id) {
 // clang-format off
-#define P(name, kind) Value<Kind::kind>
-#define A(name, kind, n) Input<Kind::kind>
-#define V(name, kind) Input<Kind::kind>
-#define Q(name, kind) Output<Kind::kind>
-#define R(name, kind) double
-#define B(name) const void*
-#define C(name, kind) Input<Kind::kind>
-#define N(name, kind) Output<Kind::kind>
-#define O(name, kind, n) Output<Kind::kind>
-#define W(name, kind) Output<Kind::kind>
-#define M(name) void*
-#define G(name, kind) Input<Kind::kind>
-#define I(name) const void*
-#define X(name, kind) Result<Value<Kind::kind>>
+#define PARAMETER(name, kind, extent, count) decltype(declared<Kind::kind, Extent::extent>())
 #define GL_COMMAND(name, effect, ...) \
     case CommandId::name: return Call<__VA_ARGS__>::make(&::name, command);
 #define SHAPE_COMMAND(name, effect, ...) \
@@ -198,24 +142,6 @@ void Executor::execute(const Command& command) {
     case CommandId::pragma_##name: return pragma(command);
 // clang-format on
 #include "scene/command/commands.def"
-#undef P
-#undef A
-#undef V
-#undef Q
-#undef R
-#undef B
-#undef C
-#undef N
-#undef X
-#undef O
-#undef W
-#undef M
-#undef G
-#undef I
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
     }
 }
 

@@ -1,15 +1,10 @@
 #include "render/fixed/fixed.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 
 #include "render/context/context.h"
 #include "render/context/gl.h"
-#include "render/effect/scrubbed_state.h"
-#include "render/fixed/prepared_frame.h"
 
 namespace twinlight::fixed {
 
@@ -43,27 +38,15 @@ void clear_to_black() {
     glClearDepth(depth);
 }
 
-// Whether the Frame has all that its commands say: what is beyond the eight lights it has.
-bool is_whole(const Frame& frame) {
-    return std::ranges::none_of(frame.unsupported, [](const Unsupported& what) {
-        return std::ranges::find(what.renderers, "programmable") != what.renderers.end();
-    });
-}
+}  // namespace
 
-bool has_lights_beyond(const Frame& frame) {
-    return is_whole(frame) && std::ranges::any_of(frame.items, [](const auto& item) {
-               const Draw* draw = std::get_if<Draw>(&item);
-               return draw && draw->lighting.enabled && draw->lighting.lights.size() > kMaxLights;
-           });
-}
-
-void draw_commands(const Frame& frame, const RenderOptions& options) {
-    check_shading(options);
-    Driver driver(frame.width, frame.height);
-    driver.make_empty_lists(frame.lists_called_before_made);
+void draw(const Scene& scene, const Options& options) {
+    check_shading(options.shading);
+    Driver driver(scene.frame.width, scene.frame.height);
+    driver.make_empty_lists(scene.frame.lists_called_before_made);
     clear_to_black();
     if (options.shading) glShadeModel(*options.shading == Shading::kFlat ? GL_FLAT : GL_SMOOTH);
-    frame.commands->for_each([&](const Step& step) {
+    scene.recording->for_each([&](const Step& step) {
         switch (step.kind) {
             case Step::Kind::kCommand:
                 if (!options.shading || step.command.id != CommandId::glShadeModel) driver.execute(step.command);
@@ -77,58 +60,17 @@ void draw_commands(const Frame& frame, const RenderOptions& options) {
     glFinish();
 }
 
-void draw_scrubbed(const Frame& frame, const RenderOptions& options) {
-    PreparedFrame(frame, options, Scrub::kState).draw();
-    glFinish();
-}
-
-}  // namespace
-
-void draw(const Frame& frame, const RenderOptions& options) {
-    if (has_lights_beyond(frame))
-        draw_scrubbed(frame, options);
-    else
-        draw_commands(frame, options);
-}
-
-void check_shading(const RenderOptions& options) {
-    if (options.shading == Shading::kPhong)
+void check_shading(const std::optional<Shading>& shading) {
+    if (shading == Shading::kPhong)
         throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
-    if (options.shading == Shading::kExact)
+    if (shading == Shading::kExact)
         throw std::invalid_argument(
             "the fixed function draws meshes, no exact surfaces; use --with programmable or reference");
 }
 
-Image render(const Frame& frame, const RenderOptions& options) {
-    draw(frame, options);
-    return read_pixels(frame.width, frame.height);
-}
-
-Image render_scrubbed(const Frame& frame, const RenderOptions& options) {
-    if (is_whole(frame))
-        draw_scrubbed(frame, options);
-    else
-        draw_commands(frame, options);
-    return read_pixels(frame.width, frame.height);
-}
-
-void note_lights_beyond(Frame& frame, const RenderOptions& options) {
-    RenderOptions of_gl = options;
-    of_gl.lecture_variants = false;
-    Unsupported beyond{.name = "", .count = 0, .first = {}, .renderers = {"fixed"}};
-    double bound = 0;
-    for (const auto& item : frame.items) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (!draw || draw->lighting.lights.size() <= kMaxLights) continue;
-        const Plan plan = plan_effects(*draw, of_gl);
-        const ScrubbedState state = scrubbed_state(plan, kMaxLights);
-        if (state.lights_beyond.empty() || plan.error_bound + state.bound_beyond <= plan.budget) continue;
-        if (beyond.count++ == 0) beyond.first = draw->place;
-        bound = std::max(bound, plan.error_bound + state.bound_beyond);
-    }
-    if (beyond.count == 0) return;
-    beyond.name = fmt::format("more than eight lights: those beyond, up to {:.3g} of a channel,", bound);
-    frame.unsupported.push_back(std::move(beyond));
+Image render(const Scene& scene, const Options& options) {
+    draw(scene, options);
+    return read_pixels(scene.frame.width, scene.frame.height);
 }
 
 }  // namespace twinlight::fixed

@@ -10,10 +10,11 @@
 
 #include "base/image/image.h"
 #include "render/fixed/execute.h"
+#include "render/look.h"
 #include "scene/command/command.h"
 #include "scene/command/object_names.h"
 #include "scene/state/arrays.h"
-#include "scene/state/frame.h"
+#include "scene/state/scene.h"
 
 namespace twinlight::fixed {
 
@@ -96,21 +97,16 @@ class Driver {
     bool selects_ = false;  // the scene has set them, or the mode
 };
 
+struct Options {
+    std::optional<Shading> shading{};  // in the place of every glShadeModel: kFlat or kGouraud
+};
+
 // Throws std::invalid_argument for what the fixed function cannot do: Shading::kPhong and Shading::kExact.
-void check_shading(const RenderOptions& options);
+void check_shading(const std::optional<Shading>& shading);
 
-// Clears to black and depth 1, executes the frame's commands, reads the picture. Throws as check_shading() does.
-Image render(const Frame& frame, const RenderOptions& options);
+// Clears to black and depth 1, executes the scene's commands, reads the picture. Throws as check_shading() does.
+Image render(const Scene& scene, const Options& options = {});
 // The same without reading back: leaves the picture in the current colour buffer.
-void draw(const Frame& frame, const RenderOptions& options);
-
-// GL has eight lights. Of a scene with more (`#pragma twinlight light(8, ...)`) each Draw is lit by the eight that the planner's
-// bounds say may add most to it, as by render_scrubbed(). Where the others may add up to more than the budget, they are named in
-// frame.unsupported, with how much.
-void note_lights_beyond(Frame& frame, const RenderOptions& options);
-
-// The frame's Draws with no more state than their plans call for (prepared_frame.h), to within options.budget. A frame that
-// lacks some of what its commands say is drawn from the commands, as by render().
-Image render_scrubbed(const Frame& frame, const RenderOptions& options);
+void draw(const Scene& scene, const Options& options = {});
 
 }  // namespace twinlight::fixed

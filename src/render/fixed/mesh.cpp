@@ -18,7 +18,7 @@ bool all_share(const Draw& draw, Property Vertex::*property) {
 
 }  // namespace
 
-Mesh::Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& options)
+Mesh::Mesh(const Draw& draw, const MeshContents& contents, const ReplayOptions& options)
     : sending_(options.sending), mode_(draw.mode) {
     if (draw.vertices.empty()) return;
     shared_ = draw.vertices.front();
@@ -34,7 +34,7 @@ Mesh::Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& 
     if (contents.tex_coord && !all_share(draw, &Vertex::tex_coord)) add(tex_coord_, 4);
 
     const bool in_buffers = sending_ == Sending::kBuffers;
-    if (in_buffers) elements_.emplace(draw, options);
+    if (in_buffers) elements_.emplace(draw, options.patches);
     const bool has_flags = needs_edge_flags(draw);
     values_.reserve(draw.vertices.size() * stride_ / sizeof(float));
     for_each_vertex(draw, in_buffers ? elements_->vertices() : std::vector<std::uint32_t>{}, [&](const Vertex& vertex) {

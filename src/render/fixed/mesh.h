@@ -1,4 +1,4 @@
-// Mesh: a Draw's vertices as the fixed function is sent them (RenderOptions::sending).
+// Mesh: a Draw's vertices as the fixed function is sent them (ReplayOptions::sending).
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/effect/effect_set.h"
+#include "render/fixed/replay.h"
 #include "render/stages/elements.h"
 #include "scene/state/frame.h"
 
@@ -18,7 +19,7 @@ struct MeshContents {
 
 class Mesh {
   public:
-    Mesh(const Draw& draw, const MeshContents& contents, const RenderOptions& options);
+    Mesh(const Draw& draw, const MeshContents& contents, const ReplayOptions& options);
     ~Mesh();
     Mesh(const Mesh&) = delete;
     Mesh& operator=(const Mesh&) = delete;

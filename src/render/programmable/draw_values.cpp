@@ -9,9 +9,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
-#include <numbers>
 #include <optional>
 
+#include "base/math/directions.h"
 #include "render/effect/color_products.h"
 #include "render/programmable/attributes.h"
 
@@ -28,18 +28,6 @@ float to_float(double x) {
 }
 
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
-
-double largest_component(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-// The zero vector has no direction and stays 0.
-glm::dvec3 unit(const glm::dvec3& v) {
-    const double biggest = largest_component(v);
-    if (!(biggest > 0)) return glm::dvec3(0);
-    const glm::dvec3 direction = glm::normalize(v / biggest);
-    return largest_component(direction) <= 1 ? direction : glm::dvec3(0);
-}
-
-double cos_deg(double deg) { return deg == 90 ? 0 : std::cos(deg * std::numbers::pi / 180); }
 
 // The power of two not above x; 1 where there is none.
 double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }

@@ -46,8 +46,8 @@ class KeptMeshes {
     // What is known of the Draw's vertices, or found out now.
     std::shared_ptr<Known> known(const Draw& draw);
     // Their buffers for a program of these effects.
-    std::shared_ptr<const Mesh> mesh(Known& known, const Draw& draw, const EffectSet& effects,
-                                     const RenderOptions& options, const glm::dvec3& origin_object);
+    std::shared_ptr<const Mesh> mesh(Known& known, const Draw& draw, const EffectSet& effects, bool patches,
+                                     const glm::dvec3& origin_object);
     void end_frame();
 
     const MeshCounters& counters() const { return counters_; }

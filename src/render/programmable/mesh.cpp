@@ -8,17 +8,16 @@
 
 namespace twinlight::programmable {
 
-MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptions& options,
-                   const glm::dvec3& origin_object) {
+MeshForm mesh_form(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object) {
     return {.attributes = attributes(effects),
             .unit_normals = makes_normals_unit(effects),
             .borders = draw.draws_borders(),
-            .patches = may_be_patched(draw, options),
+            .patches = patches,
             .origin_object = origin_object};
 }
 
-Mesh::Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options, const glm::dvec3& origin_object)
-    : elements_(draw, options) {
+Mesh::Mesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object)
+    : elements_(draw, patches) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
     const std::vector<float> values = vertex_array(draw, effects, elements_.vertices(), origin_object);

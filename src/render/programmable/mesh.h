@@ -21,14 +21,13 @@ struct MeshForm {
 
     friend bool operator==(const MeshForm&, const MeshForm&) = default;
 };
-MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const RenderOptions& options,
-                   const glm::dvec3& origin_object);
+MeshForm mesh_form(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
 
 // Dies before its context does.
 class Mesh {
   public:
     // The attributes that the program of these effects takes.
-    Mesh(const Draw& draw, const EffectSet& effects, const RenderOptions& options, const glm::dvec3& origin_object);
+    Mesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
     ~Mesh();
     Mesh(const Mesh&) = delete;
     Mesh& operator=(const Mesh&) = delete;

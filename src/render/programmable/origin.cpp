@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "scene/state/origin.h"
+#include "scene/state/far_from_origin.h"
 
 namespace twinlight::programmable {
 

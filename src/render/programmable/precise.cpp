@@ -123,7 +123,7 @@ double glsl_version() {
 
 }  // namespace
 
-RenderOptions precise_options(RenderOptions options) {
+Options precise_options(Options options) {
     if (options.shading == Shading::kPhong || options.shading == Shading::kExact)
         throw std::invalid_argument(
             "--precise follows the fixed function, which lights vertices: it has no phong shading and no exact "

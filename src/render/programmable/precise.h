@@ -6,12 +6,13 @@
 
 #include "render/programmable/draw_values.h"
 #include "render/programmable/form.h"
+#include "render/programmable/options.h"
 
 namespace twinlight::programmable {
 
 // With nothing left out and GL's own model. Throws std::invalid_argument for phong shading and for constants, which
 // --precise does not go with.
-RenderOptions precise_options(RenderOptions options);
+Options precise_options(Options options);
 
 // Whether the GLSL of the current context has `precise`; the second throws std::runtime_error where it has not.
 bool has_precise();

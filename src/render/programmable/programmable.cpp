@@ -23,7 +23,7 @@ namespace {
 struct PreparedDraw {
     // mesh_of: gives the mesh for an EffectSet and what positions are relative to.
     template <class MeshOf>
-    PreparedDraw(const Draw& draw, const Plan& plan, const RenderOptions& options, const MeshOf& mesh_of)
+    PreparedDraw(const Draw& draw, const Plan& plan, const Options& options, const MeshOf& mesh_of)
         : code(options.precise && floats_suffice(draw, plan) ? precise_code(draw, plan) : code_for(draw, plan)),
           numbers(code.form.precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code)),
           mesh(mesh_of(code.effects, code.origin_object.value_or(glm::dvec3(0)))) {
@@ -47,64 +47,63 @@ struct PreparedDraw {
     Draw stages;  // without vertices: what is set as GL's state
 };
 
-PreparedDraw prepared(const Draw& draw, const RenderOptions& options) {
-    return {draw, plan_effects(draw, options), options, [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                return std::make_shared<const Mesh>(draw, effects, options, origin_object);
-            }};
-}
-
-PreparedDraw prepared(const Draw& draw, const RenderOptions& options, KeptMeshes& kept) {
-    const auto known = kept.known(draw);
-    return {draw, plan_effects(draw, options, known->facts), options,
-            [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                return kept.mesh(*known, draw, effects, options, origin_object);
-            }};
-}
-
 }  // namespace
 
 struct PreparedFrame::Impl {
     // kept: null where the frame shares nothing with others.
-    Impl(const Frame& frame, RenderOptions options, KeptMeshes* kept) : tier(options.tier) {
+    Impl(const Frame& frame, Options options, KeptMeshes* kept) : tier(options.tier) {
         if (options.precise) {
             options = precise_options(options);
             check_has_precise();
         }
         const Draw* last = nullptr;
+        int number = 0;
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
                 items.emplace_back(*clear);
                 continue;
             }
             const Draw& draw = std::get<Draw>(item);
+            ++number;
             if (draw.count() == 0) continue;
+            const PlannedDraw place{number, draw.place, !last || !are_one_shape(*last, draw), {}};
             if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
-                add_mesh(draw, options, kept);
-            else if (!last || !are_one_shape(*last, draw))  // the first part stands for all of the shape
-                add_surfaces(draw, options);
+                add_mesh(draw, options, kept, place);
+            else if (place.begins_shape)  // the first part stands for all of the shape
+                add_surfaces(draw, options, place);
             last = &draw;
         }
         glBindVertexArray(0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
     }
 
-    void add_mesh(const Draw& draw, const RenderOptions& options, KeptMeshes* kept) {
-        items.emplace_back(kept ? prepared(draw, options, *kept) : prepared(draw, options));
+    void add_mesh(const Draw& draw, const Options& options, KeptMeshes* kept, PlannedDraw planned) {
+        const auto known = kept ? kept->known(draw) : nullptr;
+        planned.plan = known ? plan_effects(draw, options, known->facts) : plan_effects(draw, options);
+        items.emplace_back(
+            PreparedDraw(draw, planned.plan, options, [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                return known ? kept->mesh(*known, draw, effects, options.patches, origin_object)
+                             : std::make_shared<const Mesh>(draw, effects, options.patches, origin_object);
+            }));
+        plans.push_back(std::move(planned));
     }
 
-    void add_surfaces(const Draw& draw, const RenderOptions& options) {
-        for (const SurfaceProgram& surface : surface_programs(draw, options)) {
+    void add_surfaces(const Draw& draw, const Options& options, const PlannedDraw& planned) {
+        for (SurfaceProgram& surface : surface_programs(draw, options)) {
             const auto rectangle =
-                std::make_shared<const Mesh>(surface.draw, surface.code.effects, RenderOptions{}, glm::dvec3(0));
+                std::make_shared<const Mesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
             for (const Uniforms& pass : surface.passes) items.emplace_back(PreparedDraw(surface, pass, rectangle));
+            plans.push_back(planned);
+            plans.back().plan = std::move(surface.plan);
         }
     }
 
     Tier tier;
+    std::vector<PlannedDraw> plans;
     std::list<std::variant<Clear, PreparedDraw>> items;
 };
 
-PreparedFrame::PreparedFrame(const Frame& frame, const RenderOptions& options)
+PreparedFrame::PreparedFrame(const Frame& frame, const Options& options)
     : impl_(std::make_unique<Impl>(frame, options, nullptr)) {}
 PreparedFrame::PreparedFrame(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 PreparedFrame::~PreparedFrame() = default;
@@ -141,14 +140,18 @@ void Renderer::draw(const PreparedFrame& frame) {
     impl_->meshes.end_frame();
 }
 
-void Renderer::draw(const Frame& frame, const RenderOptions& options) {
-    KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
-    draw(PreparedFrame(std::make_unique<PreparedFrame::Impl>(frame, options, kept)));
+void Renderer::draw(const Frame& frame, const Options& options) { draw(prepare_once(frame, options)); }
+
+Picture Renderer::render(const Frame& frame, const Options& options) {
+    const PreparedFrame prepared = prepare_once(frame, options);
+    draw(prepared);
+    return {read_pixels(frame.width, frame.height), std::move(prepared.impl_->plans)};
 }
 
-Image Renderer::render(const Frame& frame, const RenderOptions& options) {
-    draw(frame, options);
-    return read_pixels(frame.width, frame.height);
+PreparedFrame Renderer::prepare_once(const Frame& frame, Options options) {
+    options.patches = false;
+    KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
+    return PreparedFrame(std::make_unique<PreparedFrame::Impl>(frame, options, kept));
 }
 
 Counters Renderer::counters() const {

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/image/image.h"
+#include "render/effect/explanation.h"
+#include "render/programmable/options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::programmable {
@@ -15,7 +18,7 @@ namespace twinlight::programmable {
 // context that is current; dies before that does.
 class PreparedFrame {
   public:
-    PreparedFrame(const Frame& frame, const RenderOptions& options);
+    PreparedFrame(const Frame& frame, const Options& options);
     ~PreparedFrame();
     PreparedFrame(const PreparedFrame&) = delete;
     PreparedFrame& operator=(const PreparedFrame&) = delete;
@@ -51,6 +54,12 @@ struct Limits {
     std::size_t mesh_bytes = std::size_t{256} << 20;  // under Tier::kAuto, of frames before: 0 for none
 };
 
+// With what it was drawn from.
+struct Picture {
+    Image image;
+    std::vector<PlannedDraw> plans;
+};
+
 // Owns the programs, textures and buffers that it made in the context that is current; dies before that context does.
 class Renderer {
   public:
@@ -65,19 +74,21 @@ class Renderer {
     void draw(const PreparedFrame& frame);
     // Under Tier::kAuto vertices that earlier frames had, bit by bit the same, are neither looked through nor sent to the
     // driver again (kept_meshes.h).
-    void draw(const Frame& frame, const RenderOptions& options);
+    void draw(const Frame& frame, const Options& options);
     // The same, and reads the picture.
-    Image render(const Frame& frame, const RenderOptions& options);
+    Picture render(const Frame& frame, const Options& options);
 
     Counters counters() const;
 
   private:
+    PreparedFrame prepare_once(const Frame& frame, Options options);
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
 
 // The GLSL that draws the frame, for people to read: the program of each Draw, with its effects, what is left
 // out and why, and the uniforms' values in comments. Needs no context.
-std::string shader_source(const Frame& frame, const RenderOptions& options);
+std::string shader_source(const Frame& frame, const Options& options);
 
 }  // namespace twinlight::programmable

@@ -91,8 +91,8 @@ std::string program_text(const Draw& draw, const Plan& plan, const Code& code, c
 
 }  // namespace
 
-std::string shader_source(const Frame& frame, const RenderOptions& asked) {
-    const RenderOptions options = asked.precise ? precise_options(asked) : asked;
+std::string shader_source(const Frame& frame, const Options& asked) {
+    const Options options = asked.precise ? precise_options(asked) : asked;
     // The Draws of each program; the first of them gives the values.
     struct Use {
         EffectSet effects;

@@ -218,7 +218,7 @@ SurfaceForm form_of(const SurfaceDraw& surface, const Plan& plan, const std::vec
 
 }  // namespace
 
-std::vector<SurfaceProgram> surface_programs(const Draw& draw, const RenderOptions& options) {
+std::vector<SurfaceProgram> surface_programs(const Draw& draw, const PlanOptions& options) {
     std::vector<SurfaceProgram> programs;
     if (draw.raster.cull_enabled && draw.raster.cull_face == kGL_FRONT_AND_BACK) return programs;
     for (SurfaceDraw& surface : surface_draws(draw)) {

@@ -25,6 +25,6 @@ struct SurfaceProgram {
 
 // What is drawn in the place of a shape's mesh: one for each of its surfaces that may be seen. Of a Draw that has_exact_surfaces(),
 // of the first part of a shape.
-std::vector<SurfaceProgram> surface_programs(const Draw& draw, const RenderOptions& options);
+std::vector<SurfaceProgram> surface_programs(const Draw& draw, const PlanOptions& options);
 
 }  // namespace twinlight::programmable

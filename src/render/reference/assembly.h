@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/reference/options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::reference {

@@ -5,22 +5,14 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <iterator>
-#include <numbers>
+
+#include "lighting/light_setup.h"
 
 namespace twinlight::reference {
 
 namespace {
 
 Vec rgb(const glm::dvec4& color) { return vec3_cast<Vec>(color); }
-
-// The cosine of GL_SPOT_CUTOFF, rounded down: 2.14.1 lights the border, and long double, which gives back four of its own last
-// places, would not give back a double's.
-double cos_cutoff(double cutoff_deg) {
-    if (cutoff_deg == 90) return 0;
-    const long double exact = std::cos(cutoff_deg * std::numbers::pi_v<long double> / 180);
-    const auto nearest = static_cast<double>(exact);
-    return nearest <= exact ? nearest : std::nextafter(nearest, -1.0);
-}
 
 // Table 2.10's parameters of one light. Cosines and the spot's unit vector are taken here, once.
 template <class Real>
@@ -31,18 +23,13 @@ lighting::Light<Real> light_of(const LightSource& source, bool lecture_variants)
     light.diffuse = vec3_cast<Vec>(source.diffuse);
     light.specular = vec3_cast<Vec>(source.specular);
     place(light, vec3_cast<Vec>(source.position_eye), Real(source.position_eye.w));
-    light.spot_dir_eye = lighting::unit(vec3_cast<Vec>(source.spot_direction_eye));
+    aim(light, vec3_cast<Vec>(source.spot_direction_eye), source.spot_cutoff_deg);
     light.spot_exponent = source.spot_exponent;
-    light.is_spot = source.spot_cutoff_deg != 180;
-    light.cos_cutoff = cos_cutoff(source.spot_cutoff_deg);
     light.constant_attenuation = source.constant_attenuation;
     light.linear_attenuation = source.linear_attenuation;
     light.quadratic_attenuation = source.quadratic_attenuation;
-    if (lecture_variants && source.smooth_cone) {
-        light.has_smooth_cone = true;
-        light.cos_inner = lighting::cos_deg<Real>(source.smooth_cone->inner_deg);
-        light.cos_outer = lighting::cos_deg<Real>(source.smooth_cone->outer_deg);
-    }
+    if (lecture_variants && source.smooth_cone)
+        soften(light, source.smooth_cone->inner_deg, source.smooth_cone->outer_deg);
     return light;
 }
 
@@ -68,7 +55,7 @@ std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, b
     return lights_of<lighting::Marked>(draw.lighting, lecture_variants);
 }
 
-lighting::Surface<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face) {
+lighting::SurfacePoint<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face) {
     const Vec normal = vec3_cast<Vec>(normal_eye);
     return {lighting::divided(vec3_cast<Vec>(position_eye), position_eye.w), face == Face::kFront ? normal : -normal};
 }
@@ -117,10 +104,11 @@ LitMaterial DrawLighting::material(const StageVertex& v, Face face) const {
     return material;
 }
 
-lighting::Lit<double> DrawLighting::light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
-                                                  lighting::LightTerms<double>* breakdown) const {
+lighting::MeasuredLit<double> DrawLighting::light_surface(const LitMaterial& material,
+                                                          const lighting::SurfacePoint<double>& surface,
+                                                          lighting::LightTerms<double>* breakdown) const {
     if (spectral_) return spectral_->light_surface(material, surface, breakdown);
-    return lighting::light_surface<double>(model_, material, surface, lights_, breakdown);
+    return lighting::measured_light<double>(model_, material, surface, lights_, breakdown);
 }
 
 bool DrawLighting::has_one_material(Face face) const {
@@ -130,8 +118,8 @@ bool DrawLighting::has_one_material(Face face) const {
 
 Colors DrawLighting::lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
                          Face face) const {
-    const lighting::Surface<double> surface = surface_of(position_eye, normal_eye, face);
-    const lighting::Lit<double> lit = light_surface(material, surface);
+    const lighting::SurfacePoint<double> surface = surface_of(position_eye, normal_eye, face);
+    const lighting::MeasuredLit<double> lit = light_surface(material, surface);
     return {.primary = glm::dvec4(vec3_cast<glm::dvec3>(lit.primary), lit.alpha),
             .secondary = glm::dvec4(vec3_cast<glm::dvec3>(lit.secondary), 1),
             .magnitude = glm::dvec4(vec3_cast<glm::dvec3>(lit.magnitude), std::abs(lit.alpha))};
@@ -155,7 +143,7 @@ void PointBatch::add(const StageVertex& v, Face face, const std::function<LitMat
         for (std::size_t g = 0; g < side.points.size(); ++g)
             side.points[g].add(lighting_.spectral_ ? own.samples[g] : own);
     }
-    const lighting::Surface<double> surface = surface_of(v.position_eye, v.normal_eye, face);
+    const lighting::SurfacePoint<double> surface = surface_of(v.position_eye, v.normal_eye, face);
     for (lighting::Points& points : side.points) points.add(surface);
     side.places.push_back(count_++);
 }

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "lighting/equation.h"
+#include "lighting/breakdown.h"
 #include "lighting/marked.h"
 #include "lighting/points.h"
 #include "render/reference/spectral_lighting.h"
@@ -34,7 +34,7 @@ struct LitPoint;  // pixel.h
 std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants);
 
 // What the equation takes of a point: V, and the normal, reversed for the back face (2.14.1).
-lighting::Surface<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face);
+lighting::SurfacePoint<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face);
 
 class DrawLighting {
   public:
@@ -66,8 +66,9 @@ class DrawLighting {
   private:
     friend class PointBatch;
 
-    lighting::Lit<double> light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
-                                        lighting::LightTerms<double>* breakdown = nullptr) const;
+    lighting::MeasuredLit<double> light_surface(const LitMaterial& material,
+                                                const lighting::SurfacePoint<double>& surface,
+                                                lighting::LightTerms<double>* breakdown = nullptr) const;
 
     bool enabled_ = false;
     bool two_side_ = false;

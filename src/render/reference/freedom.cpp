@@ -343,7 +343,7 @@ class Rows {
 
 namespace {
 
-Freedom freedom_of_cut(const Frame& frame, const RenderOptions& options) {
+Freedom freedom_of_cut(const Frame& frame, const Options& options) {
     const Stages stages = run_stages(frame, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     const std::size_t count = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
@@ -374,7 +374,7 @@ void join(Freedom& freedom, const Freedom& other) {
 
 }  // namespace
 
-Freedom freedom(const Frame& frame, RenderOptions options) {
+Freedom freedom(const Frame& frame, Options options) {
     if (options.shading == Shading::kExact) {
         options.shading = Shading::kPhong;
         Freedom result = freedom(frame, options);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lighting/real_cast.h"
 #include "render/reference/coverage.h"
 #include "render/reference/fragment_operations.h"
 #include "render/reference/framebuffer.h"
@@ -48,7 +49,7 @@ VertexRulings rulings_of_place(const Draw& draw, const Piece& piece, const glm::
 }
 
 void add_points(const StagedDraw& staged, const Piece& piece, const glm::dvec2& position_window,
-                const VertexRulings& of_place, const RenderOptions& options, PixelFragment& fragment) {
+                const VertexRulings& of_place, const Options& options, PixelFragment& fragment) {
     const DrawLighting lighting(*staged.draw, options.lecture_variants);
     fragment.is_lit = lighting.enabled();
     if (!lighting.enabled()) return;
@@ -126,29 +127,30 @@ void add_rulings(const Shader& shader, const Piece& piece, const glm::dvec2& pos
 
 LitPoint DrawLighting::point(const StageVertex& v, const LitMaterial& material, Face face,
                              const std::vector<lighting::Light<Marked>>& lights, const VertexRulings& rulings) const {
-    const lighting::Surface<double> surface = surface_of(v.position_eye, v.normal_eye, face);
+    const lighting::SurfacePoint<double> surface = surface_of(v.position_eye, v.normal_eye, face);
     LitPoint point{.material = material};
     point.terms.resize(lights_.size());
+    point.formulas = lighting::formulas(model_);
     const lighting::Lit<double> lit = light_surface(material, surface, point.terms.data());
     point.scene_ambient =
-        spectral_ ? spectral_->scene_ambient(material) : lighting::representable(material.ambient * model_.ambient);
+        spectral_ ? spectral_->scene_ambient(material) : lighting::finite_or_zero(material.ambient * model_.ambient);
     point.primary = lit.primary;
     point.secondary = lit.secondary;
 
     point.marked_terms.resize(lights.size());
     const Vec3<Marked> normal = vec3_cast<Vec3<Marked>>(surface.normal_eye);
-    const lighting::Surface<Marked> from{
+    const lighting::SurfacePoint<Marked> from{
         marked(lighting::divided(vec3_cast<Vec3<Marked>>(v.position_eye), Marked(v.position_eye.w)), rulings.position),
         marked(normal, rulings.normal)};
     const lighting::Lit<Marked> told =
-        lighting::light_surface<Marked>(lighting::real_cast<Marked>(model_), lighting::real_cast<Marked>(material),
-                                        from, lights, point.marked_terms.data());
+        lighting::measured_light<Marked>(lighting::real_cast<Marked>(model_), lighting::real_cast<Marked>(material),
+                                         from, lights, point.marked_terms.data());
     point.marked_primary = told.primary;
     point.marked_secondary = told.secondary;
     return point;
 }
 
-std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptions& options, int x, int y) {
+std::vector<PixelFragment> pixel_fragments(const Frame& frame, const Options& options, int x, int y) {
     const Stages stages = run_stages(frame, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     const PixelRect pixel{x, y, x + 1, y + 1};
@@ -189,6 +191,7 @@ LitPoint mean_of(const PixelFragment& fragment) {
     for (lighting::LightTerms<double>& terms : mean.terms) terms.attenuation = terms.spot = 0;
     for (const LitPoint& point : fragment.points) {
         const double w = point.weight;
+        mean.formulas = point.formulas;
         mean.material.emission += w * point.material.emission;
         mean.scene_ambient += w * point.scene_ambient;
         mean.primary += w * point.primary;

@@ -9,6 +9,7 @@
 
 #include "lighting/equation.h"
 #include "render/reference/draw_lighting.h"
+#include "render/reference/options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::reference {
@@ -18,6 +19,7 @@ struct LitPoint {
     LitMaterial material;
     Vec scene_ambient{};
     std::vector<lighting::LightTerms<double>> terms{};  // one for each of PixelFragment::lights
+    lighting::Formulas formulas{};                      // of the terms
     Vec primary{}, secondary{};                         // before the clamp
     // The same with the rulings that they come from.
     std::vector<lighting::LightTerms<lighting::Marked>> marked_terms{};
@@ -42,7 +44,7 @@ struct PixelFragment {
     std::vector<Decided> rulings{};
 };
 
-std::vector<PixelFragment> pixel_fragments(const Frame& frame, const RenderOptions& options, int x, int y);
+std::vector<PixelFragment> pixel_fragments(const Frame& frame, const Options& options, int x, int y);
 
 // The terms of a fragment: those of its points by their weights. Linear in all but flat shading's one point, so the
 // products add up to the colour; factors such as attenuation are means.

@@ -4,21 +4,22 @@
 
 #include "base/image/difference.h"
 #include "base/image/image.h"
+#include "render/reference/options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::reference {
 
 // Starts from black and depth 1.
-Image render(const Frame& frame, const RenderOptions& options);
+Image render(const Frame& frame, const Options& options);
 
 // Which shape is seen at each pixel, row by row from the top: shapes are numbered from 0 in the order of the commands that send
 // them, whatever number of Draws each is; -1 where none is, or where colours were blended.
-std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options);
+std::vector<int> seen_shapes(const Frame& frame, const Options& options);
 
 // How far apart right pictures of the frame may be (docs/lighting.md, "Edges").
 // Of either cut of quadrilaterals. Of exact surfaces: that of their meshes, lit per pixel, and edges where a thousandth of a pixel
 // beside the centre something else is seen.
-Freedom freedom(const Frame& frame, RenderOptions options = {});
+Freedom freedom(const Frame& frame, Options options = {});
 
 // The mask alone.
 PixelMask edge_pixels(const Frame& frame);
@@ -34,6 +35,6 @@ struct LitVertex {
 
 // The vertex stage of every vertex of the Draw (not of every index). `clamped`: 2.14.6, colours to [0,1]. Magnitudes are double
 // whatever the options' arithmetic.
-std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& options, bool clamped);
+std::vector<LitVertex> light_vertices(const Draw& draw, const Options& options, bool clamped);
 
 }  // namespace twinlight::reference

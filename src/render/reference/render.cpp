@@ -1,4 +1,7 @@
 // The picture.
+#include <algorithm>
+#include <variant>
+
 #include "render/reference/framebuffer.h"
 #include "render/reference/reference.h"
 
@@ -26,7 +29,7 @@ std::vector<int> shape_numbers(const Stages& stages) {
 
 // Calls visit(framebuffer, y0, y1) for bands of rows once all of them is drawn; y as GL counts.
 template <class Visit>
-void draw(const Stages& stages, const Frame& frame, const RenderOptions& options, const Visit& visit) {
+void draw(const Stages& stages, const Frame& frame, const Options& options, const Visit& visit) {
     const std::vector<Shader> shaders = make_shaders(stages, options);
     for_each_band(frame.height,
                   [&](int y0, int y1) { visit(Framebuffer(stages, shaders, frame.width, y0, y1), y0, y1); });
@@ -34,7 +37,7 @@ void draw(const Stages& stages, const Frame& frame, const RenderOptions& options
 
 }  // namespace
 
-std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options) {
+std::vector<int> seen_shapes(const Frame& frame, const Options& options) {
     const Stages stages = run_stages(frame, options);
     const std::vector<int> numbers = shape_numbers(stages);
     std::vector<int> seen(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height), -1);
@@ -51,7 +54,14 @@ std::vector<int> seen_shapes(const Frame& frame, const RenderOptions& options) {
     return seen;
 }
 
-Image render(const Frame& frame, const RenderOptions& options) {
+bool has_quadrilaterals(const Frame& frame) {
+    return std::ranges::any_of(frame.items, [](const auto& item) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        return draw && (draw->mode == kGL_QUADS || draw->mode == kGL_QUAD_STRIP);
+    });
+}
+
+Image render(const Frame& frame, const Options& options) {
     Image image(frame.width, frame.height);
     const Stages stages = run_stages(frame, options);
     draw(stages, frame, options, [&](const Framebuffer& framebuffer, int y0, int y1) {

@@ -15,7 +15,7 @@ using lighting::Marked;
 
 namespace {
 
-Shading shading_of(const Draw& draw, const RenderOptions& options) {
+Shading shading_of(const Draw& draw, const Options& options) {
     if (options.shading) return *options.shading;
     return draw.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud;
 }
@@ -31,7 +31,7 @@ Shader::LitColors Shader::clamped_colors(const Colors& colors) {
     return {clamped(colors.primary), clamped(colors.secondary)};
 }
 
-Shader::Shader(const StagedDraw& staged, const RenderOptions& options)
+Shader::Shader(const StagedDraw& staged, const Options& options)
     : draw_(*staged.draw),
       vertices_(staged.vertices),
       shading_(shading_of(*staged.draw, options)),

@@ -34,7 +34,7 @@ struct Fragment {
 // Colours one Draw's pieces. The StagedDraw must outlive it.
 class Shader {
   public:
-    Shader(const StagedDraw& staged, const RenderOptions& options);
+    Shader(const StagedDraw& staged, const Options& options);
 
     // In [0,1]. Of many the same as of each, to the last places of a double (lighting/points.h).
     glm::dvec4 color(const Piece& piece, const glm::dvec2& position_window) const;

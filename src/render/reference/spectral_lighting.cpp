@@ -74,15 +74,16 @@ Vec3<double> SpectralLighting::color(const Group& group, Vec samples) {
     return {dot(group.red, samples), dot(group.green, samples), dot(group.blue, samples)};
 }
 
-lighting::Lit<double> SpectralLighting::light_surface(const LitMaterial& material,
-                                                      const lighting::Surface<double>& surface,
-                                                      lighting::LightTerms<double>* breakdown) const {
-    lighting::Lit<double> sum{.primary = {}, .secondary = {}, .alpha = material.diffuse_alpha, .magnitude = {}};
+lighting::MeasuredLit<double> SpectralLighting::light_surface(const LitMaterial& material,
+                                                              const lighting::SurfacePoint<double>& surface,
+                                                              lighting::LightTerms<double>* breakdown) const {
+    lighting::MeasuredLit<double> sum;
+    sum.alpha = material.diffuse_alpha;
     std::vector<lighting::LightTerms<double>> terms(breakdown ? groups_[0].lights.size() : 0);
     for (std::size_t i = 0; i < groups_.size(); ++i) {
         const Group& g = groups_[i];
-        const lighting::Lit<double> lit = lighting::light_surface<double>(g.model, material.samples[i], surface,
-                                                                          g.lights, breakdown ? terms.data() : nullptr);
+        const lighting::MeasuredLit<double> lit = lighting::measured_light<double>(
+            g.model, material.samples[i], surface, g.lights, breakdown ? terms.data() : nullptr);
         sum.primary += color(g, lit.primary);
         sum.secondary += color(g, lit.secondary);
         const auto magnitude = [&](Vec weights) { return dot(lighting::magnitudes(weights), lit.magnitude); };
@@ -127,7 +128,7 @@ void SpectralLighting::light_points(const std::vector<lighting::Points>& groups,
 Vec3<double> SpectralLighting::scene_ambient(const LitMaterial& material) const {
     Vec sum;
     for (std::size_t i = 0; i < groups_.size(); ++i)
-        sum += color(groups_[i], lighting::representable(material.samples[i].ambient * groups_[i].model.ambient));
+        sum += color(groups_[i], lighting::finite_or_zero(material.samples[i].ambient * groups_[i].model.ambient));
     return sum;
 }
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "lighting/equation.h"
+#include "lighting/breakdown.h"
 #include "lighting/points.h"
 #include "scene/spectrum/samples.h"
 #include "scene/state/frame.h"
@@ -30,9 +30,10 @@ class SpectralLighting {
     std::vector<lighting::Material<double>> samples_of(const lighting::Material<double>& material,
                                                        const Material::Reflectances& reflectances) const;
 
-    // As lighting::light_surface().
-    lighting::Lit<double> light_surface(const LitMaterial& material, const lighting::Surface<double>& surface,
-                                        lighting::LightTerms<double>* breakdown) const;
+    // As lighting::measured_light().
+    lighting::MeasuredLit<double> light_surface(const LitMaterial& material,
+                                                const lighting::SurfacePoint<double>& surface,
+                                                lighting::LightTerms<double>* breakdown) const;
     // As lighting::light_points(): of points of equal places, of each group of samples.
     void light_points(const std::vector<lighting::Points>& groups, const Arithmetic& arithmetic,
                       lighting::Lit<lighting::Column>& lit) const;

@@ -7,7 +7,7 @@
 
 namespace twinlight::reference {
 
-Stages run_stages(const Frame& frame, const RenderOptions& options) {
+Stages run_stages(const Frame& frame, const Options& options) {
     Stages stages;
     const Draw* last = nullptr;
     const auto add_clear = [&](const Clear& clear) {
@@ -36,7 +36,7 @@ Stages run_stages(const Frame& frame, const RenderOptions& options) {
     return stages;
 }
 
-std::vector<Shader> make_shaders(const Stages& stages, const RenderOptions& options) {
+std::vector<Shader> make_shaders(const Stages& stages, const Options& options) {
     std::vector<Shader> shaders;
     shaders.reserve(stages.draws.size());
     for (const StagedDraw& staged : stages.draws) shaders.emplace_back(staged, options);

@@ -32,10 +32,10 @@ struct Stages {
 };
 
 // The frame must outlive the result.
-Stages run_stages(const Frame& frame, const RenderOptions& options);
+Stages run_stages(const Frame& frame, const Options& options);
 
 // One for each Draw.
-std::vector<Shader> make_shaders(const Stages& stages, const RenderOptions& options);
+std::vector<Shader> make_shaders(const Stages& stages, const Options& options);
 
 // Calls band(y0, y1) for bands of rows that together are [0, height), on all processors. What a band computes
 // must depend on nothing that another band writes; then the result is the same for any number of threads.

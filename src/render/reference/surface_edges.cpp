@@ -23,7 +23,7 @@ Frame moved(Frame frame, const glm::dvec2& pixels) {
 
 }  // namespace
 
-void add_surface_edges(const Frame& frame, const RenderOptions& options, PixelMask& edge) {
+void add_surface_edges(const Frame& frame, const Options& options, PixelMask& edge) {
     constexpr double kBeside = 1e-3;  // of a pixel
     constexpr float kHalfCode = 0.5F / 255;
     const Image here = render(frame, options);

@@ -7,7 +7,7 @@
 
 #include "render/reference/draw_lighting.h"
 #include "render/reference/reference.h"
-#include "scene/state/origin.h"
+#include "scene/state/far_from_origin.h"
 
 namespace twinlight::reference {
 
@@ -87,7 +87,7 @@ VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex) {
 
 VertexRulings surface_rulings(const Draw& draw, const Vertex& point) { return rulings_under(draw, point, true); }
 
-std::vector<LitVertex> light_vertices(const Draw& draw, const RenderOptions& options, bool clamp) {
+std::vector<LitVertex> light_vertices(const Draw& draw, const Options& options, bool clamp) {
     const DrawLighting lighting(draw, options.lecture_variants);
     const auto finish = [&](const glm::dvec4& color) { return clamp ? clamped(color) : color; };
     const std::vector<StageVertex> vertices = vertex_stage(draw);

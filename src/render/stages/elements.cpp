@@ -24,19 +24,16 @@ bool is_order_free(const Draw& draw) {
 
 }  // namespace
 
-bool may_be_patched(const Draw& draw, const RenderOptions& options) { return options.patches && is_order_free(draw); }
-
 bool needs_edge_flags(const Draw& draw) {
     const bool has_edges = draw.mode == kGL_TRIANGLES || draw.mode == kGL_QUADS || draw.mode == kGL_POLYGON;
     return has_edges && draw.draws_borders() && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
 }
 
-Elements::Elements(const Draw& draw, const RenderOptions& options)
-    : mode_(draw.mode), count_(static_cast<int>(draw.count())) {
+Elements::Elements(const Draw& draw, bool patches) : mode_(draw.mode), count_(static_cast<int>(draw.count())) {
     if (draw.indices.empty()) return;
     // What is no whole triangle is not drawn (2.6.1).
     const std::size_t whole = draw.indices.size() / 3 * 3;
-    if (whole >= kFewIndices && may_be_patched(draw, options))
+    if (patches && whole >= kFewIndices && is_order_free(draw))
         patched_ = patched(std::span(draw.indices).first(whole), draw.vertices.size());
     const auto fill = [&](const auto& indices) {
         indices_ = filled_buffer(GL_ELEMENT_ARRAY_BUFFER, indices);

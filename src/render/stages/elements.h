@@ -9,14 +9,12 @@
 
 namespace twinlight {
 
-// Where the options allow patches (scene/shape/vertex_order.h), and the order of the Draw's triangles is free.
-bool may_be_patched(const Draw& draw, const RenderOptions& options);
-
 // Owns its buffer: dies before the context does.
 class Elements {
   public:
-    // In patches where it may be patched and is large.
-    Elements(const Draw& draw, const RenderOptions& options);
+    // `patches`: a large mesh goes in patches that suit the driver's vertex cache (scene/shape/vertex_order.h), where the order
+    // of its triangles is free. Making them takes as long as some frames: for who draws the same vertices again and again.
+    Elements(const Draw& draw, bool patches);
     ~Elements();
     Elements(const Elements&) = delete;
     Elements& operator=(const Elements&) = delete;

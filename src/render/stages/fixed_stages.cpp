@@ -76,7 +76,7 @@ FixedStages::~FixedStages() {
     glPopAttrib();
 }
 
-void FixedStages::set(const Draw& draw) const {
+void FixedStages::set(const Draw& draw) {
     set_raster(draw.raster);
     set_fragment_operations(draw.fragment);
 }

@@ -15,7 +15,7 @@ class FixedStages {
     FixedStages(const FixedStages&) = delete;
     FixedStages& operator=(const FixedStages&) = delete;
 
-    void set(const Draw& draw) const;
+    static void set(const Draw& draw);
     void clear(const Clear& what) const;
 };
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "render/context/gl.h"
-#include "render/effect/fragment_effects.h"
 
 namespace twinlight {
 namespace {
@@ -45,7 +44,7 @@ void set_parameters(const Texture& texture, Clamping clamping) {
     set(GL_TEXTURE_MIN_FILTER, texture.min_filter);
     set(GL_TEXTURE_MAG_FILTER, texture.mag_filter);
     // Where the shader clamps, half of the border is in a linear filter's sight.
-    Enum clamped = filters_linearly(texture) ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
+    Enum clamped = texture.filters_linearly() ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
     if (clamping == Clamping::kDriver) clamped = kGL_CLAMP;
     set(GL_TEXTURE_WRAP_S, texture.wrap_s == kGL_CLAMP ? clamped : texture.wrap_s);
     set(GL_TEXTURE_WRAP_T, texture.wrap_t == kGL_CLAMP ? clamped : texture.wrap_t);

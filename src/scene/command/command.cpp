@@ -16,57 +16,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const std::vector<Signature>& table() {
     using enum Kind;
     static const std::vector<Signature> rows = {
-#define P(name, kind) \
-    Parameter { #name, kind, Extent::kValue, 1 }
-#define A(name, kind, n) \
-    Parameter { #name, kind, Extent::kArray, n }
-#define V(name, kind) \
-    Parameter { #name, kind, Extent::kByPname, 0 }
-#define Q(name, kind) \
-    Parameter { #name, kind, Extent::kOutput, 0 }
-#define R(name, kind) \
-    Parameter { #name, kind, Extent::kRest, 0 }
-#define B(name) \
-    Parameter { #name, kSizeiptr, Extent::kPointer, 0 }
-#define C(name, kind) \
-    Parameter { #name, kind, Extent::kByCount, 0 }
-#define N(name, kind) \
-    Parameter { #name, kind, Extent::kNames, 0 }
-#define X(name, kind) \
-    Parameter { #name, kind, Extent::kResult, 1 }
-#define O(name, kind, n) \
-    Parameter { #name, kind, Extent::kOutput, n }
-#define W(name, kind) \
-    Parameter { #name, kind, Extent::kOutputByCount, 0 }
-#define M(name) \
-    Parameter { #name, kSizeiptr, Extent::kOutputMemory, 0 }
-#define G(name, kind) \
-    Parameter { #name, kind, Extent::kControlPoints, 0 }
-#define I(name) \
-    Parameter { #name, kSizei, Extent::kImage, 2 }
+#define PARAMETER(name, kind, extent, count) \
+    Parameter { #name, kind, Extent::extent, count }
 #define GL_COMMAND(name, effect, ...) {#name, Family::kGl, {__VA_ARGS__}},
 #define SHAPE_COMMAND(name, effect, ...) {#name, Family::kShape, {__VA_ARGS__}},
 #define QUADRIC_COMMAND(name, effect, ...) {#name, Family::kQuadric, {__VA_ARGS__}},
 #define PRAGMA_COMMAND(name, effect, ...) {#name, Family::kPragma, {__VA_ARGS__}},
 #include "scene/command/commands.def"
-#undef P
-#undef A
-#undef V
-#undef Q
-#undef R
-#undef B
-#undef C
-#undef N
-#undef X
-#undef O
-#undef W
-#undef M
-#undef G
-#undef I
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
     };
     return rows;
 }
@@ -133,9 +89,7 @@ std::size_t control_point_values(const Command& c) {
 
 }  // namespace
 
-std::size_t Signature::scalars() const {
-    return static_cast<std::size_t>(std::count_if(parameters.begin(), parameters.end(), is_single));
-}
+bool Parameter::is_array() const { return !is_single(*this) && extent != Extent::kImage && extent != Extent::kRest; }
 
 std::size_t Signature::first_array() const {
     std::size_t i = 0;
@@ -170,13 +124,14 @@ std::size_t Command::count(std::size_t parameter) const {
         case Extent::kOutputMemory:
         case Extent::kResult: return 1;
         case Extent::kControlPoints: return control_point_values(*this);
-        case Extent::kArray: return static_cast<std::size_t>(parameters[parameter].count);
+        case Extent::kArray:
         case Extent::kImage: return static_cast<std::size_t>(parameters[parameter].count);
         case Extent::kOutput:
+        case Extent::kOutputByPname:
         case Extent::kOutputByCount: return 0;
-        case Extent::kByCount:
-        case Extent::kNames: return counted(parameter);
-        case Extent::kByPname:
+        case Extent::kArrayByCount:
+        case Extent::kNewNames: return counted(parameter);
+        case Extent::kArrayByPname:
         case Extent::kRest: return arguments.size() - std::min(arguments.size(), first(parameter));
     }
     return 0;
@@ -199,14 +154,6 @@ std::string Signature::usage() const {
         if (parameter.extent == Extent::kRest) names.back() += "...";
     }
     return fmt::format("{}({})", name, fmt::join(names, ", "));
-}
-
-Command texture_command(const Command& pragma) {
-    return {CommandId::gluBuild2DMipmaps,
-            {double{kGL_TEXTURE_2D}, double{kGL_RGBA}, pragma.number(0), pragma.number(1), double{kGL_RGBA},
-             double{kGL_UNSIGNED_BYTE}, 0},
-            pragma.place,
-            pragma.memory};
 }
 
 const Signature& signature(CommandId id) { return table()[static_cast<std::size_t>(id)]; }
@@ -328,9 +275,9 @@ std::optional<int> query_length(Enum pname) {
 std::optional<int> array_length(CommandId id, std::optional<Enum> pname) {
     const Signature& sig = signature(id);
     const Parameter& array = sig.parameters.at(sig.first_array());
-    if (array.extent == Extent::kArray || (array.extent == Extent::kOutput && array.count > 0)) return array.count;
-    const bool asks_state = signature(id).name.starts_with("glGet") && array.extent == Extent::kOutput;
-    if (asks_state && sig.parameters[0].name == "pname") return pname ? query_length(*pname) : std::nullopt;
+    if (array.extent == Extent::kArray || array.extent == Extent::kOutput) return array.count;
+    const bool asks_state = array.extent == Extent::kOutputByPname && sig.parameters[0].name == "pname";
+    if (asks_state) return pname ? query_length(*pname) : std::nullopt;
     const std::optional<Owner> owner = owner_of(id);
     const ParameterInfo* info = owner && pname ? find_parameter(*owner, *pname) : nullptr;
     return info ? std::optional(info->count) : std::nullopt;

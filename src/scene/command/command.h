@@ -20,14 +20,8 @@ namespace twinlight {
 
 enum class CommandId : std::uint16_t {
 #define GL_COMMAND(name, ...) name,
-#define SHAPE_COMMAND(name, ...) name,
-#define QUADRIC_COMMAND(name, ...) name,
 #define PRAGMA_COMMAND(name, ...) pragma_##name,
 #include "scene/command/commands.def"
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
 };
 
 // The types of arguments: GL's (2.2), GLU's quadric, and kWord, a word of a pragma.
@@ -49,27 +43,35 @@ enum class Kind : std::uint8_t {
     kWord,
 };
 
+// What a parameter is. Outputs are arrays that the command writes: none of their values are arguments.
 enum class Extent : std::uint8_t {
-    kValue,    // one value
-    kPointer,  // a pointer to memory, or an offset into a buffer object: one value, the offset; see Command::memory
-    kArray,    // an array of `count` values
-    kByPname,  // an array whose length the argument pname decides
-    kOutput,   // the same, or with a `count`, written by the command; none of its values are arguments
-    kByCount,  // an array whose length the last GLsizei argument before it gives
-    kNames,    // the same, written by the command: the names of new objects, which are recorded
-    kOutputByCount,  // the same, written by the command; none of its values are arguments
-    kOutputMemory,   // memory that the command writes: one value, how many bytes there are
+    kValue,          // one value
+    kArray,          // an array of `count` values
+    kArrayByPname,   // an array whose length the argument pname decides
+    kArrayByCount,   // an array whose length the last GLsizei argument before it gives
     kControlPoints,  // of glMap: as many values as its order and its stride say
-    kRest,           // any number of values
-    kResult,         // what the command returned, one value, which is recorded; no argument in C
-    kImage,          // the name of an image's file: its width and its height are the values; see Command::memory
+    kOutput,         // `count` values
+    kOutputByPname,  // as many as the argument pname decides
+    kOutputByCount,  // as many as the last GLsizei argument before it says
+    kOutputMemory,   // memory that the command writes: one value, how many bytes there are
+    kNewNames,       // an array by count that the command writes: the names of new objects, which are recorded
+    kPointer,  // a pointer to memory, or an offset into a buffer object: one value, the offset; see Command::memory
+    kImage,    // the name of an image's file: its width and its height are the values; see Command::memory
+    kRest,     // any number of values
+    kResult,   // what the command returned, one value, which is recorded; no argument in C
 };
 
 struct Parameter {
     std::string_view name;
     Kind kind = Kind::kInt;
     Extent extent = Extent::kValue;
-    int count = 1;  // of an Extent::kArray; of an Extent::kOutput, where 0 means that the pname decides
+    int count = 1;  // of values: of a kArray, a kOutput or a kImage
+
+    bool is_output() const {
+        return extent == Extent::kOutput || extent == Extent::kOutputByPname || extent == Extent::kOutputByCount;
+    }
+    bool is_by_pname() const { return extent == Extent::kArrayByPname || extent == Extent::kOutputByPname; }
+    bool is_array() const;  // of any length, read or written; memory and pointers are none
 };
 
 enum class Family : std::uint8_t { kGl, kShape, kQuadric, kPragma };
@@ -79,7 +81,6 @@ struct Signature {
     Family family = Family::kGl;
     std::vector<Parameter> parameters;
 
-    std::size_t scalars() const;  // how many parameters are single values
     // Where the first array stands among the parameters; how many there are where there is none. Only arrays of a
     // fixed or a counted length may have others after them.
     std::size_t first_array() const;
@@ -151,9 +152,6 @@ struct Command {
     friend bool operator==(const Command& a, const Command& b);
 };
 
-// The command of GL and GLU that #pragma twinlight texture(...) stands for.
-Command texture_command(const Command& pragma);
-
 // One step of a recording.
 struct Step {
     enum class Kind : std::uint8_t {
@@ -167,6 +165,8 @@ struct Step {
     std::string_view text{};
 };
 
+struct CommandList;
+
 // Commands that can be gone through again and again, one at a time: a list, or a recorded program that is too long to be
 // held.
 struct Recording {
@@ -178,6 +178,8 @@ struct Recording {
 
     // Hands every step to `visit`, until that answers false. Throws SceneError where the recording cannot be read.
     virtual void for_each(const std::function<bool(const Step&)>& visit) const = 0;
+    // The scene in C text that it is; null for a recorded program.
+    virtual const CommandList* command_list() const { return nullptr; }
 
   protected:  // copied as what they are, or not at all
     Recording(const Recording&) = default;
@@ -194,6 +196,7 @@ struct CommandList final : Recording {
         : Recording(std::move(given_name)), commands(std::move(given_commands)) {}
 
     void for_each(const std::function<bool(const Step&)>& visit) const override;
+    const CommandList* command_list() const override { return this; }
 };
 
 // ---- The parameters of lights, materials, the light model, fog, textures and pixel storage (parameters.def) ----

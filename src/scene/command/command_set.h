@@ -15,14 +15,7 @@ namespace twinlight {
 // By CommandId.
 inline constexpr std::string_view kEffects[] = {
 #define GL_COMMAND(name, effect, ...) #effect,
-#define SHAPE_COMMAND(name, effect, ...) #effect,
-#define QUADRIC_COMMAND(name, effect, ...) #effect,
-#define PRAGMA_COMMAND(name, effect, ...) #effect,
 #include "scene/command/commands.def"
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
 };
 
 class CommandSet {

@@ -1,33 +1,20 @@
 #include "scene/command/memory.h"
 
-#include <cstdint>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 namespace twinlight {
 
 namespace {
 
 // Calls `use` with a value of the kind's C type.
-template <class Use>
+template <std::size_t i = 0, class Use>
 auto with_type(Kind kind, Use use) {
-    switch (kind) {
-        case Kind::kByte: return use(std::int8_t{});
-        case Kind::kBoolean:
-        case Kind::kUbyte: return use(std::uint8_t{});
-        case Kind::kShort: return use(std::int16_t{});
-        case Kind::kUshort: return use(std::uint16_t{});
-        case Kind::kInt:
-        case Kind::kSizei: return use(std::int32_t{});
-        case Kind::kEnum:
-        case Kind::kBitfield:
-        case Kind::kWord:
-        case Kind::kQuadric:
-        case Kind::kUint: return use(std::uint32_t{});
-        case Kind::kSizeiptr: return use(std::int64_t{});
-        case Kind::kFloat: return use(float{});
-        case Kind::kDouble: break;
+    if constexpr (i + 1 < std::tuple_size_v<CTypes>) {
+        if (kind != static_cast<Kind>(i)) return with_type<i + 1>(kind, use);
     }
-    return use(double{});
+    return use(std::tuple_element_t<i, CTypes>{});
 }
 
 }  // namespace
@@ -62,6 +49,14 @@ Kind c_type(Kind kind) {
     if (kind == Kind::kEnum || kind == Kind::kBitfield) return Kind::kUint;
     if (kind == Kind::kBoolean) return Kind::kUbyte;
     return kind;
+}
+
+WholeRange whole_range(Kind kind) {
+    if (kind == Kind::kSizeiptr) return {-0x1p53, 0x1p53};  // what a double holds exactly
+    return with_type(kind, []<class T>(T) -> WholeRange {
+        if constexpr (!std::is_integral_v<T>) return {0, 0};
+        return {static_cast<double>(std::numeric_limits<T>::min()), static_cast<double>(std::numeric_limits<T>::max())};
+    });
 }
 
 double load(std::span<const std::byte> bytes, Kind kind) {

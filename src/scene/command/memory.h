@@ -3,16 +3,32 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <tuple>
 
 #include "scene/command/command.h"
 
 namespace twinlight {
 
-std::size_t size_of(Kind kind);           // in bytes; of a quadric and a word those of their number
+// The C types of the kinds, in the kinds' order; of a quadric and a word that of their number.
+using CTypes =
+    std::tuple<std::uint32_t, std::uint32_t, std::uint8_t, std::int8_t, std::int16_t, std::int32_t, std::int32_t,
+               std::uint8_t, std::uint16_t, std::uint32_t, float, double, std::int64_t, std::uint32_t, std::uint32_t>;
+static_assert(std::tuple_size_v<CTypes> == static_cast<std::size_t>(Kind::kWord) + 1);
+template <Kind kind>
+using CType = std::tuple_element_t<static_cast<std::size_t>(kind), CTypes>;
+
+std::size_t size_of(Kind kind);           // in bytes
 std::string_view c_type_name(Kind kind);  // "GLfloat"
 Kind c_type(Kind kind);                   // one kind for those that are the same C type (GLint and GLsizei, ...)
 inline bool is_real(Kind kind) { return kind == Kind::kFloat || kind == Kind::kDouble; }
+
+// The values that a kind of whole numbers can have; {0, 0} for real numbers, which have no such range.
+struct WholeRange {
+    double smallest, largest;
+};
+WholeRange whole_range(Kind kind);
 
 // The value of `kind` at the start of `bytes`, which holds at least size_of(kind) of them.
 double load(std::span<const std::byte> bytes, Kind kind);

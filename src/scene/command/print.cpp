@@ -69,10 +69,10 @@ std::string print_value(const Command& command, const Parameter& parameter, doub
 std::string print_array(const Command& command, std::size_t i) {
     const Parameter& parameter = command.sig().parameters[i];
     const std::string_view type = c_type_name(parameter.kind);
-    if (parameter.extent == Extent::kOutput) {
-        constexpr int kLongestAnswer = 64;  // longer than GL's answers to any name that the table has not
+    if (parameter.extent == Extent::kOutput || parameter.extent == Extent::kOutputByPname) {
+        constexpr int kLongestAnswer = 64;  // longer than GL's answers to any name that the table lacks
         const std::optional<Enum> pname =
-            parameter.count == 0 ? std::optional(command.enumerant(command.first(i) - 1)) : std::nullopt;
+            parameter.is_by_pname() ? std::optional(command.enumerant(command.first(i) - 1)) : std::nullopt;
         return fmt::format("({}[{}]){{0}}", type, array_length(command.id, pname).value_or(kLongestAnswer));
     }
     if (parameter.extent == Extent::kOutputByCount) {
@@ -80,7 +80,7 @@ std::string print_array(const Command& command, std::size_t i) {
     }
     std::vector<std::string> values;
     for (double value : command.values(i)) values.push_back(print_value(command, parameter, value));
-    const bool is_counted = parameter.extent == Extent::kByCount || parameter.extent == Extent::kNames ||
+    const bool is_counted = parameter.extent == Extent::kArrayByCount || parameter.extent == Extent::kNewNames ||
                             parameter.extent == Extent::kControlPoints;
     if (is_counted && values.empty()) return fmt::format("({}[1]){{0}}", type);  // C has no empty arrays
     return fmt::format("({}[]){{{}}}", type, fmt::join(values, ", "));
@@ -182,24 +182,18 @@ std::string print(const Command& command, const PrintedArray& array) {
     std::vector<std::string> arguments;
     for (std::size_t i = 0; i < sig.parameters.size(); ++i) {
         const Parameter& parameter = sig.parameters[i];
-        switch (parameter.extent) {
-            case Extent::kValue:
-                arguments.push_back(print_value(command, parameter, command.number(command.first(i))));
-                break;
-            case Extent::kImage: arguments.push_back(fmt::format("\"{}\"", command.memory->file)); break;
-            case Extent::kPointer: arguments.push_back(print_pointer(command, i, array)); break;
-            case Extent::kRest:
-                for (double value : command.values(i)) arguments.push_back(print_number(value, parameter.kind));
-                break;
-            case Extent::kArray:
-            case Extent::kByPname:
-            case Extent::kOutput:
-            case Extent::kByCount:
-            case Extent::kNames:
-            case Extent::kOutputByCount:
-            case Extent::kControlPoints: arguments.push_back(print_array(command, i)); break;
-            case Extent::kOutputMemory: arguments.push_back(print_written(command.number(command.first(i)))); break;
-            case Extent::kResult: break;
+        if (parameter.is_array()) {
+            arguments.push_back(print_array(command, i));
+        } else if (parameter.extent == Extent::kValue) {
+            arguments.push_back(print_value(command, parameter, command.number(command.first(i))));
+        } else if (parameter.extent == Extent::kPointer) {
+            arguments.push_back(print_pointer(command, i, array));
+        } else if (parameter.extent == Extent::kOutputMemory) {
+            arguments.push_back(print_written(command.number(command.first(i))));
+        } else if (parameter.extent == Extent::kImage) {
+            arguments.push_back(fmt::format("\"{}\"", command.memory->file));
+        } else if (parameter.extent == Extent::kRest) {
+            for (double value : command.values(i)) arguments.push_back(print_number(value, parameter.kind));
         }
     }
     if (sig.family == Family::kPragma) {

@@ -60,8 +60,8 @@ void Reader::statement() {
     if (token_.kind != TokenKind::kName) {
         fail(token_.place, fmt::format("expected a statement such as glEnable(GL_LIGHTING); found {}", shown(token_)));
     }
-    if (token_.is("static") && ahead_.is("void")) return program();
-    for (std::string_view word : {"for", "while", "do", "if", "else", "switch", "return", "void", "struct", "char"}) {
+    if (token_.is("void") || (token_.is("static") && ahead_.is("void"))) return program();
+    for (std::string_view word : {"for", "while", "do", "if", "else", "switch", "return", "struct", "char"}) {
         if (token_.is(word)) {
             fail(token_.place,
                  fmt::format("'{}' is not part of a scene: write the calls out one after the other", word));
@@ -74,32 +74,30 @@ void Reader::statement() {
     expect(";", fmt::format("after {}(...)", name));
 }
 
-// A C program as print_c_program writes it: the scene is the body of its first function, draw_scene; what follows only
-// opens a window, and is not read.
+// A scene in a function: void display(void) { ... }. Of a program as print_c_program writes it, which has its scene in
+// draw_scene, what follows only opens a window, and is not read.
 void Reader::program() {
     const Token first = token_;
     if (in_program_) fail(first.place, "a function cannot stand inside another");
     in_program_ = true;
+    accept("static");
     advance();
+    const Token name = token_;
     advance();
-    if (!token_.is("draw_scene")) {
-        fail(first.place,
-             fmt::format("functions are not part of a scene, but for draw_scene of an exported program: write "
-                         "what {} calls one after the other",
-                         quoted(token_.text)));
-    }
-    advance();
-    expect("(", "after draw_scene");
-    expect("void", "in draw_scene(void)");
-    expect(")", "after draw_scene(void");
-    if (!token_.is("{"))
-        fail(token_.place, fmt::format("expected '{{' after draw_scene(void), found {}", shown(token_)));
-    advance();
+    expect("(", "after the function's name");
+    accept("void");
+    expect(")", fmt::format("after {}(: the function around a scene has no parameters", name.text));
+    expect("{", fmt::format("after {}(void)", name.text));
     while (!token_.is("}")) {
         if (token_.kind == TokenKind::kEnd) fail(first.place, "this function is never closed; end it with }");
         statement();
     }
-    program_read_ = true;
+    program_read_ = name.is("draw_scene");
+    if (program_read_) return;
+    advance();
+    if (token_.kind == TokenKind::kEnd) return;
+    fail(token_.place, fmt::format("nothing may follow {}, which is the scene: write what other functions call into it",
+                                   quoted(name.text)));
 }
 
 void Reader::declaration() {

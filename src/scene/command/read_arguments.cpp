@@ -36,21 +36,10 @@ void Reader::arguments(Command& command, const Signature& sig) {
 
 void Reader::argument(Command& command, std::size_t i) {
     const Parameter& parameter = command.sig().parameters[i];
-    switch (parameter.extent) {
-        case Extent::kPointer: return pointer_argument(command, parameter);
-        case Extent::kImage: return image_argument(command);
-        case Extent::kArray:
-        case Extent::kByPname:
-        case Extent::kOutput:
-        case Extent::kByCount:
-        case Extent::kNames:
-        case Extent::kOutputByCount:
-        case Extent::kControlPoints: return array_argument(command, i);
-        case Extent::kOutputMemory: return written_argument(command, parameter);
-        case Extent::kValue:
-        case Extent::kRest:
-        case Extent::kResult: break;
-    }
+    if (parameter.is_array()) return array_argument(command, i);
+    if (parameter.extent == Extent::kPointer) return pointer_argument(command, parameter);
+    if (parameter.extent == Extent::kOutputMemory) return written_argument(command, parameter);
+    if (parameter.extent == Extent::kImage) return image_argument(command);
     if (parameter.kind == Kind::kWord) {
         command.arguments.push_back(word_argument(parameter));
         return;
@@ -145,12 +134,6 @@ std::string with_pname(std::string_view name, std::optional<Enum> pname) {
     return std::string(name);
 }
 
-bool is_answer(const Parameter& parameter) {
-    return parameter.extent == Extent::kOutput || parameter.extent == Extent::kOutputByCount;
-}
-
-bool is_written(const Parameter& parameter) { return is_answer(parameter) || parameter.extent == Extent::kNames; }
-
 // The object holds what a driver answered.
 void forget_values(Object& object, const Command& command) {
     object.known = false;
@@ -161,8 +144,9 @@ void forget_values(Object& object, const Command& command) {
 // How many values of an array the command reads or writes; nothing where that is not known.
 std::optional<std::size_t> length_of(const Command& command, std::size_t i, std::optional<Enum> pname) {
     switch (command.sig().parameters[i].extent) {
-        case Extent::kByPname:
-        case Extent::kOutput: {
+        case Extent::kArrayByPname:
+        case Extent::kOutput:
+        case Extent::kOutputByPname: {
             const std::optional<int> by_table = array_length(command.id, pname);
             return by_table ? std::optional(static_cast<std::size_t>(*by_table)) : std::nullopt;
         }
@@ -210,20 +194,19 @@ void Reader::array_argument(Command& command, std::size_t i) {
     const std::size_t size = size_of(kind);
     const std::size_t available = (object.memory->bytes.size() - static_cast<std::size_t>(given.offset)) / size;
 
-    const bool by_pname =
-        parameter.extent == Extent::kByPname || (parameter.extent == Extent::kOutput && parameter.count == 0);
     const std::optional<Enum> pname =
-        by_pname ? std::optional(command.enumerant(command.arguments.size() - 1)) : std::nullopt;
+        parameter.is_by_pname() ? std::optional(command.enumerant(command.arguments.size() - 1)) : std::nullopt;
     const std::size_t length = length_of(command, i, pname).value_or(available);
+    const bool is_written = parameter.is_output() || parameter.extent == Extent::kNewNames;
     if (available < length) {
-        fail(start.place, fmt::format("{} {} {} value{}, but {} has {}", with_pname(name, pname),
-                                      is_written(parameter) ? "writes" : "reads", length, length == 1 ? "" : "s",
-                                      object.shown, available));
+        fail(start.place,
+             fmt::format("{} {} {} value{}, but {} has {}", with_pname(name, pname), is_written ? "writes" : "reads",
+                         length, length == 1 ? "" : "s", object.shown, available));
     }
-    if (is_answer(parameter)) return forget_values(object, command);
+    if (parameter.is_output()) return forget_values(object, command);
     constexpr std::size_t kShort = 16;  // what the text itself has room for
     if (length > kShort) hold(length * sizeof(double), start.place);
-    if (parameter.extent == Extent::kNames) return give_names(command, *named_objects(parameter), given, length);
+    if (parameter.extent == Extent::kNewNames) return give_names(command, *named_objects(parameter), given, length);
     if (!object.known && length > 0) {
         fail(start.place, fmt::format("{} has no value here: {}", object.shown, object.unknown_because));
     }

@@ -52,32 +52,6 @@ bool is_byte_type(const Token& token) {
     return token.is("void") || token.is("GLvoid") || token.is("char") || token.is("GLchar");
 }
 
-struct Range {
-    double smallest, largest;
-};
-
-// Of the types of whole numbers.
-Range range_of(Kind kind) {
-    switch (kind) {
-        case Kind::kByte: return {-128, 127};
-        case Kind::kShort: return {-32768, 32767};
-        case Kind::kInt:
-        case Kind::kSizei: return {-2147483648.0, 2147483647.0};
-        case Kind::kUbyte:
-        case Kind::kBoolean: return {0, 255};
-        case Kind::kUshort: return {0, 65535};
-        case Kind::kEnum:
-        case Kind::kBitfield:
-        case Kind::kUint:
-        case Kind::kQuadric:
-        case Kind::kWord: return {0, 4294967295.0};
-        case Kind::kSizeiptr: return {-9007199254740992.0, 9007199254740992.0};  // what a double holds exactly
-        case Kind::kFloat:
-        case Kind::kDouble: break;  // real numbers have no such range
-    }
-    return {0, 0};
-}
-
 std::size_t product_of(std::span<const std::size_t> lengths) {
     return std::accumulate(lengths.begin(), lengths.end(), std::size_t{1}, std::multiplies<>());
 }
@@ -164,7 +138,7 @@ Value Reader::moved(const Token& op, Value pointer, const Value& by) {
                           (op.text == "-" ? __builtin_sub_overflow(pointer.offset, bytes, &pointer.offset)
                                           : __builtin_add_overflow(pointer.offset, bytes, &pointer.offset));
     const auto last = pointer.object ? static_cast<std::int64_t>(pointer.object->memory->bytes.size())
-                                     : static_cast<std::int64_t>(range_of(Kind::kSizeiptr).largest);
+                                     : static_cast<std::int64_t>(whole_range(Kind::kSizeiptr).largest);
     if (overflow || pointer.offset < 0 || pointer.offset > last) {
         fail(op.place, pointer.object ? fmt::format("this place lies outside {}, which has {} values",
                                                     pointer.object->shown, pointer.object->length())
@@ -492,7 +466,7 @@ double Reader::converted(const Value& number, Kind kind, const Place& place, std
     if (!(value == std::trunc(value))) {
         fail(place, fmt::format("{} must be a whole number, not {}", what, value));
     }
-    const Range range = range_of(kind);
+    const WholeRange range = whole_range(kind);
     if (value < range.smallest || value > range.largest) {
         fail(place, fmt::format("{} is {}; it must be from {} to {}", what, value, range.smallest, range.largest));
     }

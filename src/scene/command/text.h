@@ -1,5 +1,5 @@
-// Scenes as text: reading C statements, and printing them as C that compiles (DESIGN section 1 names the grammar;
-// docs/scene-language.md describes it for people). Reading what was printed gives the same commands.
+// Scenes as text: reading C statements, and printing them as C that compiles (docs/scene-language.md). Reading what was
+// printed gives the same commands.
 #pragma once
 
 #include <cstddef>

@@ -70,14 +70,14 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene) {
                                                       again ? images_beside(path) : ImageLoader(no_images)));
 }
 
-CommandList load_scene(const std::string& scene) {
-    const auto list = std::dynamic_pointer_cast<const CommandList>(load_recording(scene));
-    if (!list) {
+std::shared_ptr<const CommandList> load_commands(const std::string& scene) {
+    const std::shared_ptr<const Recording> recording = load_recording(scene);
+    if (!recording->command_list()) {
         throw SceneError(scene +
                          ": a recorded program cannot be shown here; 'twinlight render', 'compare' and 'export' "
                          "read it");
     }
-    return *list;
+    return {recording, recording->command_list()};
 }
 
 }  // namespace twinlight

@@ -14,6 +14,6 @@ namespace twinlight {
 // A scene in C is a CommandList; an apitrace .trace, or the text of its dump, is read as it is gone through.
 std::shared_ptr<const Recording> load_recording(const std::string& scene);
 // The same; refuses recorded programs.
-CommandList load_scene(const std::string& scene);
+std::shared_ptr<const CommandList> load_commands(const std::string& scene);
 
 }  // namespace twinlight

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/math/embedded_file.h"
+#include "base/image/file.h"
 
 namespace twinlight {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/math/directions.h"
 #include "scene/shape/freeglut_shapes.h"
 #include "scene/shape/teaset_patches.h"
 
@@ -56,6 +57,7 @@ class Grid {
             const double u = static_cast<double>(row) / last, v = static_cast<double>(column) / last;
             const glm::dvec3 along_v = weighted(points, bernstein(u), bernstein_derivative(v));
             const glm::dvec3 along_u = weighted(points, bernstein_derivative(u), bernstein(v));
+            // RULING: where a patch has no normal (freeglut divides 0 by 0), it is 0.
             grid.vertices_[i] = {
                 weighted(points, bernstein(u), bernstein(v)), unit(glm::cross(along_v, along_u)), {u, v}};
         }
@@ -98,12 +100,6 @@ class Grid {
     const ShapeVertex& at(std::size_t row, std::size_t column) const { return vertices_[row * side_ + column]; }
 
   private:
-    // RULING: where a patch has no normal (freeglut divides 0 by 0), it is 0.
-    static glm::dvec3 unit(const glm::dvec3& v) {
-        const double length = glm::length(v);
-        return length == 0 ? v : v / length;
-    }
-
     std::size_t side_;
     std::vector<ShapeVertex> vertices_;
 };

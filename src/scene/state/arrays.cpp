@@ -94,9 +94,9 @@ bool* VertexArrays::enabled(Enum array) {
         case kGL_COLOR_ARRAY: return &client_.color.enabled;
         case kGL_EDGE_FLAG_ARRAY: return &client_.edge_flag.enabled;
         case kGL_TEXTURE_COORD_ARRAY: return &client_.tex_coord[client_.active_unit].enabled;
-        case kGL_INDEX_ARRAY: return client_.elsewhere.data();
-        case kGL_SECONDARY_COLOR_ARRAY: return &client_.elsewhere[1];
-        case kGL_FOG_COORD_ARRAY: return &client_.elsewhere[2];
+        case kGL_INDEX_ARRAY: return client_.driver_only.data();
+        case kGL_SECONDARY_COLOR_ARRAY: return &client_.driver_only[1];
+        case kGL_FOG_COORD_ARRAY: return &client_.driver_only[2];
         default: return nullptr;
     }
 }
@@ -168,7 +168,7 @@ std::optional<GlError> VertexArrays::interleaved(const Command& c) {
         if (size > 0) point(array, size, type, step, c, offset + at * 4);
     };
     client_.edge_flag.enabled = false;
-    client_.elsewhere = {};
+    client_.driver_only = {};
     place(client_.tex_coord[client_.active_unit], row.tex_coord, kGL_FLOAT, 0);
     place(client_.color, row.color, row.bytes_of_color ? kGL_UNSIGNED_BYTE : kGL_FLOAT, row.color_at);
     place(client_.normal, row.normal ? 3 : 0, kGL_FLOAT, row.normal_at);
@@ -176,15 +176,17 @@ std::optional<GlError> VertexArrays::interleaved(const Command& c) {
     return std::nullopt;
 }
 
+std::optional<GlError> wrong_texture_unit(const Command& c) {
+    if (c.enumerant(0) - kGL_TEXTURE0 < kMaxTextureUnits) return std::nullopt;
+    return refused(kGL_INVALID_ENUM, c,
+                   fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(),
+                               enum_name(c.enumerant(0)), kMaxTextureUnits - 1));
+}
+
 std::optional<GlError> VertexArrays::active_texture(const Command& c) {
-    const Enum texture = c.enumerant(0);
-    if (texture < kGL_TEXTURE0 || texture >= kGL_TEXTURE0 + kMaxTextureUnits) {
-        return refused(kGL_INVALID_ENUM, c,
-                       fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(texture),
-                                   kMaxTextureUnits - 1));
-    }
-    client_.active_unit = texture - kGL_TEXTURE0;
-    return std::nullopt;
+    auto error = wrong_texture_unit(c);
+    if (!error) client_.active_unit = c.enumerant(0) - kGL_TEXTURE0;
+    return error;
 }
 
 // ---- The client's attribute stack; what GL_CLIENT_PIXEL_STORE_BIT saves is State's ----
@@ -206,45 +208,6 @@ std::optional<GlError> VertexArrays::pop(const Command& c) {
     if ((stack_.back().mask & kGL_CLIENT_VERTEX_ARRAY_BIT) != 0) client_ = std::move(stack_.back().client);
     stack_.pop_back();
     return std::nullopt;
-}
-
-// ---- Queries ----
-
-std::vector<double> VertexArrays::get(Enum pname) const {
-    const auto one = [](auto value) { return std::vector<double>{static_cast<double>(value)}; };
-    const ArrayPointer& tex_coord = client_.tex_coord[client_.active_unit];
-    struct Row {
-        Enum array, size, type, stride, buffer;
-        const ArrayPointer* pointer;
-    };
-    const Row rows[] = {
-        {kGL_VERTEX_ARRAY, kGL_VERTEX_ARRAY_SIZE, kGL_VERTEX_ARRAY_TYPE, kGL_VERTEX_ARRAY_STRIDE,
-         kGL_VERTEX_ARRAY_BUFFER_BINDING, &client_.vertex},
-        {kGL_NORMAL_ARRAY, 0, kGL_NORMAL_ARRAY_TYPE, kGL_NORMAL_ARRAY_STRIDE, kGL_NORMAL_ARRAY_BUFFER_BINDING,
-         &client_.normal},
-        {kGL_COLOR_ARRAY, kGL_COLOR_ARRAY_SIZE, kGL_COLOR_ARRAY_TYPE, kGL_COLOR_ARRAY_STRIDE,
-         kGL_COLOR_ARRAY_BUFFER_BINDING, &client_.color},
-        {kGL_TEXTURE_COORD_ARRAY, kGL_TEXTURE_COORD_ARRAY_SIZE, kGL_TEXTURE_COORD_ARRAY_TYPE,
-         kGL_TEXTURE_COORD_ARRAY_STRIDE, kGL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, &tex_coord},
-        {kGL_EDGE_FLAG_ARRAY, 0, 0, kGL_EDGE_FLAG_ARRAY_STRIDE, kGL_EDGE_FLAG_ARRAY_BUFFER_BINDING, &client_.edge_flag},
-    };
-    for (const Row& row : rows) {
-        if (pname == 0) break;
-        if (pname == row.array) return one(row.pointer->enabled);
-        if (pname == row.size) return one(row.pointer->size);
-        if (pname == row.type) return one(row.pointer->type);
-        if (pname == row.stride) return one(row.pointer->stride);
-        if (pname == row.buffer) return one(row.pointer->buffer);
-    }
-    switch (pname) {
-        case kGL_ARRAY_BUFFER_BINDING: return one(client_.array_buffer);
-        case kGL_ELEMENT_ARRAY_BUFFER_BINDING: return one(client_.element_buffer);
-        case kGL_PIXEL_PACK_BUFFER_BINDING: return one(pixel_pack_);
-        case kGL_PIXEL_UNPACK_BUFFER_BINDING: return one(pixel_unpack_);
-        case kGL_CLIENT_ACTIVE_TEXTURE: return one(kGL_TEXTURE0 + client_.active_unit);
-        case kGL_CLIENT_ATTRIB_STACK_DEPTH: return one(stack_.size());
-        default: return {};
-    }
 }
 
 }  // namespace twinlight

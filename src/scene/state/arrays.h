@@ -42,7 +42,7 @@ struct ClientArrays {
     ArrayPointer vertex, normal{.size = 3}, color, edge_flag{.size = 1, .type = kGL_UNSIGNED_BYTE};
     std::array<ArrayPointer, kMaxTextureUnits> tex_coord;
     // Arrays of what Twinlight does not follow (color indexes, secondary colours, fog coordinates): whether they are on.
-    std::array<bool, 3> elsewhere{};
+    std::array<bool, 3> driver_only{};
     std::size_t active_unit = 0;  // glClientActiveTexture's
     std::uint32_t array_buffer = 0, element_buffer = 0;
 };
@@ -69,12 +69,12 @@ class VertexArrays {
     // The smallest and the largest index of glDrawElements or glDrawRangeElements; check() was passed.
     std::pair<double, double> index_range(const Command& draw) const;
 
-    // glGet* (tables 6.6 to 6.9); empty for other names.
-    std::vector<double> get(Enum pname) const;
     const ClientArrays& client() const { return client_; }
     const BufferObject* buffer(std::uint32_t name) const;  // null for a name without an object
     // The buffer that texture images are read from, where one is bound (3.6.1); null: the client's memory.
     const BufferObject* pixel_unpack_buffer() const { return pixel_unpack_ == 0 ? nullptr : buffer(pixel_unpack_); }
+    std::uint32_t pixel_unpack_name() const { return pixel_unpack_; }
+    std::uint32_t pixel_pack_name() const { return pixel_pack_; }
     std::size_t stack_depth() const { return stack_.size(); }
 
   private:
@@ -119,6 +119,9 @@ class VertexArrays {
     std::map<std::uint32_t, std::shared_ptr<BufferObject>> buffers_;  // null: generated, not bound yet
     std::size_t buffer_bytes_ = 0;
 };
+
+// The error of a command whose first argument should be a texture unit (3.8.16), and is none.
+std::optional<GlError> wrong_texture_unit(const Command& command);
 
 // Whether a command draws from arrays: glDrawArrays, glDrawElements, glDrawRangeElements, glArrayElement.
 bool draws_arrays(CommandId id);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 #include "scene/state/capabilities.h"
 #include "scene/state/state.h"
@@ -11,28 +12,43 @@ namespace twinlight {
 
 namespace {
 
-// Every capability, for GL_ENABLE_BIT; `pick` takes the state of one from the saved attributes.
+// Groups of attributes, as references: a group of what is now is assigned the same group of what was saved.
+
+auto capabilities(auto& a) {  // of GL_ENABLE_BIT, but for those that there are several of
+    return std::tie(a.lighting.enabled, a.lighting.color_material.enabled, a.lighting.normalize,
+                    a.lighting.rescale_normal, a.raster.cull_enabled, a.raster.depth_test,
+                    a.raster.polygon_offset.point, a.raster.polygon_offset.line, a.raster.polygon_offset.fill,
+                    a.fragment.scissor.enabled, a.fragment.alpha_test, a.fragment.blend, a.fragment.color_sum,
+                    a.fog.enabled);
+}
+
+auto polygon(auto& a) {
+    return std::tie(a.raster.front_face, a.raster.cull_enabled, a.raster.cull_face, a.raster.polygon_mode_front,
+                    a.raster.polygon_mode_back, a.raster.polygon_offset);
+}
+
+auto depth(auto& a) {
+    return std::tie(a.raster.depth_test, a.raster.depth_func, a.raster.depth_mask, a.clear.clear_depth);
+}
+
+auto transform(auto& a) {
+    return std::tie(a.matrix_mode, a.clip_planes, a.lighting.normalize, a.lighting.rescale_normal);
+}
+
+auto viewport(auto& a) { return std::tie(a.raster.viewport, a.raster.depth_near, a.raster.depth_far); }
+
+// The parameters of a texture (table 6.16 and 6.17), not its images.
+auto parameters(auto& texture) {
+    return std::tie(texture.min_filter, texture.mag_filter, texture.wrap_s, texture.wrap_t, texture.border_color,
+                    texture.priority, texture.generate_mipmap);
+}
+
 void restore_enables(Attributes& now, const Attributes& saved) {
-    now.lighting.enabled = saved.lighting.enabled;
-    for (std::size_t i = 0; i < kMaxLights; ++i) {
-        now.lighting.lights[i].enabled = saved.lighting.lights[i].enabled;
-    }
+    capabilities(now) = capabilities(saved);
+    for (std::size_t i = 0; i < kMaxLights; ++i) now.lighting.lights[i].enabled = saved.lighting.lights[i].enabled;
     for (std::size_t i = 0; i < saved.clip_planes.size(); ++i) {
         now.clip_planes[i].enabled = saved.clip_planes[i].enabled;
     }
-    now.lighting.color_material.enabled = saved.lighting.color_material.enabled;
-    now.lighting.normalize = saved.lighting.normalize;
-    now.lighting.rescale_normal = saved.lighting.rescale_normal;
-    now.raster.cull_enabled = saved.raster.cull_enabled;
-    now.raster.depth_test = saved.raster.depth_test;
-    now.raster.polygon_offset.point = saved.raster.polygon_offset.point;
-    now.raster.polygon_offset.line = saved.raster.polygon_offset.line;
-    now.raster.polygon_offset.fill = saved.raster.polygon_offset.fill;
-    now.fragment.scissor.enabled = saved.fragment.scissor.enabled;
-    now.fragment.alpha_test = saved.fragment.alpha_test;
-    now.fragment.blend = saved.fragment.blend;
-    now.fragment.color_sum = saved.fragment.color_sum;
-    now.fog.enabled = saved.fog.enabled;
     for (std::size_t i = 0; i < saved.units.size(); ++i) {
         now.units[i].enabled_1d = saved.units[i].enabled_1d;
         now.units[i].enabled_2d = saved.units[i].enabled_2d;
@@ -56,29 +72,6 @@ void restore_color_buffer(Attributes& now, const Attributes& saved) {
     now.draws_color = saved.draws_color;
 }
 
-void restore_polygon(RasterState& now, const RasterState& saved) {
-    now.front_face = saved.front_face;
-    now.cull_enabled = saved.cull_enabled;
-    now.cull_face = saved.cull_face;
-    now.polygon_mode_front = saved.polygon_mode_front;
-    now.polygon_mode_back = saved.polygon_mode_back;
-    now.polygon_offset = saved.polygon_offset;
-}
-
-void restore_depth(Attributes& now, const Attributes& saved) {
-    now.raster.depth_test = saved.raster.depth_test;
-    now.raster.depth_func = saved.raster.depth_func;
-    now.raster.depth_mask = saved.raster.depth_mask;
-    now.clear.clear_depth = saved.clear.clear_depth;
-}
-
-void restore_transform(Attributes& now, const Attributes& saved) {
-    now.matrix_mode = saved.matrix_mode;
-    now.clip_planes = saved.clip_planes;
-    now.lighting.normalize = saved.lighting.normalize;
-    now.lighting.rescale_normal = saved.lighting.rescale_normal;
-}
-
 void restore(Attributes& now, const Attributes& saved, Enum mask) {
     const auto bit = [mask](Enum one) { return (mask & one) != 0; };
     if (bit(kGL_CURRENT_BIT)) {
@@ -90,20 +83,16 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.point_parameters = saved.point_parameters;
     }
     if (bit(kGL_LINE_BIT)) now.raster.line_width = saved.raster.line_width;
-    if (bit(kGL_POLYGON_BIT)) restore_polygon(now.raster, saved.raster);
+    if (bit(kGL_POLYGON_BIT)) polygon(now) = polygon(saved);
     if (bit(kGL_LIGHTING_BIT)) restore_lighting(now.lighting, saved.lighting);
     if (bit(kGL_FOG_BIT)) {
         now.fog = saved.fog;
         now.fog_coordinates = saved.fog_coordinates;
         now.fragment.color_sum = saved.fragment.color_sum;
     }
-    if (bit(kGL_DEPTH_BUFFER_BIT)) restore_depth(now, saved);
-    if (bit(kGL_VIEWPORT_BIT)) {
-        now.raster.viewport = saved.raster.viewport;
-        now.raster.depth_near = saved.raster.depth_near;
-        now.raster.depth_far = saved.raster.depth_far;
-    }
-    if (bit(kGL_TRANSFORM_BIT)) restore_transform(now, saved);
+    if (bit(kGL_DEPTH_BUFFER_BIT)) depth(now) = depth(saved);
+    if (bit(kGL_VIEWPORT_BIT)) viewport(now) = viewport(saved);
+    if (bit(kGL_TRANSFORM_BIT)) transform(now) = transform(saved);
     if (bit(kGL_ENABLE_BIT)) restore_enables(now, saved);
     if (bit(kGL_COLOR_BUFFER_BIT)) restore_color_buffer(now, saved);
     if (bit(kGL_HINT_BIT)) now.hints = saved.hints;
@@ -113,30 +102,13 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.active_unit = saved.active_unit;
     }
     if (bit(kGL_SCISSOR_BIT)) now.fragment.scissor = saved.fragment.scissor;
-    for (const Elsewhere& row : capabilities_elsewhere()) {
+    for (const DriverOnlyCapability& row : driver_only_capabilities()) {
         if (!bit(row.group) && !bit(kGL_ENABLE_BIT)) continue;
         const auto is_of_row = [&row](const auto& on) { return on.first.first == row.cap; };
-        std::erase_if(now.elsewhere, is_of_row);
-        std::copy_if(saved.elsewhere.begin(), saved.elsewhere.end(), std::inserter(now.elsewhere, now.elsewhere.end()),
-                     is_of_row);
+        std::erase_if(now.driver_only, is_of_row);
+        std::copy_if(saved.driver_only.begin(), saved.driver_only.end(),
+                     std::inserter(now.driver_only, now.driver_only.end()), is_of_row);
     }
-}
-
-// The parameters of a texture (table 6.16 and 6.17), not its images.
-bool same_parameters(const Texture& a, const Texture& b) {
-    return a.min_filter == b.min_filter && a.mag_filter == b.mag_filter && a.wrap_s == b.wrap_s &&
-           a.wrap_t == b.wrap_t && a.border_color == b.border_color && a.priority == b.priority &&
-           a.generate_mipmap == b.generate_mipmap;
-}
-
-void restore_parameters(Texture& now, const Texture& saved) {
-    now.min_filter = saved.min_filter;
-    now.mag_filter = saved.mag_filter;
-    now.wrap_s = saved.wrap_s;
-    now.wrap_t = saved.wrap_t;
-    now.border_color = saved.border_color;
-    now.priority = saved.priority;
-    now.generate_mipmap = saved.generate_mipmap;
 }
 
 }  // namespace
@@ -147,12 +119,10 @@ void State::push_attrib(const Command& c) {
             kGL_STACK_OVERFLOW, c,
             fmt::format("the attribute stack holds {} levels; a glPopAttrib is missing", kAttributeStackDepth));
     }
-    const auto parameters = [this](Enum target) {
-        Texture saved;
-        restore_parameters(saved, *bound_texture(target));
-        return saved;
-    };
-    attribute_stack_.push_back({a_, c.enumerant(0), parameters(kGL_TEXTURE_1D), parameters(kGL_TEXTURE_2D), c.place});
+    SavedAttributes saved{a_, c.enumerant(0), {}, {}, c.place};
+    parameters(saved.texture_1d) = parameters(bound_texture(kGL_TEXTURE_1D));
+    parameters(saved.texture_2d) = parameters(bound_texture(kGL_TEXTURE_2D));
+    attribute_stack_.push_back(std::move(saved));
 }
 
 void State::pop_attrib(const Command& c) {
@@ -172,9 +142,9 @@ void State::pop_attrib(const Command& c) {
         keep(one.bound_1d, kGL_TEXTURE_1D);
         keep(one.bound_2d, kGL_TEXTURE_2D);
     }
-    const auto put_back = [&](Enum target, const Texture& parameters) {
-        if (same_parameters(*bound_texture(target), parameters)) return;  // a copy would be for nothing
-        if (Texture* texture = writable_texture(c, target)) restore_parameters(*texture, parameters);
+    const auto put_back = [&](Enum target, const Texture& before) {
+        if (parameters(bound_texture(target)) == parameters(before)) return;  // a copy would be for nothing
+        if (Texture* texture = writable_texture(c, target)) parameters(*texture) = parameters(before);
     };
     put_back(kGL_TEXTURE_1D, saved.texture_1d);
     put_back(kGL_TEXTURE_2D, saved.texture_2d);

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <variant>
 
 #include "scene/state/frame.h"
 
@@ -38,7 +39,7 @@ struct TextureBindings {
 };
 
 // Whether this is a target of textures that State does not follow: a picture that is drawn with one enabled says so.
-bool is_texture_elsewhere(Enum target);
+bool is_driver_only_texture(Enum target);
 
 // How pixels lie in client memory (3.6.1, table 3.1); glPixelStore sets them by name.
 struct PixelStore {
@@ -50,21 +51,41 @@ struct PixelStore {
     int pack_image_height = 0, pack_skip_images = 0;
 };
 
+// The members of PixelStore by the names of glPixelStore.
+struct PixelStoreRow {
+    Enum pname;
+    std::variant<bool PixelStore::*, int PixelStore::*> member;
+
+    double value(const PixelStore& store) const {
+        return std::visit([&](auto at) { return static_cast<double>(store.*at); }, member);
+    }
+};
+inline constexpr PixelStoreRow kPixelStoreRows[] = {
+    {kGL_UNPACK_SWAP_BYTES, &PixelStore::unpack_swap_bytes},
+    {kGL_UNPACK_LSB_FIRST, &PixelStore::unpack_lsb_first},
+    {kGL_UNPACK_ROW_LENGTH, &PixelStore::unpack_row_length},
+    {kGL_UNPACK_SKIP_ROWS, &PixelStore::unpack_skip_rows},
+    {kGL_UNPACK_SKIP_PIXELS, &PixelStore::unpack_skip_pixels},
+    {kGL_UNPACK_ALIGNMENT, &PixelStore::unpack_alignment},
+    {kGL_UNPACK_IMAGE_HEIGHT, &PixelStore::unpack_image_height},
+    {kGL_UNPACK_SKIP_IMAGES, &PixelStore::unpack_skip_images},
+    {kGL_PACK_SWAP_BYTES, &PixelStore::pack_swap_bytes},
+    {kGL_PACK_LSB_FIRST, &PixelStore::pack_lsb_first},
+    {kGL_PACK_ROW_LENGTH, &PixelStore::pack_row_length},
+    {kGL_PACK_SKIP_ROWS, &PixelStore::pack_skip_rows},
+    {kGL_PACK_SKIP_PIXELS, &PixelStore::pack_skip_pixels},
+    {kGL_PACK_ALIGNMENT, &PixelStore::pack_alignment},
+    {kGL_PACK_IMAGE_HEIGHT, &PixelStore::pack_image_height},
+    {kGL_PACK_SKIP_IMAGES, &PixelStore::pack_skip_images},
+};
+
 struct ClipPlane {  // 2.12
     bool enabled = false;
     glm::dvec4 equation_eye{0, 0, 0, 0};
 };
 
-// 5.6: hints change no pixel here; they can be asked for.
-struct Hints {
-    Enum perspective_correction = kGL_DONT_CARE;
-    Enum point_smooth = kGL_DONT_CARE;
-    Enum line_smooth = kGL_DONT_CARE;
-    Enum polygon_smooth = kGL_DONT_CARE;
-    Enum fog = kGL_DONT_CARE;
-    Enum generate_mipmap = kGL_DONT_CARE;
-    Enum texture_compression = kGL_DONT_CARE;
-};
+// 5.6: hints change no pixel here; they can be asked for. By target.
+using Hints = std::map<Enum, Enum>;
 
 // All that a bit of glPushAttrib saves (6.1.14, tables 6.5 to 6.35): State's own copy of it is what commands change.
 struct Attributes {
@@ -82,12 +103,18 @@ struct Attributes {
     std::optional<Place> secondary_color;    // other than black
     std::optional<Place> fog_coordinates;    // GL_FOG_COORD_SRC is GL_FOG_COORD
     std::map<Enum, Place> point_parameters;  // that are not GL's initial ones
-    Hints hints;
+    Hints hints{{kGL_PERSPECTIVE_CORRECTION_HINT, kGL_DONT_CARE},
+                {kGL_POINT_SMOOTH_HINT, kGL_DONT_CARE},
+                {kGL_LINE_SMOOTH_HINT, kGL_DONT_CARE},
+                {kGL_POLYGON_SMOOTH_HINT, kGL_DONT_CARE},
+                {kGL_FOG_HINT, kGL_DONT_CARE},
+                {kGL_GENERATE_MIPMAP_HINT, kGL_DONT_CARE},
+                {kGL_TEXTURE_COMPRESSION_HINT, kGL_DONT_CARE}};
     Enum matrix_mode = kGL_MODELVIEW;
     std::uint32_t list_base = 0;
     // Capabilities that State does not follow and that are on, with where that was said: by the capability and its
     // texture unit, 0 for those that have none.
-    std::map<std::pair<Enum, std::size_t>, Place> elsewhere{{{kGL_DITHER, 0}, {}}, {{kGL_MULTISAMPLE, 0}, {}}};
+    std::map<std::pair<Enum, std::size_t>, Place> driver_only{{{kGL_DITHER, 0}, {}}, {{kGL_MULTISAMPLE, 0}, {}}};
 };
 
 }  // namespace twinlight

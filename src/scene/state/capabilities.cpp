@@ -10,8 +10,8 @@
 namespace twinlight {
 
 // Those marked false change no pixel of what Twinlight draws.
-std::span<const Elsewhere> capabilities_elsewhere() {
-    static constexpr Elsewhere kRows[] = {
+std::span<const DriverOnlyCapability> driver_only_capabilities() {
+    static constexpr DriverOnlyCapability kRows[] = {
         {kGL_POINT_SMOOTH, kGL_POINT_BIT, true},
         {kGL_LINE_SMOOTH, kGL_LINE_BIT, true},
         {kGL_LINE_STIPPLE, kGL_LINE_BIT, true},
@@ -59,61 +59,73 @@ std::span<const Elsewhere> capabilities_elsewhere() {
     return kRows;
 }
 
-const Elsewhere& capability_elsewhere(Enum cap) {
-    const auto rows = capabilities_elsewhere();
-    return *std::find_if(rows.begin(), rows.end(), [cap](const Elsewhere& row) { return row.cap == cap; });
+const DriverOnlyCapability& driver_only_capability(Enum cap) {
+    const auto rows = driver_only_capabilities();
+    return *std::find_if(rows.begin(), rows.end(), [cap](const DriverOnlyCapability& row) { return row.cap == cap; });
 }
 
-bool* State::followed_capability(Enum cap) {
-    if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMaxLights) return &a_.lighting.lights[cap - kGL_LIGHT0].enabled;
+namespace {
+
+// The place of a capability that State follows; null for others.
+template <class A>
+auto* followed(A& a, Enum cap) {
+    using Flag = decltype(&a.lighting.enabled);
+    if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMaxLights) return &a.lighting.lights[cap - kGL_LIGHT0].enabled;
     if (cap >= kGL_CLIP_PLANE0 && cap < kGL_CLIP_PLANE0 + kMaxClipPlanes) {
-        return &a_.clip_planes[cap - kGL_CLIP_PLANE0].enabled;
+        return &a.clip_planes[cap - kGL_CLIP_PLANE0].enabled;
     }
     switch (cap) {
-        case kGL_LIGHTING: return &a_.lighting.enabled;
-        case kGL_COLOR_MATERIAL: return &a_.lighting.color_material.enabled;
-        case kGL_NORMALIZE: return &a_.lighting.normalize;
-        case kGL_RESCALE_NORMAL: return &a_.lighting.rescale_normal;
-        case kGL_CULL_FACE: return &a_.raster.cull_enabled;
-        case kGL_DEPTH_TEST: return &a_.raster.depth_test;
-        case kGL_POLYGON_OFFSET_POINT: return &a_.raster.polygon_offset.point;
-        case kGL_POLYGON_OFFSET_LINE: return &a_.raster.polygon_offset.line;
-        case kGL_POLYGON_OFFSET_FILL: return &a_.raster.polygon_offset.fill;
-        case kGL_SCISSOR_TEST: return &a_.fragment.scissor.enabled;
-        case kGL_ALPHA_TEST: return &a_.fragment.alpha_test;
-        case kGL_BLEND: return &a_.fragment.blend;
-        case kGL_COLOR_SUM: return &a_.fragment.color_sum;
-        case kGL_FOG: return &a_.fog.enabled;
-        case kGL_TEXTURE_1D: return &unit().enabled_1d;
-        case kGL_TEXTURE_2D: return &unit().enabled_2d;
-        default: return nullptr;
+        case kGL_LIGHTING: return &a.lighting.enabled;
+        case kGL_COLOR_MATERIAL: return &a.lighting.color_material.enabled;
+        case kGL_NORMALIZE: return &a.lighting.normalize;
+        case kGL_RESCALE_NORMAL: return &a.lighting.rescale_normal;
+        case kGL_CULL_FACE: return &a.raster.cull_enabled;
+        case kGL_DEPTH_TEST: return &a.raster.depth_test;
+        case kGL_POLYGON_OFFSET_POINT: return &a.raster.polygon_offset.point;
+        case kGL_POLYGON_OFFSET_LINE: return &a.raster.polygon_offset.line;
+        case kGL_POLYGON_OFFSET_FILL: return &a.raster.polygon_offset.fill;
+        case kGL_SCISSOR_TEST: return &a.fragment.scissor.enabled;
+        case kGL_ALPHA_TEST: return &a.fragment.alpha_test;
+        case kGL_BLEND: return &a.fragment.blend;
+        case kGL_COLOR_SUM: return &a.fragment.color_sum;
+        case kGL_FOG: return &a.fog.enabled;
+        case kGL_TEXTURE_1D: return &a.units[a.active_unit].enabled_1d;
+        case kGL_TEXTURE_2D: return &a.units[a.active_unit].enabled_2d;
+        default: return Flag{};
     }
+}
+
+}  // namespace
+
+std::optional<bool> State::capability(Enum cap) const {
+    if (const bool* on = followed(a_, cap)) return *on;
+    for (const DriverOnlyCapability& row : driver_only_capabilities()) {
+        if (row.cap == cap) return a_.driver_only.contains({cap, row.of_unit() ? a_.active_unit : 0});
+    }
+    return std::nullopt;
 }
 
 void State::set_capability(const Command& c, bool enabled) {
     const Enum cap = c.enumerant(0);
-    if (bool* followed = followed_capability(cap)) {
-        *followed = enabled;
+    if (bool* on = followed(a_, cap)) {
+        *on = enabled;
         // 2.14.3: from the moment of glEnable on the material follows the colour.
         if (cap == kGL_COLOR_MATERIAL) track_color();
         return;
     }
     if (!known_capability(c)) return;
-    const Elsewhere& row = capability_elsewhere(cap);
+    const DriverOnlyCapability& row = driver_only_capability(cap);
     const std::pair key(cap, row.of_unit() ? a_.active_unit : 0);
     if (enabled) {
-        a_.elsewhere.emplace(key, c.place);
+        a_.driver_only.emplace(key, c.place);
     } else {
-        a_.elsewhere.erase(key);
+        a_.driver_only.erase(key);
     }
 }
 
 bool State::known_capability(const Command& c) {
     const Enum cap = c.enumerant(0);
-    const auto rows = capabilities_elsewhere();
-    if (followed_capability(cap) ||
-        std::any_of(rows.begin(), rows.end(), [cap](const Elsewhere& r) { return r.cap == cap; }))
-        return true;
+    if (capability(cap)) return true;
     raise(kGL_INVALID_ENUM, c,
           fmt::format("{} is given {}, which is no capability; expected GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, ...",
                       c.name(), enum_name(cap)));

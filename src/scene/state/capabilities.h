@@ -8,7 +8,7 @@
 
 namespace twinlight {
 
-struct Elsewhere {
+struct DriverOnlyCapability {
     Enum cap;
     Enum group;  // the bit of glPushAttrib that saves it, beside GL_ENABLE_BIT; 0: that one alone
     bool changes_pixels;
@@ -18,7 +18,7 @@ struct Elsewhere {
     bool generates_coordinates() const { return cap >= kGL_TEXTURE_GEN_S && cap <= kGL_TEXTURE_GEN_Q; }
 };
 
-std::span<const Elsewhere> capabilities_elsewhere();
-const Elsewhere& capability_elsewhere(Enum cap);  // one of them
+std::span<const DriverOnlyCapability> driver_only_capabilities();
+const DriverOnlyCapability& driver_only_capability(Enum cap);  // one of them
 
 }  // namespace twinlight

@@ -30,7 +30,7 @@ std::optional<ArrayVertices> State::array_vertices(const Command& c) {
         return std::nullopt;
     }
     ArrayVertices read = arrays_.read(c, options_.signed_rule);
-    for (Vertex& v : read.vertices) represent(v);
+    for (Vertex& v : read.vertices) sanitize(v);
     return read;
 }
 

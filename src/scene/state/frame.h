@@ -176,6 +176,12 @@ struct Texture {                         // 3.8.4, table 3.18
     glm::dvec4 border_color{0, 0, 0, 0};
     double priority = 1;
     bool generate_mipmap = false;
+
+    // Whether a filter is linear: then GL_CLAMP takes in the border's colour (3.8.7), else it is GL_CLAMP_TO_EDGE.
+    bool filters_linearly() const {
+        return mag_filter == kGL_LINEAR || min_filter == kGL_LINEAR || min_filter == kGL_LINEAR_MIPMAP_NEAREST ||
+               min_filter == kGL_LINEAR_MIPMAP_LINEAR;
+    }
 };
 
 struct TextureUnit {
@@ -301,74 +307,30 @@ struct Clear {
     double clear_depth = 1;
 };
 
-// A command or state that a renderer does not do yet: named, counted, placed.
+// Where a command or state of the scene is missing.
+enum class MissingFrom : std::uint8_t {
+    kFrame,          // only the driver carries it out: whatever is drawn from the Frame lacks it
+    kEverything,     // not even the driver is sent it
+    kShaders,        // the Frame has it
+    kFixedFunction,  // the Frame has it
+};
+
+// A command or state that not everything draws: named, counted, placed.
 struct Unsupported {
     std::string name;  // "glEnable(GL_FOG)"
     int count = 0;
     Place first;
-    std::vector<std::string> renderers;  // which do not do it
+    MissingFrom missing_from = MissingFrom::kFrame;
 };
 
+// The picture that State makes of a scene's commands.
 struct Frame {
     int width = 0;
     int height = 0;
-    std::vector<std::variant<Clear, Draw>> items;  // in the order of the commands
-    std::vector<Unsupported> unsupported;
-    std::shared_ptr<const Recording> commands;  // what it was made from: the fixed renderer executes these
+    std::vector<std::variant<Clear, Draw>> items{};  // in the order of the commands
+    std::vector<Unsupported> unsupported{};
     // The names of display lists that other lists call, but that were not there yet when these were compiled.
     std::vector<std::uint32_t> lists_called_before_made{};
-};
-
-// ---- What a renderer is asked for ----
-
-// kPhong: every pixel of the mesh lit. kExact: every pixel of the surface that the mesh stands for; of the mesh where there is none.
-enum class Shading : std::uint8_t { kFlat, kGouraud, kPhong, kExact };
-
-// Where a quadrilateral is cut into triangles. The specification leaves it open (3.5: any correct algorithm), it shows
-// wherever colours do not vary linearly over it, and a driver may do now this, now that. Only the reference asks.
-enum class QuadCut : std::uint8_t { kFirstToThird, kSecondToFourth };  // corners in their order around it
-// Whether there is a choice.
-inline bool has_quadrilaterals(const Frame& frame) {
-    return std::any_of(frame.items.begin(), frame.items.end(), [](const auto& item) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        return draw && (draw->mode == kGL_QUADS || draw->mode == kGL_QUAD_STRIP);
-    });
-}
-
-// Which programs the shaders draw with (render/programmable/programs.h).
-enum class Tier : std::uint8_t {
-    kUniform,  // a Draw's numbers are uniforms: the same program for all that differ in them alone
-    kBaked,    // they are constants of a program of its own
-    kAuto,     // of frame after frame: uniforms, and constants for what has stood still for a while
-};
-
-// How the fixed function's vertices get to the driver, frame after frame (2.6 to 2.9, 5.4).
-enum class Sending : std::uint8_t {
-    kBuffers,       // arrays in buffer objects
-    kClientArrays,  // arrays in the program's own memory
-    kImmediate,     // vertex by vertex, between glBegin and glEnd
-    kDisplayList,   // the same, compiled once
-};
-
-struct RenderOptions {
-    std::optional<Shading> shading;  // nothing: flat or gouraud, as each Draw's glShadeModel says
-    QuadCut quad_cut = QuadCut::kFirstToThird;
-    bool lecture_variants = true;  // false: GL's own model, the pragmas' variants off
-    // How far a colour's channel may be off, before rounding to codes, by what the planner leaves out because it is small;
-    // 0: only what is exactly nothing. The default is half of what rounding to 8 bits hides. Who draws from a Plan asks.
-    double budget = 0.5 / 255;
-    // Large meshes in patches that suit the driver's vertex cache (render/stages/elements.h). Making them takes as long as some frames:
-    // for who draws the same vertices again and again.
-    bool patches = false;
-    Tier tier = Tier::kUniform;  // of the programmable renderer
-    // Of the programmable renderer, where a scene has spectra: false lights every vertex or fragment in all samples, as if materials
-    // varied from point to point. The picture is the same: for who asks what samples cost (judge/study/spectral.h).
-    bool fold_spectra = true;
-    // Of the programmable renderer: lit per vertex in the order of operations of Mesa's fixed function, every sum in floats
-    // (render/programmable/precise.h). Nothing of the lighting is left out then, whatever the budget.
-    bool precise = false;
-    Arithmetic arithmetic{};              // of the reference's lighting
-    Sending sending = Sending::kBuffers;  // of fixed::PreparedFrame
 };
 
 }  // namespace twinlight

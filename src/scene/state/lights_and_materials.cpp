@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <span>
+#include <type_traits>
 
 #include "scene/state/state.h"
 
@@ -53,6 +55,25 @@ bool tracks(const ColorMaterial& color_material, Enum one_face, Enum property) {
     const std::vector<Enum> tracked = properties(color_material.mode);
     return color_material.enabled && covers(color_material.face, one_face) &&
            std::find(tracked.begin(), tracked.end(), property) != tracked.end();
+}
+
+// The numbers that a light's parameter has; none for another pname.
+template <class Source>
+auto numbers_of(Source& source, Enum pname) {
+    using Numbers = std::span<std::conditional_t<std::is_const_v<Source>, const double, double>>;
+    switch (pname) {
+        case kGL_AMBIENT: return Numbers(&source.ambient[0], 4);
+        case kGL_DIFFUSE: return Numbers(&source.diffuse[0], 4);
+        case kGL_SPECULAR: return Numbers(&source.specular[0], 4);
+        case kGL_POSITION: return Numbers(&source.position_eye[0], 4);
+        case kGL_SPOT_DIRECTION: return Numbers(&source.spot_direction_eye[0], 3);
+        case kGL_SPOT_EXPONENT: return Numbers(&source.spot_exponent, 1);
+        case kGL_SPOT_CUTOFF: return Numbers(&source.spot_cutoff_deg, 1);
+        case kGL_CONSTANT_ATTENUATION: return Numbers(&source.constant_attenuation, 1);
+        case kGL_LINEAR_ATTENUATION: return Numbers(&source.linear_attenuation, 1);
+        case kGL_QUADRATIC_ATTENUATION: return Numbers(&source.quadratic_attenuation, 1);
+        default: return Numbers();
+    }
 }
 
 }  // namespace
@@ -114,28 +135,16 @@ void State::light(const Command& c) {
 }
 
 void State::set_light(LightSource& source, Enum pname, const std::vector<double>& values) const {
-    switch (pname) {
-        case kGL_AMBIENT: source.ambient = vec4(values); break;
-        case kGL_DIFFUSE:
-            source.diffuse = vec4(values);
-            source.diffuse_illuminant = {};
-            break;
-        case kGL_SPECULAR:
-            source.specular = vec4(values);
-            source.specular_illuminant = {};
-            break;
-        // 2.14.1: transformed by the modelview matrix in force at the call; a direction by its upper left 3x3.
-        case kGL_POSITION: source.position_eye = modelview() * vec4(values); break;
-        case kGL_SPOT_DIRECTION:
-            source.spot_direction_eye = glm::dmat3(modelview()) * glm::dvec3(values[0], values[1], values[2]);
-            break;
-        case kGL_SPOT_EXPONENT: source.spot_exponent = values.front(); break;
-        case kGL_SPOT_CUTOFF: source.spot_cutoff_deg = values.front(); break;
-        case kGL_CONSTANT_ATTENUATION: source.constant_attenuation = values.front(); break;
-        case kGL_LINEAR_ATTENUATION: source.linear_attenuation = values.front(); break;
-        case kGL_QUADRATIC_ATTENUATION: source.quadratic_attenuation = values.front(); break;
-        default: break;
+    // 2.14.1: transformed by the modelview matrix in force at the call; a direction by its upper left 3x3.
+    if (pname == kGL_POSITION) {
+        source.position_eye = modelview() * vec4(values);
+    } else if (pname == kGL_SPOT_DIRECTION) {
+        source.spot_direction_eye = glm::dmat3(modelview()) * glm::dvec3(values[0], values[1], values[2]);
+    } else {
+        std::ranges::copy(values, numbers_of(source, pname).begin());
     }
+    if (pname == kGL_DIFFUSE) source.diffuse_illuminant = {};
+    if (pname == kGL_SPECULAR) source.specular_illuminant = {};
 }
 
 void State::material(const Command& c) { set_material(c, nullptr); }
@@ -169,7 +178,7 @@ void State::set_material(const Command& c, const Spectrum* reflectance) {
     if (a_.lighting.light_model.spectrum &&
         (has_reflectance(open_->lighting.front) || has_reflectance(open_->lighting.back)))
         note_unsupported("glMaterial between glBegin and glEnd, where the material has a reflectance", c.place,
-                         {"programmable"});
+                         MissingFrom::kShaders);
     std::vector<Materials>& materials = open_->materials;
     if (materials.empty()) materials.push_back({open_->lighting.front, open_->lighting.back});
     const Materials now{a_.lighting.front, a_.lighting.back};
@@ -229,22 +238,8 @@ void State::track_color() {
 
 std::vector<double> State::get_light(Enum light, Enum pname) const {
     if (light < kGL_LIGHT0 || light >= kGL_LIGHT0 + kMaxLights) return {};
-    const LightSource& source = a_.lighting.lights[light - kGL_LIGHT0];
-    const auto list = [](const glm::dvec4& v) { return std::vector<double>{v.x, v.y, v.z, v.w}; };
-    switch (pname) {
-        case kGL_AMBIENT: return list(source.ambient);
-        case kGL_DIFFUSE: return list(source.diffuse);
-        case kGL_SPECULAR: return list(source.specular);
-        case kGL_POSITION: return list(source.position_eye);
-        case kGL_SPOT_DIRECTION:
-            return {source.spot_direction_eye.x, source.spot_direction_eye.y, source.spot_direction_eye.z};
-        case kGL_SPOT_EXPONENT: return {source.spot_exponent};
-        case kGL_SPOT_CUTOFF: return {source.spot_cutoff_deg};
-        case kGL_CONSTANT_ATTENUATION: return {source.constant_attenuation};
-        case kGL_LINEAR_ATTENUATION: return {source.linear_attenuation};
-        case kGL_QUADRATIC_ATTENUATION: return {source.quadratic_attenuation};
-        default: return {};
-    }
+    const auto numbers = numbers_of(a_.lighting.lights[light - kGL_LIGHT0], pname);
+    return {numbers.begin(), numbers.end()};
 }
 
 std::vector<double> State::get_material(Enum face, Enum pname) const {

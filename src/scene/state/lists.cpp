@@ -20,13 +20,13 @@ namespace {
 constexpr CommandSet kNeverCompiled = CommandSet::of(
     {"new_list",     "end_list",        "gen_lists",        "delete_lists",  "pixel_store",         "flush",
      "gen_textures", "delete_textures", "client_arrays",    "get_light",     "get_material",        "render_mode",
-     "hit_buffer",   "is_enabled",      "query_clip_plane", "query_tex_env", "query_tex_parameter", "elsewhere_query",
+     "hit_buffer",   "is_enabled",      "query_clip_plane", "query_tex_env", "query_tex_parameter", "driver_only_query",
      "new_quadric",  "delete_quadric",  "set_quadric"});
 
 // Commands that send vertices or what belongs to them.
 constexpr CommandSet kSendsVertices =
     CommandSet::of({"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element",
-                    "draw_arrays", "rect", "shape", "quadric_shape", "elsewhere_vertex"});
+                    "draw_arrays", "rect", "shape", "quadric_shape", "driver_only_vertex"});
 
 bool reads_pixels(const Command& c) {
     const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels"; };
@@ -107,7 +107,7 @@ bool State::compile(const Command& c) {
             listed.error = std::make_shared<const GlError>(std::move(*error));
         } else {
             ArrayVertices read = arrays_.read(c, options_.signed_rule);
-            for (Vertex& v : read.vertices) represent(v);
+            for (Vertex& v : read.vertices) sanitize(v);
             listed.arrays = std::make_shared<const ArrayVertices>(std::move(read));
         }
     } else if (c.memory || c.id == CommandId::glPolygonStipple) {
@@ -143,7 +143,7 @@ std::size_t State::compile_calls(const Command& c) {
         for (double i = 0; i < count; ++i, at += size)
             names.push_back(list_name({at, static_cast<std::size_t>(size)}, c.enumerant(1)));
         if (std::ranges::find(names, 0U) != names.end()) {
-            note_unsupported("glCallLists with a name 0, in a list", c.place, {"fixed"});
+            note_unsupported("glCallLists with a name 0, in a list", c.place, MissingFrom::kFixedFunction);
         }
     }
     std::vector<std::uint32_t>& calls = lists_.open->calls;

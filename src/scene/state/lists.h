@@ -10,7 +10,7 @@
 #include "scene/command/command.h"
 #include "scene/shape/quadric.h"
 #include "scene/state/arrays.h"
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
 
 namespace twinlight {
 

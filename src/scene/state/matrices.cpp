@@ -8,6 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/math/directions.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -49,6 +50,11 @@ glm::dmat4 ortho_matrix(double l, double r, double b, double t, double n, double
 State::MatrixStack& State::stack() {
     if (a_.matrix_mode == kGL_MODELVIEW) return modelview_;
     return a_.matrix_mode == kGL_PROJECTION ? projection_ : texture_[a_.active_unit];
+}
+
+std::size_t State::matrix_depth(Enum mode) const {
+    if (mode == kGL_MODELVIEW) return modelview_.size();
+    return mode == kGL_PROJECTION ? projection_.size() : texture_[a_.active_unit].size();
 }
 
 std::size_t State::stack_limit() const {
@@ -161,9 +167,8 @@ void State::look_at(const Command& c) {
     const glm::dvec3 eye(c.number(0), c.number(1), c.number(2));
     const glm::dvec3 center(c.number(3), c.number(4), c.number(5));
     const glm::dvec3 up(c.number(6), c.number(7), c.number(8));
-    const auto unit_or_zero = [](const glm::dvec3& v) { return glm::length(v) == 0 ? v : glm::normalize(v); };
-    const glm::dvec3 forward_dir = unit_or_zero(center - eye);
-    const glm::dvec3 side_dir = unit_or_zero(glm::cross(forward_dir, up));
+    const glm::dvec3 forward_dir = twinlight::unit(center - eye);
+    const glm::dvec3 side_dir = twinlight::unit(glm::cross(forward_dir, up));
     const glm::dvec3 up_dir = glm::cross(side_dir, forward_dir);
     glm::dmat4 m(1);
     for (int i = 0; i < 3; ++i) {

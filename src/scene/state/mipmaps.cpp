@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/state/pixels.h"
+#include "scene/shape/written_out.h"
+#include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -134,6 +135,6 @@ void State::build_mipmaps(const Command& c) {
     textures_.texels += texels_of(*texture);
 }
 
-void State::texture_file(const Command& c) { build_mipmaps(texture_command(c)); }
+void State::texture_file(const Command& c) { build_mipmaps(*gl_command_of(c)); }
 
 }  // namespace twinlight

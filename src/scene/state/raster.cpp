@@ -59,25 +59,10 @@ void State::point_size(const Command& c) {
 void State::edge_flag(const Command& c) { a_.current.edge_flag = c.number(0) != 0; }
 
 void State::hint(const Command& c) {
-    Hints& hints = a_.hints;
-    const struct {
-        Enum target;
-        Enum* mode;
-    } rows[] = {
-        {kGL_PERSPECTIVE_CORRECTION_HINT, &hints.perspective_correction},
-        {kGL_POINT_SMOOTH_HINT, &hints.point_smooth},
-        {kGL_LINE_SMOOTH_HINT, &hints.line_smooth},
-        {kGL_POLYGON_SMOOTH_HINT, &hints.polygon_smooth},
-        {kGL_FOG_HINT, &hints.fog},
-        {kGL_GENERATE_MIPMAP_HINT, &hints.generate_mipmap},
-        {kGL_TEXTURE_COMPRESSION_HINT, &hints.texture_compression},
-    };
     if (!known(c, c.enumerant(1), {kGL_FASTEST, kGL_NICEST, kGL_DONT_CARE})) return;
-    for (const auto& row : rows) {
-        if (row.target == c.enumerant(0)) {
-            *row.mode = c.enumerant(1);
-            return;
-        }
+    if (const auto hint = a_.hints.find(c.enumerant(0)); hint != a_.hints.end()) {
+        hint->second = c.enumerant(1);
+        return;
     }
     raise(kGL_INVALID_ENUM, c,
           fmt::format("glHint is given {}; expected GL_PERSPECTIVE_CORRECTION_HINT, GL_FOG_HINT, ...",

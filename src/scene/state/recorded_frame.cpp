@@ -189,8 +189,9 @@ RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) 
     result.error_count = state_.error_count();
     if (!state_.errors().empty()) result.first_error = state_.errors().front();
     result.notes = std::move(notes_);
-    result.frame = state_.take_frame(std::make_shared<const Beginning>(
-        recording, steps_, ended_inside_begin_, fmt::format("{}, frame {}", recording->name, frame_)));
+    result.scene = {std::make_shared<const Beginning>(recording, steps_, ended_inside_begin_,
+                                                      fmt::format("{}, frame {}", recording->name, frame_)),
+                    state_.take_frame()};
     return result;
 }
 
@@ -229,8 +230,8 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
             height = reach_y;
             continue;
         }
-        result.frame.width = reach_x;
-        result.frame.height = reach_y;
+        result.scene.frame.width = reach_x;
+        result.scene.frame.height = reach_y;
         return result;
     }
 }

@@ -21,7 +21,7 @@ struct FrameChoice {
 };
 
 struct RecordedFrame {
-    Frame frame;  // frame.commands are the recording's up to the frame's end, named "program.trace, frame 0"
+    Scene scene;  // its recording goes up to the frame's end, and is named "program.trace, frame 0"
     int number = 0;
     // What GL refused on the way there. A real program goes on after an error, and so does the driver.
     std::size_t error_count = 0;

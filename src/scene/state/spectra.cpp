@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scene/spectrum/commands.h"
+#include "scene/shape/written_out.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -33,7 +33,7 @@ void State::spectrum(const Command& c) {
 
 void State::reflectance(const Command& c) {
     if (!known(c, c.enumerant(1), {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_AMBIENT_AND_DIFFUSE})) return;
-    if (const std::optional<Command> color = gl_command_of_spectrum(c))
+    if (const std::optional<Command> color = gl_command_of(c))
         return set_material(*color, find_reflectance(word_name(c.word(2))));
     raise(kGL_INVALID_ENUM, c,
           fmt::format("{} is no reflectance; expected {}", word_name(c.word(2)), names_of(reflectances())));
@@ -50,7 +50,7 @@ void State::illuminant(const Command& c) {
                      fmt::format("{} is no light; expected {}", word_name(c.word(2)), names_of(illuminants())));
     if (!(scale >= 0 && std::isfinite(scale)))
         return raise(kGL_INVALID_VALUE, c, fmt::format("the light's scale is {}; it must be 0 or more", scale));
-    const std::optional<Command> color = gl_command_of_spectrum(c);
+    const std::optional<Command> color = gl_command_of(c);
     const Enum pname = c.enumerant(1);
     set_light(*source, pname, std::vector<double>(color->arguments.begin() + 2, color->arguments.end()));
     (pname == kGL_DIFFUSE ? source->diffuse_illuminant : source->specular_illuminant) = {light, scale};

@@ -23,16 +23,15 @@ namespace {
 // GL.
 constexpr CommandSet kLegalInside = CommandSet::of(
     {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
-     "elsewhere_vertex", "elsewhere_attribute", "elsewhere_secondary_color", "call_list", "call_lists", "array_element",
-     "perspective", "new_quadric", "delete_quadric", "set_quadric"});
+     "driver_only_vertex", "driver_only_attribute", "driver_only_secondary_color", "call_list", "call_lists",
+     "array_element", "perspective", "new_quadric", "delete_quadric", "set_quadric"});
 
 // What a vertex is given may be any number.
-constexpr CommandSet kTakesAnyNumber = CommandSet::of(
-    {"vertex", "normal", "color", "tex_coord", "multi_tex_coord", "elsewhere_secondary_color", "elsewhere_attribute"});
+constexpr CommandSet kTakesAnyNumber = CommandSet::of({"vertex", "normal", "color", "tex_coord", "multi_tex_coord",
+                                                       "driver_only_secondary_color", "driver_only_attribute"});
 
 // Counts one more of `name`.
-void count(std::vector<Unsupported>& list, std::string_view name, const Place& place,
-           std::vector<std::string> renderers) {
+void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
     const auto find = [&] {
         return std::find_if(list.begin(), list.end(), [&](const Unsupported& u) { return u.name == name; });
     };
@@ -44,7 +43,7 @@ void count(std::vector<Unsupported>& list, std::string_view name, const Place& p
     if (found != list.end()) {
         found->count += found->count < std::numeric_limits<int>::max() ? 1 : 0;
     } else {
-        list.push_back({std::string(name), 1, place, std::move(renderers)});
+        list.push_back({std::string(name), 1, place, missing_from});
     }
 }
 
@@ -61,18 +60,11 @@ void State::apply(const Command& command) {
 void State::carry_out(const Command& command) {
     static constexpr void (State::*kCarriedOutBy[])(const Command&) = {
 #define GL_COMMAND(name, effect, ...) &State::effect,
-#define SHAPE_COMMAND(name, effect, ...) &State::effect,
-#define QUADRIC_COMMAND(name, effect, ...) &State::effect,
-#define PRAGMA_COMMAND(name, effect, ...) &State::effect,
 #include "scene/command/commands.def"
-#undef GL_COMMAND
-#undef SHAPE_COMMAND
-#undef QUADRIC_COMMAND
-#undef PRAGMA_COMMAND
     };
     if (open_ && !kLegalInside.contains(command.id)) return raise_inside(command);
     // RULING: GL leaves NaN and infinity open (2.1.1); here they are refused, so that no later value is either. A vertex may
-    // be given them, for programs do so: represent() says what becomes of it.
+    // be given them, for programs do so: sanitize() says what becomes of it.
     const auto is_finite = [](double v) { return std::isfinite(v); };
     if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite)) {
         return raise(kGL_INVALID_VALUE, command, fmt::format("{} is given a value that is not finite", command.name()));
@@ -163,14 +155,14 @@ void State::vertex(const Command& c) {
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
         a_.current.position_object[static_cast<int>(i)] = c.number(i);
     }
-    represent(a_.current);
+    sanitize(a_.current);
     open_->vertices.push_back(a_.current);
 }
 
 void State::normal(const Command& c) {
     const Kind kind = c.sig().parameters[0].kind;
     for (int i = 0; i < 3; ++i) a_.current.normal_object[i] = to_real(c.number(static_cast<std::size_t>(i)), kind);
-    represent(a_.current);
+    sanitize(a_.current);
 }
 
 void State::color(const Command& c) {
@@ -179,7 +171,7 @@ void State::color(const Command& c) {
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
         a_.current.color[static_cast<int>(i)] = to_real(c.number(i), kind);
     }
-    represent(a_.current);
+    sanitize(a_.current);
     track_color();
 }
 
@@ -188,10 +180,10 @@ void State::tex_coord(const Command& c) {
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
         a_.current.tex_coord[static_cast<int>(i)] = c.number(i);
     }
-    represent(a_.current);
+    sanitize(a_.current);
 }
 
-void represent(Vertex& vertex) {
+void sanitize(Vertex& vertex) {
     const auto is_finite = [](const auto& v) { return std::isfinite(glm::dot(v, v * 0.0)); };
     if (!is_finite(vertex.position_object)) vertex.position_object = glm::dvec4(0);
     if (!is_finite(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
@@ -203,18 +195,13 @@ void represent(Vertex& vertex) {
 
 // 2.7. RULING: coordinates of further units are dropped; where such a unit has a texture, that is named.
 void State::multi_tex_coord(const Command& c) {
-    const Enum target = c.enumerant(0);
-    if (target < kGL_TEXTURE0 || target >= kGL_TEXTURE0 + kMaxTextureUnits) {
-        return raise(kGL_INVALID_ENUM, c,
-                     fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(target),
-                                 kMaxTextureUnits - 1));
-    }
-    if (target != kGL_TEXTURE0) return;
+    if (auto error = wrong_texture_unit(c)) return raise(std::move(*error));
+    if (c.enumerant(0) != kGL_TEXTURE0) return;
     a_.current.tex_coord = {0, 0, 0, 1};
     for (std::size_t i = 1; i < c.arguments.size(); ++i) {
         a_.current.tex_coord[static_cast<int>(i) - 1] = c.number(i);
     }
-    represent(a_.current);
+    sanitize(a_.current);
 }
 
 double State::to_real(double c, Kind kind) const { return real_from(c, kind, options_.signed_rule); }
@@ -235,11 +222,11 @@ Draw State::new_draw(Enum mode, const Place& place) {
                     .lod_bias = a_.units[0].lod_bias,
                     .texture_matrix = texture_[0].back().matrix};
     if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) {
-        note_unsupported("glTexEnv(GL_COMBINE)", place, {"programmable", "reference"});
+        note_unsupported("glTexEnv(GL_COMBINE)", place);
     }
     for (std::size_t i = 1; i < a_.units.size(); ++i) {
         if (!complete_texture(a_.units[i])) continue;
-        note_unsupported(fmt::format("texture unit {}", i), place, {"programmable", "reference"});
+        note_unsupported(fmt::format("texture unit {}", i), place);
     }
     draw.fog = a_.fog;
     draw.fragment = a_.fragment;
@@ -247,14 +234,21 @@ Draw State::new_draw(Enum mode, const Place& place) {
     for (std::size_t i = 0; i < a_.clip_planes.size(); ++i) {
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     }
-    for (const auto& [capability, where] : a_.elsewhere) {
-        const Elsewhere& row = capability_elsewhere(capability.first);
+    for (const auto& [capability, where] : a_.driver_only) {
+        const DriverOnlyCapability& row = driver_only_capability(capability.first);
         // Textures of further units are named above.
         const bool is_idle = row.generates_coordinates() && (capability.second > 0 || !draw.texture.texture);
         if (!row.changes_pixels || is_idle) continue;
-        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where, {"programmable", "reference"});
+        note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where);
     }
-    note_draws_elsewhere(draw);
+    note_driver_only_values(draw);
+    // `#pragma twinlight light(8, ...)`: GL has eight lights.
+    const auto& lights = draw.lighting.lights;
+    const bool has_more =
+        lights.size() > kMaxLights &&
+        std::any_of(lights.begin() + kMaxLights, lights.end(), [](const LightSource& light) { return light.enabled; });
+    if (draw.lighting.enabled && has_more)
+        note_unsupported("a light beyond GL_LIGHT7", place, MissingFrom::kFixedFunction);
     return draw;
 }
 
@@ -275,17 +269,17 @@ void State::rect(const Command& c) {
     show(std::move(draw));
 }
 
-void State::note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers) {
+void State::note_unsupported(const std::string& name, const Place& place, MissingFrom missing_from) {
     if (render_mode_ != kGL_RENDER) return;
-    count(unsupported_, name, place, std::move(renderers));
+    count(unsupported_, name, place, missing_from);
 }
 
 void State::note_lasting(std::string_view name, const Place& place) {
-    count(outside_, name, place, {"programmable", "reference"});
+    count(outside_, name, place, MissingFrom::kFrame);
 }
 
 void State::outside(std::string_view function, const Place& place) {
-    count(outside_, function, place, {"fixed", "programmable", "reference"});
+    count(outside_, function, place, MissingFrom::kEverything);
 }
 
 std::optional<GlError> State::unfinished() const {
@@ -304,8 +298,8 @@ std::optional<GlError> State::unfinished() const {
     return std::nullopt;
 }
 
-Frame State::take_frame(std::shared_ptr<const Recording> commands) {
-    Frame frame{options_.width, options_.height, std::move(items_), outside_, std::move(commands)};
+Frame State::take_frame() {
+    Frame frame{options_.width, options_.height, std::move(items_), outside_};
     std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
     frame.lists_called_before_made.assign(lists_.called_before_made.begin(), lists_.called_before_made.end());
     drop_picture();
@@ -329,26 +323,31 @@ void State::drop_hidden() {
     unsupported_.clear();
 }
 
-Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& options) {
+Frame make_frame(const CommandList& commands, const StateOptions& options) {
     State state(options);
     const auto refuse = [](const GlError& error) {
         throw SceneError(fmt::format("{}: {} ({})", error.place.str(), error.message, enum_name(error.code)));
     };
-    for (const Command& command : scene->commands) {
+    for (const Command& command : commands.commands) {
         state.apply(command);
         if (!state.errors().empty()) refuse(state.errors().front());
     }
     if (const auto error = state.unfinished()) {
         throw SceneError(fmt::format("{}: {}", error->place.str(), error->message));
     }
-    Frame frame = state.take_frame(scene);
+    Frame frame = state.take_frame();
     const bool draws = std::any_of(frame.items.begin(), frame.items.end(),
                                    [](const auto& item) { return std::holds_alternative<Draw>(item); });
     if (!draws) {
-        throw SceneError(
-            fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);", scene->name));
+        throw SceneError(fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
+                                     commands.name));
     }
     return frame;
+}
+
+Scene make_scene(std::shared_ptr<const CommandList> commands, const StateOptions& options) {
+    Frame frame = make_frame(*commands, options);
+    return {std::move(commands), std::move(frame)};
 }
 
 }  // namespace twinlight

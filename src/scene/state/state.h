@@ -12,7 +12,8 @@
 #include "scene/state/frame.h"
 #include "scene/state/gl_error.h"
 #include "scene/state/lists.h"
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
+#include "scene/state/scene.h"
 
 namespace twinlight {
 
@@ -35,7 +36,7 @@ inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; wha
 
 // RULING: a vertex that is given NaN or infinity. A position of them is (0, 0, 0, 0), which belongs to no polygon, line or
 // point (2.12); a normal of them is zero; such a component of a colour or a texture coordinate is 0.
-void represent(Vertex& vertex);
+void sanitize(Vertex& vertex);
 
 class State {
   public:
@@ -65,27 +66,28 @@ class State {
     // Forgets what the last Clear hides, if that clears everything.
     void drop_hidden();
     // Gives it away.
-    Frame take_frame(std::shared_ptr<const Recording> commands);
+    Frame take_frame();
 
-    // glGet*: the values in force, as the float query returns them (6.1.3).
+    // The values in force.
+    const Attributes& attributes() const { return a_; }
     const LightingState& lighting() const { return a_.lighting; }
     const RasterState& raster() const { return a_.raster; }
-    glm::dvec4 current_color() const { return a_.current.color; }
-    glm::dvec3 current_normal() const { return a_.current.normal_object; }
     const glm::dmat4& modelview() const { return modelview_.back().matrix; }
     const glm::dmat4& projection() const { return projection_.back().matrix; }
-    // The answers of the queries, as the query of doubles gives them (6.1); empty for names that GL, or Twinlight, does
-    // not know.
-    std::vector<double> get(Enum pname) const;  // glGetDoublev; a capability's answer is glIsEnabled's
+    const glm::dmat4& texture_matrix() const { return texture_[a_.active_unit].back().matrix; }
+    std::size_t matrix_depth(Enum mode) const;  // of the stack of GL_MODELVIEW, GL_PROJECTION or GL_TEXTURE
+    std::size_t attribute_depth() const { return attribute_stack_.size(); }
+    Enum render_mode() const { return render_mode_; }
+    const VertexArrays& arrays() const { return arrays_; }
+    const Lists& lists() const { return lists_; }
+    const PixelStore& pixel_store() const { return pixel_store_; }
+    const Texture& bound_texture(Enum target) const { return *texture_of(unit(), target); }
+    // glIsEnabled (6.1.1): nothing for what is no capability.
+    std::optional<bool> capability(Enum cap) const;
+    // glGetLight, glGetMaterial (6.1.3); empty for names that GL does not know.
     std::vector<double> get_light(Enum light, Enum pname) const;
     std::vector<double> get_material(Enum face, Enum pname) const;
-    const VertexArrays& arrays() const { return arrays_; }
-    std::vector<double> get_clip_plane(Enum plane) const;
-    std::vector<double> get_tex_env(Enum target, Enum pname) const;
-    std::vector<double> get_tex_parameter(Enum target, Enum pname) const;
-    std::vector<double> get_tex_level_parameter(Enum target, int level, Enum pname) const;
-    // The texture that a name has; null where there is none.
-    const Texture* texture(std::uint32_t name) const;
+    const TextureObjects& textures() const { return textures_; }
 
   private:
     struct StackedMatrix {
@@ -174,17 +176,17 @@ class State {
     void mult_transpose_matrix(const Command&);
     void blend_equation(const Command&);
     void draw_buffer(const Command&);
-    void elsewhere_state(const Command&);
-    void elsewhere_drawing(const Command&);
-    void elsewhere_vertex(const Command&);
-    void elsewhere_attribute(const Command&);
-    void elsewhere_query(const Command&);
-    void elsewhere_secondary_color(const Command&);
-    void elsewhere_point_parameter(const Command&);
-    void elsewhere_pixel_transfer(const Command&);
-    void elsewhere_bitmap(const Command&);
-    void elsewhere_stipple(const Command&);
-    void elsewhere_copy_image(const Command&);
+    void driver_only_state(const Command&);
+    void driver_only_drawing(const Command&);
+    void driver_only_vertex(const Command&);
+    void driver_only_attribute(const Command&);
+    void driver_only_query(const Command&);
+    void driver_only_secondary_color(const Command&);
+    void driver_only_point_parameter(const Command&);
+    void driver_only_pixel_transfer(const Command&);
+    void driver_only_bitmap(const Command&);
+    void driver_only_stipple(const Command&);
+    void driver_only_copy_image(const Command&);
     void render_mode(const Command&);
     void hit_buffer(const Command&);
     void is_enabled(const Command&);
@@ -234,11 +236,9 @@ class State {
     std::optional<std::vector<double>> parameter_values(const Command& command, Owner owner, Enum pname);
     void set_capability(const Command& command, bool enabled);
     bool known_capability(const Command& command);  // or GL_INVALID_ENUM
-    bool* followed_capability(Enum cap);            // null for those that State does not follow
     // The texture that a glTex* command changes: one that no Draw holds. Null, and the error, for a wrong target.
     Texture* writable_texture(const Command& command, Enum target);
-    std::shared_ptr<Texture>& bound_texture(Enum target);
-    std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target);
+    const std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target) const;
     std::shared_ptr<const Texture> complete_texture(const TextureBindings& bindings) const;
     TextureBindings& unit() { return a_.units[a_.active_unit]; }
     const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
@@ -257,10 +257,10 @@ class State {
     Quadric* quadric(const Command& command);   // its first argument; null, and the error, where there is none
     bool can_send(const Command& command);      // whether its quadric can be sent; false, and the error, if not
     void show(std::variant<Clear, Draw> item);  // adds it to the picture, in the mode that makes one
-    void note_draws_elsewhere(const Draw& draw);
+    void note_driver_only_values(const Draw& draw);
     // Of what is drawn now, and of what changes all pictures from here on.
     void note_lasting(std::string_view name, const Place& place);
-    void note_unsupported(const std::string& name, const Place& place, std::vector<std::string> renderers);
+    void note_unsupported(const std::string& name, const Place& place, MissingFrom missing_from = MissingFrom::kFrame);
     double to_real(double c,
                    Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
 
@@ -296,8 +296,9 @@ class State {
     std::optional<GlError> exhausted_;
 };
 
-// Runs a whole scene. Throws SceneError at the first GL error, at what is left open at the end, and for a scene that
-// draws nothing.
-Frame make_frame(std::shared_ptr<const CommandList> scene, const StateOptions& options);
+// Runs all commands of a scene. Throws SceneError at the first GL error, at what is left open at the end, and for commands
+// that draw nothing.
+Frame make_frame(const CommandList& commands, const StateOptions& options);
+Scene make_scene(std::shared_ptr<const CommandList> commands, const StateOptions& options);
 
 }  // namespace twinlight

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -41,32 +41,13 @@ void State::pixel_store(const Command& c) {
     const auto values = parameter_values(c, Owner::kPixelStore, pname);
     if (!values) return;
     const int value = static_cast<int>(std::clamp(std::round(values->front()), -0x1p31, 0x1p31 - 1));
-    PixelStore& store = pixel_store_;
-    const auto align = [&](int& alignment) {
-        if (value == 1 || value == 2 || value == 4 || value == 8) {
-            alignment = value;
-        } else {
-            raise(kGL_INVALID_VALUE, c, fmt::format("{} is {}; it must be 1, 2, 4 or 8", enum_name(pname), value));
-        }
-    };
-    switch (pname) {
-        case kGL_UNPACK_SWAP_BYTES: store.unpack_swap_bytes = value != 0; break;
-        case kGL_UNPACK_LSB_FIRST: store.unpack_lsb_first = value != 0; break;
-        case kGL_UNPACK_ROW_LENGTH: store.unpack_row_length = value; break;
-        case kGL_UNPACK_SKIP_ROWS: store.unpack_skip_rows = value; break;
-        case kGL_UNPACK_SKIP_PIXELS: store.unpack_skip_pixels = value; break;
-        case kGL_UNPACK_ALIGNMENT: align(store.unpack_alignment); break;
-        case kGL_UNPACK_IMAGE_HEIGHT: store.unpack_image_height = value; break;
-        case kGL_UNPACK_SKIP_IMAGES: store.unpack_skip_images = value; break;
-        case kGL_PACK_SWAP_BYTES: store.pack_swap_bytes = value != 0; break;
-        case kGL_PACK_LSB_FIRST: store.pack_lsb_first = value != 0; break;
-        case kGL_PACK_ROW_LENGTH: store.pack_row_length = value; break;
-        case kGL_PACK_SKIP_ROWS: store.pack_skip_rows = value; break;
-        case kGL_PACK_SKIP_PIXELS: store.pack_skip_pixels = value; break;
-        case kGL_PACK_ALIGNMENT: align(store.pack_alignment); break;
-        case kGL_PACK_IMAGE_HEIGHT: store.pack_image_height = value; break;
-        case kGL_PACK_SKIP_IMAGES: store.pack_skip_images = value; break;
-        default: break;
+    const bool is_alignment = pname == kGL_UNPACK_ALIGNMENT || pname == kGL_PACK_ALIGNMENT;
+    if (is_alignment && value != 1 && value != 2 && value != 4 && value != 8) {
+        return raise(kGL_INVALID_VALUE, c, fmt::format("{} is {}; it must be 1, 2, 4 or 8", enum_name(pname), value));
+    }
+    for (const PixelStoreRow& row : kPixelStoreRows) {
+        if (row.pname != pname) continue;
+        std::visit([&]<class T>(T PixelStore::*at) { pixel_store_.*at = static_cast<T>(value); }, row.member);
     }
 }
 
@@ -132,7 +113,7 @@ bool State::has_texels(const Command& c, double count, std::size_t replaced) {
 }
 
 // Images of textures that State does not follow.
-bool is_image_elsewhere(Enum target) {
+bool is_driver_only_image(Enum target) {
     return target == kGL_TEXTURE_RECTANGLE || target == kGL_PROXY_TEXTURE_RECTANGLE ||
            (target >= kGL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= kGL_PROXY_TEXTURE_CUBE_MAP);
 }
@@ -142,7 +123,7 @@ void State::tex_image(const Command& c) {
     const bool two = c.id == CommandId::glTexImage2D;
     const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
     const Enum proxy = two ? kGL_PROXY_TEXTURE_2D : kGL_PROXY_TEXTURE_1D;
-    if (two && is_image_elsewhere(a.target)) return;
+    if (two && is_driver_only_image(a.target)) return;
     if (!known(c, a.target, {target, proxy})) return;
     const PixelSource& source = a.source;
     if (a.level < 0 || a.level >= kMaxTextureLevels) {
@@ -168,7 +149,7 @@ void State::tex_image(const Command& c) {
     }
     if (!check_pixel_type(c, source) || a.target == proxy) return;
     const auto level = static_cast<std::size_t>(a.level);
-    const Texture& bound = *bound_texture(target);
+    const Texture& bound = bound_texture(target);
     const std::size_t replaced = level < bound.levels.size() ? bound.levels[level].texels.size() : 0;
     if (!has_texels(c, static_cast<double>(source.width) * source.height, replaced)) return;
     const auto rows = pixels(c, source);
@@ -200,7 +181,7 @@ void State::tex_image(const Command& c) {
 void State::tex_sub_image(const Command& c) {
     const bool two = c.id == CommandId::glTexSubImage2D;
     const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
-    if (two && is_image_elsewhere(c.enumerant(0))) return;
+    if (two && is_driver_only_image(c.enumerant(0))) return;
     if (!known(c, c.enumerant(0), {target})) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;
@@ -214,7 +195,7 @@ void State::tex_sub_image(const Command& c) {
             fmt::format("{} is given the level {} and the size {} x {}", c.name(), level, source.width, source.height));
     }
     if (!check_pixel_type(c, source)) return;
-    const Texture& bound = *bound_texture(target);
+    const Texture& bound = bound_texture(target);
     if (bound.levels.size() <= static_cast<std::size_t>(level) ||
         bound.levels[static_cast<std::size_t>(level)].texels.empty()) {
         return raise(

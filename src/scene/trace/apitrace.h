@@ -12,19 +12,22 @@ namespace twinlight::trace {
 
 class ApitraceDump {
   public:
-    // Starts `apitrace dump --blobs` on a .trace file; its blobs come into `folder`, which outlives this. Throws
-    // SceneError where apitrace is not installed.
-    ApitraceDump(const std::string& trace, TemporaryFolder& folder);
+    // Starts `apitrace dump --blobs` on a .trace file, or on `input` where that is one. Throws SceneError where apitrace is
+    // not installed. `name` is for messages.
+    ApitraceDump(const std::string& name, const std::string& trace, const Descriptor& input);
     ~ApitraceDump();  // ends it
     ApitraceDump(const ApitraceDump&) = delete;
     ApitraceDump& operator=(const ApitraceDump&) = delete;
 
+    // Where the blobs come.
+    const std::string& folder() const { return folder_.path(); }
     Descriptor take_output() { return std::move(output_); }
     // To be called where the output has ended. What went wrong: apitrace's own words; empty if nothing did.
     std::string wait();
 
   private:
-    TemporaryFolder& folder_;
+    TemporaryFolder folder_;
+    Descriptor words_;  // what apitrace says
     pid_t process_ = 0;
     Descriptor output_;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/command/lexer.h"
+#include "scene/command/memory.h"
 #include "scene/command/object_names.h"
 #include "scene/command/text.h"
 
@@ -18,31 +19,6 @@ using Form = Argument::Form;
     fail(command.place, fmt::format("{} of {} {}", parameter.name, command.name(), what));
 }
 
-struct Range {
-    double smallest, largest;
-};
-
-Range range_of(Kind kind) {
-    switch (kind) {
-        case Kind::kByte: return {-128, 127};
-        case Kind::kShort: return {-32768, 32767};
-        case Kind::kInt:
-        case Kind::kSizei: return {-2147483648.0, 2147483647.0};
-        case Kind::kUbyte:
-        case Kind::kBoolean: return {0, 255};
-        case Kind::kUshort: return {0, 65535};
-        case Kind::kEnum:
-        case Kind::kBitfield:
-        case Kind::kUint:
-        case Kind::kWord:
-        case Kind::kQuadric: return {0, 4294967295.0};
-        case Kind::kSizeiptr: return {-9007199254740992.0, 9007199254740992.0};  // what a double holds exactly
-        case Kind::kFloat:
-        case Kind::kDouble: break;
-    }
-    return {0, 0};
-}
-
 // The value as the C type of the parameter holds it.
 double typed(const Command& command, const Parameter& parameter, double value) {
     if (parameter.kind == Kind::kFloat) return static_cast<double>(static_cast<float>(value));
@@ -51,7 +27,7 @@ double typed(const Command& command, const Parameter& parameter, double value) {
     const bool wraps = parameter.kind == Kind::kEnum || parameter.kind == Kind::kBitfield;
     if (wraps && value < 0 && value >= -2147483648.0) value += 4294967296.0;
     if (value != std::trunc(value)) refuse(command, parameter, fmt::format("must be a whole number, not {}", value));
-    const auto [smallest, largest] = range_of(parameter.kind);
+    const auto [smallest, largest] = whole_range(parameter.kind);
     if (value < smallest || value > largest) {
         refuse(command, parameter, fmt::format("is {}; it must be from {} to {}", value, smallest, largest));
     }
@@ -60,30 +36,11 @@ double typed(const Command& command, const Parameter& parameter, double value) {
 
 // How many values an array has to have; nothing where any number will do: for a pname that GL does not know either.
 std::optional<std::size_t> length_of(const Command& command, const Parameter& parameter) {
-    switch (parameter.extent) {
-        case Extent::kArray: return static_cast<std::size_t>(parameter.count);
-        case Extent::kByPname: {
-            const auto length = array_length(command.id, command.enumerant(command.arguments.size() - 1));
-            if (!length) return std::nullopt;
-            return static_cast<std::size_t>(*length);
-        }
-        case Extent::kByCount:
-        case Extent::kControlPoints:
-        case Extent::kNames: {
-            const std::vector<Parameter>& parameters = command.sig().parameters;
-            const auto index = static_cast<std::size_t>(&parameter - parameters.data());
-            return command.count(index);
-        }
-        case Extent::kValue:
-        case Extent::kPointer:
-        case Extent::kOutput:
-        case Extent::kRest:
-        case Extent::kOutputByCount:
-        case Extent::kOutputMemory:
-        case Extent::kImage:
-        case Extent::kResult: break;
+    if (parameter.extent == Extent::kArrayByPname) {
+        const auto length = array_length(command.id, command.enumerant(command.arguments.size() - 1));
+        return length ? std::optional(static_cast<std::size_t>(*length)) : std::nullopt;
     }
-    return std::nullopt;
+    return command.count(static_cast<std::size_t>(&parameter - command.sig().parameters.data()));
 }
 
 void add_array(const Argument& argument, const Arguments& arguments, const Parameter& parameter, Command& command) {
@@ -136,23 +93,15 @@ void convert(const Arguments& arguments, const Arguments& result, const BlobFold
     for (std::size_t i = 0; i < expected; ++i) {
         const Parameter& parameter = sig.parameters[i];
         const Argument& argument = arguments.list[i];
-        switch (parameter.extent) {
-            case Extent::kValue:
-                if (argument.form != Form::kNumber) refuse(command, parameter, "is not a number");
-                command.arguments.push_back(typed(command, parameter, arguments.numbers[argument.first]));
-                break;
-            case Extent::kPointer: add_pointer(argument, arguments, parameter, blobs, command); break;
-            case Extent::kArray:
-            case Extent::kByPname:
-            case Extent::kByCount:
-            case Extent::kControlPoints:
-            case Extent::kNames: add_array(argument, arguments, parameter, command); break;
-            case Extent::kOutput:
-            case Extent::kOutputMemory: command.arguments.push_back(0); break;
-            case Extent::kRest:
-            case Extent::kOutputByCount:
-            case Extent::kImage:
-            case Extent::kResult: break;
+        if (parameter.extent == Extent::kValue) {
+            if (argument.form != Form::kNumber) refuse(command, parameter, "is not a number");
+            command.arguments.push_back(typed(command, parameter, arguments.numbers[argument.first]));
+        } else if (parameter.extent == Extent::kPointer) {
+            add_pointer(argument, arguments, parameter, blobs, command);
+        } else if (parameter.extent == Extent::kOutputMemory) {
+            command.arguments.push_back(0);
+        } else if (parameter.is_array() && !parameter.is_output()) {
+            add_array(argument, arguments, parameter, command);
         }
     }
     if (expected == sig.parameters.size()) return;

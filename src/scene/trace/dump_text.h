@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "scene/trace/byte_source.h"
 #include "scene/trace/descriptor.h"
+#include "scene/trace/dump_lexer.h"
 
 namespace twinlight::trace {
 

@@ -1,15 +1,16 @@
-// A folder for what exists only while the program runs.
+// What exists only while the program runs: a folder, and files without a name. They go however the program ends.
 #pragma once
 
 #include <sys/types.h>
 
-#include <cstddef>
 #include <string>
+
+#include "scene/trace/descriptor.h"
 
 namespace twinlight::trace {
 
-// A new, empty folder in TMPDIR, or /tmp. It goes, with the files in it, when this goes, and when a signal ends the
-// program (SIGINT, SIGTERM, SIGHUP).
+// A new, empty folder in TMPDIR, or /tmp. A process of its own, the keeper, removes it and the files in it when this goes,
+// or when this program has ended, were it by SIGKILL.
 class TemporaryFolder {
   public:
     TemporaryFolder();  // throws SceneError
@@ -18,12 +19,14 @@ class TemporaryFolder {
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const std::string& path() const { return path_; }
-    // The process that writes into the folder, 0 for none: it is ended before the folder goes.
-    void set_writer(pid_t process);
 
   private:
     std::string path_;
-    std::size_t slot_ = 0;  // among those that the handler of signals knows
+    Descriptor needed_;  // a pipe's end: the keeper waits until no process has it any more
+    pid_t keeper_ = 0;
 };
+
+// A new, empty file there that has no name any more. Throws SceneError.
+Descriptor nameless_file();
 
 }  // namespace twinlight::trace

@@ -24,17 +24,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& name) { throw SceneError(name + ": " + std::strerror(errno)); }
 
-Descriptor open_or_refuse(const std::string& path, int flags, const std::string& name) {
-    Descriptor file(::open(path.c_str(), flags | O_CLOEXEC, 0600));
-    if (!file.valid()) refuse(name);
-    return file;
-}
-
-// The folder that a recording keeps things in.
-Descriptor new_file(const TemporaryFolder& folder, const std::string& name) {
-    return open_or_refuse(folder.path() + "/dump.txt", O_RDWR | O_CREAT | O_EXCL, name);
-}
-
 void write_all(const Descriptor& file, std::string_view bytes, const std::string& name) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
@@ -51,23 +40,18 @@ class TraceRecording final : public Recording {
         text_.emplace(place_, std::move(file));
         choose_context();
     }
-    // What apitrace dumps.
-    TraceRecording(std::string given_name, std::string place, const std::string& trace,
-                   std::unique_ptr<TemporaryFolder> folder)
-        : Recording(std::move(given_name)),
-          place_(std::move(place)),
-          blobs_(folder->path()),
-          folder_(std::move(folder)) {
-        apitrace_.emplace(trace, *folder_);
-        text_.emplace(place_, new_file(*folder_, place_), apitrace_->take_output(),
+    // What apitrace dumps of a .trace: of the file at `trace`, or of `input`.
+    TraceRecording(std::string given_name, std::string place, const std::string& trace, const Descriptor& input)
+        : Recording(std::move(given_name)), place_(std::move(place)), apitrace_(std::in_place, place_, trace, input) {
+        blobs_ = apitrace_->folder();
+        text_.emplace(place_, nameless_file(), apitrace_->take_output(),
                       [this] { apitrace_says_ = apitrace_->wait(); });
         choose_context();
     }
     // What comes through a pipe, `front` first.
-    TraceRecording(std::string given_name, std::string place, Descriptor pipe, std::string_view front,
-                   std::unique_ptr<TemporaryFolder> folder)
-        : Recording(std::move(given_name)), place_(std::move(place)), blobs_("."), folder_(std::move(folder)) {
-        text_.emplace(place_, new_file(*folder_, place_), std::move(pipe), std::function<void()>());
+    TraceRecording(std::string given_name, std::string place, Descriptor pipe, std::string_view front)
+        : Recording(std::move(given_name)), place_(std::move(place)), blobs_(".") {
+        text_.emplace(place_, nameless_file(), std::move(pipe), std::function<void()>());
         text_->put_in_front(front);
         choose_context();
     }
@@ -97,8 +81,7 @@ class TraceRecording final : public Recording {
 
     std::string place_;  // what places call it
     std::string blobs_;  // the folder
-    std::unique_ptr<TemporaryFolder> folder_;
-    std::optional<ApitraceDump> apitrace_;  // ends before its folder
+    std::optional<ApitraceDump> apitrace_;
     mutable std::optional<DumpText> text_;
     mutable std::string apitrace_says_;
     std::optional<ContextName> context_;
@@ -151,26 +134,23 @@ bool is_dump(std::string_view front) {
 
 std::shared_ptr<const Recording> open_trace(const std::string& path) {
     const std::filesystem::path file = path;
-    return std::make_shared<TraceRecording>(file.filename().string(), path, path, std::make_unique<TemporaryFolder>());
+    return std::make_shared<TraceRecording>(file.filename().string(), path, path, Descriptor());
 }
 
 std::shared_ptr<const Recording> open_dump(const std::string& path) {
     const std::filesystem::path file = path;
-    Descriptor text = open_or_refuse(path, O_RDONLY, path);
+    Descriptor text(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!text.valid()) refuse(path);
     const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
     return std::make_shared<TraceRecording>(file.filename().string(), path, std::move(text), folder);
 }
 
 std::shared_ptr<const Recording> open_standard_input(std::string_view front) {
     const std::string place = "<stdin>";
-    auto folder = std::make_unique<TemporaryFolder>();
     Descriptor pipe(::dup(STDIN_FILENO));
     if (!pipe.valid()) refuse(place);
-    if (!is_trace(front)) {
-        return std::make_shared<TraceRecording>("stdin", place, std::move(pipe), front, std::move(folder));
-    }
-    const std::string trace = folder->path() + "/stdin.trace";
-    const Descriptor file = open_or_refuse(trace, O_WRONLY | O_CREAT | O_EXCL, place);
+    if (!is_trace(front)) return std::make_shared<TraceRecording>("stdin", place, std::move(pipe), front);
+    const Descriptor file = nameless_file();
     std::string block(front);
     while (!block.empty()) {
         write_all(file, block, place);
@@ -182,7 +162,7 @@ std::shared_ptr<const Recording> open_standard_input(std::string_view front) {
         if (count < 0) refuse(place);
         block.resize(static_cast<std::size_t>(count));
     }
-    return std::make_shared<TraceRecording>("stdin", place, trace, std::move(folder));
+    return std::make_shared<TraceRecording>("stdin", place, "", file);
 }
 
 }  // namespace twinlight::trace

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "../run_program.h"
 #include "base/image/file.h"
@@ -306,8 +307,13 @@ TEST_F(Cli, ListsScenes) {
     ASSERT_FALSE(object["scenes"].empty());
     for (const json& item : object["scenes"]) {
         EXPECT_NE(text.find(item["name"].get<std::string>()), std::string::npos);
-        EXPECT_NE(item["description"], "");
+        const std::string description = item["description"];
+        EXPECT_TRUE(description.ends_with('.')) << description;
+        EXPECT_EQ(description.find(". "), std::string::npos) << description;
     }
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_NE(text.find("attributes.\n"), std::string::npos) << "the whole sentence of legacy, which takes three lines";
     const ProgramResult report = run({"scenes", "report"});
     EXPECT_EQ(report.status, 0);
     EXPECT_NE(report.out.find("glEnable(GL_LIGHTING);"), std::string::npos);
@@ -631,6 +637,37 @@ TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
               std::string::npos);
     expect_refused(run({"explain", file, "--size", "20x20", "--pixel", "20,0"}), "the picture ends at 19,19");
     expect_refused(run({"explain", file, "--pixel", "a"}), "--pixel is 'a'; it must be X,Y");
+}
+
+// kLamps with a pragma: explain names the factors that its terms have.
+TEST_F(Cli, ExplainsAPixelWithTheFormulasOfTheLecturesVariants) {
+    struct Formulas {
+        const char *pragma, *ambient, *specular, *ambient_row, *specular_row;
+    };
+    for (const Formulas& expected : {
+             Formulas{"", "att spot a_cm a_cli", "att spot f(n.h)^s s_cm s_cli", "att 1.00000  spot 1.00000 ",
+                      "att 1.00000  spot 1.00000  f(n.h)^s "},
+             Formulas{"#pragma twinlight specular(reflection)\n", "att spot a_cm a_cli", "att spot (r.v)^s s_cm s_cli",
+                      "att 1.00000  spot 1.00000 ", "att 1.00000  spot 1.00000  (r.v)^s "},
+             Formulas{"#pragma twinlight ambient(unattenuated)\n", "a_cm a_cli", "att spot f(n.h)^s s_cm s_cli",
+                      "a_cm a_cli ", "att 1.00000  spot 1.00000  f(n.h)^s "},
+         }) {
+        const std::string file = scene(expected.pragma + std::string(kLamps));
+        const json pixel = json::parse(run({"explain", file, "--size", "20x20", "--pixel", "3,5", "--json"}).out);
+        const json& formulas = pixel["fragments"][0]["lights"][0]["formulas"];
+        EXPECT_EQ(formulas["ambient"], expected.ambient) << expected.pragma;
+        EXPECT_EQ(formulas["diffuse"], "att spot n.VP d_cm d_cli") << expected.pragma;
+        EXPECT_EQ(formulas["specular"], expected.specular) << expected.pragma;
+
+        const std::string text = run({"explain", file, "--size", "20x20", "--pixel", "3,5"}).out;
+        const auto row = [&](const std::string& name) {
+            const std::size_t start = text.find(name);
+            return text.substr(start, text.find('\n', start) - start);
+        };
+        EXPECT_NE(row("GL_LIGHT0 ambient").find(expected.ambient_row), std::string::npos) << text;
+        EXPECT_NE(row("GL_LIGHT0 diffuse").find("att 1.00000  spot 1.00000  n.VP 1.00000 "), std::string::npos) << text;
+        EXPECT_NE(row("GL_LIGHT0 specular").find(expected.specular_row), std::string::npos) << text;
+    }
 }
 
 }  // namespace

@@ -22,9 +22,7 @@ constexpr double kArithmetic = 1e-13;
 
 CommandList scene(const std::string& text) { return read_scene(text, "test.gl", "test"); }
 
-Frame frame_of(const CommandList& commands) {
-    return make_frame(std::make_shared<const CommandList>(commands), StateOptions{});
-}
+Frame frame_of(const CommandList& commands) { return make_frame(commands, StateOptions{}); }
 
 std::vector<Draw> draws_of(const CommandList& commands) {
     std::vector<Draw> draws;
@@ -246,11 +244,11 @@ TEST(DemoKeys, EveryCodeHasOneRowAndEveryRowIsInTheHelp) {
 TEST(DemoKeys, ChangeWhatTheHelpSays) {
     Controls controls = make_controls(frame_of(scene(kPoint)));
     EXPECT_TRUE(press(controls, '\t'));
-    EXPECT_EQ(controls.renderer, Renderer::kProgrammable);
+    EXPECT_EQ(controls.renderer, Path::kProgrammable);
     press(controls, 'd');
     EXPECT_TRUE(controls.difference);
     press(controls, '\t');  // asks for a renderer, so the difference goes
-    EXPECT_EQ(controls.renderer, Renderer::kFixed);
+    EXPECT_EQ(controls.renderer, Path::kFixed);
     EXPECT_FALSE(controls.difference);
     press(controls, 'f');
     EXPECT_EQ(controls.view.shade_model, kGL_FLAT);
@@ -310,7 +308,7 @@ TEST(DemoSummary, NamesSceneRendererShadingAndLights) {
 
 TEST(DemoSummary, SaysWhichPictureIsPartial) {
     Frame frame = frame_of(scene(kPoint));
-    frame.unsupported = {{"glEnable(GL_FOG)", 1, {}, {"programmable", "reference"}}};
+    frame.unsupported = {{"glEnable(GL_FOG)", 1, {}, MissingFrom::kFrame}};
     Controls controls;
     EXPECT_EQ(summary("fog", controls, frame), "fog - fixed - GL_SMOOTH - no light");
     press(controls, '\t');

@@ -25,12 +25,8 @@ using nlohmann::json;
 
 constexpr int kWidth = 40, kHeight = 30;
 
-Frame empty_frame() {
-    Frame frame;
-    frame.commands = std::make_shared<const CommandList>("stub", std::vector<Command>{});
-    frame.width = kWidth;
-    frame.height = kHeight;
-    return frame;
+Scene empty_scene() {
+    return {std::make_shared<const CommandList>("stub", std::vector<Command>()), {.width = kWidth, .height = kHeight}};
 }
 
 // Pictures of one grey; the left column is an edge.
@@ -40,31 +36,43 @@ struct Stub {
     std::vector<Unsupported> unsupported;
     std::map<std::string, int> calls;  // "fixed gouraud GL", ...
 
-    RenderFunction renderer(const std::string& name, const float& grey) {
-        return [this, name, &grey](const Frame& frame, const RenderOptions& options) {
-            ++calls[name +
-                    (options.shading == Shading::kPhong ? " phong"
-                     : options.shading                  ? " other"
-                                                        : " scene") +
-                    (options.lecture_variants ? " variants" : " GL")];
-            return Image(frame.width, frame.height, {grey, grey, grey, 1});
-        };
+    void count(const std::string& name, const Look& look) {
+        ++calls[name +
+                (look.shading == Shading::kPhong ? " phong"
+                 : look.shading                  ? " other"
+                                                 : " scene") +
+                (look.lecture_variants ? " variants" : " GL")];
     }
+    static Image picture(const Frame& frame, float grey) { return {frame.width, frame.height, {grey, grey, grey, 1}}; }
+
     Renderers renderers() {
-        return {.fixed = renderer("fixed", fixed),
-                .programmable = renderer("programmable", programmable),
-                .reference = renderer("reference", reference),
-                .freedom = [this](const Frame& frame, const RenderOptions&) {
-                    Freedom freedom{PixelMask(static_cast<std::size_t>(frame.width * frame.height)),
-                                    Image(frame.width, frame.height, {slack, slack, slack, slack})};
-                    for (int y = 0; y < frame.height; ++y) freedom.edge[freedom.slack.index(0, y)] = true;
-                    return freedom;
-                }};
+        return {.fixed =
+                    [this](const Scene& scene, const fixed::Options& options) {
+                        count("fixed", {options.shading, false});
+                        return picture(scene.frame, fixed);
+                    },
+                .programmable =
+                    [this](const Frame& frame, const programmable::Options& options) {
+                        count("programmable", options);
+                        return programmable::Picture{picture(frame, programmable), {}};
+                    },
+                .reference =
+                    [this](const Frame& frame, const reference::Options& options) {
+                        count("reference", options);
+                        return picture(frame, reference);
+                    },
+                .freedom =
+                    [this](const Frame& frame, const reference::Options&) {
+                        Freedom freedom{PixelMask(static_cast<std::size_t>(frame.width * frame.height)),
+                                        Image(frame.width, frame.height, {slack, slack, slack, slack})};
+                        for (int y = 0; y < frame.height; ++y) freedom.edge[freedom.slack.index(0, y)] = true;
+                        return freedom;
+                    }};
     }
     Comparison compare() {
-        Frame frame = empty_frame();
-        frame.unsupported = unsupported;
-        return compare_scene(frame, renderers(), {.driver = "a driver"});
+        Scene scene = empty_scene();
+        scene.frame.unsupported = unsupported;
+        return compare_scene(scene, {.driver = "a driver"}, renderers());
     }
 };
 
@@ -73,7 +81,6 @@ Unsupported fog(int count) {
     item.name = "glEnable(GL_FOG)";
     item.count = count;
     item.first = {std::make_shared<std::string>("scene.gl"), 3, 1};
-    item.renderers = {"programmable", "reference"};
     return item;
 }
 
@@ -110,10 +117,11 @@ TEST(Comparison, DrawsPerVertexByGlsModelAndPhongByTheScenes) {
 TEST(Comparison, TellsItsProgressStepByStep) {
     Stub stub;
     int steps = 0;
-    compare_scene(empty_frame(), stub.renderers(), {.progress = [&](int done, int total, std::string_view) {
-                      EXPECT_EQ(done, steps++);
-                      EXPECT_EQ(total, 7);
-                  }});
+    const auto count = [&](int done, int total, std::string_view) {
+        EXPECT_EQ(done, steps++);
+        EXPECT_EQ(total, 7);
+    };
+    compare_scene(empty_scene(), {.progress = count}, stub.renderers());
     EXPECT_EQ(steps, 7);
 }
 
@@ -209,11 +217,11 @@ TEST(Verdict, NamesWhatTheDriverIsKnownToGetWrongWhereItIsBeyond) {
     line.mode = kGL_LINES;
     line.vertices.resize(2);
     line.raster.line_width = 5;
-    Frame frame = empty_frame();
-    frame.items.emplace_back(line);
+    Scene scene = empty_scene();
+    scene.frame.items.emplace_back(line);
     Stub stub;
     const auto compared = [&](const std::string& driver) {
-        return compare_scene(frame, stub.renderers(), {.driver = driver + ", EGL", .per_vertex_only = true});
+        return compare_scene(scene, {.driver = driver + ", EGL", .per_vertex_only = true}, stub.renderers());
     };
     const std::string softpipe = "softpipe, 3.3 (Compatibility Profile) Mesa 22.3.1";
     EXPECT_EQ(verdict_sentences(compared(softpipe)).size(), 1U);
@@ -266,15 +274,15 @@ TEST(Verdict, IsNotGivenForPhongAgainstFixed) {
     const Renderers plain = stub.renderers();
     Renderers renderers = plain;
     // What phong adds, both draw alike.
-    const auto brighter_in_phong = [](const RenderFunction& render) {
-        return [render](const Frame& frame, const RenderOptions& options) {
-            return options.shading == Shading::kPhong ? Image(frame.width, frame.height, {1, 1, 1, 1})
-                                                      : render(frame, options);
-        };
+    const auto white = [](const Frame& frame) { return Image(frame.width, frame.height, {1, 1, 1, 1}); };
+    renderers.programmable = [&](const Frame& frame, const programmable::Options& options) {
+        if (options.shading == Shading::kPhong) return programmable::Picture{white(frame), {}};
+        return plain.programmable(frame, options);
     };
-    renderers.programmable = brighter_in_phong(plain.programmable);
-    renderers.reference = brighter_in_phong(plain.reference);
-    const Comparison comparison = compare_scene(empty_frame(), renderers);
+    renderers.reference = [&](const Frame& frame, const reference::Options& options) {
+        return options.shading == Shading::kPhong ? white(frame) : plain.reference(frame, options);
+    };
+    const Comparison comparison = compare_scene(empty_scene(), {}, renderers);
     EXPECT_TRUE(comparison.within_tolerance());
     EXPECT_GT(pair_named(comparison, "fixed ~ programmable-phong").difference.interior.max, 0.4);
 }
@@ -399,13 +407,13 @@ TEST(Comparison, TakesTheBoundOfThePlansForSlack) {
     draw.lighting.enabled = true;
     draw.lighting.lights[1].enabled = true;
     draw.lighting.lights[1].diffuse = glm::dvec4(0.5 / 255);
-    Frame frame = empty_frame();
-    frame.items.emplace_back(draw);
+    Scene scene = empty_scene();
+    scene.frame.items.emplace_back(draw);
     Stub stub;
     stub.fixed = stub.reference = 128.3F / 255;  // 0.2 below the border
     stub.programmable = 129.0F / 255;
     const auto compared = [&](double budget) {
-        return compare_scene(frame, stub.renderers(), {.budget = budget, .per_vertex_only = true});
+        return compare_scene(scene, {.budget = budget, .per_vertex_only = true}, stub.renderers());
     };
     const Comparison within = compared(0.5 / 255);
     EXPECT_NEAR(error_bound(within.renders[1].plan), 0.4 / 255, 1e-9);

@@ -19,7 +19,7 @@ const Driver kSoftpipe = driver("softpipe", "Mesa 22.3.6");
 std::vector<std::string_view> names_of(const std::string& text, const Driver& driver) {
     std::vector<std::string_view> names;
     const auto scene = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
-    for (const Departure* departure : known_departures_in(make_frame(scene, {}), driver))
+    for (const Departure* departure : known_departures_in(make_scene(scene, {}), driver))
         names.push_back(departure->name);
     return names;
 }

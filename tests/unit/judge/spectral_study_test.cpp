@@ -11,8 +11,7 @@ namespace twinlight::study {
 namespace {
 
 Frame frame_of(const std::string& text) {
-    return make_frame(std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene")),
-                      {.width = 8, .height = 8});
+    return make_frame(read_scene(text, "scene.gl", "scene"), {.width = 8, .height = 8});
 }
 
 int samples_of(const Frame& frame) {

@@ -18,9 +18,7 @@ namespace twinlight::study {
 namespace {
 
 CommandList scene_of(const std::string& text) { return read_scene(text, "scene.gl", "scene"); }
-Frame frame_of(const std::string& text) {
-    return make_frame(std::make_shared<const CommandList>(scene_of(text)), {.width = 16, .height = 16});
-}
+Frame frame_of(const std::string& text) { return make_frame(scene_of(text), {.width = 16, .height = 16}); }
 
 TEST(Tessellation, GivesEveryRoundShapeItsSlices) {
     const CommandList scene = scene_of(
@@ -123,7 +121,8 @@ TEST(Choices, AreThereForWhatTheStudyAsks) {
     EXPECT_EQ(count(lit, Extent::kFull, 1, has_samples), 0);
     EXPECT_GT(count(lit, Extent::kQuick, 8, has_samples), 0);
     for (const Extent extent : {Extent::kQuick, Extent::kFull})
-        for (const Sending sending : {Sending::kClientArrays, Sending::kImmediate, Sending::kDisplayList})
+        for (const fixed::Sending sending :
+             {fixed::Sending::kClientArrays, fixed::Sending::kImmediate, fixed::Sending::kDisplayList})
             EXPECT_GT(count(lit, extent, 1, [&](const Choice& choice) { return choice.sending == sending; }), 0);
 }
 
@@ -155,8 +154,8 @@ TEST(Choices, HaveKeysOfTheirOwn) {
 constexpr int kSide = 8;
 
 // Everything as bright as the shading says; the right half is another shape, which begins later on coarse meshes.
-double brightness(const RenderOptions& options) {
-    switch (options.shading.value_or(Shading::kExact)) {
+double brightness(Shading shading) {
+    switch (shading) {
         case Shading::kFlat: return 0.9;
         case Shading::kGouraud: return 0.7;
         case Shading::kPhong: return 0.6;
@@ -169,14 +168,14 @@ ChoiceRenderers known_renderers() {
     ChoiceRenderers renderers;
     renderers.prepare = [](const Frame& /*frame*/, const Choice& choice) {
         return Prepared{[] {},
-                        [options = choice.options()] {
+                        [shading = choice.shading] {
                             Image image(kSide, kSide);
-                            const auto value = static_cast<float>(brightness(options));
+                            const auto value = static_cast<float>(brightness(shading));
                             for (Rgba& pixel : image.pixels) pixel = {value, value, value, 1};
                             return image;
                         }};
     };
-    renderers.seen = [](const Frame& /*frame*/, const RenderOptions& options) {
+    renderers.seen = [](const Frame& /*frame*/, const reference::Options& options) {
         std::vector<int> seen(kSide * kSide);
         const int border = options.shading == Shading::kExact ? kSide / 2 : kSide / 2 + 1;
         for (int i = 0; i < kSide * kSide; ++i) seen[static_cast<std::size_t>(i)] = i % kSide < border ? 0 : 1;
@@ -223,7 +222,7 @@ TEST(Study, TellsTheErrorsOfSilhouettesApart) {
     EXPECT_EQ(study.series[0].rounds, 3);
     for (const Point& point : study.points) {
         EXPECT_EQ(point.seconds.size(), 3u);
-        const double error = brightness(point.choice.options()) - 0.5;
+        const double error = brightness(point.choice.shading) - 0.5;
         EXPECT_NEAR(point.errors.whole.rms, error, 1e-7);
         EXPECT_NEAR(point.errors.interior.max, error, 1e-7);
         EXPECT_EQ(point.errors.whole.pixels, 64u);

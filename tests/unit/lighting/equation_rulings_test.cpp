@@ -10,7 +10,7 @@
 namespace twinlight::lighting {
 namespace {
 
-void expect_finite(const Lit<double>& lit) {
+void expect_finite(const MeasuredLit<double>& lit) {
     for (const D& c : {lit.primary, lit.secondary, lit.magnitude})
         EXPECT_TRUE(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z)) << c.x << ' ' << c.y << ' ' << c.z;
 }

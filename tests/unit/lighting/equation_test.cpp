@@ -54,7 +54,7 @@ TEST(Equation, MagnitudeSumsTheSizesOfTermsThatCancel) {
 TEST(Diffuse, FollowsTheCosineOfTheAngle) {
     for (const double angle_deg : {0.0, 30.0, 60.0, 89.0}) {
         Case c;
-        c.place_light({std::sin(angle_deg * std::numbers::pi / 180), 0, cos_deg<double>(angle_deg)}, 0);
+        c.place_light({std::sin(angle_deg * std::numbers::pi / 180), 0, cos_deg(angle_deg)}, 0);
         EXPECT_NEAR(c.red(), std::cos(angle_deg * std::numbers::pi / 180), kArithmetic) << angle_deg;
     }
 }
@@ -253,7 +253,7 @@ TEST(Specular, GoesToTheSecondaryColourWhenSeparate) {
     c.material.diffuse = {0.25, 0.25, 0.25};
     c.material.diffuse_alpha = 0.5;
     c.model.separate_specular = true;
-    const Lit<double> lit = c.lit();
+    const MeasuredLit<double> lit = c.lit();
     EXPECT_EQ(lit.primary, (D{0.25, 0.25, 0.25}));
     EXPECT_EQ(lit.secondary, (D{1, 1, 1}));
     EXPECT_EQ(lit.alpha, 0.5);
@@ -362,11 +362,11 @@ Lit<Real> everything_on() {
                       .directional = false};
     light.spot_dir_eye = unit(Vec3<Real>{-1, -1, -1});
     light.is_spot = true;
-    light.cos_cutoff = cos_deg<Real>(40);
+    light.cos_cutoff = Real(cos_deg(40));
     light.spot_exponent = 2;
     light.linear_attenuation = Real(0.125);
-    const Surface<Real> surface{{Real(0.5), Real(-0.25), -4}, unit(Vec3<Real>{Real(0.25), Real(0.5), 1})};
-    return light_surface<Real>(model, material, surface, std::span(&light, 1));
+    const SurfacePoint<Real> surface{{Real(0.5), Real(-0.25), -4}, unit(Vec3<Real>{Real(0.25), Real(0.5), 1})};
+    return light_surface<Real>(model, material, surface, std::span<const Light<Real>>(&light, 1));
 }
 
 TEST(NumberTypes, AgreeToThePrecisionOfTheCoarserOne) {

@@ -10,6 +10,7 @@
 #include "../lighting_case.h"
 #include "../run_program.h"
 #include "judge/fuzz/random.h"
+#include "lighting/real_cast.h"
 
 namespace twinlight::lighting {
 namespace {
@@ -20,11 +21,11 @@ struct State {
     Model<double> model;
     std::vector<Light<double>> lights;
     std::vector<Material<double>> materials;  // one, or one for each point
-    std::vector<Surface<double>> surfaces;
+    std::vector<SurfacePoint<double>> surfaces;
 
     Points points() const {
         Points points;
-        for (const Surface<double>& surface : surfaces) points.add(surface);
+        for (const SurfacePoint<double>& surface : surfaces) points.add(surface);
         for (const Material<double>& material : materials) points.add(material);
         return points;
     }
@@ -73,7 +74,7 @@ class States {
         place(light, place_eye() + D{0, 0, random_.uniform(-1, 4)}, random_.chance(0.3) ? 0.0 : 1.0);
         light.spot_dir_eye = unit(D{random_.uniform(-1, 1), random_.uniform(-1, 1), -1});
         light.is_spot = random_.chance(0.3);
-        light.cos_cutoff = cos_deg<double>(random_.uniform(5, 90));
+        light.cos_cutoff = cos_deg(random_.uniform(5, 90));
         light.spot_exponent = exponent();
         if (random_.chance(0.6)) {
             light.constant_attenuation = random_.below(3);
@@ -99,9 +100,9 @@ double worst(const State& state, const Lit<Column>& lit, double least = 0) {
     for (const Light<double>& light : state.lights) lights.push_back(real_cast<Real>(light));
     for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
         const auto material = real_cast<Real>(state.material(i));
-        const Surface<Real> surface{vec3_cast<Vec3<Real>>(state.surfaces[i].position_eye),
-                                    vec3_cast<Vec3<Real>>(state.surfaces[i].normal_eye)};
-        const Lit<Real> one = light_surface<Real>(real_cast<Real>(state.model), material, surface, lights);
+        const SurfacePoint<Real> surface{vec3_cast<Vec3<Real>>(state.surfaces[i].position_eye),
+                                         vec3_cast<Vec3<Real>>(state.surfaces[i].normal_eye)};
+        const MeasuredLit<Real> one = measured_light<Real>(real_cast<Real>(state.model), material, surface, lights);
         const auto hold = [&](double a, Real b, Real magnitude) {
             const Real difference = std::abs(static_cast<Real>(a) - b);
             if (difference == 0) return;

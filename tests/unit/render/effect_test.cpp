@@ -21,7 +21,7 @@ TEST(Plan, CallsForNothingButTheColorWhenLightingIsOff) {
     Draw draw = with_positional_light(with_specular_material());
     draw.lighting.enabled = false;
     EXPECT_EQ(facts(draw), EffectSet{});
-    EXPECT_EQ(facts(draw, {.shading = Shading::kPhong}), EffectSet{});
+    EXPECT_EQ(facts(draw, {{.shading = Shading::kPhong}}), EffectSet{});
     EXPECT_NE(reason(draw, "lighting"), "");
     draw.vertices[0].color = {2, 0, 0, 1};
     EXPECT_TRUE(facts(draw).clamp);
@@ -33,7 +33,7 @@ TEST(Plan, TakesTheShadingFromTheOptionsOrElseFromTheShadeModel) {
     EXPECT_EQ(facts(draw).shading, Shading::kGouraud);
     draw.lighting.shade_model = kGL_FLAT;
     EXPECT_EQ(facts(draw).shading, Shading::kFlat);
-    EXPECT_EQ(facts(draw, {.shading = Shading::kPhong}).shading, Shading::kPhong);
+    EXPECT_EQ(facts(draw, {{.shading = Shading::kPhong}}).shading, Shading::kPhong);
     draw.mode = kGL_POINTS;
     EXPECT_EQ(facts(draw).shading, Shading::kGouraud);
 }
@@ -237,7 +237,7 @@ TEST(Plan, NormalizesOnlyWhatOneFactorDoesNotMakeUnit) {
 
     // A float's rounding is not nothing.
     draw.vertices[1].normal_object = {0, 0, 1 + 1e-7};
-    EXPECT_TRUE(facts(draw, {.shading = {}, .budget = 0}).normalize);
+    EXPECT_TRUE(facts(draw, {{.shading = {}}, 0}).normalize);
     EXPECT_FALSE(facts(draw).normalize);
     EXPECT_GT(plan_effects(draw, {}).error_bound, 0.8e-7);
     EXPECT_TRUE(facts(draw, kPhong).normalize);

@@ -18,10 +18,10 @@ namespace {
 
 Frame frame_of(const std::string& text, int side = 200) {
     const auto scene = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
-    return make_frame(scene, {.width = side, .height = side});
+    return make_frame(*scene, {.width = side, .height = side});
 }
 
-Image render(const Frame& frame, Shading shading) { return reference::render(frame, {.shading = shading}); }
+Image render(const Frame& frame, Shading shading) { return reference::render(frame, {{.shading = shading}}); }
 
 const std::string kQuadric = "GLUquadric *q = gluNewQuadric(); ";
 

@@ -46,14 +46,14 @@ Frame far_frame(double far) {
             for (const auto& [di, dj] : {std::pair(0, 0), std::pair(1, 1), std::pair(0, 1)}) vertex(i + di, j + dj);
         }
     text += "glEnd();\n";
-    return make_frame(std::make_shared<const CommandList>(read_scene(text, "far.gl", "far")),
-                      {.width = kSide, .height = kSide});
+    return make_frame(read_scene(text, "far.gl", "far"), {.width = kSide, .height = kSide});
 }
 
 // The largest difference from the reference of any channel inside of triangles.
-double off(Renderer& renderer, const Frame& frame, const RenderOptions& options) {
-    const Image truth = reference::render(frame, options), image = renderer.render(frame, options);
-    const Freedom freedom = reference::freedom(frame, options);
+double off(Renderer& renderer, const Frame& frame, const Options& options) {
+    const reference::Options truth_options{options};
+    const Image truth = reference::render(frame, truth_options), image = renderer.render(frame, options).image;
+    const Freedom freedom = reference::freedom(frame, truth_options);
     double worst = 0;
     int seen = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -71,7 +71,7 @@ TEST(FarFromTheOrigin, EveryShadingIsAsExactAsNearIt) {
     Renderer renderer;
     for (const Shading shading : {Shading::kFlat, Shading::kGouraud, Shading::kPhong, Shading::kExact})
         for (const Tier tier : {Tier::kUniform, Tier::kBaked, Tier::kAuto}) {
-            RenderOptions options{.shading = shading, .budget = 0};
+            Options options{{{.shading = shading}, 0}};
             options.tier = tier;
             const double near_off = off(renderer, far_frame(0), options);
             for (const double far : {1e6, 1e7, 1e8}) {

@@ -13,7 +13,7 @@
 namespace twinlight::programmable {
 namespace {
 
-constexpr RenderOptions kLive = {.shading = {}, .tier = Tier::kAuto};
+constexpr Options kLive = {{{.shading = {}}}, Tier::kAuto};
 
 // Enough vertices and indices that no sample of them is all.
 Draw strip() {
@@ -31,7 +31,7 @@ Draw strip() {
 }
 
 Frame frame_of(std::vector<Draw> draws) {
-    Frame frame{.width = 4, .height = 4, .items = {}, .unsupported = {}, .commands = nullptr};
+    Frame frame{.width = 4, .height = 4, .items = {}};
     for (Draw& draw : draws) {
         draw.raster.viewport = {0, 0, 4, 4};
         frame.items.emplace_back(std::move(draw));
@@ -78,7 +78,7 @@ TEST_F(Kept, BuffersAreFilledAnewForAProgramThatTakesOtherAttributes) {
 
 TEST_F(Kept, NothingWhereFramesAreDrawnOnce) {
     for (const Tier tier : {Tier::kUniform, Tier::kBaked})
-        renderer_.draw(frame_of({square({})}), {.shading = {}, .tier = tier});
+        renderer_.draw(frame_of({square({})}), {{{.shading = {}}}, tier});
     EXPECT_EQ(counters().made, 0u);
     EXPECT_EQ(counters().bytes, 0u);
 }
@@ -249,8 +249,8 @@ TEST(KeptPictures, OfTheBuiltInScenesAreTheSameBitByBit) {
             view.yaw_deg = i < 4 ? 7 * i : 21;  // it turns, and comes to rest
             view.wireframe = i % 4 == 2;
             const auto seen = std::make_shared<const CommandList>(demo::apply_view(scene, view));
-            const Frame frame = make_frame(seen, {.width = kWidth, .height = kHeight});
-            EXPECT_EQ(keeps.render(frame, kLive).pixels, forgets.render(frame, kLive).pixels)
+            const Frame frame = make_frame(*seen, {.width = kWidth, .height = kHeight});
+            EXPECT_EQ(keeps.render(frame, kLive).image.pixels, forgets.render(frame, kLive).image.pixels)
                 << file.name << ", frame " << i;
         }
         EXPECT_GT(keeps.counters().meshes.hits, 0u) << file.name;

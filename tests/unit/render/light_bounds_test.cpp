@@ -10,7 +10,7 @@
 namespace twinlight {
 namespace {
 
-LightBound bound(const Draw& draw, std::size_t light, const RenderOptions& options = {}) {
+LightBound bound(const Draw& draw, std::size_t light, const PlanOptions& options = {}) {
     return plan_effects(draw, options).light_bounds.at(light);
 }
 
@@ -33,7 +33,7 @@ TEST(Plan, LeavesOutALightWhoseConeMisses) {
     light.spot_cutoff_deg = 20;
     light.spot_direction_eye = {1, 0, -1};
     // 45 degrees less the cone's 20 and the sphere's asin(0.7071 / 5) = 8.13.
-    EXPECT_EQ(reason(draw, "GL_LIGHT0", {.shading = {}, .budget = 0}),
+    EXPECT_EQ(reason(draw, "GL_LIGHT0", {{.shading = {}}, 0}),
               "its cone misses the sphere around the Draw by 16.9 degrees");
     light.spot_cutoff_deg = 37;
     EXPECT_TRUE(bound(draw, 0).in());
@@ -42,8 +42,7 @@ TEST(Plan, LeavesOutALightWhoseConeMisses) {
 TEST(Plan, LeavesOutALightBehindEveryNormal) {
     Draw draw = lit_triangle();
     draw.lighting.lights[0].position_eye = {1, 0, -1, 0};
-    EXPECT_EQ(reason(draw, "GL_LIGHT0", {.shading = {}, .budget = 0}),
-              "every normal faces away from it, by 45 degrees");
+    EXPECT_EQ(reason(draw, "GL_LIGHT0", {{.shading = {}}, 0}), "every normal faces away from it, by 45 degrees");
     draw.vertices[1].normal_object = {1, 0, 0};
     EXPECT_TRUE(bound(draw, 0).in());
     draw.vertices[1].normal_object = {0, 0, 1};
@@ -57,7 +56,7 @@ TEST(Plan, LeavesOutFaintLightsWhileTheirSumIsWithinTheBudget) {
         draw.lighting.lights[i] = draw.lighting.lights[0];
         draw.lighting.lights[i].diffuse = glm::dvec4(0.001 * static_cast<double>(i));
     }
-    const Plan plan = plan_effects(draw, {.shading = {}, .budget = 0.003});  // 0.8 of 0.001, 0.002, 0.003
+    const Plan plan = plan_effects(draw, {{.shading = {}}, 0.003});  // 0.8 of 0.001, 0.002, 0.003
     EXPECT_EQ(plan.light_bounds[1].fate, LightFate::kFaint);
     EXPECT_EQ(plan.light_bounds[2].fate, LightFate::kFaint);
     EXPECT_EQ(plan.light_bounds[3].fate, LightFate::kIn);
@@ -65,8 +64,8 @@ TEST(Plan, LeavesOutFaintLightsWhileTheirSumIsWithinTheBudget) {
     EXPECT_GE(plan.error_bound, 0.0024);
     ASSERT_EQ(lights_by_bound(plan).size(), 2U);
     EXPECT_EQ(lights_by_bound(plan)[0].number, 0);
-    EXPECT_EQ(plan_effects(draw, {.shading = {}, .budget = 0}).lights.size(), 4U);
-    EXPECT_EQ(plan_effects(draw, {.shading = {}, .budget = 0}).error_bound, 0);
+    EXPECT_EQ(plan_effects(draw, {{.shading = {}}, 0}).lights.size(), 4U);
+    EXPECT_EQ(plan_effects(draw, {{.shading = {}}, 0}).error_bound, 0);
 }
 
 TEST(Plan, HasNoBudgetWhereBlendingAddsUpWhatIsLeftOut) {

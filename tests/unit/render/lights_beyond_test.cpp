@@ -9,6 +9,8 @@
 #include "render/effect/plan.h"
 #include "render/effect/scrubbed_state.h"
 #include "render/fixed/fixed.h"
+#include "render/fixed/replay.h"
+#include "render/path.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
@@ -19,7 +21,7 @@ namespace {
 constexpr int kSide = 64;
 
 // Ten lights from the viewer's side; one of GL's and one beyond them are of that brightness, the others of 0.1.
-Frame ten_lights(double brightness_of_two) {
+Scene ten_lights(double brightness_of_two) {
     std::string text =
         "glMatrixMode(GL_PROJECTION); gluPerspective(40, 1, 1, 10); glMatrixMode(GL_MODELVIEW); glTranslatef(0, 0, "
         "-5);\n"
@@ -39,41 +41,62 @@ Frame ten_lights(double brightness_of_two) {
         if (is_gls) text += fmt::format("glEnable(GL_LIGHT{});\n", i);
     }
     text += "glutSolidSphere(1, 24, 16);\n";
-    return make_frame(std::make_shared<const CommandList>(read_scene(text, "ten.gl", "ten")),
+    return make_scene(std::make_shared<const CommandList>(read_scene(text, "ten.gl", "ten")),
                       {.width = kSide, .height = kSide});
 }
 
-TEST(LightsBeyondEight, AreDrawnByTheFixedFunctionWhereTheOthersAreFaint) {
-    Frame frame = ten_lights(0.0005);  // together a thousandth of a channel: less than half of 1/255
-    fixed::note_lights_beyond(frame, {});
-    EXPECT_TRUE(frame.unsupported.empty());
+// The fixed function executes the commands, and GL has no command for them.
+TEST(LightsBeyondEight, AreNotDrawnByTheFixedFunctionAndSaid) {
+    const Scene scene = ten_lights(0.05);
+    ASSERT_EQ(scene.frame.unsupported.size(), 1u);
+    const Unsupported& what = scene.frame.unsupported.front();
+    EXPECT_EQ(what.name, "a light beyond GL_LIGHT7");
+    EXPECT_EQ(what.first.line, 28);
+    EXPECT_TRUE(lacks(Path::kFixed, what));
+    EXPECT_FALSE(lacks(Path::kProgrammable, what) || lacks(Path::kReference, what));
+
+    Frame eight = scene.frame;
+    for (auto& item : eight.items)
+        if (Draw* draw = std::get_if<Draw>(&item)) draw->lighting.lights.resize(kMaxLights);
     const auto context = make_offscreen_context(kSide, kSide);
-    const Image fixed = fixed::render(frame, {});
-    const ImageDifference d = difference(fixed, reference::render(frame, {}), reference::freedom(frame, {}));
+    const ImageDifference d =
+        difference(fixed::render(scene), reference::render(eight, {}), reference::freedom(eight, {}));
+    EXPECT_LE(d.interior.max, 1 / 255.0);
+    EXPECT_GT(d.interior.pixels, 1000u);
+}
+
+TEST(LightsBeyondEight, AreNotMissedWhereTheyAreOff) {
+    const auto commands = std::make_shared<const CommandList>(
+        read_scene("glEnable(GL_LIGHTING);\n#pragma twinlight light(8, GL_DIFFUSE, 1, 1, 1, 1)\n"
+                   "glDisable(GL_LIGHTING);\nglutSolidSphere(1, 8, 8);\n",
+                   "off.gl", "off"));
+    EXPECT_TRUE(make_scene(commands, {}).frame.unsupported.empty());
+}
+
+// What the study and --scrubbed draw.
+TEST(LightsBeyondEight, LeaveTheEightOfTheLargestBoundsToScrubbedState) {
+    Scene scene = ten_lights(0.0005);  // together a thousandth of a channel: less than half of 1/255
+    const auto context = make_offscreen_context(kSide, kSide);
+    const Image fixed = fixed::render_scrubbed(scene, {}, PlanOptions{}.budget);
+    const ImageDifference d =
+        difference(fixed, reference::render(scene.frame, {}), reference::freedom(scene.frame, {}));
     EXPECT_LE(d.interior.max, 1 / 255.0);
     EXPECT_GT(d.interior.pixels, 1000u);
     // With the eight of GL alone, of which one is faint, a tenth would be missing.
     EXPECT_GT(fixed.at(kSide / 2, kSide / 2)[0], 0.55);
 }
 
-TEST(LightsBeyondEight, AreNamedWithTheirBoundWhereTheBudgetCannotBeKept) {
-    Frame frame = ten_lights(0.05);
-    fixed::note_lights_beyond(frame, {});
-    ASSERT_EQ(frame.unsupported.size(), 1u);
-    const Unsupported& what = frame.unsupported.front();
-    EXPECT_EQ(what.renderers, std::vector<std::string>{"fixed"});
-    EXPECT_TRUE(what.name.find("more than eight lights") == 0) << what.name;
-    // The two faintest are left, 0.05 * 0.8 each where they stand highest.
-    const double bound = std::stod(what.name.substr(what.name.find("up to ") + 6));
-    EXPECT_GT(bound, 0.07);
-    EXPECT_LT(bound, 0.0801);
-
+TEST(LightsBeyondEight, AreBoundedByScrubbedState) {
+    const Frame frame = ten_lights(0.05).frame;
     const auto draw = std::ranges::find_if(frame.items, [](const auto& i) { return std::holds_alternative<Draw>(i); });
     const ScrubbedState state = scrubbed_state(plan_effects(std::get<Draw>(*draw), {}), kMaxLights);
     EXPECT_EQ(state.lighting.lights.size(), 8u);
     std::vector<int> beyond = state.lights_beyond;
     std::ranges::sort(beyond);
     EXPECT_EQ(beyond, (std::vector{3, 9}));
+    // The two faintest are left, 0.05 * 0.8 each where they stand highest.
+    EXPECT_GT(state.bound_beyond, 0.07);
+    EXPECT_LT(state.bound_beyond, 0.0801);
 }
 
 }  // namespace

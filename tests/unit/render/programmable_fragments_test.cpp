@@ -131,8 +131,8 @@ TEST(ProgrammableTextures, AreThoseOfTheFrameThatIsDrawn) {
         Draw draw = textured_point(kGL_REPLACE, kGL_RGBA);
         draw.raster.viewport = {0, 0, 1, 1};
         draw.texture.texture = texture_of(kGL_RGBA, {{red, 0, 0, 1}});
-        const Frame frame{.width = 1, .height = 1, .items = {draw}, .unsupported = {}, .commands = nullptr};
-        EXPECT_EQ(renderer.render(frame, {}).at(0, 0)[0], red);
+        const Frame frame{.width = 1, .height = 1, .items = {draw}};
+        EXPECT_EQ(renderer.render(frame, {}).image.at(0, 0)[0], red);
     }
 }
 
@@ -140,7 +140,7 @@ TEST(ProgrammableTextures, AreNotDrawnWhereTheDriverRefusesThem) {
     const auto context = make_offscreen_context(1, 1);
     Draw draw = textured_point(kGL_REPLACE, kGL_RGBA);
     draw.texture.texture = texture_of(0x1234, {glm::vec4(1)});  // no internal format
-    const Frame frame{.width = 1, .height = 1, .items = {draw}, .unsupported = {}, .commands = nullptr};
+    const Frame frame{.width = 1, .height = 1, .items = {draw}};
     Renderer renderer;
     for (int i = 0; i < 2; ++i) EXPECT_THROW(renderer.render(frame, {}), std::runtime_error);
 }
@@ -207,7 +207,7 @@ TEST(ProgrammableMaterials, AreInterpolatedWhereVerticesHaveTheirOwn) {
     draw.materials[1].front.emission = {1, 0.5, 0, 1};
     draw.materials[1].front.diffuse.a = 0;
     for (std::size_t i : {1, 2}) draw.vertices[i].material = 1;  // on the right
-    for (const RenderOptions& options : {RenderOptions{}, kPhong}) {
+    for (const Options& options : {Options{}, kPhong}) {
         const Image image = picture(draw, 4, options);
         for (int x = 0; x < 4; ++x) {
             const double share = (x + 0.5) / 4;
@@ -246,7 +246,7 @@ TEST(ProgrammableTextures, LeaveTheContextAsItWas) {
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 7);
     Draw draw = textured_point(kGL_MODULATE, kGL_RGBA);
     draw.raster.clip_planes_eye[0] = glm::dvec4(0, 0, 0, 1);
-    Renderer().render({.width = 4, .height = 4, .items = {draw}, .unsupported = {}, .commands = nullptr}, {});
+    Renderer().render({.width = 4, .height = 4, .items = {draw}}, {});
     EXPECT_TRUE(glIsEnabled(GL_BLEND));
     EXPECT_TRUE(glIsEnabled(GL_SCISSOR_TEST));
     EXPECT_FALSE(glIsEnabled(GL_CLIP_PLANE0));

@@ -5,7 +5,7 @@ namespace twinlight::programmable {
 namespace {
 
 void expect_finite(const Draw& draw) {
-    for (const RenderOptions& options : {RenderOptions{}, kPhong}) {
+    for (const Options& options : {Options{}, kPhong}) {
         const glm::dvec4 c = color(draw, options);
         for (int i = 0; i < 4; ++i) EXPECT_TRUE(c[i] >= 0 && c[i] <= 1) << c[i];
     }

@@ -127,7 +127,7 @@ TEST(Programmable, FollowsTable212sProvokingVertexOfPolygonsQuadsAndStrips) {
         draw.lighting.enabled = false;
         for (Vertex& v : draw.vertices) v.color = grey(0.25);
         draw.vertices[c.provoking].color = grey(0.75);
-        const Image image = picture(draw, 8, {.shading = Shading::kFlat});
+        const Image image = picture(draw, 8, {{{.shading = Shading::kFlat}}});
         EXPECT_EQ(image.at(5, 6)[0], 0.75f) << "mode " << c.mode;  // near (1, -1), which is in each first primitive
     }
 }
@@ -170,13 +170,14 @@ TEST(Programmable, DrawsWhatTheDriversFixedFunctionDraws) {
     const auto scene = std::make_shared<const CommandList>(read_scene(kScene, "scene.gl", "scene"));
     StateOptions state_options;
     state_options.width = state_options.height = kSize;
-    const Frame frame = make_frame(scene, state_options);
+    const auto [recording, frame] = make_scene(scene, state_options);
     for (const Shading shading : {Shading::kFlat, Shading::kGouraud}) {
         const auto context = make_offscreen_context(kSize, kSize);
-        const Image before = fixed::render(frame, {.shading = shading});
+        const Image before = fixed::render({recording, frame}, {.shading = shading});
         Renderer renderer;
-        const Image ours = renderer.render(frame, {.shading = shading});
-        EXPECT_EQ(fixed::render(frame, {.shading = shading}).pixels, before.pixels) << "the context is as it was";
+        const Image ours = renderer.render(frame, {{{.shading = shading}}}).image;
+        EXPECT_EQ(fixed::render({recording, frame}, {.shading = shading}).pixels, before.pixels)
+            << "the context is as it was";
         int differing = 0;
         double largest = 0;
         for (std::size_t i = 0; i < ours.pixels.size(); ++i) {
@@ -200,12 +201,7 @@ TEST(Programmable, LeavesTheContextAsItWas) {
     draw.raster.polygon_mode_front = kGL_LINE;
     draw.raster.viewport = {1, 2, 3, 4};
     Renderer renderer;
-    renderer.draw({.width = 8,
-                   .height = 8,
-                   .items = {Clear{.color = true, .clear_color = grey(0.5)}, draw},
-                   .unsupported = {},
-                   .commands = nullptr},
-                  {});
+    renderer.draw({.width = 8, .height = 8, .items = {Clear{.color = true, .clear_color = grey(0.5)}, draw}}, {});
     const auto value = [](GLenum name) {
         GLint values[4] = {};
         glGetIntegerv(name, values);

@@ -226,7 +226,7 @@ TEST(Programmable, LightsTheBackWithItsOwnMaterialAndTheNormalReversed) {
     lighting.front.diffuse = {1, 0, 0, 1};
     lighting.back.diffuse = {0, 1, 0, 1};
     lighting.back.specular = {0, 0, 1, 1};
-    for (const RenderOptions& options : {RenderOptions{}, kPhong}) {
+    for (const Options& options : {Options{}, kPhong}) {
         Draw draw = square(lighting);
         expect_color(color(draw, options), {1, 0, 0, 1});
         draw.raster.front_face = kGL_CW;
@@ -264,7 +264,7 @@ TEST(Programmable, TracksTheVertexColorByFaceAndMode) {
     for (const Case& c : cases)
         for (const bool same_color : {true, false})  // one colour becomes the material's, several an attribute
             for (const bool attenuated : {false, true})
-                for (const RenderOptions& options : {RenderOptions{}, kPhong}) {
+                for (const Options& options : {Options{}, kPhong}) {
                     LightingState lighting = dark();
                     lighting.front.emission = grey(1.0 / 16);
                     lighting.front.ambient = lighting.front.diffuse = lighting.front.specular = grey(0.25);
@@ -310,7 +310,7 @@ TEST(Programmable, DividesTheVertexByItsW) {
     lighting.lights[0].linear_attenuation = 1;
     Draw draw = point({0, 0, 0}, lighting);
     draw.vertices[0].position_object = {0, 0, -2, 2};  // at distance 2
-    for (const RenderOptions& options : {RenderOptions{}, kPhong}) expect_color(color(draw, options), grey(0.5));
+    for (const Options& options : {Options{}, kPhong}) expect_color(color(draw, options), grey(0.5));
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 namespace twinlight::programmable {
 namespace {
 
-constexpr RenderOptions with(Tier tier) {
-    RenderOptions options;
+constexpr Options with(Tier tier) {
+    Options options;
     options.tier = tier;
     return options;
 }
@@ -28,7 +28,7 @@ LightingState lit() {
 
 Frame frame_of(Draw draw) {
     draw.raster.viewport = {0, 0, 4, 4};
-    return {.width = 4, .height = 4, .items = {draw}, .unsupported = {}, .commands = nullptr};
+    return {.width = 4, .height = 4, .items = {draw}};
 }
 
 class Tiers : public ::testing::Test {
@@ -55,7 +55,7 @@ TEST(Bake, PutsConstantsInThePlaceOfTheUniformsThatItIsGiven) {
 
 TEST(Bake, LeavesNoUniformOfAnyStageThatIsNotATextures) {
     for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)}) {
-        RenderOptions options;
+        Options options;
         options.shading = shading;
         Draw draw = square(lit());
         draw.fog.enabled = true;
@@ -148,7 +148,7 @@ TEST_F(Tiers, APreparedFrameIsDrawnAgainAndAgain) {
     EXPECT_EQ(counters().baked, 1u);
     const Image again = read_pixels(4, 4);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-    const Image once = renderer_.render(frame_of(square(lit())), with(Tier::kUniform));
+    const Image once = renderer_.render(frame_of(square(lit())), with(Tier::kUniform)).image;
     for (std::size_t i = 0; i < once.pixels.size(); ++i)
         for (std::size_t channel = 0; channel < 4; ++channel)
             EXPECT_NEAR(again.pixels[i][channel], once.pixels[i][channel], 1.001 / 255);
@@ -171,13 +171,13 @@ TEST(TiersPictures, OfTheBuiltInScenesAreTheSameToACode) {
     Renderer renderer;
     for (const EmbeddedFile& file : kSceneFiles) {
         const auto scene = std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), "scene"));
-        const Frame frame = make_frame(scene, {.width = kWidth, .height = kHeight});
+        const Frame frame = make_frame(*scene, {.width = kWidth, .height = kHeight});
         for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)}) {
-            RenderOptions options = with(Tier::kUniform);
+            Options options = with(Tier::kUniform);
             options.shading = shading;
-            const Image uniform = renderer.render(frame, options);
+            const Image uniform = renderer.render(frame, options).image;
             options.tier = Tier::kBaked;
-            EXPECT_EQ(differing(renderer.render(frame, options), uniform), 0) << file.name;
+            EXPECT_EQ(differing(renderer.render(frame, options).image, uniform), 0) << file.name;
         }
     }
 }
@@ -199,7 +199,7 @@ LightingState many(std::size_t count) {
 }
 
 TEST(ManyLights, AllReachTheVertexInUniformsAndBaked) {
-    RenderOptions options;
+    Options options;
     options.budget = 0;  // each is weak
     for (const Tier tier : {Tier::kUniform, Tier::kBaked})
         for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)})
@@ -215,7 +215,7 @@ TEST(ManyLights, AllReachTheVertexInUniformsAndBaked) {
 TEST(ManyLights, OfEachKindShareOneTextWhoseLengthDoesNotGrow) {
     const auto text = [](std::size_t count) {
         const Draw draw = point({0, 0, 0}, many(count));
-        RenderOptions options;
+        Options options;
         options.budget = 0;
         const Plan plan = plan_effects(draw, options);
         const Code code = code_for(draw, plan);
@@ -230,7 +230,7 @@ TEST(ManyLights, OfTwoSidesAreChosenByTheFaceThatShows) {
     lighting.light_model.two_side = true;
     lighting.back.diffuse = {0, 0, 1, 1};
     Draw draw = square(lighting);
-    RenderOptions options = kPhong;
+    Options options = kPhong;
     options.budget = 0;
     expect_color(color(draw, options), {100 / 1024.0, 50 / 1024.0, 25 / 1024.0, 1});
     draw.raster.front_face = kGL_CW;

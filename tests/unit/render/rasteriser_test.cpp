@@ -77,12 +77,13 @@ TEST(Coverage, DoesNotDependOnTheNumberOfBands) {
 // ---- Quadrilaterals and polygons: the ruling on their diagonals ----
 
 // White at vertices 1 and 3 of the order around, black at the others: the centre shows which two are joined.
-double centre_of_checkered(Enum mode, std::array<int, 4> order, QuadCut cut = QuadCut::kFirstToThird) {
+double centre_of_checkered(Enum mode, std::array<int, 4> order,
+                           reference::QuadCut cut = reference::QuadCut::kFirstToThird) {
     const glm::dvec2 around[] = {{0, 0}, {16, 0}, {16, 16}, {0, 16}};
     std::vector<Vertex> vertices;
     for (const int i : order)
         vertices.push_back(vertex(around[i].x, around[i].y, i % 2 ? kWhite : glm::dvec4(0, 0, 0, 1)));
-    RenderOptions options;
+    reference::Options options;
     options.quad_cut = cut;
     // The mean of two pixels on either side of both diagonals is the value where they cross, but for half a pixel.
     const Image image = draw_window({window_draw(kSize, kSize, mode, vertices)}, options);
@@ -95,9 +96,9 @@ TEST(Diagonal, OfAQuadJoinsItsFirstAndThirdVertex) {
 }
 
 TEST(Diagonal, OfAQuadMayJoinTheOtherTwo) {
-    EXPECT_GT(centre_of_checkered(kGL_QUADS, {0, 1, 2, 3}, QuadCut::kSecondToFourth), 0.9);
-    EXPECT_GT(centre_of_checkered(kGL_QUAD_STRIP, {0, 1, 3, 2}, QuadCut::kSecondToFourth), 0.9);
-    EXPECT_LT(centre_of_checkered(kGL_POLYGON, {0, 1, 2, 3}, QuadCut::kSecondToFourth), 0.1);
+    EXPECT_GT(centre_of_checkered(kGL_QUADS, {0, 1, 2, 3}, reference::QuadCut::kSecondToFourth), 0.9);
+    EXPECT_GT(centre_of_checkered(kGL_QUAD_STRIP, {0, 1, 3, 2}, reference::QuadCut::kSecondToFourth), 0.9);
+    EXPECT_LT(centre_of_checkered(kGL_POLYGON, {0, 1, 2, 3}, reference::QuadCut::kSecondToFourth), 0.1);
 }
 
 TEST(Diagonal, OfAPolygonStartsAtItsFirstVertex) {
@@ -237,7 +238,7 @@ TEST(TwoSide, LightsTheBackWithItsMaterialAndTheNormalReversed) {
     draw.lighting.back.diffuse = kGreen;
     draw.lighting.light_model.two_side = true;
     for (const std::optional<Shading> shading : {std::optional<Shading>(), {Shading::kPhong}}) {
-        const RenderOptions options{.shading = shading};
+        const reference::Options options{{.shading = shading}};
         EXPECT_EQ(pixel(draw_window({draw}, options), 5, 5), kRed);
         Draw back = draw;
         std::swap(back.vertices[1], back.vertices[3]);
@@ -251,8 +252,8 @@ TEST(TwoSide, LightsTheBackWithItsMaterialAndTheNormalReversed) {
 
 TEST(PolygonMode, LineDrawsTheBorderWithoutInnerDiagonals) {
     Draw draw = quad(2.3, 3.3, 10.3, 9.3);
-    RenderOptions other_cut;
-    other_cut.quad_cut = QuadCut::kSecondToFourth;
+    reference::Options other_cut;
+    other_cut.quad_cut = reference::QuadCut::kSecondToFourth;
     draw.raster.polygon_mode_front = kGL_LINE;
     Pixels border = rectangle(2, 3, 11, 10);
     for (const auto& inner : rectangle(3, 4, 10, 9)) border.erase(inner);

@@ -17,12 +17,12 @@ namespace {
 using lighting::Ruling;
 using Rulings = std::set<Ruling>;
 
-Frame frame_of(std::shared_ptr<const CommandList> scene) {
-    return make_frame(std::move(scene), {.width = check::kSide, .height = check::kSide});
+Frame frame_of(const std::shared_ptr<const CommandList>& scene) {
+    return make_frame(*scene, {.width = check::kSide, .height = check::kSide});
 }
 
 // Of the fragments at a pixel of a picture of 64 x 64, y up.
-Rulings rulings_at(const Frame& frame, int x, int y, const RenderOptions& options = {}) {
+Rulings rulings_at(const Frame& frame, int x, int y, const reference::Options& options = {}) {
     Rulings rulings;
     for (const PixelFragment& fragment : pixel_fragments(frame, options, x, y))
         for (const PixelFragment::Decided& decided : fragment.rulings) rulings.insert(decided.ruling);
@@ -54,7 +54,7 @@ TEST(DecidingRulings, AreToldOfHardCases) {
     };
     for (const auto& [those, names] : expected)
         for (const check::Case& of : check::load_cases(names)) {
-            const Rulings rulings = rulings_at(of.carried_out(check::kSide).frame, 8, 8);
+            const Rulings rulings = rulings_at(of.carried_out(check::kSide).scene.frame, 8, 8);
             EXPECT_EQ(rulings, those) << of.name << ": " << told(rulings);
         }
 }
@@ -63,7 +63,7 @@ TEST(DecidingRulings, AreToldOfHardCases) {
 constexpr const char* kCorners =
     "glVertex3f(-1, -1, 0); glVertex3f(1, -1, 0); glVertex3f(1, 1, 0); glVertex3f(-1, 1, 0);";
 Rulings rulings_under(const std::string& state, const std::string& corners = kCorners,
-                      const RenderOptions& options = {}) {
+                      const reference::Options& options = {}) {
     const std::string text =
         "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);\n" + state + "\nglBegin(GL_QUADS); " + corners + " glEnd();\n";
     return rulings_at(frame_of(std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"))), 8, 8,
@@ -113,7 +113,7 @@ TEST(DecidingRulings, AreToldOfPositionsWhereverTheyCount) {
     EXPECT_EQ(rulings_under(unlit, far_corners), Rulings{});
     EXPECT_EQ(rulings_under("glDisable(GL_LIGHTING);\n" + fog), Rulings{});
 
-    RenderOptions exact;
+    reference::Options exact;
     exact.shading = Shading::kExact;
     const auto sphere = [&](const std::string& state, const std::string& radius) {
         const std::string text =
@@ -127,7 +127,7 @@ TEST(DecidingRulings, AreToldOfPositionsWhereverTheyCount) {
 }
 
 TEST(DecidingRulings, AreToldOfWhatIsLitPerPixel) {
-    RenderOptions phong;
+    reference::Options phong;
     phong.shading = Shading::kPhong;
     EXPECT_EQ(rulings_under("glNormal3f(0, 0, 0);", kCorners, phong), Rulings{Ruling::kZeroNormal});
     EXPECT_EQ(rulings_under("", kCorners, phong), Rulings{});
@@ -167,7 +167,7 @@ TEST(DecidingRulings, NameTheLights) {
 
 TEST(DecidingRulings, AreNotOfOrdinaryScenes) {
     for (const char* name : {"commands", "lab", "legacy", "report", "spectral"}) {
-        const Frame frame = frame_of(std::make_shared<const CommandList>(load_scene(name)));
+        const Frame frame = frame_of(load_commands(name));
         for (const int x : {10, 24, 32, 40, 54}) {
             const Rulings rulings = rulings_at(frame, x, 32);
             EXPECT_TRUE(rulings.empty()) << name << ": " << told(rulings);

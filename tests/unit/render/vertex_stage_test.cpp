@@ -28,7 +28,7 @@ Draw lit_vertex() {
     return draw;
 }
 
-LitVertex light(const Draw& draw, const RenderOptions& options = {}, bool clamp = false) {
+LitVertex light(const Draw& draw, const reference::Options& options = {}, bool clamp = false) {
     return reference::light_vertices(draw, options, clamp).at(0);
 }
 double red(const Draw& draw) { return light(draw).front_primary.r; }
@@ -208,8 +208,8 @@ TEST(LectureVariants, AreOffWhereGlsOwnModelIsAskedFor) {
     draw.lighting.lights[0].ambient = {0.5, 0.5, 0.5, 1};
     draw.lighting.front.ambient = {0.5, 0.5, 0.5, 1};
     draw.lighting.light_model.light_ambient = Word::unattenuated;
-    EXPECT_EQ(light(draw, {.shading = {}, .lecture_variants = true}).front_primary.r, 0.25);
-    EXPECT_EQ(light(draw, {.shading = {}, .lecture_variants = false}).front_primary.r, 0.75);
+    EXPECT_EQ(light(draw, {{.shading = {}, .lecture_variants = true}}).front_primary.r, 0.25);
+    EXPECT_EQ(light(draw, {{.shading = {}, .lecture_variants = false}}).front_primary.r, 0.75);
 }
 
 // ---- In the picture ----
@@ -238,7 +238,7 @@ TEST(Pictures, InPhongLightEveryPixelByItsOwnNormal) {
     const double s = 4.5 / 16;                  // from (1, 0, 0) to (0, 0, 1), made unit again
     constexpr double kFloat = 1.0 / (1 << 23);  // an Image holds floats
     EXPECT_NEAR(pixel(draw_window({draw}), 4, 6).r, s, kFloat);
-    EXPECT_NEAR(pixel(draw_window({draw}, {.shading = Shading::kPhong}), 4, 6).r, s / std::hypot(s, 1 - s), kFloat);
+    EXPECT_NEAR(pixel(draw_window({draw}, {{.shading = Shading::kPhong}}), 4, 6).r, s / std::hypot(s, 1 - s), kFloat);
 }
 
 TEST(Pictures, InPhongShowAHighlightThatGouraudMisses) {  // LECTURES: "specular may be lost"
@@ -246,7 +246,7 @@ TEST(Pictures, InPhongShowAHighlightThatGouraudMisses) {  // LECTURES: "specular
     draw.lighting.front = {.diffuse = {0, 0, 0, 1}, .specular = kWhite, .shininess = 100};
     draw.lighting.lights[0].position_eye = {8, 8, 8, 1};
     EXPECT_LT(pixel(draw_window({draw}), 8, 8).r, 0.01);
-    EXPECT_GT(pixel(draw_window({draw}, {.shading = Shading::kPhong}), 8, 8).r, 0.9);
+    EXPECT_GT(pixel(draw_window({draw}, {{.shading = Shading::kPhong}}), 8, 8).r, 0.9);
 }
 
 TEST(Pictures, TakeTheShadingOfTheOptionsBeforeTheDraws) {
@@ -254,10 +254,10 @@ TEST(Pictures, TakeTheShadingOfTheOptionsBeforeTheDraws) {
         window_draw(kSize, kSize, kGL_TRIANGLES, {vertex(0, 0, kRed), vertex(16, 0, kGreen), vertex(0, 16, kBlue)});
     draw.lighting.shade_model = kGL_FLAT;
     EXPECT_EQ(pixel(draw_window({draw}), 2, 2), kBlue);
-    EXPECT_NE(pixel(draw_window({draw}, {.shading = Shading::kGouraud}), 2, 2), kBlue);
+    EXPECT_NE(pixel(draw_window({draw}, {{.shading = Shading::kGouraud}}), 2, 2), kBlue);
     draw.lighting.shade_model = kGL_SMOOTH;
     EXPECT_NE(pixel(draw_window({draw}), 2, 2), kBlue);
-    EXPECT_EQ(pixel(draw_window({draw}, {.shading = Shading::kFlat}), 2, 2), kBlue);
+    EXPECT_EQ(pixel(draw_window({draw}, {{.shading = Shading::kFlat}}), 2, 2), kBlue);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "../../property/state_answers.h"
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
@@ -22,9 +23,7 @@ State run(const std::string& text) {
     return state;
 }
 
-Frame frame_of(const std::string& text) {
-    return make_frame(std::make_shared<const CommandList>(read(text)), {.width = 16, .height = 16});
-}
+Frame frame_of(const std::string& text) { return make_frame(read(text), {.width = 16, .height = 16}); }
 
 // Their names, in order.
 std::vector<std::string> unsupported(const std::string& text) {
@@ -50,9 +49,9 @@ constexpr const char* kSquare = "glRectf(-1, -1, 1, 1);\n";
 // ---- Texture coordinates by unit (2.7) ----
 
 TEST(MultiTexCoord, SetsTheCoordinatesOfUnit0) {
-    EXPECT_EQ(run("glMultiTexCoord2f(GL_TEXTURE0, 0.25, 0.5);").get(kGL_CURRENT_TEXTURE_COORDS),
+    EXPECT_EQ(answer(run("glMultiTexCoord2f(GL_TEXTURE0, 0.25, 0.5);"), kGL_CURRENT_TEXTURE_COORDS),
               (std::vector<double>{0.25, 0.5, 0, 1}));
-    EXPECT_EQ(run("glMultiTexCoord4sv(GL_TEXTURE0, (GLshort[]){1, 2, 3, 4});").get(kGL_CURRENT_TEXTURE_COORDS),
+    EXPECT_EQ(answer(run("glMultiTexCoord4sv(GL_TEXTURE0, (GLshort[]){1, 2, 3, 4});"), kGL_CURRENT_TEXTURE_COORDS),
               (std::vector<double>{1, 2, 3, 4}));
     const Frame frame = frame_of("glBegin(GL_POINTS); glMultiTexCoord1i(GL_TEXTURE0, 3); glVertex2f(0, 0); glEnd();");
     EXPECT_EQ(std::get<Draw>(frame.items[0]).vertices[0].tex_coord, glm::dvec4(3, 0, 0, 1));
@@ -61,7 +60,7 @@ TEST(MultiTexCoord, SetsTheCoordinatesOfUnit0) {
 TEST(MultiTexCoord, LeavesUnit0AsItIsForOthers) {
     const State state = run("glTexCoord2f(0.5, 0.5); glMultiTexCoord2f(GL_TEXTURE1, 0.25, 0.25);");
     EXPECT_TRUE(state.errors().empty());
-    EXPECT_EQ(state.get(kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.5, 0.5, 0, 1}));
+    EXPECT_EQ(answer(state, kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.5, 0.5, 0, 1}));
     EXPECT_EQ(run("glMultiTexCoord2f(GL_FOG, 0, 0);").errors()[0].code, kGL_INVALID_ENUM);
 }
 
@@ -123,8 +122,8 @@ TEST(Evaluators, AreNamedWhereTheyDraw) {
     EXPECT_EQ(unsupported(map + kPoint), Names());
     EXPECT_EQ(unsupported(map + kPoint + "glBegin(GL_POINTS); glEvalCoord1f(0.5); glEvalPoint1(2); glEnd();"),
               (Names{"glEvalCoord1f", "glEvalPoint1"}));
-    EXPECT_EQ(run(map).get(kGL_MAP1_VERTEX_3), std::vector<double>{1});
-    EXPECT_EQ(run("glPushAttrib(GL_EVAL_BIT);" + map + "glPopAttrib();").get(kGL_MAP1_VERTEX_3),
+    EXPECT_EQ(answer(run(map), kGL_MAP1_VERTEX_3), std::vector<double>{1});
+    EXPECT_EQ(answer(run("glPushAttrib(GL_EVAL_BIT);" + map + "glPopAttrib();"), kGL_MAP1_VERTEX_3),
               std::vector<double>{0});
 }
 
@@ -147,7 +146,7 @@ TEST(PixelTransfer, IsNamedInEveryPictureAfterIt) {
               Names{"glPixelTransfer(GL_RED_SCALE)"});
     State state = run("glPixelTransferf(GL_RED_SCALE, 2);");
     state.drop_picture();
-    EXPECT_EQ(state.take_frame(nullptr).unsupported.size(), 1U);
+    EXPECT_EQ(state.take_frame().unsupported.size(), 1U);
 }
 
 TEST(CopiedImages, AreThereAndNamed) {
@@ -155,7 +154,7 @@ TEST(CopiedImages, AreThereAndNamed) {
     EXPECT_EQ(unsupported(copy + kPoint), Names{"glCopyTexImage2D"});
     const State state = run(copy + "glTexSubImage2D(GL_TEXTURE_2D, 0, 7, 3, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, NULL);");
     EXPECT_TRUE(state.errors().empty());
-    EXPECT_EQ(state.get_tex_level_parameter(kGL_TEXTURE_2D, 0, kGL_TEXTURE_WIDTH)[0], 8);
+    EXPECT_EQ(tex_level_answer(state, kGL_TEXTURE_2D, 0, kGL_TEXTURE_WIDTH)[0], 8);
     EXPECT_EQ(run("glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, -1, 4, 0);").errors()[0].code, kGL_INVALID_VALUE);
     EXPECT_EQ(run("glCopyTexImage2D(GL_TEXTURE_2D, 99, GL_RGB, 0, 0, 1, 4, 0);").errors()[0].code, kGL_INVALID_VALUE);
 }
@@ -168,7 +167,7 @@ TEST(TextureParametersOfLaterVersions, AreNamedWhereTheyAreNotAtTheirInitialValu
               Names{"glTexParameter(GL_TEXTURE_MAX_LEVEL)"});
     State state = run("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 2);");
     state.drop_picture();  // it still holds in the next
-    EXPECT_EQ(state.take_frame(nullptr).unsupported.size(), 1U);
+    EXPECT_EQ(state.take_frame().unsupported.size(), 1U);
 }
 
 // ---- Bitmaps and stipples: memory of bits (3.6.4) ----
@@ -223,12 +222,13 @@ constexpr const char* kPicking =
     "count = glRenderMode(GL_RENDER);\n";
 
 TEST(Selection, DrawsNothingInAnyRenderer) {
-    const Frame frame = frame_of(kPicking);
+    const auto [recording, frame] =
+        make_scene(std::make_shared<const CommandList>(read(kPicking)), {.width = 16, .height = 16});
     EXPECT_EQ(frame.items.size(), 1U);
     EXPECT_TRUE(frame.unsupported.empty());
     const auto context = make_offscreen_context(16, 16);
     const Rgba red{1, 0, 0, 1};
-    EXPECT_EQ(fixed::render(frame, {}).at(8, 8), red);
+    EXPECT_EQ(fixed::render({recording, frame}).at(8, 8), red);
     EXPECT_EQ(reference::render(frame, {}).at(8, 8), red);
     GLint mode = 0;
     glGetIntegerv(GL_RENDER_MODE, &mode);
@@ -247,7 +247,7 @@ TEST(Selection, IsTheDriversModeWhereItHasABuffer) {
         }
         GLint mode = 0;
         glGetIntegerv(GL_RENDER_MODE, &mode);
-        EXPECT_EQ(state.get(kGL_RENDER_MODE)[0], mode) << text;
+        EXPECT_EQ(answer(state, kGL_RENDER_MODE)[0], mode) << text;
         const Enum expected = state.errors().size() > before ? state.errors().back().code : kGL_NO_ERROR;
         EXPECT_EQ(glGetError(), expected) << text;
     };
@@ -266,7 +266,7 @@ TEST(Selection, IsTheDriversModeWhereItHasABuffer) {
 TEST(Selection, IsNotCompiledIntoLists) {
     const State state =
         run("glSelectBuffer(4, (GLuint[4]){0}); glNewList(1, GL_COMPILE); glRenderMode(GL_SELECT); glEndList();");
-    EXPECT_EQ(state.get(kGL_RENDER_MODE)[0], kGL_SELECT);
+    EXPECT_EQ(answer(state, kGL_RENDER_MODE)[0], kGL_SELECT);
 }
 
 TEST(RenderMode, ChangesNothingInTheModeThatItNames) {
@@ -306,7 +306,7 @@ TEST(Queries, HaveTheLengthOfTheirAnswers) {
     const State state;
     int longer = 0;
     for (const NamedValue& name : gl_names()) {
-        const std::size_t length = state.get(name.value).size();
+        const std::size_t length = answer(state, name.value).size();
         if (length == 0 || name.value <= kGL_POLYGON || name.name.ends_with("_BIT")) continue;
         EXPECT_EQ(static_cast<std::size_t>(array_length(CommandId::glGetDoublev, name.value).value_or(1)), length)
             << name.name;
@@ -318,8 +318,8 @@ TEST(Queries, HaveTheLengthOfTheirAnswers) {
 TEST(Priorities, AreOfTheTexturesThatThereAre) {
     const State state =
         run("glBindTexture(GL_TEXTURE_2D, 3); glPrioritizeTextures(3, (GLuint[]){0, 3, 9}, (GLfloat[]){1, 0.25, 1});");
-    EXPECT_EQ(state.get_tex_parameter(kGL_TEXTURE_2D, kGL_TEXTURE_PRIORITY)[0], 0.25);
-    EXPECT_EQ(state.texture(9), nullptr);
+    EXPECT_EQ(tex_parameter_answer(state, kGL_TEXTURE_2D, kGL_TEXTURE_PRIORITY)[0], 0.25);
+    EXPECT_FALSE(state.textures().named.contains(9));
     EXPECT_EQ(run("glPrioritizeTextures(-1, (GLuint[]){0}, (GLfloat[]){1});").errors()[0].code, kGL_INVALID_VALUE);
 }
 

@@ -52,16 +52,11 @@ TEST(Commands, StandInTheTableOnceAndFindThemselves) {
     }
 }
 
-bool is_by_pname(const Parameter& parameter) {
-    return parameter.extent == Extent::kByPname || (parameter.extent == Extent::kOutput && parameter.count == 0);
-}
-
 TEST(Commands, HaveWhatVariesInLengthLast) {
     for (const Signature& sig : signatures()) {
         for (std::size_t i = 0; i < sig.parameters.size(); ++i) {
             const Extent extent = sig.parameters[i].extent;
-            const bool varies = extent == Extent::kByPname || is_by_pname(sig.parameters[i]) || extent == Extent::kRest;
-            if (varies || extent == Extent::kResult) {
+            if (sig.parameters[i].is_by_pname() || extent == Extent::kRest || extent == Extent::kResult) {
                 EXPECT_EQ(i + 1, sig.parameters.size()) << sig.usage();
             }
         }
@@ -72,7 +67,7 @@ TEST(Commands, WithAnArrayByPnameHaveThePnameJustBeforeIt) {
     for (std::size_t i = 0; i < signatures().size(); ++i) {
         const Signature& sig = signatures()[i];
         if (sig.parameters.empty()) continue;
-        if (!is_by_pname(sig.parameters.back())) continue;
+        if (!sig.parameters.back().is_by_pname()) continue;
         EXPECT_EQ(sig.parameters[sig.parameters.size() - 2].name, "pname") << sig.usage();
         const bool asks_state = sig.name.starts_with("glGet") && sig.parameters.size() == 2;
         EXPECT_TRUE(asks_state || owner_of(static_cast<CommandId>(i))) << sig.usage();
@@ -85,12 +80,12 @@ TEST(Commands, WithACountedArrayHaveTheCountBeforeIt) {
         bool has_count = false;
         for (const Parameter& parameter : sig.parameters) {
             has_count |= parameter.kind == Kind::kSizei;
-            if (parameter.extent != Extent::kByCount && parameter.extent != Extent::kNames &&
+            if (parameter.extent != Extent::kArrayByCount && parameter.extent != Extent::kNewNames &&
                 parameter.extent != Extent::kOutputByCount)
                 continue;
             ++counted;
             EXPECT_TRUE(has_count) << sig.usage();
-            if (parameter.extent == Extent::kNames) {
+            if (parameter.extent == Extent::kNewNames) {
                 EXPECT_TRUE(named_objects(parameter)) << sig.usage();
             }
         }

@@ -9,6 +9,7 @@
 #include <string>
 #include <variant>
 
+#include "../../property/state_answers.h"
 #include "scene/command/text.h"
 #include "scene/shape/glu_quadrics.h"
 #include "scene/shape/quadric.h"
@@ -21,7 +22,7 @@ std::vector<Command> read(std::string_view text) { return read_scene(text, "scen
 
 std::string error_of(std::string_view text) {
     try {
-        make_frame(std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene")), {});
+        make_frame(read_scene(text, "scene.gl", "scene"), {});
     } catch (const SceneError& error) {
         return error.what();
     }
@@ -36,7 +37,7 @@ State after(std::string_view text) {
 
 std::vector<Draw> draws_of(std::string_view text) {
     std::vector<Draw> draws;
-    for (const auto& item : after(text).take_frame(nullptr).items) draws.push_back(std::get<Draw>(item));
+    for (const auto& item : after(text).take_frame().items) draws.push_back(std::get<Draw>(item));
     return draws;
 }
 
@@ -174,15 +175,15 @@ TEST(QuadricState, LeavesWhatItSentLastCurrent) {
     const std::string before = "glNormal3f(1, 0, 0); glTexCoord2f(0.25, 0.75); ";
     const State quadric =
         after(before + "GLUquadric* q = gluNewQuadric(); gluQuadricTexture(q, 1); gluDisk(q, 0, 2, 8, 2);");
-    EXPECT_EQ(quadric.current_normal(), glm::dvec3(0, 0, 1));
+    EXPECT_EQ(quadric.attributes().current.normal_object, glm::dvec3(0, 0, 1));
     // The last strip's last vertex: half the radius, back at +y, in a texture whose centre is (0.5, 0.5).
-    const std::vector<double> sent = quadric.get(kGL_CURRENT_TEXTURE_COORDS);
+    const std::vector<double> sent = answer(quadric, kGL_CURRENT_TEXTURE_COORDS);
     EXPECT_NEAR(sent.at(0), 0.5, 1e-15);
     EXPECT_NEAR(sent.at(1), 0.75, 1e-15);
     // The teapot is sent by vertex arrays.
     const State teapot = after(before + "glutSolidTeapot(1);");
-    EXPECT_EQ(teapot.current_normal(), glm::dvec3(1, 0, 0));
-    EXPECT_EQ(teapot.get(kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.25, 0.75, 0, 1}));
+    EXPECT_EQ(teapot.attributes().current.normal_object, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(answer(teapot, kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.25, 0.75, 0, 1}));
 }
 
 // The first vertices of a flat sphere come ahead of its first normal.

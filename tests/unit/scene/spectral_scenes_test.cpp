@@ -8,8 +8,7 @@
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
-#include "scene/shape/primitives.h"
-#include "scene/spectrum/commands.h"
+#include "scene/shape/written_out.h"
 #include "scene/state/gl_error.h"
 #include "scene/state/state.h"
 
@@ -17,8 +16,7 @@ namespace twinlight {
 namespace {
 
 Frame frame_of(const std::string& text, int size = 16) {
-    return make_frame(std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene")),
-                      {.width = size, .height = size});
+    return make_frame(read_scene(text, "scene.gl", "scene"), {.width = size, .height = size});
 }
 
 LightingState lighting_after(const std::string& text) {
@@ -126,12 +124,13 @@ struct Pictures {
 
 Pictures pictures_of(const std::string& text, Shading shading) {
     const Frame frame = frame_of(text);
-    RenderOptions options{.shading = shading};
+    programmable::Options options{{{.shading = shading}}};
     const auto context = make_offscreen_context(frame.width, frame.height, ColorBuffer::kFloat);
     programmable::Renderer renderer;
-    const Vec3<double> shaders = middle_of(renderer.render(frame, options));
+    const Vec3<double> shaders = middle_of(renderer.render(frame, options).image);
     options.fold_spectra = false;
-    return {middle_of(reference::render(frame, options)), shaders, middle_of(renderer.render(frame, options))};
+    return {middle_of(reference::render(frame, reference::Options{options})), shaders,
+            middle_of(renderer.render(frame, options).image)};
 }
 
 // Of colours of about 1: of floats, whose products and sums of 81 samples the shaders make.
@@ -215,7 +214,7 @@ TEST(SpectralPictures, AreCodedWhereTheSceneAsks) {
     const std::string state =
         "#pragma twinlight transfer(srgb)\nglMaterialfv(GL_FRONT, GL_DIFFUSE, (float[]){0.001, 0.2, 0.8, 1});";
     expect_drawn(lit_square(state), {srgb_coded(0.001), srgb_coded(0.2), srgb_coded(0.8)}, kCoded);
-    EXPECT_EQ(middle_of(reference::render(frame_of(lit_square(state)), {.shading = {}, .lecture_variants = false})),
+    EXPECT_EQ(middle_of(reference::render(frame_of(lit_square(state)), {{.shading = {}, .lecture_variants = false}})),
               (Vec3<double>{0.001F, 0.2F, 0.8F}))
         << "GL's own model has no curve";
 }
@@ -226,7 +225,7 @@ TEST(SpectralPictures, SayWhatShadersDoNotDo) {
         "glEnable(GL_LIGHTING); glBegin(GL_TRIANGLES); glVertex2f(0, 0); glMaterialfv(GL_FRONT, GL_DIFFUSE, "
         "(float[]){1, 1, 1, 1}); glVertex2f(1, 0); glVertex2f(0, 1); glEnd();");
     ASSERT_EQ(frame.unsupported.size(), 1U);
-    EXPECT_EQ(frame.unsupported[0].renderers, std::vector<std::string>{"programmable"});
+    EXPECT_EQ(frame.unsupported[0].missing_from, MissingFrom::kShaders);
 }
 
 }  // namespace

@@ -287,7 +287,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"glEnable(GL_LIGHTING;", "expected ')'"}, Mistake{"for (;;) glEnd();", "'for' is not part of a scene"},
         Mistake{"int main(int argc, char** argv) {",
                 "scene.gl:1:5: functions are not part of a scene: write what 'main' calls one after the other"},
-        Mistake{"void display(void) {", "'void' is not part of a scene"},
+        Mistake{"void display(void) {", "this function is never closed"},
         Mistake{"GLfloat v[] = {1}; v[0] = 2;", "assignments are not part of a scene"},
         Mistake{"/* open", "scene.gl:1:1: this comment is never closed"},
         Mistake{"#define N 3", "#define is not part of a scene"},
@@ -346,10 +346,28 @@ TEST(Printing, DeclaresEachArrayOnce) {
     EXPECT_EQ(read(text), scene.commands);
 }
 
-TEST(Reading, TakesNoOtherFunctionForTheScene) {
-    EXPECT_NE(error_of("static void display(void) { glEnd(); }").find("functions are not part of a scene"),
-              std::string::npos);
-    EXPECT_NE(error_of("static void draw_scene(void) { glEnd();").find("never closed"), std::string::npos);
+TEST(Reading, TakesASceneInAFunction) {
+    const std::string body = "glBegin(GL_LINES); glVertex2fv(at); glEnd();";
+    const std::vector<Command> expected = read("GLfloat at[] = {1, 2};" + body);
+    EXPECT_EQ(expected.size(), 3u);
+    for (const char* head : {"void display(void)", "static void display(void)", "void display()"}) {
+        EXPECT_EQ(read(std::string(head) + " { GLfloat at[] = {1, 2};" + body + " }\n"), expected) << head;
+        EXPECT_EQ(read("GLfloat at[] = {1, 2};\n" + std::string(head) + "\n{\n" + body + "\n}"), expected) << head;
+    }
+}
+
+TEST(Reading, RefusesMoreThanOneFunctionWithPlaceAndRemedy) {
+    const auto has = [](const std::string& text, const std::string& part) {
+        EXPECT_NE(error_of(text).find(part), std::string::npos) << error_of(text);
+    };
+    has("void display(void) { glEnd(); }\nvoid keys(void) { }",
+        "2:1: nothing may follow 'display', which is the scene: write what other functions call into it");
+    has("void display(void) { void inner(void) { } }", "1:22: a function cannot stand inside another");
+    has("void sphere(GLfloat radius) { }", "expected ')' after sphere(: the function around a scene has no parameters");
+    has("int main(void) { glEnd(); }", "functions are not part of a scene");
+    has("void display(void) { glEnd();", "1:1: this function is never closed");
+    has("static void draw_scene(void) { glEnd();", "never closed");
+    has("void display(void) { glVertex3f(1, 2); }", "1:37: glVertex3f takes 3 arguments");
 }
 
 TEST(Printing, KeepsEveryBitOfANumber) {

@@ -98,7 +98,7 @@ TEST(TextureFile, EqualsGluBuild2DMipmapsOfItsPixels) {
             state.apply(command);
         }
         EXPECT_TRUE(state.errors().empty());
-        return state.texture(3)->levels;
+        return state.textures().named.at(3)->levels;
     };
     const std::string bind = "glBindTexture(GL_TEXTURE_2D, 3);\n", pragma = "#pragma twinlight texture(\"a.png\")\n";
     const auto expected = levels(bind + "GLubyte pixels[] = {" + bytes +

@@ -243,20 +243,20 @@ TEST_F(Traces, KeepTheStateOfEarlierFrames) {
                              "glDisable(cap = GL_LIGHTING)\n" + kTriangle + kTriangle + kSwap;
     const RecordedFrame first = frame(text);
     EXPECT_EQ(first.number, 1);  // the first that draws
-    EXPECT_EQ(draws(first.frame), 1u);
-    EXPECT_EQ(first.frame.width, 64);
-    EXPECT_EQ(first.frame.height, 48);
-    EXPECT_TRUE(first.frame.commands->name.ends_with("frame 1"));
+    EXPECT_EQ(draws(first.scene.frame), 1u);
+    EXPECT_EQ(first.scene.frame.width, 64);
+    EXPECT_EQ(first.scene.frame.height, 48);
+    EXPECT_TRUE(first.scene.name().ends_with("frame 1"));
     const RecordedFrame second = frame(text, 2);
-    EXPECT_EQ(draws(second.frame), 2u);
+    EXPECT_EQ(draws(second.scene.frame), 2u);
     const auto is_lit = [](const Frame& f) {
         for (const auto& item : f.items) {
             if (const Draw* draw = std::get_if<Draw>(&item)) return draw->lighting.enabled;
         }
         return false;
     };
-    EXPECT_TRUE(is_lit(first.frame));
-    EXPECT_FALSE(is_lit(second.frame));
+    EXPECT_TRUE(is_lit(first.scene.frame));
+    EXPECT_FALSE(is_lit(second.scene.frame));
     EXPECT_THROW(frame(text, 3), SceneError);
     EXPECT_THROW(frame(text, 0), SceneError);  // draws nothing
 }
@@ -265,10 +265,10 @@ TEST_F(Traces, KeepTheStateOfEarlierFrames) {
 TEST_F(Traces, EndAFrameAtGlFlushWhereNothingIsEverSwapped) {
     const std::string text = "1 glFlush()\n" + std::string(kTriangle) + "glFlush()\n" + kTriangle + "glFinish()\n";
     EXPECT_EQ(frame(text).number, 0);
-    EXPECT_EQ(draws(frame(text, 0).frame), 1u);
-    EXPECT_EQ(draws(frame(text, 1).frame), 2u);
+    EXPECT_EQ(draws(frame(text, 0).scene.frame), 1u);
+    EXPECT_EQ(draws(frame(text, 1).scene.frame), 2u);
     // A program that swaps flushes now and then, and ends nothing by it.
-    EXPECT_EQ(draws(frame(std::string(kTriangle) + "glFlush()\n" + kTriangle + kSwap).frame), 2u);
+    EXPECT_EQ(draws(frame(std::string(kTriangle) + "glFlush()\n" + kTriangle + kSwap).scene.frame), 2u);
 }
 
 TEST_F(Traces, GoOnAfterWhatGlRefuses) {
@@ -278,17 +278,17 @@ TEST_F(Traces, GoOnAfterWhatGlRefuses) {
     ASSERT_TRUE(found.first_error);
     EXPECT_EQ(found.first_error->code, kGL_INVALID_ENUM);
     EXPECT_EQ(found.first_error->place.line, 2);  // the call's number
-    EXPECT_EQ(draws(found.frame), 1u);
+    EXPECT_EQ(draws(found.scene.frame), 1u);
 }
 
 TEST_F(Traces, CountWhatNoRendererDoes) {
     const RecordedFrame found =
         frame("1 glUseProgram(program = 3)\nglUseProgram(program = 4)\n" + std::string(kTriangle));
-    ASSERT_EQ(found.frame.unsupported.size(), 1u);
-    EXPECT_EQ(found.frame.unsupported[0].name, "glUseProgram");
-    EXPECT_EQ(found.frame.unsupported[0].count, 2);
-    EXPECT_EQ(found.frame.unsupported[0].first.line, 1);
-    EXPECT_EQ(found.frame.unsupported[0].renderers, (Lines{"fixed", "programmable", "reference"}));
+    ASSERT_EQ(found.scene.frame.unsupported.size(), 1u);
+    EXPECT_EQ(found.scene.frame.unsupported[0].name, "glUseProgram");
+    EXPECT_EQ(found.scene.frame.unsupported[0].count, 2);
+    EXPECT_EQ(found.scene.frame.unsupported[0].first.line, 1);
+    EXPECT_EQ(found.scene.frame.unsupported[0].missing_from, MissingFrom::kEverything);
 }
 
 TEST(Apitrace, IsAskedForWhereItIsMissing) {
@@ -303,6 +303,27 @@ TEST(Apitrace, IsAskedForWhereItIsMissing) {
               std::string::npos)
         << result.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "report"));
+}
+
+TEST(Apitrace, LeavesNothingBehindHoweverTheProgramEnds) {
+    const TemporaryFolder folder, temporary;
+    write_file_atomically(folder / "game.trace", std::string("at\x10\0\0\0", 6) + std::string(64, 'x'));
+    // In the place of apitrace: a blob, and a dump that never ends.
+    write_file_atomically(folder / "apitrace",
+                          "#!/bin/sh\necho x >blob.bin; echo '1 glFlush()'; while sleep 0.05; do echo; done\n");
+    std::filesystem::permissions(folder / "apitrace", std::filesystem::perms::owner_all);
+    for (const char* signal : {"INT", "TERM", "HUP", "KILL"}) {
+        const ProgramResult result = run_shell(
+            "twinlight", "export TMPDIR=" + quoted(temporary.str()) + " PATH=" + quoted(folder.str()) + ":\"$PATH\"\n" +
+                             "env --default-signal=INT,HUP \"$PROGRAM\" render " + quoted(folder / "game.trace") +
+                             " --with reference -o " + quoted(folder / "picture.png") + " &\n" +
+                             "for i in $(seq 200); do ls \"$TMPDIR\"/*/blob.bin && break; sleep 0.1; done; kill -" +
+                             signal + " $!; wait $!\n" +
+                             "for i in $(seq 100); do [ -z \"$(ls -A \"$TMPDIR\")\" ] || sleep 0.1; done\n" +
+                             "echo left:; ls -A \"$TMPDIR\"");
+        EXPECT_NE(result.out.find("blob.bin"), std::string::npos) << signal << ": " << result.err;
+        EXPECT_TRUE(result.out.ends_with("left:\n")) << signal << ": " << result.out;
+    }
 }
 
 }  // namespace

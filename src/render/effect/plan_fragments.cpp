@@ -1,9 +1,8 @@
-#include "render/effect/fragment_effects.h"
-
+// What happens to a Draw's fragments, planned: its texture and fog; and the user's clip planes.
 #include <algorithm>
 #include <utility>
 
-#include "render/effect/keeps_w.h"
+#include "render/effect/plan_parts.h"
 
 namespace twinlight {
 namespace {
@@ -65,7 +64,7 @@ void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
 
     const bool clamp_t = !facts.one_dimensional && texture->wrap_t == kGL_CLAMP;
     const bool clamps = clamp_t || texture->wrap_s == kGL_CLAMP;
-    if (clamps && !filters_linearly(*texture))
+    if (clamps && !texture->filters_linearly())
         return leave_out(plan, "GL_CLAMP", "without a linear filter it is GL_CLAMP_TO_EDGE");
     facts.clamp_s = texture->wrap_s == kGL_CLAMP;
     facts.clamp_t = clamp_t;
@@ -86,11 +85,6 @@ void plan_fog(const Draw& draw, Plan& plan) {
 }
 
 }  // namespace
-
-bool filters_linearly(const Texture& texture) {
-    return texture.mag_filter == kGL_LINEAR || texture.min_filter == kGL_LINEAR ||
-           texture.min_filter == kGL_LINEAR_MIPMAP_NEAREST || texture.min_filter == kGL_LINEAR_MIPMAP_LINEAR;
-}
 
 void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     plan_texture(draw, vertices, plan);

@@ -1,15 +1,17 @@
-#include "render/fixed/prepared_frame.h"
+#include "render/fixed/replay.h"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <stdexcept>
 #include <variant>
 
+#include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/effect/scrubbed_state.h"
+#include "render/fixed/draw_state.h"
 #include "render/fixed/fixed.h"
 #include "render/fixed/mesh.h"
 #include "render/stages/fixed_stages.h"
@@ -18,87 +20,19 @@
 namespace twinlight::fixed {
 namespace {
 
-void set_enabled(GLenum capability, bool enabled) { (enabled ? glEnable : glDisable)(capability); }
-
-void set_light(GLenum name, const LightSource& light) {
-    set_enabled(name, light.enabled);
-    if (!light.enabled) return;
-    const auto number = [&](GLenum what, double value) { glLightf(name, what, static_cast<float>(value)); };
-    const auto vector = [&](GLenum what, const glm::vec4& v) { glLightfv(name, what, &v[0]); };
-    vector(GL_AMBIENT, light.ambient);
-    vector(GL_DIFFUSE, light.diffuse);
-    vector(GL_SPECULAR, light.specular);
-    vector(GL_POSITION, light.position_eye);
-    vector(GL_SPOT_DIRECTION, glm::vec4(light.spot_direction_eye, 0));
-    number(GL_SPOT_EXPONENT, light.spot_exponent);
-    number(GL_SPOT_CUTOFF, light.spot_cutoff_deg);
-    number(GL_CONSTANT_ATTENUATION, light.constant_attenuation);
-    number(GL_LINEAR_ATTENUATION, light.linear_attenuation);
-    number(GL_QUADRATIC_ATTENUATION, light.quadratic_attenuation);
-}
-
-void set_material(GLenum face, const Material& material) {
-    const auto vector = [&](GLenum what, const glm::vec4& v) { glMaterialfv(face, what, &v[0]); };
-    vector(GL_AMBIENT, material.ambient);
-    vector(GL_DIFFUSE, material.diffuse);
-    vector(GL_SPECULAR, material.specular);
-    vector(GL_EMISSION, material.emission);
-    glMaterialf(face, GL_SHININESS, static_cast<float>(material.shininess));
-}
-
-// With the identity as modelview matrix: positions and directions are in eye coordinates.
-void set_lighting(const LightingState& lighting) {
-    set_enabled(GL_LIGHTING, lighting.enabled);
-    glDisable(GL_COLOR_MATERIAL);
-    if (!lighting.enabled) return;
-    for (std::size_t i = 0; i < kMaxLights; ++i)
-        set_light(GL_LIGHT0 + static_cast<GLenum>(i), i < lighting.lights.size() ? lighting.lights[i] : LightSource{});
-    const LightModel& model = lighting.light_model;
-    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, &glm::vec4(model.ambient)[0]);
-    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, model.local_viewer);
-    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, model.two_side);
-    glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, static_cast<GLint>(model.color_control));
-    set_material(GL_FRONT, lighting.front);
-    set_material(GL_BACK, lighting.back);
-    // Mesa carries glMaterial out late, over what the colour has given the material meanwhile; but before it answers.
-    std::array<GLfloat, 4> answer{};
-    glGetMaterialfv(GL_FRONT, GL_AMBIENT, answer.data());
-    if (lighting.color_material.enabled) {
-        glColorMaterial(lighting.color_material.face, lighting.color_material.mode);
-        glEnable(GL_COLOR_MATERIAL);
-    }
-    set_enabled(GL_NORMALIZE, lighting.normalize);
-    set_enabled(GL_RESCALE_NORMAL, lighting.rescale_normal);
-}
-
 void set_clip_planes(const RasterState& raster) {
     GLenum plane = GL_CLIP_PLANE0;  // without gaps, as FixedStages enables them
     for (const auto& equation : raster.clip_planes_eye)
         if (equation) glClipPlane(plane++, &(*equation)[0]);
 }
 
-void set_fog(const Fog& fog, bool enabled) {
-    set_enabled(GL_FOG, enabled);
-    if (!enabled) return;
-    glFogi(GL_FOG_MODE, static_cast<GLint>(fog.mode));
-    glFogf(GL_FOG_DENSITY, static_cast<float>(fog.density));
-    glFogf(GL_FOG_START, static_cast<float>(fog.start));
-    glFogf(GL_FOG_END, static_cast<float>(fog.end));
-    glFogfv(GL_FOG_COLOR, &glm::vec4(fog.color)[0]);
-}
-
-void load_matrix(GLenum mode, const glm::dmat4& matrix) {
-    glMatrixMode(mode);
-    glLoadMatrixd(&matrix[0][0]);
-}
-
 // A Draw with what is set for it.
 struct PreparedDraw {
-    PreparedDraw(const Draw& from, const RenderOptions& options, Scrub scrub) : draw(&from) {
+    PreparedDraw(const Draw& from, const ReplayOptions& options) : draw(&from) {
         shade_model = from.lighting.shade_model;
         if (options.shading) shade_model = *options.shading == Shading::kFlat ? GL_FLAT : GL_SMOOTH;
         MeshContents contents;
-        if (scrub == Scrub::kNothing) {
+        if (options.scrub == Scrub::kNothing) {
             lighting = from.lighting;
             lighting.lights.resize(kMaxLights);
             textured = from.texture.texture != nullptr;
@@ -112,9 +46,8 @@ struct PreparedDraw {
                             .varies_specular = true,
                             .varies_shininess = true};
         } else {
-            RenderOptions of_gl = options;
-            of_gl.lecture_variants = false;
-            const Plan plan = plan_effects(from, of_gl);
+            const Plan plan =
+                plan_effects(from, {{.shading = options.shading, .lecture_variants = false}, options.budget});
             const EffectSet& effects = plan.effects;
             lighting = scrubbed_state(plan, kMaxLights).lighting;
             textured = effects.has_texture();
@@ -129,11 +62,12 @@ struct PreparedDraw {
 
     void draw_with(const FixedStages& stages, Textures& textures) const {
         load_matrix(GL_MODELVIEW, glm::dmat4(1));
-        set_lighting(lighting);
+        set_lighting(lighting, false);
         set_clip_planes(draw->raster);
         stages.set(*draw);
         glShadeModel(shade_model);
-        set_fog(draw->fog, fogged);
+        set_enabled(GL_FOG, fogged);
+        if (fogged) set_fog(draw->fog);
         set_texture(textures);
         load_matrix(GL_PROJECTION, draw->clip_from_eye);
         load_matrix(GL_MODELVIEW, draw->eye_from_object);
@@ -166,29 +100,28 @@ struct PreparedDraw {
 
 }  // namespace
 
-struct PreparedFrame::Impl {
+struct Replay::Impl {
     int width, height;
     std::deque<std::variant<Clear, PreparedDraw>> items;
     Textures textures{Clamping::kDriver};
 };
 
-PreparedFrame::PreparedFrame(const Frame& frame, const RenderOptions& options, Scrub scrub)
-    : impl_(std::make_unique<Impl>()) {
-    check_shading(options);
+Replay::Replay(const Frame& frame, const ReplayOptions& options) : impl_(std::make_unique<Impl>()) {
+    check_shading(options.shading);
     impl_->width = frame.width;
     impl_->height = frame.height;
     for (const auto& item : frame.items) {
         if (const Clear* clear = std::get_if<Clear>(&item)) {
             impl_->items.emplace_back(*clear);
         } else {
-            impl_->items.emplace_back(std::in_place_type<PreparedDraw>, std::get<Draw>(item), options, scrub);
+            impl_->items.emplace_back(std::in_place_type<PreparedDraw>, std::get<Draw>(item), options);
         }
     }
 }
 
-PreparedFrame::~PreparedFrame() = default;
+Replay::~Replay() = default;
 
-void PreparedFrame::draw() {
+void Replay::draw() {
     const InitialState initial(impl_->width, impl_->height);
     const FixedStages stages;
     stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
@@ -198,6 +131,17 @@ void PreparedFrame::draw() {
         else
             std::get<PreparedDraw>(item).draw_with(stages, impl_->textures);
     }
+}
+
+Image render_scrubbed(const Scene& scene, const std::optional<Shading>& shading, double budget) {
+    const Frame& frame = scene.frame;
+    const bool is_whole = std::ranges::none_of(frame.unsupported, [](const Unsupported& item) {
+        return item.missing_from == MissingFrom::kFrame || item.missing_from == MissingFrom::kEverything;
+    });
+    if (!is_whole) return render(scene, {shading});
+    Replay(frame, {.shading = shading, .scrub = Scrub::kState, .budget = budget, .patches = false}).draw();
+    glFinish();
+    return read_pixels(frame.width, frame.height);
 }
 
 }  // namespace twinlight::fixed

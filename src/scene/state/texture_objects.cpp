@@ -1,26 +1,24 @@
-// Texture objects, their parameters and the texture environment (3.8.4, 3.8.10, 3.8.12, 3.8.13).
+// Texture objects, their names and parameters, and the texture environment (3.8.4, 3.8.10, 3.8.12, 3.8.13).
 // What glTexImage does stands in texture_images.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
 
-std::shared_ptr<Texture>& State::bound_texture(Enum target) { return texture_of(unit(), target); }
-
-std::shared_ptr<Texture>& State::texture_of(const TextureBindings& bindings, Enum target) {
+const std::shared_ptr<Texture>& State::texture_of(const TextureBindings& bindings, Enum target) const {
     const std::uint32_t name = target == kGL_TEXTURE_1D ? bindings.bound_1d : bindings.bound_2d;
     if (name == 0) return target == kGL_TEXTURE_1D ? textures_.default_1d : textures_.default_2d;
-    return textures_.named[name];
+    return textures_.named.at(name);
 }
 
 Texture* State::writable_texture(const Command& c, Enum target) {
     if (!known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return nullptr;
-    std::shared_ptr<Texture>& texture = bound_texture(target);
+    auto& texture = const_cast<std::shared_ptr<Texture>&>(texture_of(unit(), target));  // NOLINT: of this State
     if (texture.use_count() > 1) {
         if (!has_room(c, texels_of(*texture) * sizeof(glm::vec4))) return nullptr;
         texture = std::make_shared<Texture>(*texture);
@@ -29,15 +27,15 @@ Texture* State::writable_texture(const Command& c, Enum target) {
 }
 
 // 3.8.12. A name that was never generated may be bound as well.
-bool is_texture_elsewhere(Enum target) {
+bool is_driver_only_texture(Enum target) {
     return target == kGL_TEXTURE_3D || target == kGL_TEXTURE_CUBE_MAP || target == kGL_TEXTURE_RECTANGLE;
 }
 
 void State::bind_texture(const Command& c) {
     const Enum target = c.enumerant(0);
     const std::uint32_t name = c.enumerant(1);
-    const bool elsewhere = is_texture_elsewhere(target);
-    if (!elsewhere && !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    const bool driver_only = is_driver_only_texture(target);
+    if (!driver_only && !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
     if (name != 0) {
         std::shared_ptr<Texture>& texture = textures_.named[name];
         if (!texture) texture = std::make_shared<Texture>(Texture{.target = target});
@@ -47,29 +45,24 @@ void State::bind_texture(const Command& c) {
                                      enum_name(texture->target), enum_name(target)));
         }
     }
-    if (elsewhere) return;
+    if (driver_only) return;
     (target == kGL_TEXTURE_1D ? unit().bound_1d : unit().bound_2d) = name;
 }
 
 // 3.8.16: which unit the commands on textures and on the texture matrix mean.
 void State::active_texture(const Command& c) {
-    const Enum texture = c.enumerant(0);
-    if (texture < kGL_TEXTURE0 || texture >= kGL_TEXTURE0 + kMaxTextureUnits) {
-        return raise(kGL_INVALID_ENUM, c,
-                     fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(), enum_name(texture),
-                                 kMaxTextureUnits - 1));
-    }
-    a_.active_unit = texture - kGL_TEXTURE0;
+    if (auto error = wrong_texture_unit(c)) return raise(std::move(*error));
+    a_.active_unit = c.enumerant(0) - kGL_TEXTURE0;
 }
 
 namespace {
 
 // Parameters of later versions, and of textures that are not here.
-struct ParameterElsewhere {
+struct DriverOnlyParameter {
     Enum pname;
     std::optional<double> initial;  // nothing: it says how another one acts, and alone changes no pixel
 };
-constexpr ParameterElsewhere kParametersElsewhere[] = {
+constexpr DriverOnlyParameter kDriverOnlyParameters[] = {
     {kGL_TEXTURE_BASE_LEVEL, 0},
     {kGL_TEXTURE_MAX_LEVEL, 1000},
     {kGL_TEXTURE_MIN_LOD, -1000},
@@ -81,18 +74,18 @@ constexpr ParameterElsewhere kParametersElsewhere[] = {
     {kGL_DEPTH_TEXTURE_MODE, std::nullopt},
 };
 
-const ParameterElsewhere* parameter_elsewhere(Enum pname) {
-    const auto* row = std::find_if(std::begin(kParametersElsewhere), std::end(kParametersElsewhere),
-                                   [pname](const ParameterElsewhere& r) { return r.pname == pname; });
-    return row == std::end(kParametersElsewhere) ? nullptr : row;
+const DriverOnlyParameter* driver_only_parameter(Enum pname) {
+    const auto* row = std::find_if(std::begin(kDriverOnlyParameters), std::end(kDriverOnlyParameters),
+                                   [pname](const DriverOnlyParameter& r) { return r.pname == pname; });
+    return row == std::end(kDriverOnlyParameters) ? nullptr : row;
 }
 
 }  // namespace
 
 void State::query_tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
-    if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
-    if (pname == kGL_TEXTURE_RESIDENT || parameter_elsewhere(pname) || find_parameter(Owner::kTexture, pname)) return;
+    if (is_driver_only_texture(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (pname == kGL_TEXTURE_RESIDENT || driver_only_parameter(pname) || find_parameter(Owner::kTexture, pname)) return;
     raise(kGL_INVALID_ENUM, c,
           fmt::format("{} is given {}; expected GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, ...", c.name(),
                       enum_name(pname)));
@@ -110,8 +103,8 @@ void State::query_tex_env(const Command& c) {
 
 void State::tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
-    if (is_texture_elsewhere(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
-    if (const ParameterElsewhere* row = parameter_elsewhere(pname)) {
+    if (is_driver_only_texture(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (const DriverOnlyParameter* row = driver_only_parameter(pname)) {
         const bool changes = row->initial && c.arguments.size() > 2 && c.number(2) != *row->initial;
         if (changes) note_lasting(fmt::format("glTexParameter({})", enum_name(pname)), c.place);
         return;
@@ -121,7 +114,7 @@ void State::tex_parameter(const Command& c) {
     const auto name = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
     // A texture that keeps its value is not copied for it.
     const auto assign = [&](auto Texture::*member, const auto& value) {
-        if ((*bound_texture(target)).*member == value) return;
+        if (bound_texture(target).*member == value) return;
         if (Texture* texture = writable_texture(c, target)) texture->*member = value;
     };
     const auto set = [&](Enum Texture::*member, std::initializer_list<Enum> allowed) {
@@ -172,10 +165,9 @@ void State::tex_env(const Command& c) {
 // its base level is there, and with a mipmap filter all levels down to 1 x 1, each half the size and of one format.
 std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bindings) const {
     if (!bindings.enabled_1d && !bindings.enabled_2d) return nullptr;
-    auto* self = const_cast<State*>(this);  // NOLINT: bound_texture changes nothing that exists
     std::shared_ptr<const Texture> texture =
-        self->texture_of(bindings, bindings.enabled_2d ? kGL_TEXTURE_2D : kGL_TEXTURE_1D);
-    if (!texture || texture->levels.empty() || texture->levels[0].texels.empty()) return nullptr;
+        texture_of(bindings, bindings.enabled_2d ? kGL_TEXTURE_2D : kGL_TEXTURE_1D);
+    if (texture->levels.empty() || texture->levels[0].texels.empty()) return nullptr;
     if (texture->min_filter == kGL_NEAREST || texture->min_filter == kGL_LINEAR) return texture;
     int width = texture->levels[0].width, height = texture->levels[0].height;
     for (std::size_t level = 1; width > 1 || height > 1; ++level) {
@@ -190,9 +182,47 @@ std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bi
     return texture;
 }
 
-const Texture* State::texture(std::uint32_t name) const {
-    const auto found = textures_.named.find(name);
-    return found == textures_.named.end() ? nullptr : found->second.get();
+// ---- Names (3.8.12) ----
+
+bool State::counts(const Command& c, const char* what) {
+    if (c.number(0) >= 0) return true;
+    raise(kGL_INVALID_VALUE, c,
+          fmt::format("{} is given {} {}; a number cannot be below 0", c.name(), c.number(0), what));
+    return false;
+}
+
+void State::gen_textures(const Command& c) {
+    if (!counts(c, "textures")) return;
+    for (double name : c.array()) textures_.named.try_emplace(static_cast<std::uint32_t>(name), nullptr);
+}
+
+// 3.8.12: of the textures that there are; others, and 0, are passed over.
+void State::prioritize_textures(const Command& c) {
+    if (!counts(c, "textures")) return;
+    const auto names = c.values(1), priorities = c.values(2);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto found = textures_.named.find(static_cast<std::uint32_t>(names[i]));
+        if (names[i] == 0 || found == textures_.named.end() || !found->second) continue;
+        std::shared_ptr<Texture>& texture = found->second;
+        if (texture.use_count() > 1) texture = std::make_shared<Texture>(*texture);
+        texture->priority = std::clamp(priorities[i], 0.0, 1.0);
+    }
+}
+
+// A texture that is bound is bound no more; 0 and names that are not in use are passed over.
+void State::delete_textures(const Command& c) {
+    if (!counts(c, "textures")) return;
+    for (double value : c.array()) {
+        const auto name = static_cast<std::uint32_t>(value);
+        const auto found = textures_.named.find(name);
+        if (name == 0 || found == textures_.named.end()) continue;
+        if (found->second) textures_.texels -= texels_of(*found->second);
+        textures_.named.erase(found);
+        for (TextureBindings& unit : a_.units) {
+            if (unit.bound_1d == name) unit.bound_1d = 0;
+            if (unit.bound_2d == name) unit.bound_2d = 0;
+        }
+    }
 }
 
 }  // namespace twinlight

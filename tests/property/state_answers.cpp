@@ -1,16 +1,14 @@
-// glGet* (6.1): the state as the query of doubles returns it.
+#include "state_answers.h"
+
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
-#include "scene/state/capabilities.h"
-#include "scene/state/state.h"
+#include "scene/state/pixel_unpacking.h"
 
 namespace twinlight {
 
 namespace {
-
-using Answer = std::vector<double>;
 
 Answer list(const glm::dvec4& v) { return {v.x, v.y, v.z, v.w}; }
 Answer list(const glm::dmat4& m) { return {glm::value_ptr(m), glm::value_ptr(m) + 16}; }
@@ -81,80 +79,92 @@ Answer of_fragments(const FragmentState& fragment, const Fog& fog, const Clear& 
 }
 
 Answer of_hints(const Hints& hints, Enum pname) {
-    switch (pname) {
-        case kGL_PERSPECTIVE_CORRECTION_HINT: return one(hints.perspective_correction);
-        case kGL_POINT_SMOOTH_HINT: return one(hints.point_smooth);
-        case kGL_LINE_SMOOTH_HINT: return one(hints.line_smooth);
-        case kGL_POLYGON_SMOOTH_HINT: return one(hints.polygon_smooth);
-        case kGL_FOG_HINT: return one(hints.fog);
-        case kGL_GENERATE_MIPMAP_HINT: return one(hints.generate_mipmap);
-        case kGL_TEXTURE_COMPRESSION_HINT: return one(hints.texture_compression);
-        default: return {};
-    }
+    const auto hint = hints.find(pname);
+    return hint == hints.end() ? Answer{} : one(hint->second);
 }
 
 Answer of_pixel_store(const PixelStore& store, Enum pname) {
+    const auto* row = std::ranges::find(kPixelStoreRows, pname, &PixelStoreRow::pname);
+    return row == std::end(kPixelStoreRows) ? Answer{} : one(row->value(store));
+}
+
+// Tables 6.6 to 6.9.
+Answer of_arrays(const VertexArrays& arrays, Enum pname) {
+    const ClientArrays& client = arrays.client();
+    const ArrayPointer& tex_coord = client.tex_coord[client.active_unit];
+    struct Row {
+        Enum array, size, type, stride, buffer;
+        const ArrayPointer* pointer;
+    };
+    const Row rows[] = {
+        {kGL_VERTEX_ARRAY, kGL_VERTEX_ARRAY_SIZE, kGL_VERTEX_ARRAY_TYPE, kGL_VERTEX_ARRAY_STRIDE,
+         kGL_VERTEX_ARRAY_BUFFER_BINDING, &client.vertex},
+        {kGL_NORMAL_ARRAY, 0, kGL_NORMAL_ARRAY_TYPE, kGL_NORMAL_ARRAY_STRIDE, kGL_NORMAL_ARRAY_BUFFER_BINDING,
+         &client.normal},
+        {kGL_COLOR_ARRAY, kGL_COLOR_ARRAY_SIZE, kGL_COLOR_ARRAY_TYPE, kGL_COLOR_ARRAY_STRIDE,
+         kGL_COLOR_ARRAY_BUFFER_BINDING, &client.color},
+        {kGL_TEXTURE_COORD_ARRAY, kGL_TEXTURE_COORD_ARRAY_SIZE, kGL_TEXTURE_COORD_ARRAY_TYPE,
+         kGL_TEXTURE_COORD_ARRAY_STRIDE, kGL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, &tex_coord},
+        {kGL_EDGE_FLAG_ARRAY, 0, 0, kGL_EDGE_FLAG_ARRAY_STRIDE, kGL_EDGE_FLAG_ARRAY_BUFFER_BINDING, &client.edge_flag},
+    };
+    for (const Row& row : rows) {
+        if (pname == 0) break;
+        if (pname == row.array) return one(row.pointer->enabled);
+        if (pname == row.size) return one(row.pointer->size);
+        if (pname == row.type) return one(row.pointer->type);
+        if (pname == row.stride) return one(row.pointer->stride);
+        if (pname == row.buffer) return one(row.pointer->buffer);
+    }
     switch (pname) {
-        case kGL_UNPACK_SWAP_BYTES: return one(store.unpack_swap_bytes);
-        case kGL_UNPACK_LSB_FIRST: return one(store.unpack_lsb_first);
-        case kGL_UNPACK_ROW_LENGTH: return one(store.unpack_row_length);
-        case kGL_UNPACK_SKIP_ROWS: return one(store.unpack_skip_rows);
-        case kGL_UNPACK_SKIP_PIXELS: return one(store.unpack_skip_pixels);
-        case kGL_UNPACK_ALIGNMENT: return one(store.unpack_alignment);
-        case kGL_UNPACK_IMAGE_HEIGHT: return one(store.unpack_image_height);
-        case kGL_UNPACK_SKIP_IMAGES: return one(store.unpack_skip_images);
-        case kGL_PACK_SWAP_BYTES: return one(store.pack_swap_bytes);
-        case kGL_PACK_LSB_FIRST: return one(store.pack_lsb_first);
-        case kGL_PACK_ROW_LENGTH: return one(store.pack_row_length);
-        case kGL_PACK_SKIP_ROWS: return one(store.pack_skip_rows);
-        case kGL_PACK_SKIP_PIXELS: return one(store.pack_skip_pixels);
-        case kGL_PACK_ALIGNMENT: return one(store.pack_alignment);
-        case kGL_PACK_IMAGE_HEIGHT: return one(store.pack_image_height);
-        case kGL_PACK_SKIP_IMAGES: return one(store.pack_skip_images);
+        case kGL_ARRAY_BUFFER_BINDING: return one(client.array_buffer);
+        case kGL_ELEMENT_ARRAY_BUFFER_BINDING: return one(client.element_buffer);
+        case kGL_PIXEL_PACK_BUFFER_BINDING: return one(arrays.pixel_pack_name());
+        case kGL_PIXEL_UNPACK_BUFFER_BINDING: return one(arrays.pixel_unpack_name());
+        case kGL_CLIENT_ACTIVE_TEXTURE: return one(kGL_TEXTURE0 + client.active_unit);
+        case kGL_CLIENT_ATTRIB_STACK_DEPTH: return one(arrays.stack_depth());
         default: return {};
     }
 }
 
 }  // namespace
 
-std::vector<double> State::get(Enum pname) const {
-    if (const bool* followed = const_cast<State*>(this)->followed_capability(pname)) return one(*followed);  // NOLINT
-    for (const Elsewhere& row : capabilities_elsewhere()) {
-        if (row.cap == pname) return one(a_.elsewhere.contains({pname, row.of_unit() ? a_.active_unit : 0}));
-    }
-    for (const Answer& answer : {of_lighting(a_.lighting, pname), of_raster(a_.raster, pname),
-                                 of_fragments(a_.fragment, a_.fog, a_.clear, pname), of_hints(a_.hints, pname),
-                                 of_pixel_store(pixel_store_, pname), arrays_.get(pname)}) {
+Answer answer(const State& state, Enum pname) {
+    if (const auto on = state.capability(pname)) return one(*on);
+    const Attributes& a = state.attributes();
+    for (const Answer& answer :
+         {of_lighting(a.lighting, pname), of_raster(a.raster, pname), of_fragments(a.fragment, a.fog, a.clear, pname),
+          of_hints(a.hints, pname), of_pixel_store(state.pixel_store(), pname), of_arrays(state.arrays(), pname)}) {
         if (!answer.empty()) return answer;
     }
-    const glm::dmat4 &texture = texture_[a_.active_unit].back().matrix, &m = modelview(), &p = projection();
+    const TextureBindings& unit = a.units[a.active_unit];
+    const glm::dmat4 &texture = state.texture_matrix(), &m = state.modelview(), &p = state.projection();
     switch (pname) {
-        case kGL_CURRENT_COLOR: return list(a_.current.color);
+        case kGL_CURRENT_COLOR: return list(a.current.color);
         case kGL_CURRENT_NORMAL: {
-            const glm::dvec3& n = a_.current.normal_object;
+            const glm::dvec3& n = a.current.normal_object;
             return {n.x, n.y, n.z};
         }
         case kGL_CURRENT_TEXTURE_COORDS:  // the active unit's; those of unit 0 are followed
-            return a_.active_unit == 0 ? list(a_.current.tex_coord) : Answer{};
-        case kGL_EDGE_FLAG: return one(a_.current.edge_flag);
-        case kGL_MATRIX_MODE: return one(a_.matrix_mode);
+            return a.active_unit == 0 ? list(a.current.tex_coord) : Answer{};
+        case kGL_EDGE_FLAG: return one(a.current.edge_flag);
+        case kGL_MATRIX_MODE: return one(a.matrix_mode);
         case kGL_MODELVIEW_MATRIX: return list(m);
         case kGL_PROJECTION_MATRIX: return list(p);
         case kGL_TEXTURE_MATRIX: return list(texture);
         case kGL_TRANSPOSE_MODELVIEW_MATRIX: return list(glm::transpose(m));
         case kGL_TRANSPOSE_PROJECTION_MATRIX: return list(glm::transpose(p));
         case kGL_TRANSPOSE_TEXTURE_MATRIX: return list(glm::transpose(texture));
-        case kGL_MODELVIEW_STACK_DEPTH: return one(modelview_.size());
-        case kGL_PROJECTION_STACK_DEPTH: return one(projection_.size());
-        case kGL_TEXTURE_STACK_DEPTH: return one(texture_[a_.active_unit].size());
-        case kGL_ATTRIB_STACK_DEPTH: return one(attribute_stack_.size());
-        case kGL_RENDER_MODE: return one(render_mode_);
-        case kGL_ACTIVE_TEXTURE: return one(kGL_TEXTURE0 + a_.active_unit);
-        case kGL_LIST_BASE: return one(a_.list_base);
-        case kGL_TEXTURE_BINDING_1D: return one(unit().bound_1d);
-        case kGL_TEXTURE_BINDING_2D: return one(unit().bound_2d);
-        case kGL_LIST_INDEX: return one(lists_.open_name);
-        case kGL_LIST_MODE: return one(lists_.open_name == 0 ? 0 : lists_.open_mode);
+        case kGL_MODELVIEW_STACK_DEPTH: return one(state.matrix_depth(kGL_MODELVIEW));
+        case kGL_PROJECTION_STACK_DEPTH: return one(state.matrix_depth(kGL_PROJECTION));
+        case kGL_TEXTURE_STACK_DEPTH: return one(state.matrix_depth(kGL_TEXTURE));
+        case kGL_ATTRIB_STACK_DEPTH: return one(state.attribute_depth());
+        case kGL_RENDER_MODE: return one(state.render_mode());
+        case kGL_ACTIVE_TEXTURE: return one(kGL_TEXTURE0 + a.active_unit);
+        case kGL_LIST_BASE: return one(a.list_base);
+        case kGL_TEXTURE_BINDING_1D: return one(unit.bound_1d);
+        case kGL_TEXTURE_BINDING_2D: return one(unit.bound_2d);
+        case kGL_LIST_INDEX: return one(state.lists().open_name);
+        case kGL_LIST_MODE: return one(state.lists().open_name == 0 ? 0 : state.lists().open_mode);
         case kGL_MAX_LIST_NESTING: return one(kMaxListNesting);
         case kGL_MAX_LIGHTS: return one(kMaxLights);
         case kGL_MAX_CLIP_PLANES: return one(kMaxClipPlanes);
@@ -163,21 +173,22 @@ std::vector<double> State::get(Enum pname) const {
     }
 }
 
-std::vector<double> State::get_clip_plane(Enum plane) const {
+Answer clip_plane_answer(const State& state, Enum plane) {
     if (plane < kGL_CLIP_PLANE0 || plane >= kGL_CLIP_PLANE0 + kMaxClipPlanes) return {};
-    return list(a_.clip_planes[plane - kGL_CLIP_PLANE0].equation_eye);
+    return list(state.attributes().clip_planes[plane - kGL_CLIP_PLANE0].equation_eye);
 }
 
-std::vector<double> State::get_tex_env(Enum target, Enum pname) const {
-    if (target == kGL_TEXTURE_FILTER_CONTROL && pname == kGL_TEXTURE_LOD_BIAS) return one(unit().lod_bias);
+Answer tex_env_answer(const State& state, Enum target, Enum pname) {
+    const TextureBindings& unit = state.attributes().units[state.attributes().active_unit];
+    if (target == kGL_TEXTURE_FILTER_CONTROL && pname == kGL_TEXTURE_LOD_BIAS) return one(unit.lod_bias);
     if (target != kGL_TEXTURE_ENV) return {};
-    if (pname == kGL_TEXTURE_ENV_MODE) return one(unit().env_mode);
-    return pname == kGL_TEXTURE_ENV_COLOR ? list(unit().env_color) : Answer{};
+    if (pname == kGL_TEXTURE_ENV_MODE) return one(unit.env_mode);
+    return pname == kGL_TEXTURE_ENV_COLOR ? list(unit.env_color) : Answer{};
 }
 
-std::vector<double> State::get_tex_parameter(Enum target, Enum pname) const {
+Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
     if (target != kGL_TEXTURE_1D && target != kGL_TEXTURE_2D) return {};
-    const Texture& texture = *const_cast<State*>(this)->bound_texture(target);  // NOLINT: nothing is changed
+    const Texture& texture = state.bound_texture(target);
     switch (pname) {
         case kGL_TEXTURE_MIN_FILTER: return one(texture.min_filter);
         case kGL_TEXTURE_MAG_FILTER: return one(texture.mag_filter);
@@ -190,9 +201,9 @@ std::vector<double> State::get_tex_parameter(Enum target, Enum pname) const {
     }
 }
 
-std::vector<double> State::get_tex_level_parameter(Enum target, int level, Enum pname) const {
+Answer tex_level_answer(const State& state, Enum target, int level, Enum pname) {
     if ((target != kGL_TEXTURE_1D && target != kGL_TEXTURE_2D) || level < 0) return {};
-    const Texture& texture = *const_cast<State*>(this)->bound_texture(target);  // NOLINT: nothing is changed
+    const Texture& texture = state.bound_texture(target);
     const bool exists = static_cast<std::size_t>(level) < texture.levels.size();
     const bool has_image = exists && !texture.levels[static_cast<std::size_t>(level)].texels.empty();
     const TextureImage image = has_image ? texture.levels[static_cast<std::size_t>(level)] : TextureImage{.height = 0};

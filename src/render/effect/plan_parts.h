@@ -1,5 +1,4 @@
-// The lights of a Draw, planned: which are out because they are nothing, which because they are faint, what is called for of
-// the others.
+// The parts of a plan that have a file each: the lights (plan_lights.cpp) and the fragments (plan_fragments.cpp).
 #pragma once
 
 #include <array>
@@ -18,5 +17,8 @@ struct LightsToPlan {
 // Fills plan.lights, effects.lights, constant_ambient, light_bounds and error_bound, by plan.lighting and plan.budget.
 // Gives what the lights that are in may add to a channel of both colours together.
 ColorRange plan_lights(const LightsToPlan& what, Plan& plan);
+
+// Adds the effects of texture, fog and clip planes to plan.effects, and to plan.left_out why the others are not there.
+void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan);
 
 }  // namespace twinlight

@@ -43,7 +43,7 @@ struct PixelSource {
 // 3.6.4: the bytes of a bitmap, whose pixels are bits; 0 for one without pixels.
 std::size_t bitmap_bytes(int width, int height, const PixelStore& store);
 // How many bytes a pixel has of those formats and types that State does not follow: indices, depths, stencil values.
-std::optional<int> pixel_bytes_elsewhere(Enum format, Enum type);
+std::optional<int> driver_only_pixel_bytes(Enum format, Enum type);
 
 // How many bytes from the pointer on are read; 0 for an image without pixels, the largest number for more than any memory
 // has.

@@ -1,4 +1,4 @@
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
 
 #include <algorithm>
 #include <bit>
@@ -216,7 +216,7 @@ std::size_t bitmap_bytes(int width, int height, const PixelStore& store) {
     return rows * row + (at_least_0(store.unpack_skip_pixels) + at_least_0(width) + 7) / 8;
 }
 
-std::optional<int> pixel_bytes_elsewhere(Enum format, Enum type) {
+std::optional<int> driver_only_pixel_bytes(Enum format, Enum type) {
     if (format != kGL_COLOR_INDEX && format != kGL_DEPTH_COMPONENT && format != kGL_STENCIL_INDEX) return std::nullopt;
     return element_bytes(type);
 }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "scene/state/pixels.h"
+#include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -25,21 +25,21 @@ double evaluated_points(const Command& c) {
 }  // namespace
 
 // These set what changes a picture only under a capability, or for a command, that is named itself.
-void State::elsewhere_state(const Command&) {}
+void State::driver_only_state(const Command&) {}
 // The same, and legal between Begin and End: fog coordinates, and the indices of color index mode.
-void State::elsewhere_attribute(const Command&) {}
+void State::driver_only_attribute(const Command&) {}
 
 // What these answer a scene cannot use, and what names they know is the driver's.
-void State::elsewhere_query(const Command&) {}
+void State::driver_only_query(const Command&) {}
 
 // These change the picture.
-void State::elsewhere_drawing(const Command& c) {
+void State::driver_only_drawing(const Command& c) {
     if (!has_time(c, evaluated_points(c))) return;
-    note_unsupported(std::string(c.name()), c.place, {"programmable", "reference"});
+    note_unsupported(std::string(c.name()), c.place);
 }
 
 // The same, and legal between Begin and End.
-void State::elsewhere_vertex(const Command& c) { elsewhere_drawing(c); }
+void State::driver_only_vertex(const Command& c) { driver_only_drawing(c); }
 
 // ---- Values that change what is drawn with them ----
 
@@ -50,18 +50,18 @@ bool adds_secondary_color(const Draw& draw) { return draw.fragment.color_sum && 
 }  // namespace
 
 // 3.9: the current secondary colour is added without lighting only, and with GL_COLOR_SUM.
-void State::elsewhere_secondary_color(const Command& c) {
+void State::driver_only_secondary_color(const Command& c) {
     const bool is_black = std::all_of(c.arguments.begin(), c.arguments.end(), [](double v) { return v == 0; });
     a_.secondary_color.reset();
     if (is_black) return;
     a_.secondary_color = c.place;
     if (open_ && adds_secondary_color(*open_)) {
-        note_unsupported("glSecondaryColor", c.place, {"programmable", "reference"});
+        note_unsupported("glSecondaryColor", c.place);
     }
 }
 
 // 3.3, table 6.12.
-void State::elsewhere_point_parameter(const Command& c) {
+void State::driver_only_point_parameter(const Command& c) {
     const Enum pname = c.enumerant(0);
     const auto values = parameter_values(c, Owner::kPoint, pname);
     if (!values) return;
@@ -78,10 +78,8 @@ void State::elsewhere_point_parameter(const Command& c) {
     }
 }
 
-void State::note_draws_elsewhere(const Draw& draw) {
-    const auto note = [this](const std::string& name, const Place& place) {
-        note_unsupported(name, place, {"programmable", "reference"});
-    };
+void State::note_driver_only_values(const Draw& draw) {
+    const auto note = [this](const std::string& name, const Place& place) { note_unsupported(name, place); };
     if (a_.secondary_color && adds_secondary_color(draw)) note("glSecondaryColor", *a_.secondary_color);
     if (a_.fog_coordinates && draw.fog.enabled) note("glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)", *a_.fog_coordinates);
     if (!draw.draws_points()) return;
@@ -91,7 +89,7 @@ void State::note_draws_elsewhere(const Draw& draw) {
 }
 
 // 3.6.3: scales and biases what every glTexImage gives.
-void State::elsewhere_pixel_transfer(const Command& c) {
+void State::driver_only_pixel_transfer(const Command& c) {
     const Enum pname = c.enumerant(0);
     if (!known(c, pname,
                {kGL_MAP_COLOR, kGL_MAP_STENCIL, kGL_INDEX_SHIFT, kGL_INDEX_OFFSET, kGL_RED_SCALE, kGL_GREEN_SCALE,
@@ -106,7 +104,7 @@ void State::elsewhere_pixel_transfer(const Command& c) {
 // ---- Pixels ----
 
 // 3.7. Without pixels it moves the raster position, and nothing is drawn.
-void State::elsewhere_bitmap(const Command& c) {
+void State::driver_only_bitmap(const Command& c) {
     const int width = static_cast<int>(c.number(0)), height = static_cast<int>(c.number(1));
     if (width < 0 || height < 0) {
         return raise(kGL_INVALID_VALUE, c, fmt::format("glBitmap is given the size {} x {}", width, height));
@@ -121,11 +119,11 @@ void State::elsewhere_bitmap(const Command& c) {
                         "{} here",
                         needed, there, pixel_store_.unpack_alignment));
     }
-    elsewhere_drawing(c);
+    driver_only_drawing(c);
 }
 
 // 3.5.2: 32 x 32 bits, unpacked as a bitmap is. GL_POLYGON_STIPPLE is named where it is on.
-void State::elsewhere_stipple(const Command& c) {
+void State::driver_only_stipple(const Command& c) {
     constexpr int kSide = 32;
     const std::size_t needed = bitmap_bytes(kSide, kSide, pixel_store_);
     if (needed > c.array().size()) {
@@ -136,7 +134,7 @@ void State::elsewhere_stipple(const Command& c) {
 }
 
 // 3.8.2: the image is there from now on, and what it shows only the driver knows.
-void State::elsewhere_copy_image(const Command& c) {
+void State::driver_only_copy_image(const Command& c) {
     note_lasting(c.name(), c.place);
     const bool two = c.id == CommandId::glCopyTexImage2D;
     if ((!two && c.id != CommandId::glCopyTexImage1D) || c.enumerant(0) != (two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D))

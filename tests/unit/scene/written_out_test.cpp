@@ -1,4 +1,4 @@
-#include "scene/shape/primitives.h"
+#include "scene/shape/written_out.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST(PragmasWrittenOut, DrawTheSamePicture) {
     for (const Command& command : written_out.commands) EXPECT_NE(command.id, CommandId::pragma_shape);
     const auto picture = [](const CommandList& list) {
         const StateOptions options{.width = 64, .height = 64};
-        return reference::render(make_frame(std::make_shared<const CommandList>(list), options), {});
+        return reference::render(make_frame(list, options), {});
     };
     EXPECT_EQ(picture(scene).pixels, picture(written_out).pixels);
 }

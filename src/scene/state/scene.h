@@ -1,0 +1,19 @@
+// A scene: its commands, and the picture that State makes of them.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "scene/command/command.h"
+#include "scene/state/frame.h"
+
+namespace twinlight {
+
+struct Scene {
+    std::shared_ptr<const Recording> recording;  // the fixed function executes these commands
+    Frame frame;                                 // shaders and the reference draw this
+
+    const std::string& name() const { return recording->name; }
+};
+
+}  // namespace twinlight
