@@ -118,7 +118,7 @@ SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOUR
 HEADERS := $(sort $(shell find src tests -name '*.h'))
 EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes shaders pages cases)
 FILES_scenes := $(wildcard src/scene/scenes/*.gl)
-FILES_shaders := $(wildcard src/render/programmable/shaders/*.glsl)
+FILES_shaders := $(wildcard src/render/programmable/shaders/*.glsl src/render/programmable/precise/*.glsl)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)
@@ -272,7 +272,7 @@ embed = @mkdir -p $(@D); { echo '\#include "$(1)"'; echo 'namespace twinlight {'
 $(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files Makefile
 	$(call embed,scene/scenes/scenes.h,kSceneFiles,$(sort $(FILES_scenes)))
 $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files Makefile
-	$(call embed,render/programmable/shader_files.h,kShaderFiles,$(sort $(FILES_shaders)))
+	$(call embed,render/programmable/shader_assembly.h,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files Makefile
 	$(call embed,judge/report/html.h,kPageFiles,$(sort $(FILES_pages)))
 $(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files Makefile

@@ -15,8 +15,8 @@
 #include "render/context/gl.h"
 #include "render/effect/plan.h"
 #include "render/programmable/bake.h"
-#include "render/programmable/mesh.h"
-#include "render/programmable/program.h"
+#include "render/programmable/shader_program.h"
+#include "render/programmable/uploaded_mesh.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
 #include "ways.h"
@@ -34,12 +34,9 @@ struct Guard {
 };
 constexpr Guard kGuards[] = {
     {R"(v / max\(length\(v\), 1e-18\))", "normalize(v)"},
-    {R"(sqrt\(max\(dot\(vp, vp\), 1e-24\)\))", "length(vp)"},
-    {R"(max\(dot\(half_sum, half_sum\), 1e-24\))", "dot(half_sum, half_sum)"},
-    {R"(1\.0 / max\((.*), 1e-37\);)", "1.0 / ($1);"},
-    {R"(u_light\w+ > 0\.0 \|\| dot\(vp, vp\) > 0\.0\s*\? (.*) : 0\.0;)", "$1;"},
-    {R"(n_dot_half_sum = min\(n_dot_half_sum, 1e15\);)", ""},
-    {R"(highlight = min\(highlight, 1e30\);)", ""},
+    {R"(divisor > 0\.0 \? 1\.0 / max\(divisor, 1e-37\) : 0\.0)", "1.0 / divisor"},
+    {R"(max\(dot\(sum, sum\), 1e-24\))", "dot(sum, sum)"},
+    {R"(min\(x, 1e30\))", "x"},
 };
 
 // How often each was found.
@@ -52,7 +49,7 @@ std::string without_guards(std::string text, Found& found) {
         text = std::regex_replace(text, guarded, kGuards[i].naive);
     }
     // The last one is that of a w that is not 1, which none of the scenes has.
-    for (const char* limit : {"1e-18", "1e-24", "1e-37", "1e15", "1e30", "far *"})
+    for (const char* limit : {"1e-18", "1e-24", "1e-37", "1e30", "far *"})
         if (text.find(limit) != text.npos)
             throw std::runtime_error(fmt::format("a guard with {} is left in this text:\n{}", limit, text));
     return text;
@@ -77,7 +74,7 @@ class Drawn {
             std::erase_if(constants, [&](const auto& number) { return !names.contains(number.first); });
             source = with_constants(source, constants);
         }
-        program_ = std::make_unique<Program>(source, code_.effects);
+        program_ = std::make_unique<ShaderProgram>(source, code_.effects);
     }
 
     void draw() {
@@ -95,8 +92,8 @@ class Drawn {
     Plan plan_;
     Code code_;
     Uniforms numbers_;
-    Mesh mesh_;
-    std::unique_ptr<Program> program_;
+    UploadedMesh mesh_;
+    std::unique_ptr<ShaderProgram> program_;
     Textures textures_{Clamping::kShader};
 };
 

@@ -10,7 +10,7 @@
 
 #include "base/image/file.h"
 #include "render/context/gl.h"
-#include "render/programmable/mesh.h"
+#include "render/programmable/uploaded_mesh.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
 
@@ -83,7 +83,7 @@ class Opponent : public Program {
     }
 
     Draw draw_;
-    programmable::Mesh mesh_;
+    programmable::UploadedMesh mesh_;
     Textures textures_{Clamping::kShader};
     unsigned program_;
 };

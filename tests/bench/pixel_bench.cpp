@@ -50,7 +50,7 @@ void compare_pixels(Results& results) {
         programmable::Options options;
         options.shading = Shading::kPhong;
         options.tier = tier;
-        const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, options);
+        const auto prepared = std::make_shared<programmable::UploadedFrame>(frame, options);
         return finishing(std::move(name), [&renderer, prepared] { renderer.draw(*prepared); });
     };
     std::vector<double> over_uber, uniform_over_uber;

@@ -93,7 +93,7 @@ void compare_with_driver(Results& results) {
     const auto context = make_offscreen_context(kSide, kSide);
     programmable::Renderer renderer;
     const auto drawing = [&](std::string name, const Frame& frame, programmable::Tier tier) {
-        const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, phong(tier));
+        const auto prepared = std::make_shared<programmable::UploadedFrame>(frame, phong(tier));
         return Way{std::move(name), [&renderer, prepared] {
                        renderer.draw(*prepared);
                        glFinish();

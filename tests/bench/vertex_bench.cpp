@@ -133,7 +133,7 @@ void compare_planning(Results& results) {
 // ---- Frame after frame ----
 
 // A window's frames: each is given as a whole, and a light has moved. `moves_vertices`: a vertex as well.
-Way live_way(std::string name, const Draw& draw, const programmable::Limits& limits, bool moves_vertex = false) {
+Way live_way(std::string name, const Draw& draw, const programmable::KeptLimits& limits, bool moves_vertex = false) {
     const auto renderer = std::make_shared<programmable::Renderer>(limits);
     const auto frame = std::make_shared<Frame>(frame_of(draw));
     const auto step = [=, number = 0]() mutable {
@@ -150,7 +150,7 @@ Way live_way(std::string name, const Draw& draw, const programmable::Limits& lim
 
 void compare_still_frames(Results& results) {
     const auto context = make_offscreen_context(kSide, kSide);
-    const programmable::Limits nothing{.mesh_bytes = 0};
+    const programmable::KeptLimits nothing{.mesh_bytes = 0};
     std::vector<double> still, changing, known;
     for (const LitScene& scene : seven_scenes(sphere(512, 256))) {
         const auto timed = results.compare(

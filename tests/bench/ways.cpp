@@ -27,7 +27,7 @@ Way fixed_way(std::string name, const Frame& frame, fixed::Scrub scrub, bool pat
 
 Way shader_way(std::string name, const Frame& frame, const programmable::Options& options) {
     const auto renderer = std::make_shared<programmable::Renderer>();
-    const auto prepared = std::make_shared<programmable::PreparedFrame>(frame, options);
+    const auto prepared = std::make_shared<programmable::UploadedFrame>(frame, options);
     return {std::move(name), [renderer, prepared] {
                 renderer->draw(*prepared);
                 glFinish();

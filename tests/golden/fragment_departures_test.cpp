@@ -30,7 +30,7 @@ constexpr const char* kStart = R"(
     GLfloat white[] = {1, 1, 1, 1}, black[] = {0, 0, 0, 1};
 )";
 
-// How many interior pixels differ by more than a rounding and the slack.
+// How many interior pixels differ by more than a rounding and the allowed difference.
 int differing_pixels(const FragmentCase& shown) {
     const auto scene = std::make_shared<const CommandList>(
         read_scene(std::string(kStart) + shown.scene, "case.gl", std::string(shown.name)));
@@ -39,14 +39,14 @@ int differing_pixels(const FragmentCase& shown) {
     const auto [recording, frame] = make_scene(scene, options);
     EXPECT_TRUE(frame.unsupported.empty());
     const Image driver = fixed::render({recording, frame}), reference = reference::render(frame, {});
-    const Freedom freedom = reference::freedom(frame);
+    const AllowedDifference allowed = reference::allowed_difference(frame);
     int differing = 0;
     for (std::size_t i = 0; i < driver.pixels.size(); ++i) {
-        if (freedom.edge[i]) continue;
+        if (allowed.edge[i]) continue;
         bool differs = false;
         for (std::size_t c = 0; c < 4; ++c) {
             const int codes = std::abs(channel_code(driver.pixels[i][c]) - channel_code(reference.pixels[i][c]));
-            differs = differs || codes > 1 + 255.0 * static_cast<double>(freedom.slack.pixels[i][c]);
+            differs = differs || codes > 1 + 255.0 * static_cast<double>(allowed.channels.pixels[i][c]);
         }
         differing += differs;
     }

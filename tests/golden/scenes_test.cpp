@@ -50,13 +50,14 @@ compare::Comparison comparison_of(const std::string& name, Shading per_pixel = S
         .programmable = [&](const Frame& frame,
                             const programmable::Options& options) { return shaders.render(frame, options); },
         .reference = reference::render,
-        .freedom = reference::freedom,
+        .allowed_difference = reference::allowed_difference,
     };
     return compare::compare_scene(scene_of(name), {.driver = driver_name(), .per_pixel = per_pixel}, renderers);
 }
 
 // Writes it instead where `make golden` asks for that.
-void expect_golden(const std::string& scene, const std::string& file_name, const Image& image, const Freedom& freedom) {
+void expect_golden(const std::string& scene, const std::string& file_name, const Image& image,
+                   const AllowedDifference& allowed) {
     const char* write = std::getenv("TWINLIGHT_WRITE_GOLDEN");
     const std::string folder = "golden/scenes/" + scene, file = folder + "/" + file_name;
     if (write && (std::string_view(write) == "*" || scene == write)) {
@@ -71,7 +72,7 @@ void expect_golden(const std::string& scene, const std::string& file_name, const
     Image actual = image;
     for (Rgba& pixel : actual.pixels) pixel[3] = 1;  // pictures in files have no alpha
     // Edges may fall to either side on another driver; the interior is held to what two renderers are held to.
-    if (compare::judge(difference(actual, golden, freedom), {}) == compare::Verdict::kBeyond)
+    if (compare::judge(difference(actual, golden, allowed), {}) == compare::Verdict::kBeyond)
         ADD_FAILURE() << picture_failure(scene + "-" + file_name, actual, golden).message();
 }
 
@@ -93,14 +94,14 @@ TEST_P(GoldenScenes, AgreeThreeWaysAndWithTheGoldenPictures) {
     EXPECT_TRUE(comparison.unsupported.empty());
     expect_agreement(comparison);
     for (const compare::Render& render : comparison.renders)
-        expect_golden(name, report::picture_file(render), render.image, comparison.freedom);
+        expect_golden(name, report::picture_file(render), render.image, comparison.allowed);
 }
 
 // Of the reference alone: nothing is left to a driver.
 TEST_P(GoldenScenes, HaveTheGoldenPictureOfTheirExactSurfaces) {
     const Image image = reference::render(scene_of(GetParam()).frame, {{.shading = Shading::kExact}});
     expect_golden(GetParam(), "reference-exact.png", image,
-                  {.edge = PixelMask(image.pixels.size()), .slack = Image(image.width, image.height)});
+                  {.edge = PixelMask(image.pixels.size()), .channels = Image(image.width, image.height)});
 }
 
 // By shaders, to what two renderers are held to.

@@ -11,7 +11,7 @@
 #include "render/effect/explanation.h"
 #include "render/effect/surface_draw.h"
 #include "render/programmable/programmable.h"
-#include "render/reference/pixel.h"
+#include "render/reference/pixel_history.h"
 
 namespace twinlight {
 namespace {
@@ -98,7 +98,7 @@ TEST(ExactShaderDepths, AreTheReferences) {
                         if (truth.is_edge(static_cast<std::size_t>((kSide - 1 - y) * kSide + x))) continue;
                         double expected = 1;
                         for (const reference::PixelFragment& fragment :
-                             reference::pixel_fragments(frame, {{.shading = Shading::kExact}}, x, y))
+                             reference::pixel_history(frame, {{.shading = Shading::kExact}}, x, y).fragments)
                             if (fragment.passes) expected = fragment.depth;
                         float actual = 0;
                         glReadPixels(x, y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &actual);

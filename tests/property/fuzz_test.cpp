@@ -34,7 +34,7 @@ TEST(Fuzz, FindsNoUnexplainedDifference) {
                    summary.vertices.at(pair), summary.worst_float.at(pair).value, summary.pixels.at(pair),
                    summary.differing_pixels.at(pair));
         EXPECT_FALSE(summary.too_many_differ(pair));
-        // What is left out, or left open by the pixels' freedom, must not grow until nothing is compared. Feedback does
+        // What is left out, or left open by the allowed difference, must not grow until nothing is compared. Feedback does
         // not return the secondary colour: states that have one are no pair of fixed ~ programmable.
         const double share = pair == static_cast<std::size_t>(RendererPair::kFixedProgrammable) ? 0.2 : 0.6;
         EXPECT_GT(static_cast<double>(summary.vertices.at(pair)),
@@ -45,25 +45,26 @@ TEST(Fuzz, FindsNoUnexplainedDifference) {
     }
 }
 
-// A freedom that grew until nothing is compared would find nothing.
+// An allowed difference that grew until nothing is compared would find nothing.
 TEST(Fuzz, LeavesLittleOfAPictureOpen) {
-    constexpr double kInteriorShare = 0.85, kMeanSlackCodes = 0.15;
-    double pixels = 0, interior = 0, slack = 0;
+    constexpr double kInteriorShare = 0.85, kMeanCodes = 0.15;
+    double pixels = 0, interior = 0, codes = 0;
     for (std::uint64_t picture = 0; picture < 150; ++picture) {
         const std::uint64_t state = picture * kPicturesPerStructure * kPictureEvery + kPictureEvery - 1;
         const auto scene = std::make_shared<const CommandList>(random_scene({.seed = 20}, state));
-        const Freedom freedom = reference::freedom(make_frame(*scene, {.width = 64, .height = 64}));
-        for (std::size_t i = 0; i < freedom.edge.size(); ++i) {
+        const AllowedDifference allowed =
+            reference::allowed_difference(make_frame(*scene, {.width = 64, .height = 64}));
+        for (std::size_t i = 0; i < allowed.edge.size(); ++i) {
             ++pixels;
-            if (freedom.edge[i]) continue;
+            if (allowed.edge[i]) continue;
             ++interior;
-            for (const float channel : freedom.slack.pixels[i]) slack += 255.0 * static_cast<double>(channel) / 4;
+            for (const float channel : allowed.channels.pixels[i]) codes += 255.0 * static_cast<double>(channel) / 4;
         }
     }
-    fmt::print("{:.0f} % of the pixels are interior, with a slack of {:.3f} codes on average\n",
-               100 * interior / pixels, slack / interior);
+    fmt::print("{:.0f} % of the pixels are interior, with {:.3f} codes allowed on average\n", 100 * interior / pixels,
+               codes / interior);
     EXPECT_GT(interior, kInteriorShare * pixels);
-    EXPECT_LT(slack, kMeanSlackCodes * interior);
+    EXPECT_LT(codes, kMeanCodes * interior);
 }
 
 TEST(Fuzz, GivesTheSameSceneForTheSameState) {

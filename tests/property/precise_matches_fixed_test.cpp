@@ -23,10 +23,10 @@
 #include "render/effect/plan.h"
 #include "render/fixed/fixed.h"
 #include "render/fixed/replay.h"
-#include "render/programmable/mesh.h"
-#include "render/programmable/precise.h"
-#include "render/programmable/program.h"
+#include "render/programmable/precise/precise.h"
 #include "render/programmable/programmable.h"
+#include "render/programmable/shader_program.h"
+#include "render/programmable/uploaded_mesh.h"
 #include "resolved_state.h"
 #include "scene/command/text.h"
 #include "scene/scenes/scenes.h"
@@ -172,13 +172,13 @@ class VertexPrograms {
 
         auto& program = programs_[{code.effects, code.form}];
         if (!program) {
-            program = std::make_unique<Program>(assemble(code.effects, code.form), code.effects);
+            program = std::make_unique<ShaderProgram>(assemble(code.effects, code.form), code.effects);
             program->use(numbers);
             link_with(outputs);
         }
         program->use(numbers);
         draw.mode = kGL_POINTS;
-        return captured(Mesh(draw, code.effects, false, code.origin_object.value_or(glm::dvec3(0))), outputs);
+        return captured(UploadedMesh(draw, code.effects, false, code.origin_object.value_or(glm::dvec3(0))), outputs);
     }
 
   private:
@@ -195,7 +195,7 @@ class VertexPrograms {
         glLinkProgram(static_cast<GLuint>(name));
     }
 
-    static Triangle captured(const programmable::Mesh& mesh, const Outputs& outputs) {
+    static Triangle captured(const programmable::UploadedMesh& mesh, const Outputs& outputs) {
         std::vector<float> values(3 * outputs.size() * 4);
         GLuint buffer = 0;
         glGenBuffers(1, &buffer);
@@ -224,7 +224,7 @@ class VertexPrograms {
         return triangle;
     }
 
-    std::map<std::pair<EffectSet, programmable::Form>, std::unique_ptr<programmable::Program>> programs_;
+    std::map<std::pair<EffectSet, programmable::Form>, std::unique_ptr<programmable::ShaderProgram>> programs_;
 };
 
 // ---- The comparison ----
@@ -374,8 +374,8 @@ TEST(Precise, IsOfVerticesAndOfUniforms) {
     programmable::Options phong = kPrecise, baked = kPrecise;
     phong.shading = Shading::kPhong;
     baked.tier = programmable::Tier::kBaked;
-    EXPECT_THROW(programmable::PreparedFrame(frame, phong), std::invalid_argument);
-    EXPECT_THROW(programmable::PreparedFrame(frame, baked), std::invalid_argument);
+    EXPECT_THROW(programmable::UploadedFrame(frame, phong), std::invalid_argument);
+    EXPECT_THROW(programmable::UploadedFrame(frame, baked), std::invalid_argument);
 }
 
 // Where the fixed function's answer is no number (2.1.1: none is asked for), it has the ordinary program's.

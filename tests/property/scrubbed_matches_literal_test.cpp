@@ -33,14 +33,14 @@ compare::Comparison compare_scrubbed(const Scene& scene, double budget) {
                 return programmable::Picture{fixed::render(scene, {options.shading}), {}};
             },
         .reference = reference::render,
-        .freedom = reference::freedom,
+        .allowed_difference = reference::allowed_difference,
     };
     return compare::compare_scene(scene, {.per_vertex_only = true}, renderers);
 }
 
 void expect_within(const compare::Comparison& comparison, std::size_t pair_number, double budget) {
     const compare::Pair& pair = comparison.pairs.at(pair_number);
-    const RegionDifference& beyond = pair.difference.beyond_slack;
+    const RegionDifference& beyond = pair.difference.beyond_allowed;
     // The budget moves a channel before it is rounded, and rounding adds a code where it was another.
     EXPECT_LE(beyond.max, comparison.tolerance.max + budget) << fmt::format(
         "{}: {}, pair {}: {} of {} interior pixels differ, the worst at {},{}", comparison.scene,
@@ -61,10 +61,10 @@ TEST(Scrubbed, DrawsTheBuiltInScenesAsLiterally) {
             expect_within(comparison, kLiteral, budget);
             if (budget != 0) continue;
             const ImageDifference& difference = comparison.pairs[kLiteral].difference;
-            fmt::print("{}: {} of {} interior pixels differ, {} beyond the slack; {} of {} at edges\n", file.name,
-                       difference.interior.differing, difference.interior.pixels, difference.beyond_slack.differing,
+            fmt::print("{}: {} of {} interior pixels differ, {} beyond what is allowed; {} of {} at edges\n", file.name,
+                       difference.interior.differing, difference.interior.pixels, difference.beyond_allowed.differing,
                        difference.edge.differing, difference.edge.pixels);
-            EXPECT_LT(difference.beyond_slack.differing_share(), comparison.tolerance.differing_share);
+            EXPECT_LT(difference.beyond_allowed.differing_share(), comparison.tolerance.differing_share);
         }
     }
 }
@@ -115,8 +115,8 @@ TEST(Scrubbed, DrawsRandomStatesAsLiterally) {
         expect_within(comparison, kReference, budget);
         ++compared;
         if (budget != 0) continue;
-        pixels += comparison.pairs[kLiteral].difference.beyond_slack.pixels;
-        differing += comparison.pairs[kLiteral].difference.beyond_slack.differing;
+        pixels += comparison.pairs[kLiteral].difference.beyond_allowed.pixels;
+        differing += comparison.pairs[kLiteral].difference.beyond_allowed.differing;
     }
     fmt::print(
         "{} compared, {} left out for what the driver is known to do otherwise; {} of {} interior pixels differ\n",

@@ -111,7 +111,7 @@ class ShapesAndTheDriver : public testing::Test {
         // Where a strip's quadrilaterals are cut is the driver's choice.
         const Image right = nearer_of(driver, reference::render(frame, {{}, reference::QuadCut::kFirstToThird}),
                                       reference::render(frame, {{}, reference::QuadCut::kSecondToFourth}));
-        const ImageDifference found = difference(driver, right, reference::edge_pixels(frame));
+        const ImageDifference found = difference(driver, right, reference::allowed_difference(frame).edge);
         EXPECT_LE(found.interior.max, 1.0 / 255) << found.interior.worst_x << "," << found.interior.worst_y;
         // As often as float and double lie on different sides of a rounding border.
         EXPECT_LE(found.interior.differing_share(), 0.001);

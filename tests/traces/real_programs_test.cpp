@@ -52,7 +52,7 @@ compare::Comparison comparison_of(const Scene& scene) {
         .programmable = [&](const Frame& f,
                             const programmable::Options& options) { return shaders.render(f, options); },
         .reference = reference::render,
-        .freedom = reference::freedom,
+        .allowed_difference = reference::allowed_difference,
     };
     return compare::compare_scene(scene, {.driver = driver_name()}, renderers);
 }

@@ -207,7 +207,7 @@ class DemoWindow : public testing::Test {
         const Image expected = controls.renderer == Path::kFixed
                                    ? fixed::render(scene)
                                    : programmable::Renderer().render(scene.frame, kOptions).image;
-        expect_near(actual, expected, reference::edge_pixels(scene.frame), 0);
+        expect_near(actual, expected, reference::allowed_difference(scene.frame).edge, 0);
     }
 
     // `interior`: by how much a channel may differ there.
@@ -335,7 +335,8 @@ TEST_F(DemoWindow, ShowsTheDifferenceOfTheTwo) {
     const PixelMask no_edges(a.pixels.size());
     const int factor = amplification_for(difference(a, b, no_edges).interior.max);
     // Where one code differs between the two libraries, the amplified difference does by `factor` codes.
-    expect_near(actual, difference_picture(a, b, factor), reference::edge_pixels(scene.frame), factor / 255.0);
+    expect_near(actual, difference_picture(a, b, factor), reference::allowed_difference(scene.frame).edge,
+                factor / 255.0);
 }
 
 TEST_F(DemoWindow, KeepsTheProportionsOfThePictureInAnyWindow) {

@@ -46,8 +46,8 @@ std::string line(std::string_view name, std::string_view part, const RegionDiffe
                        any ? fmt::format("{},{}", region.worst_x, region.worst_y) : "-");
 }
 
-// Two lines a pair: its first name beside the interior, its second beside the edges. A third where filters or blending
-// have slack: what is left beyond it.
+// Two lines a pair: its first name beside the interior, its second beside the edges. A third where a part of the
+// difference is allowed: what is left beyond it.
 std::string table(const compare::Comparison& comparison) {
     std::string text = fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}  {}\n", "pair", "", "differing",
                                    "share", "max", "rms", "worst x,y", "verdict");
@@ -55,7 +55,7 @@ std::string table(const compare::Comparison& comparison) {
         text += line(comparison.a(pair).name, "interior", pair.difference.interior) + "  " +
                 colored(report::word_of(pair.verdict), pair.verdict) + "\n";
         text += line("~ " + comparison.b(pair).name, "edges", pair.difference.edge) + "\n";
-        if (report::has_slack(pair)) text += line("", "judged", pair.difference.beyond_slack) + "\n";
+        if (report::has_allowed_difference(pair)) text += line("", "judged", pair.difference.beyond_allowed) + "\n";
     }
     const ImageDifference& any = comparison.pairs.front().difference;  // all pairs share one mask
     return text + fmt::format("of {} interior and {} edge pixels\n", report::grouped(any.interior.pixels),

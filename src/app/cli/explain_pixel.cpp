@@ -11,7 +11,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/renderers.h"
-#include "render/reference/pixel.h"
+#include "render/reference/pixel_history.h"
 #include "scene/state/lecture_variants.h"
 
 namespace twinlight::cli {
@@ -38,7 +38,8 @@ struct Rendered {
 };
 
 // The fixed function lights vertices alone.
-std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, const Pixel& pixel) {
+std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, const Pixel& pixel,
+                               const Rgba& reference) {
     const Frame& frame = scene.frame;
     const RendererSet set(frame.width, frame.height);
     const compare::Renderers& functions = set.functions();
@@ -46,7 +47,7 @@ std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, c
     const bool by_pixel = options.shading == Shading::kPhong || options.shading == Shading::kExact;
     if (!by_pixel) result.push_back({"fixed", functions.fixed(scene, {options.shading}).at(pixel.x, pixel.y)});
     result.push_back({"programmable", functions.programmable(frame, {options}).image.at(pixel.x, pixel.y)});
-    result.push_back({"reference", functions.reference(frame, reference::Options{options}).at(pixel.x, pixel.y)});
+    result.push_back({"reference", reference});
     return result;
 }
 
@@ -195,9 +196,10 @@ Pixel parse_pixel(const std::string& text, const Frame& frame) {
 
 std::string explain_pixel(const Scene& scene, const PlanOptions& options, const Pixel& pixel, bool as_json) {
     const Frame& frame = scene.frame;
-    const std::vector<PixelFragment> fragments =
-        reference::pixel_fragments(frame, reference::Options{options}, pixel.x, frame.height - 1 - pixel.y);
-    const std::vector<Rendered> pictures = rendered(scene, options, pixel);
+    const reference::PixelHistory history =
+        reference::pixel_history(frame, reference::Options{options}, pixel.x, frame.height - 1 - pixel.y);
+    const std::vector<PixelFragment>& fragments = history.fragments;
+    const std::vector<Rendered> pictures = rendered(scene, options, pixel, history.color);
     const std::vector<const Draw*> draws = draws_of(frame);
     if (as_json) {
         Json json = {{"scene", scene.name()}, {"pixel", {pixel.x, pixel.y}}, {"fragments", Json::array()}};

@@ -75,7 +75,7 @@ std::string summary_text(const Arguments& arguments, const Summary& summary, dou
     }
     text +=
         "Vertices: relative to the magnitude of a colour's terms. Pixels: of the interior; differing, and the worst in "
-        "codes, beyond\nthe slack of filters and blending.\n";
+        "codes, beyond\nthe difference that is allowed for filters and blending.\n";
     if (!summary.vertices_left_out.empty() || !summary.pictures_left_out.empty()) {
         text += "\nLeft out, and how many of them differ:\n";
         append_left_out(text, "vertices", summary.vertices_left_out);

@@ -11,7 +11,7 @@ RendererSet::RendererSet(int width, int height) : context_(make_offscreen_contex
         return programmable_.render(frame, options);
     };
     functions_.reference = reference::render;
-    functions_.freedom = reference::freedom;
+    functions_.allowed_difference = reference::allowed_difference;
 }
 
 }  // namespace twinlight::cli

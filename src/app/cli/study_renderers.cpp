@@ -39,9 +39,9 @@ study::Prepared by_reference(Frame frame, const study::Choice& choice) {
 }
 
 // Drivers may have no precise programs, and scenes lights that the fixed function has not.
-std::shared_ptr<programmable::PreparedFrame> prepared_for_shaders(const Frame& frame, const study::Choice& choice) {
+std::shared_ptr<programmable::UploadedFrame> prepared_for_shaders(const Frame& frame, const study::Choice& choice) {
     try {
-        return std::make_shared<programmable::PreparedFrame>(frame, choice.shader_options());
+        return std::make_shared<programmable::UploadedFrame>(frame, choice.shader_options());
     } catch (const std::runtime_error& refusal) {
         if (choice.method == study::Method::kPrecise) throw study::Refused(refusal.what());
         throw;

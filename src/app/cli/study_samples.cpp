@@ -14,7 +14,7 @@ constexpr Look kPerPixel = {.shading = Shading::kPhong};
 
 std::function<void()> drawn(programmable::Renderer& renderer, const Frame& frame,
                             const programmable::Options& options) {
-    const auto ready = std::make_shared<programmable::PreparedFrame>(frame, options);
+    const auto ready = std::make_shared<programmable::UploadedFrame>(frame, options);
     return [ready, &renderer] {
         renderer.draw(*ready);
         glFinish();

@@ -23,11 +23,11 @@ Codes absolute_difference(const Rgba& a, const Rgba& b) {
     return codes;
 }
 
-Codes excess(const Codes& codes, const Rgba& slack) {
+Codes excess(const Codes& codes, const Rgba& allowed) {
     Codes result = codes;
     for (std::size_t c = 0; c < kChannels; ++c) {
-        if (codes[c] == 0 || !(slack[c] > 0)) continue;
-        const double left = std::ceil(codes[c] - (1 + 255.0 * static_cast<double>(slack[c])));
+        if (codes[c] == 0 || !(allowed[c] > 0)) continue;
+        const double left = std::ceil(codes[c] - (1 + 255.0 * static_cast<double>(allowed[c])));
         result[c] = static_cast<int>(std::max(left, 0.0));
     }
     return result;
@@ -70,10 +70,10 @@ struct Region {
 
 }  // namespace
 
-ImageDifference difference(const Image& a, const Image& b, const Freedom& freedom) {
+ImageDifference difference(const Image& a, const Image& b, const AllowedDifference& allowed) {
     check_sizes(a, b);
-    check_sizes(a, freedom.slack);
-    if (freedom.edge.size() != a.pixels.size()) {
+    check_sizes(a, allowed.channels);
+    if (allowed.edge.size() != a.pixels.size()) {
         throw std::invalid_argument("the edge mask has another size than the pictures");
     }
     Region interior, edge, beyond;
@@ -81,30 +81,30 @@ ImageDifference difference(const Image& a, const Image& b, const Freedom& freedo
         for (int x = 0; x < a.width; ++x) {
             const std::size_t i = a.index(x, y);
             const Codes codes = absolute_difference(a.pixels[i], b.pixels[i]);
-            (freedom.edge[i] ? edge : interior).add(codes, x, y);
-            if (!freedom.edge[i]) beyond.add(excess(codes, freedom.slack.pixels[i]), x, y);
+            (allowed.edge[i] ? edge : interior).add(codes, x, y);
+            if (!allowed.edge[i]) beyond.add(excess(codes, allowed.channels.pixels[i]), x, y);
         }
     }
-    return {.interior = interior.result(), .edge = edge.result(), .beyond_slack = beyond.result()};
+    return {.interior = interior.result(), .edge = edge.result(), .beyond_allowed = beyond.result()};
 }
 
 ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge) {
-    return difference(a, b, {.edge = edge, .slack = Image(a.width, a.height, {0, 0, 0, 0})});
+    return difference(a, b, {.edge = edge, .channels = Image(a.width, a.height, {0, 0, 0, 0})});
 }
 
 Image nearer_of(const Image& image, const Image& first, const Image& second) {
     return nearer_of(image, first, second, Image(image.width, image.height));
 }
 
-Image nearer_of(const Image& image, const Image& first, const Image& second, const Image& slack) {
+Image nearer_of(const Image& image, const Image& first, const Image& second, const Image& allowed) {
     check_sizes(image, first);
     check_sizes(image, second);
-    check_sizes(image, slack);
+    check_sizes(image, allowed);
     Image result = first;
-    // Of all that is left beyond the slack, then of all.
+    // Of all that is left beyond what is allowed, then of all.
     const auto distance = [&](const Image& other, std::size_t i) {
         const Codes codes = absolute_difference(image.pixels[i], other.pixels[i]);
-        return std::pair(std::ranges::max(excess(codes, slack.pixels[i])), std::ranges::max(codes));
+        return std::pair(std::ranges::max(excess(codes, allowed.pixels[i])), std::ranges::max(codes));
     };
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
         if (first.pixels[i] == second.pixels[i]) continue;

@@ -23,34 +23,34 @@ struct RegionDifference {
 };
 
 // How far apart two right pictures of one scene may be, pixel by pixel.
-struct Freedom {
+struct AllowedDifference {
     // Where they may choose differently: the border of what is drawn passes through the pixel, two surfaces cut each
     // other there, or which texel, level or filter is the right one hangs on the last bits (docs/lighting.md, "Edges").
     PixelMask edge;
     // Elsewhere: how far apart a channel may be, beyond the rounding of the picture itself, for the precision of filters
     // and of blending. 0 where nothing is textured or blended.
-    Image slack;
+    Image channels;
 };
 
 struct ImageDifference {
     RegionDifference interior;
     RegionDifference edge;
-    // Of the interior: what is left of each channel's difference beyond its slack, in whole codes. Where there is slack,
+    // Of the interior: what is left of each channel's difference beyond the allowed one, in whole codes. Where one is allowed,
     // two right answers may also be rounded apart: one code of the difference is theirs.
-    RegionDifference beyond_slack;
+    RegionDifference beyond_allowed;
 };
 
 // The pixels of the mask are the edge, all others the interior. Throws std::invalid_argument unless all have one size.
-ImageDifference difference(const Image& a, const Image& b, const Freedom& freedom);
-// The same without slack.
+ImageDifference difference(const Image& a, const Image& b, const AllowedDifference& allowed);
+// The same where only edges are allowed.
 ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge);
 
 // At each pixel whichever of two right answers is nearer to `image`: the one with the smaller largest difference of a
 // channel, `first` where they are equally near. All of one size.
 Image nearer_of(const Image& image, const Image& first, const Image& second);
-// The same of what is left beyond the slack: of a right answer with a great difference that is its own to make, and one
+// The same of what is left beyond the allowed difference: of a right answer with a great difference that is its own to make, and one
 // with a small difference that is not, the first is the nearer.
-Image nearer_of(const Image& image, const Image& first, const Image& second, const Image& slack);
+Image nearer_of(const Image& image, const Image& first, const Image& second, const Image& allowed);
 
 // A difference too small to see must be amplified, by a factor that is told: the largest power of two, at
 // most 64, that does not take `max` beyond 1.

@@ -1,6 +1,6 @@
 #include "judge/check/variants.h"
 
-#include "render/programmable/precise.h"
+#include "render/programmable/precise/precise.h"
 
 namespace twinlight::check {
 

@@ -19,40 +19,40 @@ bool may_cross(float channel, double error) {
 
 }  // namespace
 
-void allow_ties(Freedom& freedom, const Image& reference) {
+void allow_ties(AllowedDifference& allowed, const Image& reference) {
     for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
         for (std::size_t c = 0; c < reference.pixels[i].size(); ++c) {
             if (may_cross(reference.pixels[i][c], kArithmetic))
-                freedom.slack.pixels[i][c] += static_cast<float>(kArithmetic);
+                allowed.channels.pixels[i][c] += static_cast<float>(kArithmetic);
         }
     }
 }
 
-Freedom freedom_of_drivers(Freedom freedom, const Render& reference) {
-    for (std::size_t i = 0; i < freedom.slack.pixels.size(); ++i) {
-        for (std::size_t c = 0; c < freedom.slack.pixels[i].size(); ++c) {
-            float& slack = freedom.slack.pixels[i][c];
-            slack *= 2;
+AllowedDifference allowed_of_drivers(AllowedDifference allowed, const Render& reference) {
+    for (std::size_t i = 0; i < allowed.channels.pixels.size(); ++i) {
+        for (std::size_t c = 0; c < allowed.channels.pixels[i].size(); ++c) {
+            float& channel = allowed.channels.pixels[i][c];
+            channel *= 2;
             if (!reference.other_cut) continue;
-            slack += std::abs(reference.image.pixels[i][c] - reference.other_cut->pixels[i][c]);
+            channel += std::abs(reference.image.pixels[i][c] - reference.other_cut->pixels[i][c]);
         }
     }
-    return freedom;
+    return allowed;
 }
 
-Freedom with_plans(Freedom freedom, const Render& a, const Render& b, const Render& reference) {
+AllowedDifference with_plans(AllowedDifference allowed, const Render& a, const Render& b, const Render& reference) {
     const double error = error_bound(a.plan) + error_bound(b.plan);
-    if (error == 0) return freedom;
-    for (std::size_t i = 0; i < freedom.slack.pixels.size(); ++i) {
+    if (error == 0) return allowed;
+    for (std::size_t i = 0; i < allowed.channels.pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {  // alpha is no light's
-            float& slack = freedom.slack.pixels[i][c];
+            float& channel = allowed.channels.pixels[i][c];
             const bool more =
-                slack > 0 || may_cross(reference.image.pixels[i][c], error + kArithmetic) ||
+                channel > 0 || may_cross(reference.image.pixels[i][c], error + kArithmetic) ||
                 (reference.other_cut && may_cross(reference.other_cut->pixels[i][c], error + kArithmetic));
-            if (more) slack += static_cast<float>(error);
+            if (more) channel += static_cast<float>(error);
         }
     }
-    return freedom;
+    return allowed;
 }
 
 }  // namespace twinlight::compare

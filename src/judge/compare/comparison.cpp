@@ -107,7 +107,7 @@ Render render(const PlannedRender& planned, const Scene& scene, const CompareOpt
 }  // namespace
 
 Image Comparison::counterpart(const Pair& pair) const {
-    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, freedom.slack)
+    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, allowed.channels)
                              : b(pair).image;
 }
 
@@ -136,27 +136,29 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     }
     begin_step("edges");
     const auto freedom_of = [&](bool per_pixel) {
-        return renderers.freedom(frame, reference::Options{look_of(per_pixel, options)});
+        return renderers.allowed_difference(frame, reference::Options{look_of(per_pixel, options)});
     };
-    result.freedom = freedom_of(false);
-    Freedom of_phong = all ? freedom_of(true) : result.freedom;
-    for (std::size_t i = 0; i < result.freedom.edge.size(); ++i) {  // one mask for all pairs
-        result.freedom.edge[i] = of_phong.edge[i] = result.freedom.edge[i] || of_phong.edge[i];
+    result.allowed = freedom_of(false);
+    AllowedDifference of_phong = all ? freedom_of(true) : result.allowed;
+    for (std::size_t i = 0; i < result.allowed.edge.size(); ++i) {  // one mask for all pairs
+        result.allowed.edge[i] = of_phong.edge[i] = result.allowed.edge[i] || of_phong.edge[i];
     }
 
-    allow_ties(result.freedom, result.renders[kReference].image);
+    allow_ties(result.allowed, result.renders[kReference].image);
     if (all) allow_ties(of_phong, result.renders[kReferencePhong].image);
 
     begin_step("differences");
-    const Freedom of_drivers = freedom_of_drivers(result.freedom, result.renders[kReference]);
+    const AllowedDifference of_drivers = allowed_of_drivers(result.allowed, result.renders[kReference]);
     for (const PlannedPair& planned : kPairs) {
         if (kRenders[planned.b].per_pixel && !all) continue;
         Pair pair;
         pair.a = planned.a;
         pair.b = planned.b;
-        const Freedom& freedom = is_of_drivers(planned) ? of_drivers : planned.phong ? of_phong : result.freedom;
+        const AllowedDifference& allowed = is_of_drivers(planned) ? of_drivers
+                                           : planned.phong        ? of_phong
+                                                                  : result.allowed;
         pair.difference = difference(result.a(pair).image, result.counterpart(pair),
-                                     with_plans(freedom, result.a(pair), result.b(pair),
+                                     with_plans(allowed, result.a(pair), result.b(pair),
                                                 result.renders[planned.phong ? kReferencePhong : kReference]));
         if (planned.judged) pair.verdict = judge(result, pair);
         // The interior is what is judged; an edge pixel that is wholly different must not darken it.

@@ -25,7 +25,7 @@ struct Renderers {
     std::function<programmable::Picture(const Frame&, const programmable::Options&)> programmable;
     std::function<Image(const Frame&, const reference::Options&)> reference;
     // The pixels where right rasterisers may differ; all others are interior.
-    std::function<Freedom(const Frame&, const reference::Options&)> freedom;
+    std::function<AllowedDifference(const Frame&, const reference::Options&)> allowed_difference;
 };
 
 struct Render {
@@ -37,7 +37,7 @@ struct Render {
     // The reference's picture with quadrilaterals cut the other way, where the scene has any: the specification
     // allows both (QuadCut), so another picture is held against whichever is nearer, pixel by pixel.
     std::optional<Image> other_cut{};
-    // What it was drawn from, where that is plans: how far they leave it from the scene is slack.
+    // What it was drawn from, where that is plans: how far they leave it from the scene is allowed.
     std::vector<ExplainedDraw> plan{};
 };
 
@@ -48,7 +48,7 @@ enum class Verdict : std::uint8_t {
     kInformative,  // the two show different models: no tolerance applies
 };
 
-// What a judged pair is held to, in the interior, beyond the slack that filters and blending have: no channel off by
+// What a judged pair is held to, in the interior, beyond the difference that is allowed for filters and blending: no channel off by
 // more than max, and a share of the pixels that differ below differing_share.
 struct Tolerance {
     double max = 1 / 255.0;          // one code: two right roundings of one value may be neighbours
@@ -68,7 +68,7 @@ struct Comparison {
     int width = 0, height = 0;
     std::vector<Render> renders;
     std::vector<Pair> pairs;
-    Freedom freedom;  // of the per-vertex pictures; its edges are of all
+    AllowedDifference allowed;  // of the per-vertex pictures; its edges are of all
     std::vector<Unsupported> unsupported;
     // Where pictures differ beyond the tolerance: what the scene does that this driver is known to get wrong, "name (section)".
     std::vector<std::string> known_departures{};

@@ -89,7 +89,7 @@ const std::vector<Departure>& departures() {
          .seen_on = kSoftpipe,
          .of_draw = has_wide_points},
         {.name = "level of detail in softpipe",
-         .section = "3.8.8: rho may be as small as the larger of m_u and m_v; the reference's freedom is not as wide",
+         .section = "3.8.8: rho may be as small as the larger of m_u and m_v; the reference allows less",
          .leaves = Leaves::kOpen,
          .seen_on = kSoftpipe,
          .of_draw = has_level_of_detail},

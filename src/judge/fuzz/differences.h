@@ -23,7 +23,7 @@ inline bool has_fixed(std::size_t pair) {
 struct PairDifferences {
     long compared = 0;
     long differing = 0;  // pixels of another code
-    double worst = 0;    // floats: of the terms' magnitude; pictures: codes beyond the slack
+    double worst = 0;    // floats: of the terms' magnitude; pictures: codes beyond the allowed difference
     bool fails = false;
     bool misses = false;  // the failure is that only one of the two shows anything
     std::string what;     // of a failure: where, and how much

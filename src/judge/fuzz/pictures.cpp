@@ -24,7 +24,7 @@ Pictures::Pictures(std::vector<std::string_view> lifted) : lifted_(std::move(lif
         return context_.shaders().render(frame, options);
     };
     renderers_.reference = reference::render;
-    renderers_.freedom = reference::freedom;
+    renderers_.allowed_difference = reference::allowed_difference;
 }
 
 StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& commands) {
@@ -42,7 +42,7 @@ StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& com
             compare::DeparturesOfScene(*commands, current_driver(), lifted_).in(scene.frame);
         bool departs = false;
         for (std::size_t pair = 0; pair < kPairs; ++pair) {  // in the same order
-            const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_slack;
+            const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_allowed;
             // The share of pixels that differ by one code is judged over all pictures: a surface of one colour may lie on
             // the border of a rounding.
             const bool fails = beyond.max > comparison.tolerance.max;
@@ -59,9 +59,10 @@ StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& com
                 return fmt::format("({}, {}, {}, {})", channel_code(pixel[0]), channel_code(pixel[1]),
                                    channel_code(pixel[2]), channel_code(pixel[3]));
             };
-            here.what = fmt::format("pixel {},{} of {} x {}: {} and {}, {} codes beyond the slack", beyond.worst_x,
-                                    beyond.worst_y, kSide, kSide, channels(comparison.a(comparison.pairs[pair]).image),
-                                    channels(comparison.counterpart(comparison.pairs[pair])), here.worst);
+            here.what =
+                fmt::format("pixel {},{} of {} x {}: {} and {}, {} codes beyond the allowed difference", beyond.worst_x,
+                            beyond.worst_y, kSide, kSide, channels(comparison.a(comparison.pairs[pair]).image),
+                            channels(comparison.counterpart(comparison.pairs[pair])), here.worst);
         }
         if (departure) found.left_out[departure] = {1, departs};
     } catch (const SceneError& refused) {

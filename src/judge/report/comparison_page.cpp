@@ -49,9 +49,10 @@ std::string pair_rows(const Comparison& comparison) {
         rows += fmt::format("<tr><th scope=\"row\">{0}<br>~ {1}</th><td class=\"verdict {2}\">{2}</td>{3}{4}</tr>\n",
                             comparison.a(pair).name, comparison.b(pair).name, word_of(pair.verdict),
                             cells(pair.difference.interior), cells(pair.difference.edge));
-        if (!has_slack(pair)) continue;
-        rows += fmt::format("<tr><th scope=\"row\">beyond the slack</th><td></td>{}<td colspan=\"5\"></td></tr>\n",
-                            cells(pair.difference.beyond_slack));
+        if (!has_allowed_difference(pair)) continue;
+        rows +=
+            fmt::format("<tr><th scope=\"row\">beyond what is allowed</th><td></td>{}<td colspan=\"5\"></td></tr>\n",
+                        cells(pair.difference.beyond_allowed));
     }
     return rows;
 }

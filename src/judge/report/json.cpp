@@ -27,7 +27,7 @@ Json json_of(const Comparison& comparison, const Pair& pair) {
     Json json = {{"a", comparison.a(pair).name},
                  {"b", comparison.b(pair).name},
                  {"interior", json_of(pair.difference.interior)},
-                 {"beyond_slack", json_of(pair.difference.beyond_slack)},
+                 {"beyond_slack", json_of(pair.difference.beyond_allowed)},
                  {"edge", json_of(pair.difference.edge)},
                  {"verdict", word_of(pair.verdict)}};
     if (pair.verdict != Verdict::kInformative) {

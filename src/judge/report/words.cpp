@@ -42,8 +42,8 @@ std::string word_of(Verdict verdict) {
     return "";
 }
 
-bool has_slack(const Pair& pair) {
-    return pair.verdict != Verdict::kInformative && pair.difference.beyond_slack.rms < pair.difference.interior.rms;
+bool has_allowed_difference(const Pair& pair) {
+    return pair.verdict != Verdict::kInformative && pair.difference.beyond_allowed.rms < pair.difference.interior.rms;
 }
 
 std::string words_of(const Tolerance& tolerance) {
@@ -71,11 +71,11 @@ std::vector<std::string> verdict_sentences(const Comparison& comparison) {
                                           ") is exceeded."};
     for (const Pair& pair : comparison.pairs) {
         if (pair.verdict != Verdict::kBeyond) continue;
-        const RegionDifference& judged = pair.difference.beyond_slack;
+        const RegionDifference& judged = pair.difference.beyond_allowed;
         sentences.push_back(fmt::format("{}: {} of {} interior pixels differ ({}), by up to {} at ({}, {}){}.",
                                         name_of(comparison, pair), grouped(judged.differing), grouped(judged.pixels),
                                         share_of(judged), codes_of(judged.max), judged.worst_x, judged.worst_y,
-                                        has_slack(pair) ? ", beyond their slack" : ""));
+                                        has_allowed_difference(pair) ? ", beyond the allowed difference" : ""));
     }
     const Driver driver = parse_driver_name(comparison.driver);
     for (const std::string& departure : comparison.known_departures)

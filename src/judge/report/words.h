@@ -22,8 +22,8 @@ std::string words_of(const compare::Tolerance& tolerance);
 // The whole's verdict, then a sentence for each judged pair that is beyond the tolerance.
 std::vector<std::string> verdict_sentences(const compare::Comparison& comparison);
 
-// Whether a part of the pair's difference is slack, and is not judged.
-bool has_slack(const compare::Pair& pair);
+// Whether a part of the pair's difference is allowed, and is not judged.
+bool has_allowed_difference(const compare::Pair& pair);
 // Those of the `shown` renderers that do not do it.
 std::vector<std::string_view> names_of(const Unsupported& unsupported, std::span<const Path> shown = kAllPaths);
 // "glEnable(GL_FOG), 2 times, first at scene.gl:3:1, is not done by programmable and reference."

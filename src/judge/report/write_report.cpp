@@ -17,8 +17,8 @@ namespace {
 
 Image edge_picture(const Comparison& comparison) {
     Image picture(comparison.width, comparison.height, {0, 0, 0, 1});
-    for (std::size_t i = 0; i < comparison.freedom.edge.size(); ++i) {
-        if (comparison.freedom.edge[i]) picture.pixels[i] = {1, 1, 1, 1};
+    for (std::size_t i = 0; i < comparison.allowed.edge.size(); ++i) {
+        if (comparison.allowed.edge[i]) picture.pixels[i] = {1, 1, 1, 1};
     }
     return picture;
 }

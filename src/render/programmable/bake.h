@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "render/programmable/assembly.h"
 #include "render/programmable/draw_values.h"
+#include "render/programmable/shader_assembly.h"
 
 namespace twinlight::programmable {
 

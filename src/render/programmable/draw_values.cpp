@@ -13,7 +13,9 @@
 
 #include "base/math/directions.h"
 #include "render/effect/color_products.h"
-#include "render/programmable/attributes.h"
+#include "render/programmable/lighting_names.h"
+#include "render/programmable/precise/precise.h"
+#include "render/programmable/vertex_attributes.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -33,7 +35,7 @@ glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
 double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
 
 // ---- Ranges ----
-// The shader makes cubes of lengths, and a float's cube ends at 1e38 and 1e-38. Lighting does not depend on the
+// The shader makes squares of lengths, and a float's square ends at 1e38 and 1e-38. Lighting does not depend on the
 // unit of length (but for attenuation, whose factors are converted), nor unit normals on theirs. So what is
 // far from 1 is measured in another unit: a power of two, so that nothing is rounded.
 
@@ -72,9 +74,9 @@ glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
 
 // ---- Uniforms ----
 
-class Builder {
+class DrawUniforms {
   public:
-    Builder(const Draw& draw, const Plan& plan, const Code& code)
+    DrawUniforms(const Draw& draw, const Plan& plan, const Code& code)
         : draw_(draw),
           plan_(plan),
           effects_(code.effects),
@@ -139,7 +141,7 @@ class Builder {
         unit_ = similarity_scale(eye_from_object_);
         object_from_eye_ = glm::inverse(eye_from_object_);
         vector("u_viewer_object", point(glm::dvec3(0)));
-        vector("u_viewer_dir", direction(glm::dvec3(0, 0, 1)));
+        vector("u_viewer_dir_object", direction(glm::dvec3(0, 0, 1)));
     }
 
     // From eye coordinates to those that the shader lights in.
@@ -210,9 +212,9 @@ class Builder {
     // e_cm + a_cm a_cs, but for what each vertex brings.
     void face(const std::string& name, const Material& material, const FaceEffects& varying) {
         glm::dvec3 base(0);
-        if (!varying.tracks_emission && !varying.varies_emission) base += rgb(material.emission);
+        if (!emission_of(varying)) base += rgb(material.emission);
         const Material::Reflectances& reflectances = material.reflectances;
-        if (!varying.tracks_ambient && !varying.varies_ambient)
+        if (!ambient_of(varying))
             base += product_of(model(), {plan_.constant_ambient, {}}, {rgb(material.ambient), reflectances.ambient});
         vector(fmt::format("u_{}_base", name), base);
         number(fmt::format("u_{}_alpha", name), material.diffuse.a);
@@ -221,21 +223,19 @@ class Builder {
             const LightSource& light = source(planned);
             const double reach = plan_.lights[planned].constant_reach;
             const auto product = [&](const char* term, const LightColor& light_color, const MaterialColor& color,
-                                     bool varies) {
+                                     BroughtColor brought) {
                 const std::string uniform = fmt::format("u_light{}_{}_{}", i, name, term);
-                if (!varies)
+                if (!brought)
                     vector(uniform, reach * product_of(model(), light_color, color));
                 else if (effects_.spectral_products)
                     matrix(uniform, reach * product_matrix(model(), light_color));
                 else
                     vector(uniform, reach * light_color.rgb);
             };
-            product("ambient", ambient_of(light), {rgb(material.ambient), reflectances.ambient},
-                    varying.tracks_ambient || varying.varies_ambient);
-            product("diffuse", diffuse_of(light), {rgb(material.diffuse), reflectances.diffuse},
-                    varying.tracks_diffuse || varying.varies_diffuse);
+            product("ambient", ambient_of(light), {rgb(material.ambient), reflectances.ambient}, ambient_of(varying));
+            product("diffuse", diffuse_of(light), {rgb(material.diffuse), reflectances.diffuse}, diffuse_of(varying));
             product("specular", specular_of(light), {rgb(material.specular), reflectances.specular},
-                    varying.tracks_specular || varying.varies_specular);
+                    specular_of(varying));
         };
         for (std::size_t i = 0; i < lights_.size(); ++i)
             for (const std::size_t planned : lights_[i]) light_products(i, planned);
@@ -249,22 +249,21 @@ class Builder {
         if (effects.directional) {
             const glm::dvec3 vp_dir = unit(rgb(light.position_eye));
             vector(in_space("direction"), direction(vp_dir));
-            vector(name("half_dir"), direction(unit(vp_dir + glm::dvec3(0, 0, 1))));
+            vector(in_space("half_dir"), direction(unit(vp_dir + glm::dvec3(0, 0, 1))));
             return;
         }
         vector(in_space("position"), point(rgb(light.position_eye) / light.position_eye.w));
-        number(name("constant_attenuation"), light.constant_attenuation);
-        number(name("linear_attenuation"), light.linear_attenuation * unit_);
-        number(name("quadratic_attenuation"), light.quadratic_attenuation * unit_ * unit_);
-        vector(in_space("spot_direction"), direction(unit(light.spot_direction_eye)));
-        number(name("spot_cutoff_cosine"), cos_deg(light.spot_cutoff_deg) - kCosineRounding);
+        vector(name("attenuation"), glm::dvec3(light.constant_attenuation, light.linear_attenuation * unit_,
+                                               light.quadratic_attenuation * unit_ * unit_));
+        vector(in_space("spot_dir"), direction(unit(light.spot_direction_eye)));
+        number(name("cos_cutoff"), cos_deg(light.spot_cutoff_deg) - kCosineRounding);
         number(name("spot_exponent"), light.spot_exponent);
         if (!light.smooth_cone) return;
         // RULING: equal cones (and an inner one that is wider) are a step at the outer, which belongs to the
         // cone: a slope as steep as rounding, below it.
         const double outer = cos_deg(light.smooth_cone->outer_deg);
         const double span = cos_deg(light.smooth_cone->inner_deg) - outer;
-        number(name("outer_cosine"), span > 0 ? outer : outer - 2 * kCosineRounding);
+        number(name("cos_outer"), span > 0 ? outer : outer - 2 * kCosineRounding);
         number(name("cone_slope"), 1 / (span > 0 ? span : kCosineRounding));
     }
 
@@ -287,7 +286,18 @@ class Builder {
 
 }  // namespace
 
-Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) { return Builder(draw, plan, code).build(); }
+DrawProgram draw_program(const Draw& draw, const Plan& plan, bool precise) {
+    if (precise && floats_suffice(draw, plan)) {
+        const Code code = precise_code(draw, plan);
+        return {code, precise_uniforms(draw, plan, code)};
+    }
+    const Code code = code_for(draw, plan);
+    return {code, uniforms(draw, plan, code)};
+}
+
+Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) {
+    return DrawUniforms(draw, plan, code).build();
+}
 
 std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, const std::vector<std::uint32_t>& vertices,
                                 const glm::dvec3& origin_object) {

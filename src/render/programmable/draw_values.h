@@ -19,6 +19,13 @@ using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
 // Every uniform that the program made from this code has, but for the texture's sampler.
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code);
 
+// What a Draw is drawn with: the program of --precise where that is asked for and its floats suffice, else the ordinary one.
+struct DrawProgram {
+    Code code;
+    Uniforms numbers;
+};
+DrawProgram draw_program(const Draw& draw, const Plan& plan, bool precise);
+
 // The attributes of the vertices, one vertex after the other, as attributes(effects) lists them; positions are relative to
 // `origin_object`: the Code's, or 0.
 std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, const std::vector<std::uint32_t>& vertices,

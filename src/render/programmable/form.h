@@ -49,8 +49,13 @@ struct Code {
     EffectSet effects;  // the plan's, with one light for all that a loop goes through
     Form form;
     std::vector<std::vector<std::size_t>> lights;  // for each of the effects', which of plan.lights
-    std::optional<glm::dvec3> origin_object;  // upload_origin() (origin.h): what uploaded positions are relative to
+    std::optional<glm::dvec3> origin_object;       // upload_origin(): what uploaded positions are relative to
 };
+
+// Where the object and the camera are far from the object's origin, floats cannot hold both the vertices' coordinates and their
+// distance from the eye, so vertices are uploaded relative to a place among them, subtracted in double. Gives that place, in object
+// coordinates; nothing where vertices stay as they are. `facts` are the Draw's.
+std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& facts);
 
 Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface = {});
 

@@ -89,15 +89,15 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(const Draw& draw) {
     return known;
 }
 
-std::shared_ptr<const Mesh> KeptMeshes::mesh(Known& known, const Draw& draw, const EffectSet& effects, bool patches,
-                                             const glm::dvec3& origin_object) {
+std::shared_ptr<const UploadedMesh> KeptMeshes::mesh(Known& known, const Draw& draw, const EffectSet& effects,
+                                                     bool patches, const glm::dvec3& origin_object) {
     const MeshForm form = mesh_form(draw, effects, patches, origin_object);
     const auto found = std::ranges::find(known.meshes, form, [](const auto& entry) { return entry.first; });
     if (found != known.meshes.end()) {
         ++counters_.hits;
         return found->second;
     }
-    const auto mesh = std::make_shared<const Mesh>(draw, effects, patches, origin_object);
+    const auto mesh = std::make_shared<const UploadedMesh>(draw, effects, patches, origin_object);
     ++counters_.made;
     const std::size_t bytes = mesh->bytes() + kObjectBytes;
     if (known.bytes == 0 || !make_room(bytes)) return mesh;

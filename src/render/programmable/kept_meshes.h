@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "render/effect/vertex_facts.h"
-#include "render/programmable/mesh.h"
 #include "render/programmable/programmable.h"
+#include "render/programmable/uploaded_mesh.h"
 
 namespace twinlight::programmable {
 
@@ -38,16 +38,16 @@ class KeptMeshes {
         std::vector<Vertex> vertices;
         std::vector<std::uint32_t> indices;
         std::vector<Materials> materials;
-        std::vector<std::pair<MeshForm, std::shared_ptr<const Mesh>>> meshes;  // few
-        std::size_t bytes = 0;                                                 // 0: it is not kept
-        std::uint64_t first_frame = 0, last_frame = 0;                         // that drew it
+        std::vector<std::pair<MeshForm, std::shared_ptr<const UploadedMesh>>> meshes;  // few
+        std::size_t bytes = 0;                                                         // 0: it is not kept
+        std::uint64_t first_frame = 0, last_frame = 0;                                 // that drew it
     };
 
     // What is known of the Draw's vertices, or found out now.
     std::shared_ptr<Known> known(const Draw& draw);
     // Their buffers for a program of these effects.
-    std::shared_ptr<const Mesh> mesh(Known& known, const Draw& draw, const EffectSet& effects, bool patches,
-                                     const glm::dvec3& origin_object);
+    std::shared_ptr<const UploadedMesh> mesh(Known& known, const Draw& draw, const EffectSet& effects, bool patches,
+                                             const glm::dvec3& origin_object);
     void end_frame();
 
     const MeshCounters& counters() const { return counters_; }

@@ -9,10 +9,10 @@
 #include "render/context/gl.h"
 #include "render/programmable/draw_values.h"
 #include "render/programmable/kept_meshes.h"
-#include "render/programmable/mesh.h"
-#include "render/programmable/precise.h"
-#include "render/programmable/programs.h"
+#include "render/programmable/kept_programs.h"
+#include "render/programmable/precise/precise.h"
 #include "render/programmable/surface_values.h"
+#include "render/programmable/uploaded_mesh.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
 
@@ -24,14 +24,13 @@ struct PreparedDraw {
     // mesh_of: gives the mesh for an EffectSet and what positions are relative to.
     template <class MeshOf>
     PreparedDraw(const Draw& draw, const Plan& plan, const Options& options, const MeshOf& mesh_of)
-        : code(options.precise && floats_suffice(draw, plan) ? precise_code(draw, plan) : code_for(draw, plan)),
-          numbers(code.form.precise ? precise_uniforms(draw, plan, code) : uniforms(draw, plan, code)),
-          mesh(mesh_of(code.effects, code.origin_object.value_or(glm::dvec3(0)))) {
+        : program(draw_program(draw, plan, options.precise)),
+          mesh(mesh_of(program.code.effects, program.code.origin_object.value_or(glm::dvec3(0)))) {
         keep_state(draw);
     }
     // One pass of an exact surface.
-    PreparedDraw(const SurfaceProgram& surface, const Uniforms& pass, std::shared_ptr<const Mesh> rectangle)
-        : code(surface.code), numbers(pass), mesh(std::move(rectangle)) {
+    PreparedDraw(const SurfaceProgram& surface, const Uniforms& pass, std::shared_ptr<const UploadedMesh> rectangle)
+        : program{surface.code, pass}, mesh(std::move(rectangle)) {
         keep_state(surface.draw);
     }
 
@@ -41,15 +40,14 @@ struct PreparedDraw {
         stages.texture = draw.texture;
     }
 
-    Code code;
-    Uniforms numbers;
-    std::shared_ptr<const Mesh> mesh;
+    DrawProgram program;
+    std::shared_ptr<const UploadedMesh> mesh;
     Draw stages;  // without vertices: what is set as GL's state
 };
 
 }  // namespace
 
-struct PreparedFrame::Impl {
+struct UploadedFrame::Impl {
     // kept: null where the frame shares nothing with others.
     Impl(const Frame& frame, Options options, KeptMeshes* kept) : tier(options.tier) {
         if (options.precise) {
@@ -83,7 +81,7 @@ struct PreparedFrame::Impl {
         items.emplace_back(
             PreparedDraw(draw, planned.plan, options, [&](const EffectSet& effects, const glm::dvec3& origin_object) {
                 return known ? kept->mesh(*known, draw, effects, options.patches, origin_object)
-                             : std::make_shared<const Mesh>(draw, effects, options.patches, origin_object);
+                             : std::make_shared<const UploadedMesh>(draw, effects, options.patches, origin_object);
             }));
         plans.push_back(std::move(planned));
     }
@@ -91,7 +89,7 @@ struct PreparedFrame::Impl {
     void add_surfaces(const Draw& draw, const Options& options, const PlannedDraw& planned) {
         for (SurfaceProgram& surface : surface_programs(draw, options)) {
             const auto rectangle =
-                std::make_shared<const Mesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
+                std::make_shared<const UploadedMesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
             for (const Uniforms& pass : surface.passes) items.emplace_back(PreparedDraw(surface, pass, rectangle));
             plans.push_back(planned);
             plans.back().plan = std::move(surface.plan);
@@ -103,30 +101,31 @@ struct PreparedFrame::Impl {
     std::list<std::variant<Clear, PreparedDraw>> items;
 };
 
-PreparedFrame::PreparedFrame(const Frame& frame, const Options& options)
+UploadedFrame::UploadedFrame(const Frame& frame, const Options& options)
     : impl_(std::make_unique<Impl>(frame, options, nullptr)) {}
-PreparedFrame::PreparedFrame(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-PreparedFrame::~PreparedFrame() = default;
+UploadedFrame::UploadedFrame(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+UploadedFrame::~UploadedFrame() = default;
 
 struct Renderer::Impl {
-    explicit Impl(const Limits& limits) : programs(limits.programs), meshes(limits.mesh_bytes) {}
+    explicit Impl(const KeptLimits& limits) : programs(limits.programs), meshes(limits.mesh_bytes) {}
 
     void draw(const PreparedDraw& what, const FixedStages& stages, Tier tier) {
         stages.set(what.stages);
-        if (what.code.effects.has_texture()) textures.bind(what.stages.texture);
-        programs.use(what.code.effects, what.code.form, what.numbers, tier);
+        const Code& code = what.program.code;
+        if (code.effects.has_texture()) textures.bind(what.stages.texture);
+        programs.use(code.effects, code.form, what.program.numbers, tier);
         what.mesh->draw();
     }
 
-    Programs programs;
+    KeptPrograms programs;
     KeptMeshes meshes;
     Textures textures{Clamping::kShader};
 };
 
-Renderer::Renderer(const Limits& limits) : impl_(std::make_unique<Impl>(limits)) {}
+Renderer::Renderer(const KeptLimits& limits) : impl_(std::make_unique<Impl>(limits)) {}
 Renderer::~Renderer() = default;
 
-void Renderer::draw(const PreparedFrame& frame) {
+void Renderer::draw(const UploadedFrame& frame) {
     const FixedStages stages;
     stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
     for (const auto& item : frame.impl_->items) {
@@ -143,15 +142,15 @@ void Renderer::draw(const PreparedFrame& frame) {
 void Renderer::draw(const Frame& frame, const Options& options) { draw(prepare_once(frame, options)); }
 
 Picture Renderer::render(const Frame& frame, const Options& options) {
-    const PreparedFrame prepared = prepare_once(frame, options);
+    const UploadedFrame prepared = prepare_once(frame, options);
     draw(prepared);
     return {read_pixels(frame.width, frame.height), std::move(prepared.impl_->plans)};
 }
 
-PreparedFrame Renderer::prepare_once(const Frame& frame, Options options) {
+UploadedFrame Renderer::prepare_once(const Frame& frame, Options options) {
     options.patches = false;
     KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
-    return PreparedFrame(std::make_unique<PreparedFrame::Impl>(frame, options, kept));
+    return UploadedFrame(std::make_unique<UploadedFrame::Impl>(frame, options, kept));
 }
 
 Counters Renderer::counters() const {

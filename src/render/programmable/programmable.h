@@ -16,17 +16,17 @@ namespace twinlight::programmable {
 
 // A Frame made ready to be drawn again and again: planned, its vertices in the driver's buffers. Owns objects of the
 // context that is current; dies before that does.
-class PreparedFrame {
+class UploadedFrame {
   public:
-    PreparedFrame(const Frame& frame, const Options& options);
-    ~PreparedFrame();
-    PreparedFrame(const PreparedFrame&) = delete;
-    PreparedFrame& operator=(const PreparedFrame&) = delete;
+    UploadedFrame(const Frame& frame, const Options& options);
+    ~UploadedFrame();
+    UploadedFrame(const UploadedFrame&) = delete;
+    UploadedFrame& operator=(const UploadedFrame&) = delete;
 
   private:
     friend class Renderer;
     struct Impl;
-    explicit PreparedFrame(std::unique_ptr<Impl> impl);
+    explicit UploadedFrame(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 
@@ -49,7 +49,7 @@ struct Counters {
 };
 
 // What a Renderer keeps; of more, that goes which was not used for the longest time.
-struct Limits {
+struct KeptLimits {
     std::size_t programs = 128;
     std::size_t mesh_bytes = std::size_t{256} << 20;  // under Tier::kAuto, of frames before: 0 for none
 };
@@ -63,7 +63,7 @@ struct Picture {
 // Owns the programs, textures and buffers that it made in the context that is current; dies before that context does.
 class Renderer {
   public:
-    explicit Renderer(const Limits& limits = {});
+    explicit Renderer(const KeptLimits& limits = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -71,7 +71,7 @@ class Renderer {
     // Clears to black and depth 1 and draws the frame into the current colour buffer, with the programs that its options'
     // tier calls for. Throws std::runtime_error with the log, the numbered source and the EffectSet when the driver
     // refuses a shader.
-    void draw(const PreparedFrame& frame);
+    void draw(const UploadedFrame& frame);
     // Under Tier::kAuto vertices that earlier frames had, bit by bit the same, are neither looked through nor sent to the
     // driver again (kept_meshes.h).
     void draw(const Frame& frame, const Options& options);
@@ -81,7 +81,7 @@ class Renderer {
     Counters counters() const;
 
   private:
-    PreparedFrame prepare_once(const Frame& frame, Options options);
+    UploadedFrame prepare_once(const Frame& frame, Options options);
 
     struct Impl;
     std::unique_ptr<Impl> impl_;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/programmable/bake.h"
-#include "render/programmable/precise.h"
+#include "render/programmable/precise/precise.h"
 #include "render/programmable/programmable.h"
 #include "render/programmable/surface_values.h"
 
@@ -47,33 +47,32 @@ std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
     return text.empty() ? "" : "// What stays GL's state:\n" + text;
 }
 
-// Which lights each of the text's is.
-std::vector<std::vector<std::string>> light_names(const Plan& plan, const Code& code) {
-    std::vector<std::vector<std::string>> names;
-    if (code.form.precise) {
-        for (std::size_t i = 0; i < plan.lighting.lights.size(); ++i)
-            if (plan.lighting.enabled && plan.lighting.lights[i].enabled)
-                names.push_back({light_name(static_cast<int>(i))});
-    } else {
-        for (const std::vector<std::size_t>& lights : code.lights) {
-            names.emplace_back();
-            for (const std::size_t planned : lights) names.back().push_back(light_name(plan.lights[planned].number));
-        }
+// What the program has, and what the plan leaves out of it.
+std::string heading(const Plan& plan, const Code& code) {
+    std::string text = "// What lights this Draw:\n" + commented(describe(plan.effects));
+    for (std::size_t i = 0; i < code.lights.size(); ++i) {
+        std::vector<std::string> names;
+        for (const std::size_t planned : code.lights[i]) names.push_back(light_name(plan.lights[planned].number));
+        text += fmt::format("// light{} is {}.\n", i, fmt::join(names, ", "));
     }
-    return names;
+    text += "// What is left out:\n";
+    for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
+        for (const LeftOut& left_out : list) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
+    return text;
+}
+
+// Nothing is left out of --precise.
+std::string precise_heading(const LightingState& lighting, const Code& code) {
+    std::string text = "// What lights this Draw:\n" + commented(describe(code.effects));
+    int count = 0;
+    for (std::size_t i = 0; i < lighting.lights.size(); ++i)
+        if (lighting.enabled && lighting.lights[i].enabled)
+            text += fmt::format("// light{} is {}.\n", count++, light_name(static_cast<int>(i)));
+    return text;
 }
 
 std::string program_text(const Draw& draw, const Plan& plan, const Code& code, const Uniforms& numbers) {
-    const bool precise = code.form.precise;
-    std::string text = "// What lights this Draw:\n" + commented(describe(precise ? code.effects : plan.effects));
-    const std::vector<std::vector<std::string>> lights = light_names(plan, code);
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        text += fmt::format("// light{} is {}.\n", i, fmt::join(lights[i], ", "));
-    if (!precise) text += "// What is left out:\n";
-    for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
-        for (const LeftOut& left_out : list)
-            if (!precise) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
-
+    std::string text = code.form.precise ? precise_heading(plan.lighting, code) : heading(plan, code);
     text += fixed_stages_text(draw, plan);
 
     if (const auto& origin = code.origin_object)
@@ -104,7 +103,7 @@ std::string shader_source(const Frame& frame, const Options& asked) {
     };
     std::vector<Use> uses;
     int number = 0;
-    const auto add = [&](const Draw& draw, const Plan& plan, const Code& code, const auto& numbers) {
+    const auto add = [&](const Draw& draw, const Plan& plan, const Code& code, const Uniforms& numbers) {
         const auto same = std::ranges::find_if(
             uses, [&](const Use& use) { return use.effects == code.effects && use.form == code.form; });
         if (same != uses.end())
@@ -114,7 +113,7 @@ std::string shader_source(const Frame& frame, const Options& asked) {
                             .form = code.form,
                             .place = draw.place,
                             .number = number,
-                            .text = program_text(draw, plan, code, numbers())});
+                            .text = program_text(draw, plan, code, numbers)});
     };
     const Draw* last = nullptr;
     for (const auto& item : frame.items) {
@@ -123,13 +122,11 @@ std::string shader_source(const Frame& frame, const Options& asked) {
         ++number;
         if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
             const Plan plan = plan_effects(*draw, options);
-            const Code code =
-                options.precise && floats_suffice(*draw, plan) ? precise_code(*draw, plan) : code_for(*draw, plan);
-            add(*draw, plan, code,
-                [&] { return code.form.precise ? precise_uniforms(*draw, plan, code) : uniforms(*draw, plan, code); });
+            const DrawProgram program = draw_program(*draw, plan, options.precise);
+            add(*draw, plan, program.code, program.numbers);
         } else if (!last || !are_one_shape(*last, *draw)) {
             for (const SurfaceProgram& surface : surface_programs(*draw, options))
-                add(surface.draw, surface.plan, surface.code, [&] { return surface.passes.front(); });
+                add(surface.draw, surface.plan, surface.code, surface.passes.front());
         }
         last = draw;
     }

@@ -80,9 +80,9 @@ float to_float(double x) {
     return static_cast<float>(std::clamp(x, -kLargest, kLargest));
 }
 
-class Builder {
+class SurfaceUniforms {
   public:
-    Builder(const SurfaceDraw& surface, Uniforms uniforms)
+    SurfaceUniforms(const SurfaceDraw& surface, Uniforms uniforms)
         : surface_(surface.surface), draw_(surface.draw), uniforms_(std::move(uniforms)) {}
 
     Uniforms build(const Rectangle& rectangle) {
@@ -231,7 +231,8 @@ std::vector<SurfaceProgram> surface_programs(const Draw& draw, const PlanOptions
         program.code = code_for(surface.draw, program.plan, form_of(surface, program.plan, corners));
         // Fragments' normals are made unit in any case.
         if (program.code.effects.shading == Shading::kPhong) program.code.effects.normalize = false;
-        Uniforms numbers = Builder(surface, uniforms(surface.draw, program.plan, program.code)).build(*rectangle);
+        Uniforms numbers =
+            SurfaceUniforms(surface, uniforms(surface.draw, program.plan, program.code)).build(*rectangle);
         const int passes = program.code.form.surface.nearest || points_of(draw) == Points::kFarthest
                                ? 1
                                : most_points(surface.surface);

@@ -16,7 +16,13 @@ namespace twinlight::reference {
 struct PixelRect {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
+    bool is_empty() const { return x0 >= x1 || y0 >= y1; }
     bool contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
+    // Of what is kept of its pixels, row by row from y0 up.
+    std::size_t count() const { return static_cast<std::size_t>(x1 - x0) * static_cast<std::size_t>(y1 - y0); }
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(x1 - x0) + static_cast<std::size_t>(x - x0);
+    }
 };
 
 inline glm::dvec2 pixel_centre(int x, int y) { return {x + 0.5, y + 0.5}; }
@@ -64,41 +70,48 @@ std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_window, cons
 // where it is even.
 PixelRect point_square(const glm::dvec2& position_window, int size, const PixelRect& within);
 
-// Calls fragment(x, y) for every pixel of `within` that the piece covers.
+// Calls visit(x, y) for each pixel.
+template <class Visit>
+void for_each(const PixelRect& rect, const Visit& visit) {
+    for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1; ++x) visit(x, y);
+}
+
+// Calls fragment(x, y) for every pixel of `within` that a piece of a mesh covers.
 template <class Fragment>
 void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment& fragment) {
     switch (piece.shape) {
-        case Shape::kPoint: {
-            const PixelRect square = point_square(glm::dvec2(piece.from.position_window), piece.size, within);
-            for (int y = square.y0; y < square.y1; ++y)
-                for (int x = square.x0; x < square.x1; ++x) fragment(x, y);
+        case Shape::kPoint:
+            for_each(point_square(glm::dvec2(piece.from.position_window), piece.size, within), fragment);
             break;
-        }
         case Shape::kLine:
             for (const auto& [x, y] : line_pixels(glm::dvec2(piece.from.position_window),
                                                   glm::dvec2(piece.to.position_window), piece.size, within))
                 fragment(x, y);
             break;
-        case Shape::kSurface: {
-            const PixelRect box = bounds(*piece.rays, within);
-            for (int y = box.y0; y < box.y1; ++y)
-                for (int x = box.x0; x < box.x1; ++x)
-                    if (piece.rays->point(pixel_centre(x, y), piece.point)) fragment(x, y);
-            break;
-        }
         case Shape::kTriangle: {
             const PixelRect box = bounds(piece.corners, within, 0);
-            if (box.y0 >= box.y1 || box.x0 >= box.x1) break;
+            if (box.is_empty()) break;
             const std::vector<Edge> edges = edges_of(piece.corners);
             if (edges.size() < 2) break;
-            for (int y = box.y0; y < box.y1; ++y)
-                for (int x = box.x0; x < box.x1; ++x)
-                    if (std::all_of(edges.begin(), edges.end(),
-                                    [&](const Edge& edge) { return edge.covers(pixel_centre(x, y)); }))
-                        fragment(x, y);
+            for_each(box, [&](int x, int y) {
+                if (std::all_of(edges.begin(), edges.end(),
+                                [&](const Edge& edge) { return edge.covers(pixel_centre(x, y)); }))
+                    fragment(x, y);
+            });
             break;
         }
+        case Shape::kSurface: break;
     }
+}
+
+// Calls fragment(x, y, number, point) for every point of a surface that is seen at a pixel of `within`.
+template <class Fragment>
+void for_each_point(const Piece& piece, const PixelRect& within, const Fragment& fragment) {
+    for_each(bounds(*piece.rays, within), [&](int x, int y) {
+        int number = 0;
+        for (const RayPoint& point : piece.rays->points(pixel_centre(x, y))) fragment(x, y, number++, point);
+    });
 }
 
 }  // namespace twinlight::reference

@@ -111,6 +111,10 @@ lighting::MeasuredLit<double> DrawLighting::light_surface(const LitMaterial& mat
     return lighting::measured_light<double>(model_, material, surface, lights_, breakdown);
 }
 
+Vec DrawLighting::scene_ambient(const LitMaterial& material) const {
+    return spectral_ ? spectral_->scene_ambient(material) : lighting::finite_or_zero(material.ambient * model_.ambient);
+}
+
 bool DrawLighting::has_one_material(Face face) const {
     const Enum other_face = face == Face::kFront ? kGL_BACK : kGL_FRONT;
     return !has_vertex_materials() && (!color_material_.enabled || color_material_.face == other_face);
@@ -136,15 +140,13 @@ PointBatch::PointBatch(const DrawLighting& lighting, Normals normals) : lighting
     for (Side& side : sides_) side.points.assign(lighting.spectral_ ? lighting.spectral_->group_count() : 1, none);
 }
 
-void PointBatch::add(const StageVertex& v, Face face, const std::function<LitMaterial()>& material) {
-    Side& side = sides_[face == Face::kFront ? 0 : 1];
-    if (side.places.empty() || !lighting_.has_one_material(face)) {
-        const LitMaterial own = material();
-        for (std::size_t g = 0; g < side.points.size(); ++g)
-            side.points[g].add(lighting_.spectral_ ? own.samples[g] : own);
-    }
-    const lighting::SurfacePoint<double> surface = surface_of(v.position_eye, v.normal_eye, face);
-    for (lighting::Points& points : side.points) points.add(surface);
+void PointBatch::add(const LitMaterial& material, Side& side) const {
+    for (std::size_t g = 0; g < side.points.size(); ++g)
+        side.points[g].add(lighting_.spectral_ ? material.samples[g] : material);
+}
+
+void PointBatch::add(const lighting::SurfacePoint<double>& point, Side& side) {
+    for (lighting::Points& points : side.points) points.add(point);
     side.places.push_back(count_++);
 }
 

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,8 +27,6 @@ struct Colors {
 
 enum class Face : std::uint8_t { kFront, kBack };
 
-struct LitPoint;  // pixel.h
-
 // The enabled lights as the equation takes them, with the rulings that they come from.
 std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants);
 
@@ -47,9 +44,11 @@ class DrawLighting {
     // With lighting, and with a material that need not be a vertex's.
     Colors lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
                Face face) const;
-    // The same term by term (pixel.h); with the rulings that the lights and the vertex come from.
-    LitPoint point(const StageVertex& v, const LitMaterial& material, Face face,
-                   const std::vector<lighting::Light<lighting::Marked>>& lights, const VertexRulings& rulings) const;
+    // The same as the equation has it, and its terms of each light.
+    lighting::MeasuredLit<double> light_surface(const LitMaterial& material,
+                                                const lighting::SurfacePoint<double>& surface,
+                                                lighting::LightTerms<double>* breakdown = nullptr) const;
+    Vec scene_ambient(const LitMaterial& material) const;
     // What the vertex is lit with: its own material, with its colour where the material follows it (2.14.3).
     LitMaterial material(const StageVertex& v, Face face) const;
 
@@ -65,10 +64,6 @@ class DrawLighting {
 
   private:
     friend class PointBatch;
-
-    lighting::MeasuredLit<double> light_surface(const LitMaterial& material,
-                                                const lighting::SurfacePoint<double>& surface,
-                                                lighting::LightTerms<double>* breakdown = nullptr) const;
 
     bool enabled_ = false;
     bool two_side_ = false;
@@ -89,8 +84,13 @@ class PointBatch {
 
     PointBatch(const DrawLighting& lighting, Normals normals);
 
-    // The material is asked for only where points differ in it.
-    void add(const StageVertex& v, Face face, const std::function<LitMaterial()>& material);
+    // material() is asked for only where points differ in it.
+    template <class MaterialOf>
+    void add(const StageVertex& v, Face face, const MaterialOf& material) {
+        Side& side = sides_[face == Face::kFront ? 0 : 1];
+        if (side.places.empty() || !lighting_.has_one_material(face)) add(material(), side);
+        add(surface_of(v.position_eye, v.normal_eye, face), side);
+    }
     // Calls visit(i, primary, secondary) for each point, i as they were added: colours as DrawLighting::lit()'s.
     template <class Visit>
     void light(const Arithmetic& arithmetic, const Visit& visit) {
@@ -112,6 +112,8 @@ class PointBatch {
         std::vector<lighting::Points> points;  // one; or one for each group of samples (spectral_lighting.h)
         std::vector<std::size_t> places;       // among all
     };
+    void add(const LitMaterial& material, Side& side) const;
+    void add(const lighting::SurfacePoint<double>& point, Side& side);
     void light(const Side& side, const Arithmetic& arithmetic);
 
     const DrawLighting& lighting_;

@@ -6,10 +6,38 @@
 
 namespace twinlight::reference {
 
-double quantised(double channel) { return std::floor(clamp01(channel) * kColorCodes + 0.5) / kColorCodes; }
+namespace {
 
-glm::dvec4 quantised(const glm::dvec4& color) {
-    return {quantised(color.r), quantised(color.g), quantised(color.b), quantised(color.a)};
+constexpr int kColorCodes = 255;
+// Two depths that a buffer of 24 bits may hold as the same number, each rounded.
+constexpr double kDepthQuantum = 2 * kDepthStep;
+// A colour's error in float arithmetic (2.1.1: 1 part in 10^5 an operation), where it decides about a code.
+constexpr double kArithmetic = 1e-4;
+
+Outcome outcome(bool passes) { return passes ? Outcome::kPasses : Outcome::kFails; }
+
+// How many products of the blend equation round: all but those with 0 or 1.
+int rounding_products(const FragmentState& state, std::size_t i) {
+    const Enum equation = blend_equation(state, i);
+    if (equation == kGL_MIN || equation == kGL_MAX) return 0;
+    const auto rounds = [](Enum factor) { return factor != kGL_ZERO && factor != kGL_ONE ? 1 : 0; };
+    return i == 3 ? rounds(state.blend_src_alpha) + rounds(state.blend_dst_alpha)
+                  : rounds(state.blend_src) + rounds(state.blend_dst);
+}
+
+}  // namespace
+
+bool compares(Enum func, double incoming, double stored) {
+    switch (func) {
+        case kGL_NEVER: return false;
+        case kGL_LESS: return incoming < stored;
+        case kGL_EQUAL: return incoming == stored;
+        case kGL_LEQUAL: return incoming <= stored;
+        case kGL_GREATER: return incoming > stored;
+        case kGL_NOTEQUAL: return incoming != stored;
+        case kGL_GEQUAL: return incoming >= stored;
+    }
+    return true;  // GL_ALWAYS
 }
 
 PixelRect scissored(const Scissor& scissor, const PixelRect& rect) {
@@ -22,18 +50,37 @@ PixelRect scissored(const Scissor& scissor, const PixelRect& rect) {
             std::min(rect.y1, end(scissor.box.y, scissor.box.height))};
 }
 
-bool alpha_passes(const FragmentState& state, double alpha) {
-    const double incoming = quantised(alpha), reference = quantised(state.alpha_ref);
-    switch (state.alpha_func) {
-        case kGL_NEVER: return false;
-        case kGL_LESS: return incoming < reference;
-        case kGL_EQUAL: return incoming == reference;
-        case kGL_LEQUAL: return incoming <= reference;
-        case kGL_GREATER: return incoming > reference;
-        case kGL_NOTEQUAL: return incoming != reference;
-        case kGL_GEQUAL: return incoming >= reference;
-    }
-    return true;  // GL_ALWAYS
+Outcome alpha_outcome(const FragmentState& state, double alpha) {
+    return outcome(compares(state.alpha_func, held(alpha), held(state.alpha_ref)));
+}
+
+Outcome alpha_outcome(const FragmentState& state, const Interval& alpha) {
+    const double reference = clamp01(state.alpha_ref);
+    const bool equal = alpha == Interval(reference);
+    const bool may_be_equal = alpha.low - kArithmetic - 1.0 / kColorCodes <= reference &&
+                              reference <= alpha.high + kArithmetic + 1.0 / kColorCodes;
+    if (!equal && may_be_equal && state.alpha_func != kGL_ALWAYS && state.alpha_func != kGL_NEVER)
+        return Outcome::kOpen;
+    return alpha_outcome(state, alpha.low);
+}
+
+Outcome depth_outcome(Enum depth_func, const Interval& difference) {
+    if (depth_func == kGL_ALWAYS || depth_func == kGL_NEVER) return outcome(depth_func == kGL_ALWAYS);
+    const bool nearer = difference.high<-kDepthQuantum, farther = difference.low> kDepthQuantum;
+    if (!nearer && !farther) return Outcome::kOpen;
+    // Equality is out of the question now: one comparison stands for all.
+    return outcome(compares(depth_func, nearer ? -1 : 1, 0));
+}
+
+double held(double channel) { return std::floor(clamp01(channel) * kColorCodes + 0.5) / kColorCodes; }
+
+Interval held(const Interval& channel) { return {held(channel.low - kArithmetic), held(channel.high + kArithmetic)}; }
+
+Interval rounded_factor(const Interval& channel) { return hull(channel, held(channel)); }
+
+Interval rounded_products(const FragmentState& state, std::size_t i, const Interval& sum) {
+    constexpr double kRoundedProduct = 0.5 / kColorCodes;
+    return widened(sum, kRoundedProduct * rounding_products(state, i));
 }
 
 bool overwrites_color(const FragmentState& state) {

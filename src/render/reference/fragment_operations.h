@@ -1,4 +1,5 @@
-// The per-fragment operations but for the depth test (4.1): scissor, alpha test, blending; and the colour mask (4.2.2).
+// The per-fragment operations (4.1): scissor, alpha test, depth test, blending; and the colour mask (4.2.2). Over numbers, or
+// over intervals of all that right implementations may have there.
 //
 // The colour buffer is that of Twinlight's contexts: red, green, blue and alpha of 8 bits each, as 2.14.9 describes them:
 // every write rounds a channel to the nearest k / 255, and what a later fragment reads is that.
@@ -10,19 +11,33 @@
 
 namespace twinlight::reference {
 
-inline constexpr int kColorCodes = 255;
+// ---- Which fragments are drawn ----
 
-// What the colour buffer holds of a channel.
-double quantised(double channel);
-glm::dvec4 quantised(const glm::dvec4& color);
+// Open: right implementations may differ, which only intervals can tell. In this order, so that the least of several is what
+// they come to together.
+enum class Outcome : std::uint8_t { kFails, kOpen, kPasses };
+
+// GL_NEVER to GL_ALWAYS (4.1.4, 4.1.5).
+bool compares(Enum func, double incoming, double stored);
 
 // 4.1.2: of `rect`, the pixels that are drawn to.
 PixelRect scissored(const Scissor& scissor, const PixelRect& rect);
 
-// 4.1.4: fragment's and reference value are compared as the colour buffer would hold them.
-bool alpha_passes(const FragmentState& state, double alpha);
+// 4.1.4: fragment's and reference value are compared as the colour buffer would hold them: with as many bits as it has, at
+// least.
+Outcome alpha_outcome(const FragmentState& state, double alpha);
+Outcome alpha_outcome(const FragmentState& state, const Interval& alpha);
 
-// Whether the colour that is written does not depend on what it is written over, and whether there is none to write.
+// 4.1.5. `difference`: of the fragment's depth and what is stored.
+Outcome depth_outcome(Enum depth_func, const Interval& difference);
+
+// ---- What is written ----
+
+// What the colour buffer holds of a channel.
+double held(double channel);
+Interval held(const Interval& channel);
+
+// Whether the colour that is written does not depend on what it is written over, and whether there is one to write.
 bool overwrites_color(const FragmentState& state);
 bool writes_color(const FragmentState& state);
 
@@ -72,6 +87,31 @@ Real blended(const FragmentState& state, std::size_t i, const Channels<Real>& so
     if (equation == kGL_FUNC_SUBTRACT) return from_source - from_destination;
     if (equation == kGL_FUNC_REVERSE_SUBTRACT) return from_destination - from_source;
     return from_source + from_destination;
+}
+
+// Blending in a buffer of 8 bits: drivers may round the fragment's colour and the blend colour to those bits before they
+// multiply, and each of the two products before they add them. What comes of that; numbers are not rounded.
+inline double rounded_factor(double channel) { return channel; }
+Interval rounded_factor(const Interval& channel);
+inline double rounded_products(const FragmentState&, std::size_t, double sum) { return sum; }
+Interval rounded_products(const FragmentState& state, std::size_t i, const Interval& sum);
+
+// The colour that a fragment leaves over `beneath`, which is what the colour buffer holds.
+template <class Real>
+Channels<Real> written(const FragmentState& state, const Channels<Real>& source, const Channels<Real>& beneath) {
+    Channels<Real> result = beneath, fragment{}, constant{};
+    if (state.blend)
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            fragment[i] = rounded_factor(source[i]);
+            constant[i] = rounded_factor(Real(clamp01(state.blend_color[static_cast<int>(i)])));
+        }
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        if (!state.color_mask[i]) continue;
+        result[i] = source[i];
+        if (state.blend)
+            result[i] = clamp01(rounded_products(state, i, blended(state, i, fragment, beneath, constant)));
+    }
+    return result;
 }
 
 }  // namespace twinlight::reference

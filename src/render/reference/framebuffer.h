@@ -1,50 +1,62 @@
-// The framebuffer, in whole rows: depth test, alpha test, blending, masks and clears (4.1, 4.2), one step after the other.
-//
-// Colours wait where they can: a pixel holds either the step whose colour it has, to be lit once it is known that it is
-// seen, or a colour. A fragment whose colour depends on what lies beneath (blending, a colour mask) or decides whether
-// there is a fragment at all (the alpha test) is lit at once.
+// The picture in a framebuffer of numbers.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "render/reference/coverage.h"
-#include "render/reference/stages.h"
+#include "render/reference/fragment_loop.h"
 
 namespace twinlight::reference {
 
-class Framebuffer {
+// What the picture keeps of a pixel beside its colour: one depth. Nothing is open.
+class DrawnPixels {
   public:
-    // The rows from y0 to y1 (excluded; y up), after all steps. Stages and shaders must outlive it.
-    Framebuffer(const Stages& stages, const std::vector<Shader>& shaders, int width, int y0, int y1);
+    using Real = double;
 
-    // The colours of all pixels, row by row from y0 up, before they are rounded to the bits of the colour buffer for the last
-    // time.
-    std::vector<glm::dvec4> colors() const;
+    DrawnPixels(const StagedFrame& stages, const PixelRect& window) : stages_(stages), depth_(window.count()) {}
 
-    // The step whose colour it has; nothing where colours were blended.
-    std::optional<StepId> step(int x, int y) const;
+    // What a surface's ray meets is drawn with the first of its pieces.
+    template <class Visit>
+    void for_each_fragment(StepId id, const PixelRect& within, const Visit& visit) const {
+        const Piece& piece = stages_.piece(id);
+        if (!piece.rays)
+            for_each_pixel(piece, within, [&](int x, int y) { visit(id, x, y, Outcome::kPasses, nullptr); });
+        else if (piece.point == 0)
+            for_each_point(piece, within, [&](int x, int y, int number, const RayPoint& point) {
+                visit(id + number, x, y, Outcome::kPasses, &point);
+            });
+    }
+    static double depth(const Fragment& fragment) {
+        return fragment.point ? fragment.point->depth : depth_at(*fragment.piece, fragment.position_window);
+    }
+    Outcome depth_outcome(Enum depth_func, const Fragment&, double depth, std::size_t at) const {
+        return compares(depth_func, depth, depth_[at]) ? Outcome::kPasses : Outcome::kFails;
+    }
+    void set_depth(std::size_t at, StepId, double depth, Outcome) { depth_[at] = depth; }
+    void open(std::size_t) {}
+    void settle(std::size_t) {}
 
   private:
-    void clear(StepId id);
-    void piece(StepId id);
-
-    PixelRect window() const { return {0, y0_, width_, y1_}; }
-    std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y - y0_) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-    }
-    glm::dvec4 color_at(int x, int y, std::size_t at) const;
-    void write(const FragmentState& state, const glm::dvec4& source, int x, int y);
-
-    const Stages& stages_;
-    const std::vector<Shader>& shaders_;
-    const int width_, y0_, y1_;
-    std::vector<StepId> step_;        // of the colour, or kColor
-    std::vector<glm::dvec4> colors_;  // where the step is kColor; empty as long as nowhere
+    const StagedFrame& stages_;
     std::vector<double> depth_;
 };
 
-// Table 4.1 of 4.1.5: whether a fragment of depth `incoming` passes against what is stored.
-bool depth_passes(Enum depth_func, double incoming, double stored);
+// As pictures have it.
+inline Rgba rgba(const Channels<double>& color) {
+    return {static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2]),
+            static_cast<float>(color[3])};
+}
+
+class Framebuffer : public FragmentLoop<DrawnPixels> {
+  public:
+    using FragmentLoop::FragmentLoop;
+
+    // The colours of all pixels, row by row from y0 up, before they are rounded to the bits of the colour buffer for the last
+    // time.
+    std::vector<Channels<double>> colors();
+
+    // The step whose colour it has; nothing where colours were blended.
+    std::optional<StepId> step(int x, int y) const;
+};
 
 }  // namespace twinlight::reference

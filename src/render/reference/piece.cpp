@@ -223,7 +223,6 @@ std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const
 }
 
 double depth_at(const Piece& piece, const glm::dvec2& position_window) {
-    if (piece.rays) return piece.rays->point(position_window, piece.point).value().depth;
     double depth = piece.from.position_window.z;
     if (piece.shape == Shape::kTriangle) depth = on_plane(piece.depth_plane, position_window);
     if (piece.shape == Shape::kLine) depth += along(piece, position_window) * (piece.to.position_window.z - depth);

@@ -12,9 +12,9 @@
 #include <memory>
 #include <vector>
 
-#include "render/reference/assembly.h"
 #include "render/reference/clip.h"
 #include "render/reference/draw_lighting.h"
+#include "render/reference/primitive_assembly.h"
 #include "render/reference/vertex_stage.h"
 
 namespace twinlight::reference {
@@ -44,7 +44,8 @@ struct Piece {
     std::vector<Corner> corners{};  // of a polygon: convex, counter-clockwise (y up)
     WindowVertex from{}, to{};      // of a line; a point has only `from`
 
-    // Of a surface: which of the points that are seen at a pixel; each has its own face.
+    // Of a surface: which of the points that are seen at a pixel; each has its own face. The pieces of a surface follow each
+    // other in the order of their points.
     std::shared_ptr<const SurfaceRays> rays{};
     int point = 0;
 
@@ -72,7 +73,7 @@ std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_inde
 // What keeps two depths apart in a depth buffer of 24 bits, which is what Twinlight's contexts have: r of 3.5.5.
 inline constexpr double kDepthStep = 1.0 / (1 << 24);
 
-// Depth and weights of a piece at a window position, of a line or point at its nearest place. Weights add up to 1.
+// Depth and weights of a mesh's piece at a window position, of a line or point at its nearest place. Weights add up to 1.
 double depth_at(const Piece& piece, const glm::dvec2& position_window);
 glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window);
 

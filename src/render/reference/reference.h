@@ -19,10 +19,7 @@ std::vector<int> seen_shapes(const Frame& frame, const Options& options);
 // How far apart right pictures of the frame may be (docs/lighting.md, "Edges").
 // Of either cut of quadrilaterals. Of exact surfaces: that of their meshes, lit per pixel, and edges where a thousandth of a pixel
 // beside the centre something else is seen.
-Freedom freedom(const Frame& frame, Options options = {});
-
-// The mask alone.
-PixelMask edge_pixels(const Frame& frame);
+AllowedDifference allowed_difference(const Frame& frame, Options options = {});
 
 // A vertex as the lighting equation leaves it: what GL's feedback returns.
 struct LitVertex {

@@ -25,6 +25,15 @@ double coded(double linear) { return srgb_coded(linear); }
 Interval coded(Interval linear) { return {srgb_coded(linear.low), srgb_coded(linear.high)}; }
 Marked coded(Marked linear) { return {srgb_coded(linear.value), linear.rulings}; }
 
+// A surface's ray is cast once for all that is asked of its point.
+template <class Visit>
+auto with_point(const Fragment& fragment, const Visit& visit) {
+    const Piece& piece = *fragment.piece;
+    if (!piece.rays || fragment.point) return visit(fragment);
+    const RayPoint point = piece.rays->point(fragment.position_window, piece.point).value();
+    return visit(Fragment{&piece, fragment.position_window, &point});
+}
+
 }  // namespace
 
 Shader::LitColors Shader::clamped_colors(const Colors& colors) {
@@ -63,106 +72,137 @@ void Shader::light_vertices() {
         for (LitFaces& vertex : lit_) vertex.back = vertex.front;
 }
 
-glm::dvec4 Shader::color(const Piece& piece, const glm::dvec2& position_window) const {
-    const Fragment fragment{&piece, position_window};
-    if (lights_pixels(piece)) {
-        const LitPlace place = lit_place(fragment);
-        return finished(lit(fragment, place), place.finish);
-    }
-    const LitColors colors = vertex_colors(piece, position_window);
-    const double fog = draw_.fog.enabled ? fog_at(piece, position_window) : 1;
-    if (!draw_.texture.texture) return color_of(finished<double>(colors, nullptr, fog));
-    const Channels<double> texel = channels<double>(sampled(texture_place(vertices_, piece, position_window)));
-    return color_of(finished(colors, &texel, fog));
+template <class Real>
+Shaded<Real> Shader::shade(const Fragment& fragment) const {
+    return with_point(fragment, [&](const Fragment& whole) -> Shaded<Real> {
+        const LitColors colors = lights_pixels(*whole.piece) ? lit(whole) : vertex_colors(whole);
+        const Finish<Real> finish = this->finish<Real>(whole);
+        return {finished(colors, finish), finish.has_choice};
+    });
 }
+template Shaded<double> Shader::shade(const Fragment& fragment) const;
+template Shaded<Interval> Shader::shade(const Fragment& fragment) const;
 
-std::vector<glm::dvec4> Shader::colors(const std::vector<Fragment>& fragments) const {
-    std::vector<glm::dvec4> result(fragments.size());
+std::vector<Channels<double>> Shader::colors(std::span<const Fragment> fragments) const {
+    std::vector<Channels<double>> result(fragments.size());
     if (fragments.empty() || !lights_pixels()) {
-        for (std::size_t i = 0; i < fragments.size(); ++i)
-            result[i] = color(*fragments[i].piece, fragments[i].position_window);
+        for (std::size_t i = 0; i < fragments.size(); ++i) result[i] = shade<double>(fragments[i]).color;
         return result;
     }
     const bool is_exact = fragments.front().piece->rays != nullptr;  // all of a Draw are, or none
     PointBatch batch(lighting_, is_exact ? PointBatch::Normals::kAsTheyAre : PointBatch::Normals::kMadeUnit);
-    const std::span all(fragments);
-    for (std::size_t first = 0; first < all.size(); first += PointBatch::kPoints) {
-        light_together(batch, all.subspan(first, std::min(PointBatch::kPoints, all.size() - first)),
-                       result.data() + first);
+    std::vector<Finish<double>> finishes;
+    for (std::size_t first = 0; first < fragments.size(); first += finishes.size()) {
         batch.clear();
+        finishes.clear();
+        for (const Fragment& fragment :
+             fragments.subspan(first, std::min(PointBatch::kPoints, fragments.size() - first)))
+            with_point(fragment, [&](const Fragment& whole) {
+                const LitPlace place = lit_place(whole);
+                batch.add(place.vertex, place.face, [&] { return material(whole, place); });
+                finishes.push_back(finish<double>(whole));
+            });
+        batch.light(arithmetic_, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
+            result[first + i] = finished(LitColors{clamped(primary), clamped(secondary)}, finishes[i]);
+        });
     }
     return result;
 }
 
-void Shader::light_together(PointBatch& batch, std::span<const Fragment> fragments, glm::dvec4* colors) const {
-    std::vector<Finish> finishes;
-    finishes.reserve(fragments.size());
-    for (const Fragment& fragment : fragments) {
-        const LitPlace place = lit_place(fragment);
-        batch.add(place.vertex, place.face, [&] { return material(fragment, place); });
-        finishes.push_back(place.finish);
+std::vector<PointOfFragment> Shader::points(const Fragment& fragment) const {
+    if (!lighting_.enabled()) return {};
+    const Piece& piece = *fragment.piece;
+    if (lights_pixels(piece)) {
+        const LitPlace place = lit_place_of_unit_normal(fragment);
+        return {{place.vertex, place.face, material(fragment, place)}};
     }
-    batch.light(arithmetic_, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
-        colors[i] = finished({clamped(primary), clamped(secondary)}, finishes[i]);
-    });
+    std::vector<PointOfFragment> points;
+    const auto add = [&](std::uint32_t number, double weight) {
+        const StageVertex& v = vertices_[number];
+        const Face face = lit_face(piece.face);
+        points.push_back({v, face, lighting_.material(v, face), weight, number});
+    };
+    if (shading_ == Shading::kFlat) {
+        add(piece.primitive.provoking, 1);
+        return points;
+    }
+    const glm::dvec3 weights = weights_at(piece, fragment.position_window);
+    for (int i = 0; i < 3; ++i)
+        if (weights[i] != 0) add(piece.primitive.vertices[i], weights[i]);
+    return points;
 }
 
-glm::dvec4 Shader::finished(const LitColors& colors, const Finish& finish) const {
-    return color_of(finished(colors, finish.texel ? &*finish.texel : nullptr, finish.fog));
+template <class Real>
+Shader::Finish<Real> Shader::finish(const Fragment& fragment) const {
+    Finish<Real> finish;
+    if (draw_.fog.enabled) {
+        const glm::dvec2 zw = eye_zw(fragment);
+        finish.fog = fog_factor(draw_.fog, std::abs(quotient(zw.x, zw.y)));
+    }
+    if (draw_.texture.texture) add_texel(fragment, finish);
+    return finish;
 }
 
-glm::dvec4 Shader::sampled(const TexturePlace& place) const {
+void Shader::add_texel(const Fragment& fragment, Finish<double>& finish) const {
     const TextureUnit& unit = draw_.texture;
-    return sample(*unit.texture, place.st, level_of_detail(scale_factor(*unit.texture, place), unit.lod_bias));
+    const TexturePlace place =
+        fragment.point ? fragment.point->place : texture_place(vertices_, *fragment.piece, fragment.position_window);
+    const double lambda = level_of_detail(scale_factor(*unit.texture, place), unit.lod_bias);
+    finish.texel = channels<double>(sample(*unit.texture, place.st, lambda));
 }
 
-Channels<Marked> Shader::marked_color(const Piece& piece, const glm::dvec2& position_window, const MarkedColors& lit,
+void Shader::add_texel(const Fragment& fragment, Finish<Interval>& finish) const {
+    const TextureUnit& unit = draw_.texture;
+    const TexturePlaceBounds place =
+        texture_place_bounds(vertices_, *fragment.piece, fragment.position_window, *unit.texture);
+    const TexelBounds bounds = sample_bounds(unit, place.st, place.st_error, place.rho);
+    finish.texel = bounds.texel;
+    finish.has_choice = bounds.has_choice;
+}
+
+Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColors& lit,
                                       lighting::RulingSet position) const {
-    const LitPlace place = lit_place({&piece, position_window});
-    const glm::dvec4& eye = place.vertex.position_eye;
-    const Marked fog =
-        draw_.fog.enabled ? fog_factor(draw_.fog, abs(quotient(Marked(eye.z, position), Marked(eye.w)))) : 1;
-    if (!place.finish.texel) return finished<Marked>(lit, nullptr, fog);
-    const lighting::RulingSet rulings =
-        piece.rays ? lighting::RulingSet{} : texture_rulings(vertices_, piece, position_window);
-    Channels<Marked> texel{};
-    for (std::size_t i = 0; i < texel.size(); ++i) texel[i] = {(*place.finish.texel)[i], rulings};
-    return finished<Marked>(lit, &texel, fog);
-}
-
-FragmentBounds Shader::bounds(const Piece& piece, const glm::dvec2& position_window) const {
-    const LitColors colors = lights_pixels(piece) ? lit({&piece, position_window}, lit_place({&piece, position_window}))
-                                                  : vertex_colors(piece, position_window);
-    const Interval fog = draw_.fog.enabled ? fog_at(piece, position_window) : 1;
-    const TextureUnit& unit = draw_.texture;
-    if (!unit.texture) return {finished<Interval>(colors, nullptr, fog), false};
-    const TexturePlaceBounds place = texture_place_bounds(vertices_, piece, position_window, *unit.texture);
-    const TexelBounds texel = sample_bounds(unit, place.st, place.st_error, place.rho);
-    return {finished(colors, &texel.texel, fog), texel.has_choice};
+    Finish<Marked> finish;
+    if (draw_.fog.enabled) {
+        const glm::dvec2 zw = eye_zw(fragment);
+        finish.fog = fog_factor(draw_.fog, abs(quotient(Marked(zw.x, position), Marked(zw.y))));
+    }
+    if (draw_.texture.texture) {
+        Finish<double> unmarked;
+        add_texel(fragment, unmarked);
+        const lighting::RulingSet rulings = fragment.point
+                                                ? lighting::RulingSet{}
+                                                : texture_rulings(vertices_, *fragment.piece, fragment.position_window);
+        finish.texel.emplace();
+        for (std::size_t i = 0; i < finish.texel->size(); ++i) (*finish.texel)[i] = {(*unmarked.texel)[i], rulings};
+    }
+    return finished(lit, finish);
 }
 
 // 3.9: after texturing the secondary colour is added to the primary one; the alpha is the primary one's. The clamp to
 // [0,1] is for the sum; both colours were clamped before.
 template <class Real, class Colors>
-Channels<Real> Shader::finished(const Colors& colors, const Channels<Real>* texel, Real fog) const {
+Channels<Real> Shader::finished(const Colors& colors, const Finish<Real>& finish) const {
     Channels<Real> result;
     for (int i = 0; i < 4; ++i) result[i] = Real(colors.primary[i]);
-    if (texel) result = textured(draw_.texture, draw_.texture.texture->levels[0].base_format, result, *texel);
+    if (finish.texel)
+        result = textured(draw_.texture, draw_.texture.texture->levels[0].base_format, result, *finish.texel);
     for (int i = 0; i < 3; ++i) result[i] = result[i] + Real(colors.secondary[i]);
     for (Real& channel : result) channel = clamp01(channel);
-    if (draw_.fog.enabled) result = fogged(draw_.fog, fog, result);
+    if (draw_.fog.enabled) result = fogged(draw_.fog, finish.fog, result);
     if (srgb_coded_)
         for (int i = 0; i < 3; ++i) result[i] = coded(result[i]);
     return result;
 }
 
 // Flat (2.14.7): one colour for the whole primitive. Gouraud: between those of the vertices.
-Shader::LitColors Shader::vertex_colors(const Piece& piece, const glm::dvec2& position_window) const {
+Shader::LitColors Shader::vertex_colors(const Fragment& fragment) const {
+    const Piece& piece = *fragment.piece;
     const auto of_vertex = [&](std::uint32_t number) -> const LitColors& {
         return piece.face == Face::kFront ? lit_[number].front : lit_[number].back;
     };
     if (shading_ == Shading::kFlat) return of_vertex(piece.primitive.provoking);
-    const glm::dvec3 weights = weights_at(piece, position_window);
+    const glm::dvec3 weights = weights_at(piece, fragment.position_window);
     LitColors sum;
     for (int i = 0; i < 3; ++i) {
         const LitColors& v = of_vertex(piece.primitive.vertices[i]);
@@ -175,27 +215,23 @@ Shader::LitColors Shader::vertex_colors(const Piece& piece, const glm::dvec2& po
 // A point of a surface is a vertex of its own; of a mesh, what lies between its vertices.
 Shader::LitPlace Shader::lit_place(const Fragment& fragment) const {
     const Piece& piece = *fragment.piece;
-    LitPlace place;
-    std::optional<TexturePlace> texture;
-    if (piece.rays) {
-        const SurfacePoint point = piece.rays->point(fragment.position_window, piece.point).value();
-        place.vertex = point.vertex;
-        if (lighting_.two_side()) place.face = point.face;
-        texture = point.place;
-    } else {
-        const glm::dvec3 weights = weights_at(piece, fragment.position_window);
-        for (int i = 0; i < 3; ++i) {
-            const StageVertex& v = vertices_[piece.primitive.vertices[i]];
-            place.vertex.position_eye += weights[i] * v.position_eye;
-            place.vertex.normal_eye += weights[i] * v.normal_eye;
-            place.vertex.color += weights[i] * v.color;
-        }
-        if (lighting_.two_side()) place.face = piece.face;
-        if (draw_.texture.texture) texture = texture_place(vertices_, piece, fragment.position_window);
+    if (fragment.point) return {fragment.point->vertex, lit_face(fragment.point->face)};
+    LitPlace place{.vertex = {}, .face = lit_face(piece.face)};
+    const glm::dvec3 weights = weights_at(piece, fragment.position_window);
+    for (int i = 0; i < 3; ++i) {
+        const StageVertex& v = vertices_[piece.primitive.vertices[i]];
+        place.vertex.position_eye += weights[i] * v.position_eye;
+        place.vertex.normal_eye += weights[i] * v.normal_eye;
+        place.vertex.color += weights[i] * v.color;
     }
-    const glm::dvec4& eye = place.vertex.position_eye;
-    if (draw_.fog.enabled) place.finish.fog = fog_factor(draw_.fog, std::abs(quotient(eye.z, eye.w)));
-    if (draw_.texture.texture) place.finish.texel = channels<double>(sampled(*texture));
+    return place;
+}
+
+// RULING (not GL's): the interpolated normal is made a unit vector.
+Shader::LitPlace Shader::lit_place_of_unit_normal(const Fragment& fragment) const {
+    LitPlace place = lit_place(fragment);
+    glm::dvec3& normal = place.vertex.normal_eye;
+    if (!fragment.point) normal = vec3_cast<glm::dvec3>(lighting::unit(vec3_cast<Vec>(normal)));
     return place;
 }
 
@@ -208,24 +244,24 @@ LitMaterial Shader::material(const Fragment& fragment, const LitPlace& place) co
     return mixed(weights_at(piece, fragment.position_window), materials);
 }
 
-// RULING (not GL's): the interpolated normal is made a unit vector; the clamp of 2.14.6 is the pixel's.
-Shader::LitColors Shader::lit(const Fragment& fragment, const LitPlace& place) const {
+// RULING (not GL's): the clamp of 2.14.6 is the pixel's.
+Shader::LitColors Shader::lit(const Fragment& fragment) const {
+    const LitPlace place = lit_place_of_unit_normal(fragment);
     const StageVertex& v = place.vertex;
     if (!lighting_.enabled()) return clamped_colors(lighting_.colors(v, place.face));
-    const glm::dvec3 normal_eye =
-        fragment.piece->rays ? v.normal_eye : vec3_cast<glm::dvec3>(lighting::unit(vec3_cast<Vec>(v.normal_eye)));
-    return clamped_colors(lighting_.lit(v.position_eye, normal_eye, material(fragment, place), place.face));
+    return clamped_colors(lighting_.lit(v.position_eye, v.normal_eye, material(fragment, place), place.face));
 }
 
-double Shader::fog_at(const Piece& piece, const glm::dvec2& position_window) const {
-    const glm::dvec3 weights = weights_at(piece, position_window);
-    double z = 0, w = 0;
+// What fog takes the distance from.
+glm::dvec2 Shader::eye_zw(const Fragment& fragment) const {
+    if (fragment.point) return {fragment.point->vertex.position_eye.z, fragment.point->vertex.position_eye.w};
+    const glm::dvec3 weights = weights_at(*fragment.piece, fragment.position_window);
+    glm::dvec2 zw(0);
     for (int i = 0; i < 3; ++i) {
-        const StageVertex& v = vertices_[piece.primitive.vertices[i]];
-        z += weights[i] * v.position_eye.z;
-        w += weights[i] * v.position_eye.w;
+        const glm::dvec4& eye = vertices_[fragment.piece->primitive.vertices[i]].position_eye;
+        zw += weights[i] * glm::dvec2(eye.z, eye.w);
     }
-    return fog_factor(draw_.fog, std::abs(quotient(z, w)));
+    return zw;
 }
 
 }  // namespace twinlight::reference

@@ -20,15 +20,26 @@ struct StagedDraw {
     std::vector<StageVertex> vertices;
 };
 
-// All colours that right implementations may find for one fragment.
-struct FragmentBounds {
-    Channels<Interval> color{};
+struct Fragment {
+    const Piece* piece;
+    glm::dvec2 position_window;       // the pixel's centre
+    const RayPoint* point = nullptr;  // of a surface; where it is left out the ray is cast again
+};
+
+// A fragment's colour; over intervals all that right implementations may find.
+template <class Real>
+struct Shaded {
+    Channels<Real> color{};
     bool has_choice = false;  // of texels: texture_bounds.h
 };
 
-struct Fragment {
-    const Piece* piece;
-    glm::dvec2 position_window;
+// A point that is lit for a fragment: of flat and gouraud shading a vertex, else the fragment's own place.
+struct PointOfFragment {
+    StageVertex vertex;
+    Face face = Face::kFront;  // which is lit: the front where lighting has one side
+    LitMaterial material;
+    double weight = 1;
+    std::optional<std::uint32_t> number{};  // into Draw::vertices
 };
 
 // Colours one Draw's pieces. The StagedDraw must outlive it.
@@ -36,17 +47,23 @@ class Shader {
   public:
     Shader(const StagedDraw& staged, const Options& options);
 
-    // In [0,1]. Of many the same as of each, to the last places of a double (lighting/points.h).
-    glm::dvec4 color(const Piece& piece, const glm::dvec2& position_window) const;
-    std::vector<glm::dvec4> colors(const std::vector<Fragment>& fragments) const;
-    FragmentBounds bounds(const Piece& piece, const glm::dvec2& position_window) const;
+    // In [0,1]. Real: double or Interval.
+    template <class Real>
+    Shaded<Real> shade(const Fragment& fragment) const;
+    // Of many, those that light pixels together: the same as of each, to the last places of a double (lighting/points.h).
+    std::vector<Channels<double>> colors(std::span<const Fragment> fragments) const;
 
-    // The color() of lit colours that know the rulings they come from, in [0,1], where `position` decided the position.
+    // What the colour is lit from; nothing without lighting. The weights add up to 1.
+    std::vector<PointOfFragment> points(const Fragment& fragment) const;
+    const DrawLighting& lighting() const { return lighting_; }
+    Shading shading() const { return shading_; }
+
+    // The colour of lit colours that know the rulings they come from, in [0,1], where `position` decided the position.
     struct MarkedColors {
         Channels<lighting::Marked> primary, secondary;
     };
-    Channels<lighting::Marked> marked_color(const Piece& piece, const glm::dvec2& position_window,
-                                            const MarkedColors& lit, lighting::RulingSet position) const;
+    Channels<lighting::Marked> marked_color(const Fragment& fragment, const MarkedColors& lit,
+                                            lighting::RulingSet position) const;
 
   private:
     struct LitColors {
@@ -56,33 +73,37 @@ class Shader {
         LitColors front, back;
     };
     // What the colour of a pixel needs beside its lighting.
+    template <class Real>
     struct Finish {
-        double fog = 1;
-        std::optional<Channels<double>> texel;
+        Real fog = 1;
+        std::optional<Channels<Real>> texel{};
+        bool has_choice = false;
     };
     // What phong and exact light at a pixel.
     struct LitPlace {
         StageVertex vertex;
-        Face face = Face::kFront;  // which is lit: the front where lighting has one side
-        Finish finish;
+        Face face = Face::kFront;
     };
 
     bool lights_pixels(const Piece& piece) const { return piece.rays || lights_pixels(); }
     bool lights_pixels() const {
         return (shading_ == Shading::kPhong || shading_ == Shading::kExact) && lighting_.enabled();
     }
+    Face lit_face(Face face) const { return lighting_.two_side() ? face : Face::kFront; }
     static LitColors clamped_colors(const Colors& colors);
     void light_vertices();
-    void light_together(PointBatch& batch, std::span<const Fragment> fragments, glm::dvec4* colors) const;
-    LitColors vertex_colors(const Piece& piece, const glm::dvec2& position_window) const;
+    LitColors vertex_colors(const Fragment& fragment) const;
     LitPlace lit_place(const Fragment& fragment) const;
+    LitPlace lit_place_of_unit_normal(const Fragment& fragment) const;
     LitMaterial material(const Fragment& fragment, const LitPlace& place) const;
-    LitColors lit(const Fragment& fragment, const LitPlace& place) const;
-    double fog_at(const Piece& piece, const glm::dvec2& position_window) const;
-    glm::dvec4 sampled(const TexturePlace& place) const;
-    glm::dvec4 finished(const LitColors& colors, const Finish& finish) const;
+    LitColors lit(const Fragment& fragment) const;
+    glm::dvec2 eye_zw(const Fragment& fragment) const;
+    template <class Real>
+    Finish<Real> finish(const Fragment& fragment) const;
+    void add_texel(const Fragment& fragment, Finish<double>& finish) const;
+    void add_texel(const Fragment& fragment, Finish<Interval>& finish) const;
     template <class Real, class Colors>
-    Channels<Real> finished(const Colors& colors, const Channels<Real>* texel, Real fog) const;
+    Channels<Real> finished(const Colors& colors, const Finish<Real>& finish) const;
 
     const Draw& draw_;
     const std::vector<StageVertex>& vertices_;

@@ -80,17 +80,18 @@ int SurfaceRays::most_points() const {
     return std::holds_alternative<DiskSurface>(surface_.equation) ? 1 : 2;
 }
 
-std::optional<SurfacePoint> SurfaceRays::point(const glm::dvec2& position_window, int number) const {
+template <class Visit>
+void SurfaceRays::for_each_crossing(const glm::dvec2& position_window, const Visit& visit) const {
     const Viewport& viewport = draw_.raster.viewport;
     const glm::dvec2 ndc =
         (position_window - glm::dvec2(viewport.x, viewport.y)) / glm::dvec2(viewport.width, viewport.height) * 2.0 -
         1.0;
     const glm::dvec4 near = object_from_clip_ * glm::dvec4(ndc, -1, 1), far = object_from_clip_ * glm::dvec4(ndc, 1, 1);
-    if (near.w == 0) return {};
+    if (near.w == 0) return;
     const glm::dvec3 from = glm::dvec3(near) / near.w;
     glm::dvec3 way = glm::dvec3(far) - from * far.w;  // the far plane may be at infinity
     if (far.w < 0) way = -way;
-    if (way == glm::dvec3(0)) return {};
+    if (way == glm::dvec3(0)) return;
     const Vec origin = surface_from_object(surface_, vec3_cast<Vec>(from)),
               direction = surface_from_object(surface_, vec3_cast<Vec>(way));
     const Crossings<double> all = crossings(surface_, origin, direction);
@@ -101,9 +102,26 @@ std::optional<SurfacePoint> SurfaceRays::point(const glm::dvec2& position_window
         const Vec normal_object = object_from_surface(surface_, lighting::unit(outward_normal(surface_, at)));
         const Tangents on = tangents(position_object, normal_object);
         if (culled(draw_.raster, face(on))) continue;
-        if (number-- == 0) return seen(position_object, normal_object, on);
+        if (!visit(position_object, normal_object, on)) return;
     }
-    return {};
+}
+
+std::vector<RayPoint> SurfaceRays::points(const glm::dvec2& position_window) const {
+    std::vector<RayPoint> points;
+    for_each_crossing(position_window, [&](const auto&... crossing) {
+        points.push_back(seen(crossing...));
+        return true;
+    });
+    return points;
+}
+
+std::optional<RayPoint> SurfaceRays::point(const glm::dvec2& position_window, int number) const {
+    std::optional<RayPoint> point;
+    for_each_crossing(position_window, [&](const auto&... crossing) {
+        if (number-- == 0) point = seen(crossing...);
+        return !point;
+    });
+    return point;
 }
 
 // 2.12.
@@ -192,9 +210,9 @@ TexturePlace SurfaceRays::texture_place(const glm::dvec3& position_object, const
     return place;
 }
 
-SurfacePoint SurfaceRays::seen(const glm::dvec4& position_object, const Vec& normal_object,
-                               const Tangents& tangents) const {
-    SurfacePoint point{
+RayPoint SurfaceRays::seen(const glm::dvec4& position_object, const Vec& normal_object,
+                           const Tangents& tangents) const {
+    RayPoint point{
         .object = {}, .vertex = {}, .depth = depth(position_object, tangents), .face = face(tangents), .place = {}};
     point.vertex.position_eye = draw_.eye_from_object * position_object;
     point.vertex.position_clip = clip(position_object);

@@ -16,7 +16,8 @@
 
 namespace twinlight::reference {
 
-struct SurfacePoint {
+// Where a ray meets a surface.
+struct RayPoint {
     Vertex object;       // where it is, and its outward normal: a unit vector
     StageVertex vertex;  // the normal is a unit vector
     double depth = 0;    // in the window, with polygon offset
@@ -29,8 +30,9 @@ class SurfaceRays {
     // The Draw must outlive it. RULING: under matrices without an inverse a surface is not seen.
     SurfaceRays(const Draw& draw, const Surface& surface);
 
-    // Of the points in the order of the ray, from far to near, that which has this number.
-    std::optional<SurfacePoint> point(const glm::dvec2& position_window, int number) const;
+    // The points in the order of the ray, from far to near; and that which has this number.
+    std::vector<RayPoint> points(const glm::dvec2& position_window) const;
+    std::optional<RayPoint> point(const glm::dvec2& position_window, int number) const;
 
     // A ray meets the surface so often at most.
     int most_points() const;
@@ -50,6 +52,9 @@ class SurfaceRays {
         glm::dvec3 object_step(const glm::dvec2& window_step) const;
     };
 
+    // Calls visit(position_object, normal_object, tangents) for each point, until it returns false.
+    template <class Visit>
+    void for_each_crossing(const glm::dvec2& position_window, const Visit& visit) const;
     glm::dvec4 clip(const glm::dvec4& position_object) const { return clip_from_object_ * position_object; }
     bool is_inside(const glm::dvec4& position_object) const;
     Tangents tangents(const glm::dvec4& position_object, const Vec& normal_object) const;
@@ -57,7 +62,7 @@ class SurfaceRays {
     double depth(const glm::dvec4& position_object, const Tangents& tangents) const;
     glm::dvec2 tex_coord(const glm::dvec3& position_object) const;
     TexturePlace texture_place(const glm::dvec3& position_object, const Tangents& tangents) const;
-    SurfacePoint seen(const glm::dvec4& position_object, const Vec& normal_object, const Tangents& tangents) const;
+    RayPoint seen(const glm::dvec4& position_object, const Vec& normal_object, const Tangents& tangents) const;
     void find_window_bounds();
 
     const Draw& draw_;

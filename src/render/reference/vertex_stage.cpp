@@ -55,9 +55,7 @@ std::vector<StageVertex> vertex_stage(const Draw& draw) {
     return result;
 }
 
-namespace {
-
-VertexRulings rulings_under(const Draw& draw, const Vertex& vertex, bool normalize) {
+VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex, bool normalize) {
     using lighting::Ruling;
     VertexRulings rulings;
     if (is_far_from_origin(draw, vertex.position_object)) rulings.position |= {Ruling::kFarFromOrigin};
@@ -79,14 +77,6 @@ VertexRulings rulings_under(const Draw& draw, const Vertex& vertex, bool normali
     return rulings;
 }
 
-}  // namespace
-
-VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex) {
-    return rulings_under(draw, vertex, draw.lighting.normalize);
-}
-
-VertexRulings surface_rulings(const Draw& draw, const Vertex& point) { return rulings_under(draw, point, true); }
-
 std::vector<LitVertex> light_vertices(const Draw& draw, const Options& options, bool clamp) {
     const DrawLighting lighting(draw, options.lecture_variants);
     const auto finish = [&](const glm::dvec4& color) { return clamp ? clamped(color) : color; };
@@ -105,20 +95,16 @@ std::vector<LitVertex> light_vertices(const Draw& draw, const Options& options, 
     }
     if (options.arithmetic == Arithmetic{} || !lighting.enabled()) return result;
     // In other numbers than double: as pictures are lit.
-    PointBatch fronts(lighting, PointBatch::Normals::kAsTheyAre), backs = fronts;
-    for (const StageVertex& v : vertices) {
-        fronts.add(v, Face::kFront, [&] { return lighting.material(v, Face::kFront); });
-        const Face back = lighting.two_side() ? Face::kBack : Face::kFront;
-        backs.add(v, back, [&] { return lighting.material(v, back); });
-    }
-    fronts.light(options.arithmetic, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
-        result[i].front_primary = finish(primary);
-        result[i].front_secondary = finish(secondary);
-    });
-    backs.light(options.arithmetic, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
-        result[i].back_primary = finish(primary);
-        result[i].back_secondary = finish(secondary);
-    });
+    const auto light = [&](Face face, glm::dvec4 LitVertex::*primary, glm::dvec4 LitVertex::*secondary) {
+        PointBatch batch(lighting, PointBatch::Normals::kAsTheyAre);
+        for (const StageVertex& v : vertices) batch.add(v, face, [&] { return lighting.material(v, face); });
+        batch.light(options.arithmetic, [&](std::size_t i, const glm::dvec4& first, const glm::dvec4& second) {
+            result[i].*primary = finish(first);
+            result[i].*secondary = finish(second);
+        });
+    };
+    light(Face::kFront, &LitVertex::front_primary, &LitVertex::front_secondary);
+    light(lighting.two_side() ? Face::kBack : Face::kFront, &LitVertex::back_primary, &LitVertex::back_secondary);
     return result;
 }
 

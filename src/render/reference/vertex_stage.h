@@ -21,13 +21,11 @@ struct StageVertex {
 
 std::vector<StageVertex> vertex_stage(const Draw& draw);
 
-// Which rulings decided a vertex.
+// Which rulings decided a vertex, or a point of a surface. `normalize`: its normal is made a unit vector.
 struct VertexRulings {
     lighting::RulingSet position, normal;
 };
-VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex);
-// The same of a point of a surface, whose normal is made a unit vector whatever the Draw says.
-VertexRulings surface_rulings(const Draw& draw, const Vertex& point);
+VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex, bool normalize);
 
 // What takes an object-space normal to eye space, as a column vector: the transpose of the inverse of the
 // upper 3x3 (2.11.3). RULING: a singular matrix takes every normal to 0, which no light reaches.

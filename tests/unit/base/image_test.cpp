@@ -229,14 +229,14 @@ TEST(DifferencePicture, IsGreyWhereEqualAndBrightensWithTheDifference) {
     EXPECT_EQ(picture.at(2, 0)[0], 1);
 }
 
-// A channel that is off by 10 codes with a slack of 12 is right; one that is off by 6 without slack is not.
-TEST(Difference, TakesTheNearerOfTwoRightAnswersBeyondTheSlack) {
-    const Image seen(1, 1, {0, 0, 0, 0}), slack(1, 1, {0, 0, 0, 12 / 255.0F});
+// A channel that is off by 10 codes where 12 are allowed is right; one that is off by 6 where none is allowed is not.
+TEST(Difference, TakesTheNearerOfTwoRightAnswersBeyondTheAllowedDifference) {
+    const Image seen(1, 1, {0, 0, 0, 0}), allowed(1, 1, {0, 0, 0, 12 / 255.0F});
     const Image within(1, 1, {0, 0, 0, 10 / 255.0F}), beyond(1, 1, {6 / 255.0F, 0, 0, 0});
     EXPECT_EQ(nearer_of(seen, within, beyond).pixels, beyond.pixels);
-    EXPECT_EQ(nearer_of(seen, within, beyond, slack).pixels, within.pixels);
-    EXPECT_EQ(nearer_of(seen, beyond, within, slack).pixels, within.pixels);
-    EXPECT_EQ(nearer_of(seen, within, within, slack).pixels, within.pixels);
+    EXPECT_EQ(nearer_of(seen, within, beyond, allowed).pixels, within.pixels);
+    EXPECT_EQ(nearer_of(seen, beyond, within, allowed).pixels, within.pixels);
+    EXPECT_EQ(nearer_of(seen, within, within, allowed).pixels, within.pixels);
 }
 
 }  // namespace

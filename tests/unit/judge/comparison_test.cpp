@@ -32,7 +32,7 @@ Scene empty_scene() {
 // Pictures of one grey; the left column is an edge.
 struct Stub {
     float fixed = 128.0F / 255, programmable = 128.0F / 255, reference = 128.0F / 255;
-    float slack = 0;
+    float allowed = 0;
     std::vector<Unsupported> unsupported;
     std::map<std::string, int> calls;  // "fixed gouraud GL", ...
 
@@ -61,12 +61,13 @@ struct Stub {
                         count("reference", options);
                         return picture(frame, reference);
                     },
-                .freedom =
+                .allowed =
                     [this](const Frame& frame, const reference::Options&) {
-                        Freedom freedom{PixelMask(static_cast<std::size_t>(frame.width * frame.height)),
-                                        Image(frame.width, frame.height, {slack, slack, slack, slack})};
-                        for (int y = 0; y < frame.height; ++y) freedom.edge[freedom.slack.index(0, y)] = true;
-                        return freedom;
+                        AllowedDifference result{
+                            PixelMask(static_cast<std::size_t>(frame.width * frame.height)),
+                            Image(frame.width, frame.height, {allowed, allowed, allowed, allowed})};
+                        for (int y = 0; y < frame.height; ++y) result.edge[result.channels.index(0, y)] = true;
+                        return result;
                     }};
     }
     Comparison compare() {
@@ -138,30 +139,30 @@ TEST(Comparison, CountsInteriorAndEdgesApart) {
 
 TEST(Verdict, IsWithinUpToOneCodeInFewPixels) {
     ImageDifference difference;
-    difference.beyond_slack = {.pixels = 10'000, .differing = 9, .max = 1 / 255.0, .rms = 0};
+    difference.beyond_allowed = {.pixels = 10'000, .differing = 9, .max = 1 / 255.0, .rms = 0};
     EXPECT_EQ(judge(difference, {}), Verdict::kWithin);
-    difference.beyond_slack.differing = 10;  // 0.1 %: not fewer
+    difference.beyond_allowed.differing = 10;  // 0.1 %: not fewer
     EXPECT_EQ(judge(difference, {}), Verdict::kBeyond);
-    difference.beyond_slack.differing = 1;
-    difference.beyond_slack.max = 2 / 255.0;
+    difference.beyond_allowed.differing = 1;
+    difference.beyond_allowed.max = 2 / 255.0;
     EXPECT_EQ(judge(difference, {}), Verdict::kBeyond);
 }
 
-// 25 codes off: one code more than slack and rounding, in every pixel; then none.
-TEST(Verdict, IsOfWhatIsLeftBeyondTheSlack) {
+// 25 codes off: one code more than what is allowed and rounding, in every pixel; then none.
+TEST(Verdict, IsOfWhatIsLeftBeyondTheAllowedDifference) {
     Stub stub;
     stub.fixed = 0.6F;
-    stub.slack = 11.6F / 255;  // twice, for either of two drivers
+    stub.allowed = 11.6F / 255;  // twice, for either of two drivers
     const Comparison beyond = stub.compare();
     const ImageDifference& difference = pair_named(beyond, "fixed ~ programmable").difference;
     EXPECT_EQ(difference.interior.max, 25 / 255.0);
-    EXPECT_EQ(difference.beyond_slack.max, 1 / 255.0);
-    EXPECT_EQ(difference.beyond_slack.differing, difference.interior.pixels);
+    EXPECT_EQ(difference.beyond_allowed.max, 1 / 255.0);
+    EXPECT_EQ(difference.beyond_allowed.differing, difference.interior.pixels);
     EXPECT_EQ(pair_named(beyond, "fixed ~ programmable").verdict, Verdict::kBeyond);
-    stub.slack = 12.01F / 255;
+    stub.allowed = 12.01F / 255;
     EXPECT_EQ(pair_named(stub.compare(), "fixed ~ programmable").verdict, Verdict::kWithin);
     EXPECT_EQ(pair_named(stub.compare(), "fixed ~ reference").verdict, Verdict::kBeyond);
-    stub.slack = 24.01F / 255;
+    stub.allowed = 24.01F / 255;
     EXPECT_EQ(stub.compare().verdict(), Verdict::kWithin);
 }
 
@@ -400,7 +401,7 @@ TEST(Words, GroupDigitsAndRoundShares) {
 }
 
 // What a plan leaves out is told, and not held against the shaders; it is held against pairs without them.
-TEST(Comparison, TakesTheBoundOfThePlansForSlack) {
+TEST(Comparison, TakesTheBoundOfThePlansForAllowed) {
     Draw draw;  // a point that GL_LIGHT1 may light by 0.4 / 255
     draw.mode = kGL_POINTS;
     draw.vertices.resize(1);

@@ -6,7 +6,9 @@
 namespace twinlight {
 namespace {
 
-PixelMask edges(std::initializer_list<Draw> draws) { return reference::edge_pixels(frame_of(kSize, kSize, draws)); }
+PixelMask edges(std::initializer_list<Draw> draws) {
+    return reference::allowed_difference(frame_of(kSize, kSize, draws)).edge;
+}
 
 Pixels marked(const PixelMask& mask) {
     Pixels pixels;
@@ -85,7 +87,7 @@ TEST(EdgePixels, AreLinesWithTheirNeighbours) {
 TEST(EdgePixels, ForgetWhatWasCleared) {
     Frame frame = frame_of(kSize, kSize, {quad(2.3, 3.3, 10.3, 9.3)});
     frame.items.emplace_back(Clear{.color = true});
-    EXPECT_TRUE(marked(reference::edge_pixels(frame)).empty());
+    EXPECT_TRUE(marked(reference::allowed_difference(frame).edge).empty());
 }
 
 }  // namespace

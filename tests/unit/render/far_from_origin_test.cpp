@@ -53,11 +53,11 @@ Frame far_frame(double far) {
 double off(Renderer& renderer, const Frame& frame, const Options& options) {
     const reference::Options truth_options{options};
     const Image truth = reference::render(frame, truth_options), image = renderer.render(frame, options).image;
-    const Freedom freedom = reference::freedom(frame, truth_options);
+    const AllowedDifference allowed = reference::allowed_difference(frame, truth_options);
     double worst = 0;
     int seen = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        if (freedom.edge[i]) continue;
+        if (allowed.edge[i]) continue;
         seen += truth.pixels[i][0] > 0 ? 1 : 0;
         for (std::size_t channel = 0; channel < 3; ++channel)
             worst = std::max(worst, std::abs(double{image.pixels[i][channel]} - double{truth.pixels[i][channel]}));

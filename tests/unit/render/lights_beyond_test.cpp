@@ -60,7 +60,7 @@ TEST(LightsBeyondEight, AreNotDrawnByTheFixedFunctionAndSaid) {
         if (Draw* draw = std::get_if<Draw>(&item)) draw->lighting.lights.resize(kMaxLights);
     const auto context = make_offscreen_context(kSide, kSide);
     const ImageDifference d =
-        difference(fixed::render(scene), reference::render(eight, {}), reference::freedom(eight, {}));
+        difference(fixed::render(scene), reference::render(eight, {}), reference::allowed_difference(eight, {}));
     EXPECT_LE(d.interior.max, 1 / 255.0);
     EXPECT_GT(d.interior.pixels, 1000u);
 }
@@ -79,7 +79,7 @@ TEST(LightsBeyondEight, LeaveTheEightOfTheLargestBoundsToScrubbedState) {
     const auto context = make_offscreen_context(kSide, kSide);
     const Image fixed = fixed::render_scrubbed(scene, {}, PlanOptions{}.budget);
     const ImageDifference d =
-        difference(fixed, reference::render(scene.frame, {}), reference::freedom(scene.frame, {}));
+        difference(fixed, reference::render(scene.frame, {}), reference::allowed_difference(scene.frame, {}));
     EXPECT_LE(d.interior.max, 1 / 255.0);
     EXPECT_GT(d.interior.pixels, 1000u);
     // With the eight of GL alone, of which one is faint, a tenth would be missing.

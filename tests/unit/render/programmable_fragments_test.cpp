@@ -5,7 +5,7 @@
 
 #include "../hand_built_draws.h"
 #include "render/effect/plan.h"
-#include "render/programmable/assembly.h"
+#include "render/programmable/shader_assembly.h"
 
 namespace twinlight::programmable {
 namespace {

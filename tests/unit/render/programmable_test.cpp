@@ -5,7 +5,7 @@
 
 #include "../hand_built_draws.h"
 #include "render/effect/plan.h"
-#include "render/programmable/assembly.h"
+#include "render/programmable/shader_assembly.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -18,9 +18,8 @@ TEST(ShaderText, HoldsOnlyWhatIsCalledFor) {
     LightingState lighting = dark();
     lighting.front.diffuse = {1, 1, 1, 1};
     const std::string text = vertex_shader(square(lighting));
-    for (const char* absent :
-         {"#if", "EFFECT_", "power", "attenuation;", "float spot", "u_light0_spot", "u_eye_from_object;", "half_dir",
-          "_specular", "u_back", "a_color", "light1", "LIGHTi", "FACE", "unit("})
+    for (const char* absent : {"#if", "EFFECT_", "power", "attenuation", "spot(", "u_light0_spot", "u_eye_from_object;",
+                               "half_dir", "_specular", "u_back", "a_color", "light1", "EXPONENT", "POSITION", "unit("})
         EXPECT_EQ(text.find(absent), text.npos) << absent << " in\n" << text;
     EXPECT_NE(text.find("u_light0_front_diffuse"), text.npos);
 }

@@ -142,8 +142,8 @@ TEST_F(Tiers, ANumberThatMovesAfterAllIsDrawnAsItIs) {
     EXPECT_EQ((glm::vec3{c[0], c[1], c[2]}), glm::vec3(0, 0, 1));
 }
 
-TEST_F(Tiers, APreparedFrameIsDrawnAgainAndAgain) {
-    const PreparedFrame frame(frame_of(square(lit())), with(Tier::kAuto));
+TEST_F(Tiers, AnUploadedFrameIsDrawnAgainAndAgain) {
+    const UploadedFrame frame(frame_of(square(lit())), with(Tier::kAuto));
     for (int i = 0; i < 10; ++i) renderer_.draw(frame);
     EXPECT_EQ(counters().baked, 1u);
     const Image again = read_pixels(4, 4);

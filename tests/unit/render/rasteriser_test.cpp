@@ -7,7 +7,7 @@
 
 #include "../small_frames.h"
 #include "render/reference/coverage.h"
-#include "render/reference/stages.h"
+#include "render/reference/staged_frame.h"
 
 namespace twinlight {
 namespace {
@@ -162,8 +162,8 @@ TEST(Interpolation, IsNotChangedByClipping) {
     for (Vertex& v : longer.vertices)  // from t = 0 back to t = -2: depth -3
         if (v.color == kRed) v.position_object = {-9, v.position_object.y < 0 ? 3 : -3, 3, 1};
     // Vertex colours are clamped before clipping (2.14.6): compare the depth, which is not.
-    const reference::Stages a = reference::run_stages(frame_of(kSize, kSize, {wall}), {});
-    const reference::Stages b = reference::run_stages(frame_of(kSize, kSize, {longer}), {});
+    const reference::StagedFrame a = reference::run_stages(frame_of(kSize, kSize, {wall}), {});
+    const reference::StagedFrame b = reference::run_stages(frame_of(kSize, kSize, {longer}), {});
     ASSERT_FALSE(b.pieces.empty());
     for (int x = 0; x < kSize; ++x) {
         const glm::dvec2 p = reference::pixel_centre(x, 8);

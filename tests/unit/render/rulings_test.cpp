@@ -6,7 +6,7 @@
 #include <set>
 
 #include "judge/check/case.h"
-#include "render/reference/pixel.h"
+#include "render/reference/pixel_history.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
@@ -24,7 +24,7 @@ Frame frame_of(const std::shared_ptr<const CommandList>& scene) {
 // Of the fragments at a pixel of a picture of 64 x 64, y up.
 Rulings rulings_at(const Frame& frame, int x, int y, const reference::Options& options = {}) {
     Rulings rulings;
-    for (const PixelFragment& fragment : pixel_fragments(frame, options, x, y))
+    for (const PixelFragment& fragment : pixel_history(frame, options, x, y).fragments)
         for (const PixelFragment::Decided& decided : fragment.rulings) rulings.insert(decided.ruling);
     return rulings;
 }
@@ -158,7 +158,7 @@ TEST(DecidingRulings, NameTheLights) {
         "glLightfv(GL_LIGHT3, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});\n"
         "glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();";
     const Frame frame = frame_of(std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene")));
-    const std::vector<PixelFragment> fragments = pixel_fragments(frame, {}, 32, 32);
+    const std::vector<PixelFragment> fragments = pixel_history(frame, {}, 32, 32).fragments;
     ASSERT_EQ(fragments.size(), 1u);
     ASSERT_EQ(fragments[0].rulings.size(), 1u);
     EXPECT_EQ(fragments[0].rulings[0].ruling, Ruling::kLightAtVertex);

@@ -50,7 +50,7 @@ void meet(vec3 p) {
     is_seen = is_seen && dot(u_clip_w, place) > 0.0;
     is_seen = is_seen && dot(u_to_near_plane, place) >= 0.0 && dot(u_to_far_plane, place) >= 0.0;
 #endif
-#for_each_clip_plane     is_seen = is_seen && dot(u_clip_planeCLIP_PLANE_NUMBER_object, place) >= 0.0;
+#insert within_clip_planes
 #if EFFECT_RAY_CULL
     is_seen = is_seen && u_shown_side * dot(outward_normal(p), direction) > 0.0;
 #endif

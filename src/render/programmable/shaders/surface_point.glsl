@@ -25,25 +25,6 @@
 #if EFFECT_RAY_DEPTH
     gl_FragDepth = clamp(depth, 0.0, 1.0);
 #endif
-#if EFFECT_PHONG && EFFECT_VERTEX_W
-    vec4 position_eye = u_eye_from_object * place;
-#elif EFFECT_PHONG && EFFECT_POSITION_EYE && !EFFECT_OBJECT_SPACE
-    vec3 position_eye = (u_eye_from_object * place).xyz;
-#endif
-#if EFFECT_PHONG && EFFECT_NORMAL && EFFECT_OBJECT_SPACE && EFFECT_RAY_INSIDE
-    vec3 normal_object = -outward;
-#elif EFFECT_PHONG && EFFECT_NORMAL && EFFECT_OBJECT_SPACE
-    vec3 normal_object = outward;
-#elif EFFECT_PHONG && EFFECT_NORMAL && EFFECT_RAY_INSIDE
-    vec3 normal_eye = u_eye_from_object_normal * -outward;
-#elif EFFECT_PHONG && EFFECT_NORMAL
-    vec3 normal_eye = u_eye_from_object_normal * outward;
-#endif
-#if EFFECT_FOG_W
-    vec2 eye_z = vec2(dot(u_eye_z_from_object, place), dot(u_eye_w_from_object, place));
-#elif EFFECT_FOG
-    float eye_z = dot(u_eye_z_from_object, place);
-#endif
 #if EFFECT_RAY_TEX_COORD
     // Texture coordinates as GLU's quadrics have them, and how they change on the tangent plane by a pixel along x and y.
     const float turn = 6.28318530717958648;

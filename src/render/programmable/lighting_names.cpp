@@ -1,0 +1,150 @@
+#include "render/programmable/lighting_names.h"
+
+#include <fmt/format.h>
+
+#include "render/programmable/vertex_attributes.h"
+
+namespace twinlight::programmable {
+
+bool shares_faces(const EffectSet& effects) {
+    return effects.two_side && effects.shading == Shading::kPhong && effects.front == effects.back;
+}
+
+std::vector<std::string> LightingNames::faces() const {
+    if (shares_faces(effects_)) return {"shown"};
+    return effects_.two_side ? std::vector<std::string>{"front", "back"} : std::vector<std::string>{"front"};
+}
+
+std::string LightingNames::uniform(const std::string& type, const std::string& name, const std::string& comment,
+                                   const std::string& array) {
+    if (declared_.insert(name).second)
+        declarations_ +=
+            fmt::format("uniform {} {}{};{}{}\n", type, name, array, comment.empty() ? "" : "  // ", comment);
+    return name;
+}
+
+template <class Name>
+std::string LightingNames::of_face(const std::string& face, const Name& name) {
+    if (face != "shown") return name(face);
+    const std::string front = name("front"), back = name("back");
+    return fmt::format("({} ? {} : {})", is_front(), front, back);
+}
+
+// ---- Lights ----
+
+int LightingNames::loop_length(std::size_t i) const {
+    const std::size_t written_out = effects_.lights.size() - form_.loops.size();
+    return i < written_out ? 0 : form_.loops[i - written_out];
+}
+
+std::string LightingNames::light(std::size_t i, const std::string& type, const std::string& what,
+                                 const std::string& comment) {
+    const int length = loop_length(i);
+    const std::string name = fmt::format("u_light{}_{}", i, what);
+    return length == 0 ? uniform(type, name, comment)
+                       : uniform(type, name, comment, fmt::format("[{}]", length)) + "[i]";
+}
+
+std::string LightingNames::light_block(std::size_t i) {
+    if (loop_length(i) == 0) return fmt::format("    {{  // light{}\n", i);
+    const std::string count = uniform("int", fmt::format("u_count_of_light{}", i), "it stands for as many as this");
+    return fmt::format("    for (int i = 0; i < {}; ++i) {{  // light{}\n", count, i);
+}
+
+std::string LightingNames::product(std::size_t i, const std::string& face, const std::string& term,
+                                   BroughtColor brought) {
+    const char letter = term.front();
+    const std::string comment = brought ? fmt::format("{}_cli", letter) : fmt::format("{0}_cm {0}_cli", letter);
+    const std::string color = of_face(face, [&](const std::string& name) {
+        return light(i, brought ? product_type() : "vec3", name + "_" + term, comment);
+    });
+    return brought ? fmt::format("({} * {}.rgb)", color, brought_color(face, term, brought)) : color;
+}
+
+std::string LightingNames::sample_product(std::size_t i, const std::string& face, const std::string& term) {
+    const std::string array = fmt::format("[{}]", effects_.spectral_groups);
+    const auto samples = [&](const std::string& of, const char* letters) {
+        return uniform("vec3", fmt::format("u_{}_{}_samples", of, term), term.front() + std::string(letters), array) +
+               "[g]";
+    };
+    const std::string material = of_face(face, [&](const std::string& name) { return samples(name, "_cm"); });
+    return fmt::format("({} * {})", material, samples(fmt::format("light{}", i), "_cli"));
+}
+
+// ---- Materials ----
+
+std::string LightingNames::brought_color(const std::string& face, const std::string& property, BroughtColor brought) {
+    if (brought.tracks) return "surface.color";
+    return of_face(face, [&](const std::string& name) { return fmt::format("surface.{}_{}", name, property); });
+}
+
+std::string LightingNames::scene_color(const std::string& face, const FaceEffects& varying) {
+    const BroughtColor emission = emission_of(varying), ambient = ambient_of(varying);
+    std::string sum;
+    const auto add = [&](const std::string& term) { sum += (sum.empty() ? "" : " + ") + term; };
+    if (emission) add(brought_color(face, "emission", emission) + ".rgb");
+    if (!emission || !ambient)
+        add(of_face(face, [&](const std::string& name) {
+            return uniform("vec3", fmt::format("u_{}_base", name), "what is the same at every vertex");
+        }));
+    if (ambient)
+        add(uniform(product_type(), "u_constant_ambient",
+                    "light from everywhere: a_cs, and a_cli that nothing weakens on its way") +
+            " * " + brought_color(face, "ambient", ambient) + ".rgb");
+    return sum;
+}
+
+std::string LightingNames::alpha(const std::string& face, const FaceEffects& varying) {
+    if (const BroughtColor diffuse = diffuse_of(varying)) return brought_color(face, "diffuse", diffuse) + ".a";
+    return of_face(
+        face, [&](const std::string& name) { return uniform("float", fmt::format("u_{}_alpha", name), "of d_cm"); });
+}
+
+std::string LightingNames::shininess(const std::string& face, const FaceEffects& varying) {
+    const bool whole = effects_.shininess == Power::kWhole;
+    if (varying.varies_shininess) {
+        const std::string value =
+            of_face(face, [&](const std::string& name) { return fmt::format("surface.{}_shininess", name); });
+        return whole ? fmt::format("int({})", value) : value;
+    }
+    return of_face(face, [&](const std::string& name) {
+        return uniform(whole ? "int" : "float", fmt::format("u_{}_shininess", name), "s_rm");
+    });
+}
+
+// ---- Structures ----
+
+bool LightingNames::has_surface() const {
+    return effects_.needs_position_eye() || effects_.needs_normal() || effects_.needs_color() ||
+           effects_.front.varies() || effects_.back.varies();
+}
+
+std::string LightingNames::structs() const {
+    std::string text;
+    if (has_surface()) {
+        text += "struct Surface {\n";
+        if (effects_.needs_position_eye()) text += fmt::format("    vec3 position_{};  // V\n", space());
+        if (effects_.needs_normal()) text += fmt::format("    vec3 normal_{};  // n\n", space());
+        if (effects_.needs_color()) text += "    vec4 color;  // GL_COLOR_MATERIAL (section 2.14.3)\n";
+        for (const VertexProperty& property : vertex_properties(effects_))
+            text += fmt::format("    {} {};  // glMaterial between glBegin and glEnd (section 2.14.2)\n",
+                                property.type(), property.name);
+        text += "};\n\n";
+    }
+    text += "struct Lit {\n";
+    if (effects_.needs_primary()) text += "    vec4 primary;  // c_pri\n";
+    if (effects_.separate_specular) text += "    vec3 secondary;  // c_sec\n";
+    return text + "};\n\n";
+}
+
+std::string LightingNames::surface(const std::string& position, const std::string& normal,
+                                   const std::string& prefix) const {
+    std::vector<std::string> fields;
+    if (effects_.needs_position_eye()) fields.push_back(position);
+    if (effects_.needs_normal()) fields.push_back(normal);
+    if (effects_.needs_color()) fields.push_back(prefix + "color");
+    for (const VertexProperty& property : vertex_properties(effects_)) fields.push_back(prefix + property.name);
+    return fmt::format("Surface({})", fmt::join(fields, ", "));
+}
+
+}  // namespace twinlight::programmable

@@ -1,0 +1,198 @@
+#include "render/programmable/lighting_text.h"
+
+#include <fmt/format.h>
+
+#include "render/programmable/lighting_names.h"
+
+namespace twinlight::programmable {
+namespace {
+
+class Writer : LightingWriter {
+  public:
+    using LightingWriter::LightingWriter;
+
+    LightingText text() {
+        LightingText text;
+        text.clip_position =
+            "    gl_Position = u_clip_from_object[0] * position.x + u_clip_from_object[1] * position.y +\n"
+            "        u_clip_from_object[2] * position.z + u_clip_from_object[3] * position.w;\n";
+        text.vertex_position = form_.object_space ? "position" : "u_eye_from_object * position";
+        text.vertex_normal = form_.object_space ? "a_normal" : "u_eye_from_object_normal * a_normal";
+        if (effects_.normalize) text.vertex_normal = fmt::format("unit({})", text.vertex_normal);  // GL_NORMALIZE
+        if (!effects_.lighting) return text;
+        std::string faces;
+        for (const std::string& name : names_.faces()) faces += face(name);
+        text.functions = fmt::format(
+            "// The lighting equation (GL 2.1, section 2.14.1), in {} coordinates:\n"
+            "//\n"
+            "//   c_pri = e_cm + a_cm a_cs + sum_i att_i spot_i [ a_cm a_cli + (n . VP_i) d_cm d_cli\n"
+            "//                                                   + f_i (n . h_i)^s_rm s_cm s_cli ]\n"
+            "//\n"
+            "// It has only what this Draw calls for. Products of a light's and a material's colour come from the\n"
+            "// processor; where the vertex brings the material's colour, they are multiplied here.\n"
+            "{}{}",
+            names_.space(), names_.structs(), faces);
+        text.uniforms = names_.declarations();
+        return text;
+    }
+
+  private:
+    // ---- A face ----
+
+    std::string face(const std::string& name) {
+        const FaceEffects& varying = name == "back" ? effects_.back : effects_.front;
+        text_ = fmt::format("// The {} face: its material, and every light.\nLit light_{}({}) {{\n    Lit lit;\n", name,
+                            name, names_.has_surface() ? "Surface surface" : "");
+        if (effects_.needs_primary()) {
+            add("    lit.primary.rgb = {};  // e_cm + a_cm a_cs\n", names_.scene_color(name, varying));
+            add("    lit.primary.a = {};\n", names_.alpha(name, varying));
+        }
+        if (effects_.separate_specular) add("    lit.secondary = vec3(0.0);\n");
+        if (effects_.needs_normal()) add("    vec3 n = {};\n", names_.normal());
+        if (needs_vpe_dir()) add("    vec3 vpe_dir = {}\n", vpe_dir());
+        if (effects_.spectral_groups > 0) start_samples();
+        for (std::size_t i = 0; i < effects_.lights.size(); ++i) light(i, name, varying);
+        if (effects_.spectral_groups > 0) add_samples();
+        if (effects_.needs_primary()) {
+            if (effects_.clamp)
+                add("    lit.primary = clamp(lit.primary, 0.0, 1.0);  // section 2.14.6\n");
+            else
+                // Never the uniform as it is: Mesa takes that out of what is interpolated, and surfaces that cross at a small
+                // angle then do so in other pixels than the fixed function's.
+                add("    lit.primary.a = clamp(lit.primary.a, 0.0, 1.0);\n");
+        }
+        if (effects_.separate_specular && effects_.clamp) add("    lit.secondary = clamp(lit.secondary, 0.0, 1.0);\n");
+        return text_ + "    return lit;\n}\n\n";
+    }
+
+    // VPe is called for by what is not the same at every vertex: h_i of a light that is near or of a near viewer, and r.
+    bool needs_vpe_dir() const {
+        if (effects_.local_viewer) return true;
+        bool near_light = false;
+        for (const LightEffects& light : effects_.lights) near_light |= light.specular && !light.directional;
+        return effects_.shininess != Power::kOne && effects_.any_light(&LightEffects::specular) &&
+               (near_light || is_reflection());
+    }
+    std::string vpe_dir() const {
+        if (effects_.local_viewer)
+            return fmt::format("unit({}{});  // GL_LIGHT_MODEL_LOCAL_VIEWER",
+                               form_.object_space ? "u_viewer_object - " : "-", names_.position());
+        return form_.object_space ? "u_viewer_dir_object;  // the infinite viewer"
+                                  : "vec3(0.0, 0.0, 1.0);  // the infinite viewer";
+    }
+
+    // ---- A light ----
+
+    // att_i spot_i; empty where both are 1.
+    std::string reach(std::size_t i) {
+        const LightEffects& light = effects_.lights[i];
+        std::string reach;
+        if (light.attenuated)
+            reach =
+                fmt::format("attenuation({}, length(vp))", names_.light(i, "vec3", "attenuation", "k_0i, k_1i, k_2i"));
+        if (!light.spot && !light.smooth_cone) return reach;
+        if (!reach.empty()) reach += " *\n            ";
+        const std::string spot_dir = names_.light(i, "vec3", "spot_dir_" + names_.space(), "s_dli, of length 1");
+        if (light.smooth_cone) {
+            const std::string cos_outer = names_.light(i, "float", "cos_outer", "");
+            const std::string slope = names_.light(i, "float", "cone_slope", "1 / (cos inner - cos outer)");
+            return reach + fmt::format("smooth_cone({}, {}, {}, vp_dir)", spot_dir, cos_outer, slope);
+        }
+        const std::string cos_cutoff = names_.light(i, "float", "cos_cutoff", "c_rli");
+        std::string exponent = "0";
+        if (light.spot_exponent != Power::kOne)
+            exponent =
+                names_.light(i, light.spot_exponent == Power::kWhole ? "int" : "float", "spot_exponent", "s_rli");
+        return reach + fmt::format("spot({}, {}, {}, vp_dir)", spot_dir, cos_cutoff, exponent);
+    }
+
+    bool has_n_dot_vp(const LightEffects& light) const { return light.diffuse || (light.specular && !is_reflection()); }
+    bool is_reflection() const { return effects_.highlight == Highlight::kReflection; }
+
+    // f_i (n . h_i)^s_rm, or the lecture's term.
+    std::string highlight(std::size_t i, const std::string& face, const FaceEffects& varying) {
+        if (effects_.shininess == Power::kOne) return is_reflection() ? "1.0" : "f_i(n_dot_vp)";
+        const std::string shininess = names_.shininess(face, varying);
+        std::string highlight;
+        if (is_reflection()) {
+            highlight = fmt::format("reflected_highlight(n, vp_dir, vpe_dir, {})", shininess);
+        } else {
+            const bool same_half_dir = effects_.lights[i].directional && !effects_.local_viewer;
+            const std::string n_dot_h =
+                same_half_dir ? fmt::format("positive_dot(n, {})", names_.light(i, "vec3", "half_dir_" + names_.space(),
+                                                                                "h_i, the same at every vertex"))
+                              : "cosine_to_half(n, vp_dir, vpe_dir)";
+            highlight = fmt::format("highlight(n_dot_vp, {}, {})", n_dot_h, shininess);
+        }
+        const bool unit_normals = effects_.normalize || effects_.shading == Shading::kPhong;
+        return unit_normals ? highlight : fmt::format("bounded({})", highlight);
+    }
+
+    void light(std::size_t i, const std::string& face, const FaceEffects& varying) {
+        const LightEffects& light = effects_.lights[i];
+        text_ += names_.light_block(i);
+        const bool cone = light.spot || light.smooth_cone;
+        const bool needs_vp_dir = cone || has_n_dot_vp(light) || (light.specular && effects_.shininess != Power::kOne);
+        if (!light.directional)
+            add("        vec3 vp = {} - {};\n", names_.light(i, "vec3", "position_" + names_.space(), "P_pli"),
+                names_.position());
+        if (needs_vp_dir)
+            add("        vec3 vp_dir = {};\n",
+                light.directional ? names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1")
+                                  : "unit(vp)");
+        if (has_n_dot_vp(light)) add("        float n_dot_vp = positive_dot(n, vp_dir);\n");
+        const std::string reach = this->reach(i), times = reach.empty() ? "" : "reach * ";
+        if (!reach.empty()) add("        float reach = {};\n", reach);
+
+        if (light.ambient) term(i, face, "ambient", times, ambient_of(varying));
+        if (light.diffuse) term(i, face, "diffuse", times + "n_dot_vp * ", diffuse_of(varying));
+        if (light.specular)
+            term(i, face, "specular", times + highlight(i, face, varying) + " * ", specular_of(varying));
+        text_ += "    }\n";
+    }
+
+    // `factor` ends with " * ", or is empty.
+    void term(std::size_t i, const std::string& face, const std::string& name, const std::string& factor,
+              BroughtColor brought) {
+        const bool is_secondary = effects_.separate_specular && name == "specular";
+        std::string sum = is_secondary ? "        lit.secondary" : "        lit.primary.rgb", product;
+        if (effects_.spectral_groups > 0) {
+            sum = fmt::format("        for (int g = 0; g < {}; ++g)\n            {}[g]", effects_.spectral_groups,
+                              is_secondary ? "secondary_samples" : "samples");
+            product = names_.sample_product(i, face, name);
+        } else {
+            product = names_.product(i, face, name, brought);
+        }
+        constexpr std::size_t kLongest = 120;
+        const bool fits = sum.size() + factor.size() + product.size() < kLongest;
+        add("{} += {}{}{};\n", sum, fits ? factor : factor.substr(0, factor.rfind(' ')), fits ? "" : "\n            ",
+            product);
+    }
+
+    // ---- Samples of the spectrum: groups of three, like red, green and blue ----
+
+    std::vector<std::pair<const char*, const char*>> sampled_sums() const {
+        std::vector<std::pair<const char*, const char*>> sums = {{"samples", "lit.primary.rgb"}};
+        if (effects_.separate_specular) sums.emplace_back("secondary_samples", "lit.secondary");
+        return sums;
+    }
+    void start_samples() {
+        const int groups = effects_.spectral_groups;
+        for (const auto& [samples, sum] : sampled_sums())
+            add("    vec3 {0}[{1}];  // of the spectrum, three in each\n"
+                "    for (int g = 0; g < {1}; ++g) {0}[g] = vec3(0.0);\n",
+                samples, groups);
+    }
+    void add_samples() {
+        const int groups = effects_.spectral_groups;
+        names_.uniform("mat3", "u_rgb_from_samples", "", fmt::format("[{}]", groups));
+        for (const auto& [samples, sum] : sampled_sums())
+            add("    for (int g = 0; g < {}; ++g) {} += u_rgb_from_samples[g] * {}[g];\n", groups, sum, samples);
+    }
+};
+
+}  // namespace
+
+LightingText lighting_text(const EffectSet& effects, const Form& form) { return Writer(effects, form).text(); }
+
+}  // namespace twinlight::programmable

@@ -1,0 +1,218 @@
+#include "render/programmable/precise/precise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <stdexcept>
+
+#include "render/context/gl.h"
+#include "render/programmable/form.h"
+#include "render/programmable/lighting_names.h"
+#include "render/programmable/precise/mesa_floats.h"
+
+namespace twinlight::programmable {
+namespace {
+
+// In the order of GL's numbers.
+template <class Visit>
+void for_each_light(const LightingState& lighting, const Visit& visit) {
+    std::size_t i = 0;
+    for (const LightSource& light : lighting.lights)
+        if (light.enabled) visit(i++, light);
+}
+
+bool is_attenuated(const LightSource& light) {
+    return light.position_eye.w != 0 &&
+           (light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0);
+}
+
+bool is_shiny(const Draw& draw) {
+    const auto shiny = [&](const Material& front, const Material& back) {
+        return front.shininess != 0 || (draw.lighting.light_model.two_side && back.shininess != 0);
+    };
+    return shiny(draw.lighting.front, draw.lighting.back) ||
+           std::ranges::any_of(draw.materials, [&](const Materials& m) { return shiny(m.front, m.back); });
+}
+
+bool may_have_w(const Draw& draw) {
+    const glm::dmat4& m = draw.eye_from_object;
+    return m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1 ||
+           std::ranges::any_of(draw.vertices, [](const Vertex& v) { return v.position_object.w != 1; });
+}
+
+bool has_one_color(const Draw& draw) {
+    return std::ranges::all_of(draw.vertices, [&](const Vertex& v) { return v.color == draw.vertices.front().color; });
+}
+
+void check_lights(const Draw& draw) {
+    const auto& lights = draw.lighting.lights;
+    for (std::size_t i = kMaxLights; i < lights.size(); ++i)
+        if (lights[i].enabled)
+            throw std::runtime_error(fmt::format(
+                "{}: --precise follows the fixed function, which has {} lights, and not {}; leave --precise out",
+                draw.place.str(), kMaxLights, light_name(static_cast<int>(i))));
+}
+
+// What the driver's program does, of which a plan would leave out what changes no colour but some of its rounding.
+void put_all_in_force(EffectSet& effects, const Draw& draw, const LightingState& lighting) {
+    const bool rgb = effects.needs_primary_rgb();
+    effects.lights.clear();
+    for_each_light(lighting, [&](std::size_t, const LightSource& light) {
+        const bool spot = light.spot_cutoff_deg != 180;
+        effects.lights.push_back({.directional = light.position_eye.w == 0,
+                                  .attenuated = is_attenuated(light),
+                                  .spot = spot,
+                                  .spot_exponent = spot ? Power::kReal : Power::kOne,
+                                  .smooth_cone = false,
+                                  .ambient = rgb,
+                                  .diffuse = rgb,
+                                  .specular = true});
+    });
+    effects.clamp = true;
+    effects.shininess = is_shiny(draw) ? Power::kReal : Power::kOne;
+    effects.local_viewer = lighting.light_model.local_viewer && effects.shininess != Power::kOne;
+    effects.separate_specular = lighting.light_model.color_control != kGL_SINGLE_COLOR;
+    effects.highlight = Highlight::kHalfVector;
+    effects.normalize = draw.lighting.normalize;  // a plan may find it idle, and change lighting.normalize
+    effects.vertex_w = (effects.needs_position_eye() || effects.has_fog()) && may_have_w(draw);
+}
+
+std::vector<float> floats(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+template <class Matrix>
+std::vector<float> columns(const Matrix& m) {
+    std::vector<float> values;
+    for (int column = 0; column < Matrix::length(); ++column)
+        for (int row = 0; row < Matrix::length(); ++row) values.push_back(m[column][row]);
+    return values;
+}
+
+glm::vec3 rgb(const glm::dvec4& color) { return glm::vec3(color); }
+
+// The scene colour and the products of lights and a face's material (program/prog_statevars.c, STATE_LIGHTMODEL_SCENECOLOR
+// and STATE_LIGHTPROD), but for what each vertex brings.
+void add_face(Uniforms& uniforms, const std::string& name, const LightingState& lighting, const Material& material,
+              const FaceEffects& varying) {
+    glm::vec3 base(0);
+    if (!ambient_of(varying)) base = rgb(lighting.light_model.ambient) * rgb(material.ambient);
+    if (!emission_of(varying)) base = base + rgb(material.emission);
+    uniforms[fmt::format("u_{}_base", name)] = floats(base);
+    for_each_light(lighting, [&](std::size_t i, const LightSource& light) {
+        const auto product = [&](const char* term, const glm::dvec4& color, const glm::dvec4& of,
+                                 BroughtColor brought) {
+            uniforms[fmt::format("u_light{}_{}_{}", i, name, term)] =
+                floats(brought ? rgb(color) : rgb(color) * rgb(of));
+        };
+        product("ambient", light.ambient, material.ambient, ambient_of(varying));
+        product("diffuse", light.diffuse, material.diffuse, diffuse_of(varying));
+        product("specular", light.specular, material.specular, specular_of(varying));
+    });
+}
+
+// "4.50" of "4.50 (Compatibility Profile)".
+double glsl_version() {
+    const auto* text = reinterpret_cast<const char*>(glGetString(GL_SHADING_LANGUAGE_VERSION));  // NOLINT
+    double version = 0;
+    if (text) std::from_chars(text, text + std::strlen(text), version);
+    return version;
+}
+
+}  // namespace
+
+Options precise_options(Options options) {
+    if (options.shading == Shading::kPhong || options.shading == Shading::kExact)
+        throw std::invalid_argument(
+            "--precise follows the fixed function, which lights vertices: it has no phong shading and no exact "
+            "surfaces; leave one of both out");
+    if (options.tier != Tier::kUniform)
+        throw std::invalid_argument(
+            "--precise has a scene's numbers as uniforms: constants the compiler would fold, by an "
+            "arithmetic of its own");
+    options.budget = 0;
+    options.lecture_variants = false;
+    return options;
+}
+
+bool has_precise() { return glsl_version() >= 4.0; }
+
+void check_has_precise() {
+    if (!has_precise())
+        throw std::runtime_error(
+            fmt::format("--precise needs GLSL 4.00, which has `precise`; this driver has {:.2f}", glsl_version()));
+}
+
+bool floats_suffice(const Draw& draw, const Plan& plan) {
+    if (upload_origin(draw, plan.vertices)) return false;
+    if (!draw.lighting.enabled) return true;
+    // Of vectors the square, of matrices the determinant: 1e-45 to 3e38 are floats.
+    const auto fits = [](const glm::dvec3& v, double most) {
+        const double length = glm::length(v);
+        return length == 0 || (length > 1 / most && length < most);
+    };
+    const glm::dmat3 m(draw.eye_from_object);
+    for (int column = 0; column < 3; ++column)
+        if (!fits(m[column], 1e12)) return false;
+    if (glm::determinant(m) == 0) return false;
+    return std::ranges::all_of(draw.lighting.lights, [&](const LightSource& light) {
+        const double w = light.position_eye.w == 0 ? 1 : light.position_eye.w;
+        return !light.enabled ||
+               (fits(glm::dvec3(light.position_eye) / w, 1e18) && fits(light.spot_direction_eye, 1e18));
+    });
+}
+
+Code precise_code(const Draw& draw, const Plan& plan) {
+    Code code = code_for(draw, plan);
+    code.form = {.precise = true, .position_w = code.form.position_w, .loops = {}};
+    if (!code.effects.lighting) {
+        // One colour, which no vertex brings, reaches the fixed function's fragments as it is.
+        if (has_one_color(draw)) code.effects.shading = Shading::kFlat;
+        return code;
+    }
+    check_lights(draw);
+    put_all_in_force(code.effects, draw, plan.lighting);
+    code.lights.assign(code.effects.lights.size(), {});
+    const MesaMatrix modelview = mesa_matrix(glm::mat4(draw.eye_from_object));
+    code.form.object_space = !mesa_lights_in_eye_space(plan.lighting, modelview);
+    code.form.rescale = !code.form.object_space && draw.lighting.rescale_normal && !draw.lighting.normalize;
+    return code;
+}
+
+Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code) {
+    Uniforms values = uniforms(draw, plan, code);
+    const glm::mat4 eye_from_object(draw.eye_from_object);
+    values["u_clip_from_object"] = columns(mesa_product(glm::mat4(draw.clip_from_eye), eye_from_object));
+    if (!code.effects.lighting) return values;
+
+    const LightingState& lighting = plan.lighting;
+    const MesaMatrix modelview = mesa_matrix(eye_from_object);
+    values["u_eye_from_object"] = columns(eye_from_object);
+    values["u_eye_from_object_normal"] = columns(glm::transpose(modelview.inverse));
+    values["u_normal_scale"] = {mesa_normal_scale(modelview)};
+    values["u_constant_ambient"] = floats(rgb(lighting.light_model.ambient));
+    add_face(values, "front", lighting, lighting.front, code.effects.front);
+    add_face(values, "back", lighting, lighting.back, code.effects.back);
+    const char* space = code.form.object_space ? "object" : "eye";
+    for_each_light(lighting, [&](std::size_t i, const LightSource& light) {
+        const MesaLight in_space = mesa_light(light, eye_from_object, modelview, !code.form.object_space);
+        const auto value = [&](const char* what) -> std::vector<float>& {
+            return values[fmt::format("u_light{}_{}", i, what)];
+        };
+        const auto in = [&](const char* what) -> std::vector<float>& {
+            return values[fmt::format("u_light{}_{}_{}", i, what, space)];
+        };
+        in("position") = in("direction") = floats(in_space.position);
+        in("spot_dir") = floats(in_space.spot_direction);
+        in("half_dir") = floats(in_space.half_dir);
+        value("cos_cutoff") = {in_space.spot_cutoff_cosine};
+        value("spot_exponent") = {static_cast<float>(light.spot_exponent)};
+        value("attenuation") =
+            floats({light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation});
+    });
+    return values;
+}
+
+}  // namespace twinlight::programmable

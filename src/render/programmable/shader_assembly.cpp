@@ -1,0 +1,392 @@
+#include "render/programmable/shader_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "render/programmable/lighting_names.h"
+#include "render/programmable/lighting_text.h"
+#include "render/programmable/precise/precise_text.h"
+#include "render/programmable/shader_pieces.h"
+#include "render/programmable/vertex_attributes.h"
+
+namespace twinlight::programmable {
+namespace {
+
+enum class Stage { kVertex, kFragment };
+
+// What the vertex shader gives, and the fragment shader takes.
+struct Varying {
+    std::string type, name;
+    std::string value;  // in the vertex shader
+    std::string comment{};
+    bool is_color = false;  // "flat" takes the provoking vertex's value (section 2.14.7, table 2.12)
+};
+
+class Assembler {
+  public:
+    Assembler(const EffectSet& effects, const Form& form)
+        : effects_(effects),
+          form_(form),
+          names_(effects, form),
+          lighting_(form.precise ? precise_lighting_text(effects, form) : lighting_text(effects, form)) {}
+
+    std::string text(Stage stage) const {
+        const bool is_vertex = stage == Stage::kVertex, lights_here = lights_in(stage);
+        const Scope scope = scope_of(stage);
+        std::string body = !is_vertex && has_ray() ? carried_out("surface_crossings.glsl", scope) : "";
+        if (lights_here) body += lighting_.functions;
+        body += carried_out(is_vertex ? "vertex.glsl" : "fragment.glsl", scope);
+
+        std::string uniforms, functions;
+        for (const Definition& definition : called_for(library(scope.words), body))
+            (definition.is_uniform ? uniforms : functions) += definition.text + (definition.is_uniform ? "" : "\n");
+        if (lights_here) uniforms += lighting_.uniforms;
+        for (int i = 0; is_vertex != has_ray() && i < effects_.clip_plane_count; ++i)
+            uniforms +=
+                fmt::format("uniform vec4 u_clip_plane{}_object;  // glClipPlane's, in object coordinates\n", i);
+        if (!uniforms.empty()) uniforms += "\n";
+        return fmt::format("#version {}\n{}\n{}{}{}{}{}", lighting_.version, purpose(stage),
+                           is_vertex ? attributes_text(body) : inputs_text(), uniforms, is_vertex ? outputs_text() : "",
+                           functions, body);
+    }
+
+  private:
+    bool has_ray() const { return form_.surface.kind != SurfaceKind::kNone; }
+    bool is_phong() const { return effects_.shading == Shading::kPhong; }
+    bool lights_in(Stage stage) const { return effects_.lighting && is_phong() == (stage == Stage::kFragment); }
+
+    const char* purpose(Stage stage) const {
+        const bool lights_here = lights_in(stage);
+        if (stage == Stage::kFragment) {
+            if (has_ray())
+                return lights_here
+                           ? "// The fragment shader: casts the pixel's ray at an exact surface and lights it where it "
+                             "is met (GL 2.1, section 2.14, of a vertex there).\n"
+                           : "// The fragment shader: casts the pixel's ray at an exact surface, and makes its colour "
+                             "there (GL 2.1, sections 3.8 to 3.10).\n";
+            return lights_here
+                       ? "// The fragment shader: lights each fragment (GL 2.1, section 2.14, of a vertex there).\n"
+                       : "// The fragment shader: from the interpolated colours to the fragment's (GL 2.1, sections "
+                         "3.8 to 3.10).\n";
+        }
+        if (has_ray())
+            return lights_here ? "// The vertex shader: the rectangle of the window around an exact surface, all of "
+                                 "which is lit "
+                                 "alike: here (GL 2.1, section 2.14).\n"
+                               : "// The vertex shader: the rectangle of the window around an exact surface.\n";
+        if (!lights_here)
+            return "// The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11), and what "
+                   "fragments "
+                   "need.\n";
+        return form_.object_space
+                   ? "// The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11), and the "
+                     "vertex's "
+                     "light (section 2.14).\n"
+                     "// The modelview matrix keeps angles, so the lights are given in object coordinates.\n"
+                   : "// The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11) and to eye "
+                     "coordinates, in which the vertex is\n// lit (section 2.14).\n";
+    }
+
+    // ---- From the vertex to the fragment ----
+
+    std::string attributes_text(const std::string& body) const {
+        std::vector<Definition> all;
+        for (const Attribute& attribute : attributes(effects_))
+            all.push_back({attribute.name, fmt::format("in {} {};\n", attribute.type, attribute.name)});
+        std::string text;
+        for (const Definition& definition : called_for(all, body)) text += definition.text;
+        return text + "\n";
+    }
+
+    // Of a ray's rectangle only what is the same at all of its points, or has no ray's point to come from.
+    std::vector<Varying> varyings() const {
+        std::vector<Varying> list;
+        if (is_phong() && effects_.lighting) {
+            if (effects_.needs_position_eye() && !has_ray()) {
+                if (effects_.vertex_w)
+                    list.push_back({"vec4", "v_position_eye", lighting_.vertex_position});
+                else
+                    list.push_back({"vec3", "v_position_eye", fmt::format("({}).xyz", lighting_.vertex_position)});
+            }
+            if (effects_.needs_normal() && !has_ray())
+                list.push_back({"vec3", "v_normal_eye", lighting_.vertex_normal});
+            if (effects_.needs_color()) list.push_back({"vec4", "v_color", "a_color"});
+            for (const VertexProperty& property : vertex_properties(effects_))
+                list.push_back({property.type(), "v_" + property.name, "a_" + property.name});
+        } else {
+            const char* unlit = effects_.clamp ? "clamp(a_color, 0.0, 1.0)" : "a_color";
+            for (const std::string face : {"front", "back"}) {
+                if (face == "back" && !effects_.two_side) continue;
+                const auto add = [&](const char* type, const char* name, bool is_needed) {
+                    if (is_needed)
+                        list.push_back({.type = type,
+                                        .name = fmt::format("v_{}_{}", face, name),
+                                        .value = effects_.lighting ? fmt::format("{}.{}", face, name) : unlit,
+                                        .is_color = true});
+                };
+                add("vec4", "primary", effects_.needs_primary());
+                add("vec3", "secondary", effects_.separate_specular);
+            }
+        }
+        const TextureEffects& texture = effects_.texture;
+        if (effects_.has_texture() && !form_.surface.tex_coord)
+            list.push_back({tex_coord_type(), "v_tex_coord",
+                            fmt::format("{}.{}", texture.matrix ? "(u_texture_matrix * a_tex_coord)" : "a_tex_coord",
+                                        std::string(texture.one_dimensional ? "s" : "st") + (texture.q ? "q" : ""))});
+        if (effects_.has_fog() && !has_ray())
+            list.push_back({effects_.vertex_w ? "vec2" : "float", "v_eye_z", eye_z("position"),
+                            effects_.vertex_w ? "  // z and w" : ""});
+        return list;
+    }
+    std::string declared(const char* direction) const {
+        const char* interpolation = effects_.shading == Shading::kFlat ? "flat " : "";
+        std::string text;
+        for (const Varying& varying : varyings())
+            text += fmt::format("{}{} {} {};{}\n", varying.is_color ? interpolation : "", direction, varying.type,
+                                varying.name, varying.comment);
+        return text;
+    }
+    std::string outputs_text() const {
+        std::string text = declared("out");
+        if (effects_.clip_plane_count > 0 && !has_ray())
+            text += fmt::format("out float gl_ClipDistance[{}];\n", effects_.clip_plane_count);
+        return text + (text.empty() ? "" : "\n") +
+               "invariant gl_Position;  // what is drawn again, by another program, lies at the same depth\n\n";
+    }
+    std::string inputs_text() const {
+        const std::string text = declared("in");
+        return text + (text.empty() ? "" : "\n") + "out vec4 fragment_color;\n\n";
+    }
+    std::string outputs() const {
+        std::string text;
+        for (const Varying& varying : varyings()) text += fmt::format("    {} = {};\n", varying.name, varying.value);
+        return text;
+    }
+
+    // The eye coordinate z of an object position, with w where that may be other than 1.
+    std::string eye_z(const char* position) const {
+        const std::string z = fmt::format("dot(u_eye_z_from_object, {})", position);
+        return effects_.vertex_w ? fmt::format("vec2({}, dot(u_eye_w_from_object, {}))", z, position) : z;
+    }
+
+    // ---- Lit, in main() ----
+
+    std::string divided(const std::string& position) const {
+        if (effects_.vertex_w) return fmt::format("divided_by_w({})", position);
+        return position.ends_with(')') ? position + ".xyz" : fmt::format("({}).xyz", position);
+    }
+
+    // Statements that call light_front() and its like with a Surface.
+    std::string lit_vertex() const {
+        const std::string surface = names_.surface(
+            form_.object_space ? "position.xyz" : divided(lighting_.vertex_position), lighting_.vertex_normal, "a_");
+        const char* argument = names_.has_surface() ? "surface" : "";
+        std::string text;
+        if (names_.has_surface()) text += fmt::format("    Surface surface = {};\n", surface);
+        text += fmt::format("    Lit front = light_front({});\n", argument);
+        if (!effects_.two_side) return text;
+        text +=
+            "    // The back face has its own material and the opposite normal; which one shows is known per "
+            "fragment.\n";
+        if (effects_.needs_normal()) text += fmt::format("    {0} = -{0};\n", names_.normal());
+        return text + fmt::format("    Lit back = light_back({});\n", argument);
+    }
+    std::string lit_fragment() const {
+        std::string position = effects_.vertex_w ? "divided_by_w(v_position_eye)" : "v_position_eye";
+        std::string normal = "v_normal_eye";
+        if (has_ray()) {
+            position = form_.object_space ? "position_object" : divided("u_eye_from_object * place");
+            normal = form_.surface.inside ? "-outward" : "outward";
+            if (!form_.object_space) normal = "u_eye_from_object_normal * " + normal;
+        }
+        const char* argument = names_.has_surface() ? "surface" : "";
+        const std::string is_front = names_.is_front();
+        std::string text;
+        if (names_.has_surface())
+            text += fmt::format("    Surface surface = {};\n",
+                                names_.surface(position, fmt::format("unit({})", normal), "v_"));
+        const std::string turn = fmt::format("{0} = -{0};\n", names_.normal());
+        if (!effects_.two_side) {
+            text += fmt::format("    Lit lit = light_front({});\n", argument);
+        } else if (shares_faces(effects_)) {
+            if (effects_.needs_normal()) text += fmt::format("    if (!{}) {}", is_front, turn);
+            text += fmt::format("    Lit lit = light_shown({});\n", argument);
+        } else {
+            text += fmt::format("    Lit lit;\n    if ({}) {{\n        lit = light_front({});\n    }} else {{\n",
+                                is_front, argument);
+            if (effects_.needs_normal()) text += "        " + turn;
+            text += fmt::format("        lit = light_back({});\n    }}\n", argument);
+        }
+        return text;
+    }
+    std::string lit(Stage stage) const {
+        if (stage == Stage::kVertex) return lights_in(stage) ? lit_vertex() : "";
+        std::string text = lights_in(stage) ? lit_fragment() : "";
+        const auto add = [&](const char* type, const char* name) {
+            const std::string value = lights_in(stage) ? fmt::format("lit.{}", name)
+                                      : effects_.two_side
+                                          ? fmt::format("{1} ? v_front_{0} : v_back_{0}", name, names_.is_front())
+                                          : fmt::format("v_front_{}", name);
+            text += fmt::format("    {} {} = {};\n", type, name, value);
+        };
+        if (effects_.needs_primary()) add("vec4", "primary");
+        if (effects_.separate_specular) add("vec3", "secondary");
+        return text;
+    }
+
+    // ---- Textures and fog ----
+
+    std::string tex_coord_type() const {
+        const int parts = (effects_.texture.one_dimensional ? 1 : 2) + (effects_.texture.q ? 1 : 0);
+        return parts == 1 ? "float" : fmt::format("vec{}", parts);
+    }
+
+    // Section 3.8.13, tables 3.22 and 3.23.
+    std::string texture_environment() const {
+        const TextureEffects& texture = effects_.texture;
+        const bool rgb = texture.has_color(), alpha = texture.has_alpha();
+        if (!effects_.needs_primary()) return "    vec4 color = texel;\n";
+        std::string text =
+            "    vec4 color = primary;  // and the texture's environment (section 3.8.13, tables 3.22 and 3.23)\n";
+        const auto add = [&](bool has, const char* statement) {
+            if (has) text += fmt::format("    {}\n", statement);
+        };
+        // GL_BLEND and GL_ADD treat an intensity as they do a colour, and modulate any other alpha.
+        const bool intensity = texture.texels == Texels::kIntensity;
+        switch (texture.environment) {
+            case TextureEnvironment::kNone: break;
+            case TextureEnvironment::kReplace:
+                add(rgb, "color.rgb = texel.rgb;");
+                add(alpha, "color.a = texel.a;");
+                break;
+            case TextureEnvironment::kModulate:
+                add(rgb, "color.rgb *= texel.rgb;");
+                add(alpha, "color.a *= texel.a;");
+                break;
+            case TextureEnvironment::kDecal: add(true, "color.rgb = mix(color.rgb, texel.rgb, texel.a);"); break;
+            case TextureEnvironment::kBlend:
+                add(rgb, "color.rgb = mix(color.rgb, u_texture_env_color.rgb, texel.rgb);");
+                add(intensity, "color.a = mix(color.a, u_texture_env_color.a, texel.a);");
+                add(alpha && !intensity, "color.a *= texel.a;");
+                break;
+            case TextureEnvironment::kAdd:
+                add(rgb, "color.rgb = min(color.rgb + texel.rgb, 1.0);");
+                add(intensity, "color.a = min(color.a + texel.a, 1.0);");
+                add(alpha && !intensity, "color.a *= texel.a;");
+                break;
+        }
+        return text;
+    }
+
+    std::string fog_factor() const {
+        const std::string z = has_ray() ? eye_z("place") : "v_eye_z";
+        // To the plane of the eye: in eye coordinates, divided by w.
+        std::string fog_distance = fmt::format("abs({})", z);
+        if (effects_.vertex_w)
+            fog_distance = has_ray() ? "abs(dot(u_eye_z_from_object, place) / dot(u_eye_w_from_object, place))"
+                                     : "abs(v_eye_z.x / v_eye_z.y)";
+        switch (effects_.fog) {
+            case FogEffect::kNone: break;
+            case FogEffect::kLinear: return fmt::format("fog_linear({}, u_fog_end, u_fog_scale)", fog_distance);
+            case FogEffect::kExp: return fmt::format("fog_exp({}, u_fog_density)", fog_distance);
+            case FogEffect::kExp2: return fmt::format("fog_exp2({}, u_fog_density)", fog_distance);
+        }
+        return "";
+    }
+
+    // ---- The files' switches and words ----
+
+    Scope scope_of(Stage stage) const {
+        const SurfaceForm& surface = form_.surface;
+        const TextureEffects& texture = effects_.texture;
+        const auto is = [&](SurfaceKind kind) { return surface.kind == kind; };
+        const bool steps = surface.offset || surface.tex_coord;
+        std::string clip_distances, within_clip_planes;
+        for (int i = 0; i < effects_.clip_plane_count; ++i) {
+            clip_distances += fmt::format("    gl_ClipDistance[{0}] = dot(u_clip_plane{0}_object, position);{1}\n", i,
+                                          i == 0 ? "  // clipped where negative (section 2.12)" : "");
+            within_clip_planes +=
+                fmt::format("    is_seen = is_seen && dot(u_clip_plane{}_object, place) >= 0.0;\n", i);
+        }
+        const bool one = texture.one_dimensional, q = texture.q;
+        return {
+            .switches = {{"EFFECT_TEXTURE", effects_.has_texture()},
+                         {"EFFECT_TEXTURE_MATRIX", texture.matrix},
+                         {"EFFECT_TEXTURE_Q", texture.q},
+                         {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},
+                         {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
+                         {"EFFECT_TEXTURE_CLAMP", texture.clamp_s || texture.clamp_t},
+                         {"EFFECT_TEXTURE_GRADIENTS", texture.gradients},
+                         {"EFFECT_SEPARATE_SPECULAR", effects_.separate_specular},
+                         {"EFFECT_FOG", effects_.has_fog()},
+                         {"EFFECT_SRGB_CODED", effects_.srgb_coded},
+                         {"EFFECT_TWO_SIDE", effects_.two_side},
+                         {"EFFECT_RAY", has_ray()},
+                         {"EFFECT_RAY_SPHERE", is(SurfaceKind::kSphere)},
+                         {"EFFECT_RAY_FRUSTUM", is(SurfaceKind::kFrustum)},
+                         {"EFFECT_RAY_DISK", is(SurfaceKind::kDisk)},
+                         {"EFFECT_RAY_TORUS", is(SurfaceKind::kTorus)},
+                         {"EFFECT_RAY_SECTOR", surface.sector},
+                         {"EFFECT_RAY_TEX_COORD", surface.tex_coord},
+                         {"EFFECT_RAY_NEAR_FAR", surface.near_far},
+                         {"EFFECT_RAY_CULL", surface.culls},
+                         {"EFFECT_RAY_DEPTH", surface.depth},
+                         {"EFFECT_RAY_OFFSET", surface.offset},
+                         {"EFFECT_RAY_NEAREST", surface.nearest},
+                         {"EFFECT_RAY_STEPS", steps},
+                         {"EFFECT_RAY_NORMAL", (effects_.needs_normal() && is_phong()) || effects_.two_side || steps}},
+            .inserts = {{"clip_position", lighting_.clip_position},
+                        {"lit", lit(stage)},
+                        {"outputs", outputs()},
+                        {"clip_distances", has_ray() ? "" : clip_distances},
+                        {"within_clip_planes", within_clip_planes},
+                        {"texture_environment", texture_environment()}},
+            .words = {{"POSITION", form_.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
+                      {"FOG_FACTOR", fog_factor()},
+                      {"SAMPLER", one ? "sampler1D" : "sampler2D"},
+                      {"DIVIDED_TYPE", one ? "float" : "vec2"},
+                      {"DIVIDED_PARTS", one ? "s" : "st"},
+                      {"DIVIDED_TEX_COORD", surface.tex_coord ? (one ? "tex_place.s" : "tex_place.st")
+                                            : one             ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
+                                                              : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
+                      {"TEX_COORD_S", one ? "tex_coord" : "tex_coord.s"},
+                      {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"}}};
+    }
+
+    // The uniforms, and the functions for each kind of exponent that the effects have.
+    std::vector<Definition> library(const Words& words) const {
+        bool has_whole = effects_.shininess == Power::kWhole, has_real = effects_.shininess == Power::kReal;
+        for (const LightEffects& light : effects_.lights)
+            if (light.spot) (light.spot_exponent == Power::kReal ? has_real : has_whole) = true;
+        std::vector<Definition> library = definitions("uniforms.glsl", words);
+        std::set<std::string> names;
+        for (const char* file : lighting_.libraries) {
+            const std::vector<Definition> whole = definitions(file, {{"EXPONENT", "int"}, {"POWER", "whole_power"}});
+            const std::vector<Definition> real = definitions(file, {{"EXPONENT", "float"}, {"POWER", "real_power"}});
+            for (std::size_t i = 0; i < whole.size(); ++i) {
+                if (!names.insert(whole[i].name).second) continue;
+                const bool is_one = whole[i].text == real[i].text;
+                if (is_one || has_whole) library.push_back(whole[i]);
+                if (!is_one && has_real) library.push_back(real[i]);
+            }
+        }
+        return library;
+    }
+
+    const EffectSet& effects_;
+    const Form& form_;
+    LightingNames names_;
+    LightingText lighting_;
+};
+
+}  // namespace
+
+ShaderSource assemble(const EffectSet& effects, const Form& form) {
+    const Assembler assembler(effects, form);
+    return {assembler.text(Stage::kVertex), assembler.text(Stage::kFragment)};
+}
+
+}  // namespace twinlight::programmable

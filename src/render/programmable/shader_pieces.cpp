@@ -1,0 +1,163 @@
+#include "render/programmable/shader_pieces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "render/programmable/shader_assembly.h"
+
+namespace twinlight::programmable {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == text.npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t end; (end = text.find(separator)) != text.npos; text.remove_prefix(end + separator.size()))
+        parts.push_back(text.substr(0, end));
+    if (!text.empty()) parts.push_back(text);
+    return parts;
+}
+
+std::string_view file_text(std::string_view name) {
+    for (const EmbeddedFile& file : kShaderFiles)
+        if (file.name == name) return file.text;
+    throw std::logic_error(fmt::format("there is no shader file {}", name));
+}
+
+// ---- Identifiers ----
+
+constexpr std::string_view kInIdentifiers = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+
+// Gives each identifier (or number), and what is between them with is_identifier false.
+template <class Visit>
+void for_each_token(std::string_view text, const Visit& visit) {
+    while (!text.empty()) {
+        const bool is_identifier = kInIdentifiers.find(text.front()) != kInIdentifiers.npos;
+        const std::size_t end =
+            is_identifier ? text.find_first_not_of(kInIdentifiers) : text.find_first_of(kInIdentifiers);
+        visit(text.substr(0, end), is_identifier);
+        text.remove_prefix(std::min(end, text.size()));
+    }
+}
+
+std::string with_words(std::string_view text, const Words& words) {
+    std::string result;
+    for_each_token(text, [&](std::string_view token, bool is_identifier) {
+        const auto word = is_identifier ? words.find(token) : words.end();
+        result += word == words.end() ? token : word->second;
+    });
+    return result;
+}
+
+// ---- Directives ----
+
+// "A && !B || C" over the scope's switches.
+bool holds(std::string_view condition, const Scope& scope) {
+    const auto term = [&](std::string_view text) {
+        text = trimmed(text);
+        const bool negated = text.starts_with('!');
+        const auto found = scope.switches.find(text.substr(negated));
+        if (found == scope.switches.end())
+            throw std::logic_error(fmt::format("a shader file asks for an unknown effect: {}", text));
+        return found->second != negated;
+    };
+    return std::ranges::any_of(split(condition, "||"), [&](std::string_view product) {
+        return std::ranges::all_of(split(product, "&&"), term);
+    });
+}
+
+struct Branch {
+    bool outer = true;   // the #if is in lines that are passed on
+    bool taken = false;  // this branch's lines are passed on
+    bool done = false;   // a branch of this #if has been taken
+
+    void take(bool condition) {
+        taken = outer && !done && condition;
+        done |= taken;
+    }
+};
+
+}  // namespace
+
+std::string carried_out(std::string_view file, const Scope& scope) {
+    std::string text;
+    std::vector<Branch> branches;
+    const auto passes = [&] { return branches.empty() || branches.back().taken; };
+    for (const std::string_view line : split(file_text(file), "\n")) {
+        const std::size_t space = line.find(' ');
+        const std::string_view directive = line.starts_with('#') ? line.substr(0, space) : "";
+        const std::string_view argument = directive.empty() || space == line.npos ? "" : trimmed(line.substr(space));
+        if (directive == "#if") {
+            branches.push_back({.outer = passes()});
+            branches.back().take(holds(argument, scope));
+        } else if (directive == "#elif") {
+            branches.back().take(holds(argument, scope));
+        } else if (directive == "#else") {
+            branches.back().take(true);
+        } else if (directive == "#endif") {
+            branches.pop_back();
+        } else if (!passes()) {
+            continue;
+        } else if (directive == "#include") {
+            text += carried_out(argument.substr(1, argument.size() - 2), scope);
+        } else if (directive == "#insert") {
+            const auto insert = scope.inserts.find(argument);
+            if (insert == scope.inserts.end())
+                throw std::logic_error(fmt::format("{} inserts {}, which nothing wrote", file, argument));
+            text += insert->second;
+        } else {
+            text += with_words(line, scope.words) + "\n";
+        }
+    }
+    if (!branches.empty()) throw std::logic_error(fmt::format("{}: an #if has no #endif", file));
+    return text;
+}
+
+std::vector<Definition> definitions(std::string_view file, const Words& words) {
+    std::vector<Definition> result;
+    std::string text;
+    for (const std::string_view line : split(file_text(file), "\n")) {
+        if (line.empty()) {
+            text.clear();  // a comment on the whole file
+            continue;
+        }
+        text += with_words(line, words) + "\n";
+        const bool is_uniform = line.starts_with("uniform ");
+        if (!is_uniform && line != "}") continue;
+        // The first identifier before a parenthesis or a semicolon, in the first line of code.
+        std::string_view code = text;
+        while (code.starts_with("//")) code.remove_prefix(code.find('\n') + 1);
+        code = code.substr(0, code.find_first_of("(;"));
+        result.push_back({std::string(code.substr(code.rfind(' ') + 1)), std::move(text), is_uniform});
+        text.clear();
+    }
+    return result;
+}
+
+std::vector<Definition> called_for(const std::vector<Definition>& library, std::string_view text) {
+    std::set<std::string, std::less<>> named;
+    const auto add = [&](std::string_view of) {
+        for (const std::string_view line : split(of, "\n"))
+            for_each_token(line.substr(0, line.find("//")), [&](std::string_view token, bool is_identifier) {
+                if (is_identifier) named.emplace(token);
+            });
+    };
+    add(text);
+    std::vector<Definition> result;
+    for (auto definition = library.rbegin(); definition != library.rend(); ++definition) {
+        if (!named.contains(definition->name)) continue;
+        add(definition->text);
+        result.push_back(*definition);
+    }
+    std::ranges::reverse(result);
+    return result;
+}
+
+}  // namespace twinlight::programmable

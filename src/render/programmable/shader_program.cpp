@@ -1,0 +1,147 @@
+#include "render/programmable/shader_program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "render/context/gl.h"
+#include "render/programmable/vertex_attributes.h"
+
+namespace twinlight::programmable {
+namespace {
+
+std::string numbered(const std::string& source) {
+    std::string text;
+    int number = 1;
+    for (std::size_t at = 0, end; at < source.size(); at = end + 1) {
+        end = std::min(source.find('\n', at), source.size());
+        text += fmt::format("{:4} {}\n", number++, source.substr(at, end - at));
+    }
+    return text;
+}
+
+std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetShaderInfoLog) get_log) {
+    GLint length = 0;
+    get(object, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    get_log(object, length, nullptr, log.data());
+    log.resize(log.find('\0') == log.npos ? log.size() : log.find('\0'));
+    return log;
+}
+
+[[noreturn]] void refuse(const char* what, const std::string& log, const std::string& source,
+                         const EffectSet& effects) {
+    throw std::runtime_error(
+        fmt::format("the driver refuses {}:\n{}\n{}\nfor these effects:\n{}", what, log, source, describe(effects)));
+}
+
+GLuint compiled_later(GLenum type, const std::string& source) {
+    const GLuint shader = glCreateShader(type);
+    const char* text = source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    return shader;
+}
+
+void check_compiled(GLuint shader, const char* what, const std::string& source, const EffectSet& effects) {
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) refuse(what, log_of(shader, glGetShaderiv, glGetShaderInfoLog), numbered(source), effects);
+}
+
+bool compiles_in_parallel() {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const auto* name =
+            reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));  // NOLINT
+        if (name && std::string_view(name) == "GL_KHR_parallel_shader_compile") return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+ShaderProgram::ShaderProgram(ShaderSource source, EffectSet effects)
+    : source_(std::move(source)), effects_(std::move(effects)) {
+    vertex_ = compiled_later(GL_VERTEX_SHADER, source_.vertex);
+    fragment_ = compiled_later(GL_FRAGMENT_SHADER, source_.fragment);
+    program_ = glCreateProgram();
+    glAttachShader(program_, vertex_);
+    glAttachShader(program_, fragment_);
+    GLuint index = 0;
+    for (const Attribute& attribute : attributes(effects_))
+        glBindAttribLocation(program_, index++, attribute.name.c_str());
+    glLinkProgram(program_);
+}
+
+ShaderProgram::~ShaderProgram() {
+    for (const GLuint shader : {vertex_, fragment_}) glDeleteShader(shader);
+    glDeleteProgram(program_);
+}
+
+bool ShaderProgram::is_ready() const {
+    if (vertex_ == 0 || !compiles_in_parallel()) return true;
+    GLint complete = GL_TRUE;
+    glGetProgramiv(program_, GL_COMPLETION_STATUS_KHR, &complete);
+    return complete == GL_TRUE;
+}
+
+void ShaderProgram::link() {
+    check_compiled(vertex_, "a vertex shader", source_.vertex, effects_);
+    check_compiled(fragment_, "a fragment shader", source_.fragment, effects_);
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program_, GL_LINK_STATUS, &linked);
+    if (!linked)
+        refuse("a program", log_of(program_, glGetProgramiv, glGetProgramInfoLog),
+               numbered(source_.vertex) + "\n" + numbered(source_.fragment), effects_);
+    for (GLuint* shader : {&vertex_, &fragment_}) glDeleteShader(std::exchange(*shader, 0));
+    source_ = {};
+    effects_ = {};
+
+    GLint count = 0;
+    glGetProgramiv(program_, GL_ACTIVE_UNIFORMS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        std::array<char, 128> name{};
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program_, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
+        if (type == GL_SAMPLER_1D || type == GL_SAMPLER_2D) continue;  // it keeps its initial value, unit 0
+        std::string text = name.data();
+        text.resize(std::min(text.find('['), text.size()));  // "u_light3_position_eye[0]"
+        slots_.push_back({std::move(text), glGetUniformLocation(program_, name.data()), type, size});
+    }
+}
+
+void ShaderProgram::use(const Uniforms& uniforms) {
+    if (vertex_ != 0) link();
+    glUseProgram(program_);
+    for (const Slot& slot : slots_) {
+        const auto found = uniforms.find(slot.name);
+        if (found == uniforms.end()) throw std::logic_error(fmt::format("no value for the uniform {}", slot.name));
+        const float* values = found->second.data();
+        const auto given = [&](int floats) {
+            return std::min(slot.length, static_cast<GLsizei>(found->second.size()) / floats);
+        };
+        switch (slot.type) {
+            case GL_INT: {
+                const std::vector<GLint> whole(values, values + given(1));
+                glUniform1iv(slot.location, given(1), whole.data());
+                break;
+            }
+            case GL_FLOAT: glUniform1fv(slot.location, given(1), values); break;
+            case GL_FLOAT_VEC2: glUniform2fv(slot.location, given(2), values); break;
+            case GL_FLOAT_VEC3: glUniform3fv(slot.location, given(3), values); break;
+            case GL_FLOAT_VEC4: glUniform4fv(slot.location, given(4), values); break;
+            case GL_FLOAT_MAT3: glUniformMatrix3fv(slot.location, given(9), GL_FALSE, values); break;
+            case GL_FLOAT_MAT4: glUniformMatrix4fv(slot.location, 1, GL_FALSE, values); break;
+            default: throw std::logic_error(fmt::format("the uniform {} has an odd type", slot.name));
+        }
+    }
+}
+
+}  // namespace twinlight::programmable

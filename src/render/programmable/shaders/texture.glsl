@@ -1,0 +1,26 @@
+#if EFFECT_TEXTURE_CLAMP
+    // GL_CLAMP (section 3.8.7): to [0,1], of which the end is the last texel's. Beyond lies the border.
+    const float texture_end = 1.0 - 1.0 / 4194304.0;
+#endif
+#if EFFECT_TEXTURE_CLAMP || EFFECT_RAY_TEX_COORD
+    DIVIDED_TYPE tex_coord = DIVIDED_TEX_COORD;
+#endif
+#if EFFECT_TEXTURE_GRADIENTS && !EFFECT_RAY_TEX_COORD
+    DIVIDED_TYPE per_x = dFdx(tex_coord), per_y = dFdy(tex_coord);  // the level of detail is that of the unclamped
+#endif
+#if EFFECT_TEXTURE_CLAMP_S
+    TEX_COORD_S = clamp(TEX_COORD_S, 0.0, texture_end);
+#endif
+#if EFFECT_TEXTURE_CLAMP_T
+    tex_coord.t = clamp(tex_coord.t, 0.0, texture_end);
+#endif
+#if EFFECT_RAY_TEX_COORD
+    vec4 texel = textureGrad(u_texture, tex_coord, tex_per_x.DIVIDED_PARTS, tex_per_y.DIVIDED_PARTS);
+#elif EFFECT_TEXTURE_GRADIENTS
+    vec4 texel = textureGrad(u_texture, tex_coord, per_x, per_y);
+#elif EFFECT_TEXTURE_CLAMP
+    vec4 texel = texture(u_texture, tex_coord);
+#else
+    vec4 texel = TEXTURE_LOOKUP(u_texture, v_tex_coord);
+#endif
+#insert texture_environment

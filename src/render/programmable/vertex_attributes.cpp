@@ -1,0 +1,38 @@
+#include "render/programmable/vertex_attributes.h"
+
+#include <fmt/format.h>
+
+namespace twinlight::programmable {
+
+std::vector<VertexProperty> vertex_properties(const EffectSet& effects) {
+    std::vector<VertexProperty> properties;
+    const auto add_face = [&](const char* name, const FaceEffects& varying, Material Materials::*face) {
+        const auto add = [&](bool varies, const char* property, int size, glm::dvec4 Material::*color) {
+            if (varies) properties.push_back({fmt::format("{}_{}", name, property), size, face, color});
+        };
+        add(varying.varies_emission, "emission", 3, &Material::emission);
+        add(varying.varies_ambient, "ambient", 3, &Material::ambient);
+        add(varying.varies_diffuse, "diffuse", 4, &Material::diffuse);
+        add(varying.varies_specular, "specular", 3, &Material::specular);
+        add(varying.varies_shininess, "shininess", 1, nullptr);
+    };
+    add_face("front", effects.front, &Materials::front);
+    add_face("back", effects.back, &Materials::back);
+    return properties;
+}
+
+std::vector<Attribute> attributes(const EffectSet& effects) {
+    std::vector<Attribute> list = {{"a_position", 4}};
+    if (effects.needs_normal()) list.push_back({"a_normal", 4, "vec3"});
+    if (effects.needs_color()) list.push_back({"a_color", 4});
+    if (effects.has_texture()) list.push_back({"a_tex_coord", 4});
+    for (const VertexProperty& property : vertex_properties(effects))
+        list.push_back({"a_" + property.name, property.size, property.type()});
+    return list;
+}
+
+bool makes_normals_unit(const EffectSet& effects) {
+    return effects.needs_normal() && (effects.normalize || effects.shading == Shading::kPhong);
+}
+
+}  // namespace twinlight::programmable

@@ -1,0 +1,262 @@
+// The pixels where right implementations may differ, and by how much (docs/lighting.md, "Edges").
+//
+// The fragments of the picture once more, but over what each may come to all over a pixel's square:
+//   - coverage: a piece fills the square, or its border passes through it;
+//   - depth: an interval; where it overlaps what is stored, the outcome of the test is open;
+//   - colour: an interval a channel.
+// A pixel becomes open where a fragment may or may not change its colour, and certain again where one certainly
+// overwrites it. What is open at the end is an edge pixel.
+#include <climits>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <limits>
+#include <utility>
+
+#include "render/reference/fragment_loop.h"
+#include "render/reference/reference.h"
+#include "render/reference/texture_place.h"
+
+namespace twinlight::reference {
+
+namespace {
+
+// The square grows by what snapping may move a border.
+constexpr double kHalfSquare = 0.5 + kSnap;
+// Lines and points may choose the pixel beside (3.4.1 allows a line to be off by one).
+constexpr double kHalfLineSquare = 1.5;
+
+// The same triangle, clipped alike, but perhaps for its polygon offset.
+bool same_triangle(const Piece& a, const Piece& b) {
+    return a.shape == Shape::kTriangle && b.shape == Shape::kTriangle && a.corners == b.corners &&
+           a.weight_over_w_planes == b.weight_over_w_planes && a.depth_plane.x == b.depth_plane.x &&
+           a.depth_plane.y == b.depth_plane.y;
+}
+
+// How a polygon meets the square about `centre`, which is known to meet its bounding box: covers it, perhaps, or not.
+// Edges along the sides of the view volume are no border: every rasteriser has them at the viewport's rim.
+Outcome covers(const std::vector<Edge>& edges, const glm::dvec2& centre) {
+    Outcome result = Outcome::kPasses;
+    for (const Edge& edge : edges) {
+        const double side = edge.side(centre), reach = edge.reach(kHalfSquare);
+        if (side < -reach) return Outcome::kFails;
+        if (side <= reach && edge.origin() != EdgeOrigin::kSide) result = Outcome::kOpen;
+    }
+    return result;
+}
+
+// What is kept of a pixel beside its colour: an interval of depths, and whether it is open. Of meshes.
+class OpenPixels {
+  public:
+    using Real = Interval;
+
+    OpenPixels(const StagedFrame& stages, const PixelRect& window)
+        : stages_(stages),
+          window_(window),
+          open_(window.count()),
+          depth_(window.count()),
+          depth_of_(window.count()),
+          thin_(window.count(), kNobody) {}
+
+    bool is_open(std::size_t at) const { return open_[at] != 0; }
+    void open(std::size_t at) { open_[at] = 1; }
+    void settle(std::size_t at) { open_[at] = 0; }
+
+    template <class Visit>
+    void for_each_fragment(StepId id, const PixelRect& within, const Visit& visit) {
+        stages_.piece(id).shape == Shape::kTriangle ? polygon(id, within, visit) : thin(id, within, visit);
+    }
+
+    // Over the square about the pixel's centre. A line's or point's own are widened by its slope.
+    static Interval depth(const Fragment& fragment) {
+        const Piece& piece = *fragment.piece;
+        double change = 0;
+        if (piece.shape == Shape::kTriangle)
+            change = kHalfSquare * (std::abs(piece.depth_plane.x) + std::abs(piece.depth_plane.y));
+        if (piece.shape == Shape::kLine) {
+            const glm::dvec3 d = glm::abs(piece.to.position_window - piece.from.position_window);
+            change = 2 * kHalfLineSquare * d.z / std::max({d.x, d.y, 1.0});
+        }
+        return widened(depth_at(piece, fragment.position_window), change);
+    }
+
+    Outcome depth_outcome(Enum depth_func, const Fragment& fragment, const Interval& depth, std::size_t at) const {
+        const StepId other_id = depth_of_[at];
+        if (other_id >= 0) {
+            const Piece &piece = *fragment.piece, &other = stages_.piece(other_id);
+            const glm::dvec3 between = piece.depth_plane - other.depth_plane;
+            // Appendix A: what is drawn again has the same depths; 3.5.5: r keeps offsets apart. A driver may cut a
+            // quadrilateral that it shades flat, or has in a display list, otherwise than the same one shaded smooth, or not.
+            if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
+                return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
+            if (piece.shape == Shape::kTriangle && other.shape == Shape::kTriangle) {
+                const double change = kHalfSquare * (std::abs(between.x) + std::abs(between.y));
+                const glm::dvec2& centre = fragment.position_window;
+                const double difference = depth_at(piece, centre) - depth_at(other, centre);
+                return reference::depth_outcome(depth_func, widened(difference, change));
+            }
+        }
+        return reference::depth_outcome(depth_func, depth - depth_[at]);
+    }
+    void set_depth(std::size_t at, StepId id, const Interval& depth, Outcome outcome) {
+        const bool certain = outcome == Outcome::kPasses;
+        depth_[at] = certain ? depth : hull(depth_[at], depth);
+        depth_of_[at] = certain ? id : kNobody;
+    }
+
+  private:
+    static constexpr StepId kNobody = std::numeric_limits<StepId>::min();
+
+    template <class Visit>
+    void polygon(StepId id, const PixelRect& within, const Visit& visit) const {
+        const Piece& piece = stages_.piece(id);
+        const PixelRect box = bounds(piece.corners, within, kSnap);
+        if (box.is_empty()) return;
+        const std::vector<Edge> edges = edges_of(piece.corners);
+        if (edges.size() < 2) return;
+        for_each(box, [&](int x, int y) {
+            const Outcome how = covers(edges, pixel_centre(x, y));
+            if (how != Outcome::kFails) visit(id, x, y, how, nullptr);
+        });
+    }
+
+    // Lines and points: certain are the pixels all around which it covers others; open the rest and those beside.
+    template <class Visit>
+    void thin(StepId id, const PixelRect& within, const Visit& visit) {
+        const Piece& piece = stages_.piece(id);
+        const PixelRect around{within.x0 - 2, within.y0 - 2, within.x1 + 2, within.y1 + 2};
+        std::vector<std::pair<int, int>> covered;
+        const auto cover = [&](int x, int y) { covered.emplace_back(x, y); };
+        for_each_pixel(piece, around, cover);
+        // A line that is too short to leave any diamond covers nothing, or one fragment elsewhere.
+        const bool nothing = covered.empty();
+        if (nothing) for_each(point_square(glm::dvec2(piece.from.position_window), piece.size, around), cover);
+        if (covered.empty()) return;
+        PixelRect box{INT_MAX, INT_MAX, INT_MIN, INT_MIN};
+        for (const auto& [x, y] : covered)
+            box = {std::min(box.x0, x - 1), std::min(box.y0, y - 1), std::max(box.x1, x + 2), std::max(box.y1, y + 2)};
+        std::vector<char> neighbours(box.count());
+        for (const auto& [px, py] : covered)
+            for_each({px - 1, py - 1, px + 2, py + 2}, [&](int x, int y) { ++neighbours[box.index(x, y)]; });
+        constexpr char kAll = 9;
+        const PixelRect seen{std::max(box.x0, within.x0), std::max(box.y0, within.y0), std::min(box.x1, within.x1),
+                             std::min(box.y1, within.y1)};
+        for_each(seen, [&](int x, int y) {
+            const char count = neighbours[box.index(x, y)];
+            if (count == 0) return;
+            const bool first = !again(id, window_.index(x, y));
+            // Whatever the depth test makes of it: in the other order there is more, or less, to blend with.
+            if (!first && !overwrites_color(stages_.draw_of(piece).fragment)) open(window_.index(x, y));
+            visit(id, x, y, count == kAll && !nothing && first ? Outcome::kPasses : Outcome::kOpen, nullptr);
+        });
+    }
+
+    // Whether another line or point of the same polygon's border has been at the pixel. The text says in no order how a
+    // border is drawn (3.5.4): which of two is seen where they lie on each other, at a corner, is open.
+    bool again(StepId id, std::size_t at) {
+        const StepId other_id = std::exchange(thin_[at], id);
+        if (other_id == kNobody) return false;
+        const Piece &piece = stages_.piece(id), &other = stages_.piece(other_id);
+        // Triangles that a quadrilateral or a polygon is cut to have one provoking vertex; those of a mesh their own.
+        return piece.draw == other.draw && piece.primitive.provoking == other.primitive.provoking;
+    }
+
+    const StagedFrame& stages_;
+    const PixelRect window_;
+    std::vector<char> open_;
+    std::vector<Interval> depth_;
+    std::vector<StepId> depth_of_;  // whose the depth is, where that is certain
+    std::vector<StepId> thin_;      // the last line or point there
+};
+
+class IntervalBuffer : public FragmentLoop<OpenPixels> {
+  public:
+    using FragmentLoop::FragmentLoop;
+
+    struct Pixel {
+        bool edge = false;
+        Rgba channels{};
+    };
+    Pixel pixel(int x, int y) {
+        const std::size_t at = window_.index(x, y);
+        const StepId id = step_[at];
+        const bool is_exact = id != kColor && (id < 0 || !stages_.draw_of(stages_.piece(id)).texture.texture);
+        if (kept_.is_open(at) || is_exact) return {.edge = kept_.is_open(at)};
+        const Channels<Interval> color = resolved(x, y);
+        Pixel result{.edge = kept_.is_open(at)};
+        for (std::size_t i = 0; i < color.size(); ++i) result.channels[i] = static_cast<float>(color[i].width());
+        return result;
+    }
+};
+
+AllowedDifference allowed_with_cut(const Frame& frame, const Options& options) {
+    AllowedDifference result{.edge = {}, .channels = Image(frame.width, frame.height)};
+    std::vector<char> edge(result.channels.pixels.size());  // bytes, not bits: bands write beside each other
+    const StagedFrame stages = run_stages(frame, options);
+    draw_in_bands<IntervalBuffer>(stages, frame, options, [&](IntervalBuffer& buffer, const PixelRect& band) {
+        for_each(band, [&](int x, int y) {
+            const IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
+            const std::size_t at = result.channels.index(x, frame.height - 1 - y);
+            edge[at] = pixel.edge;
+            result.channels.pixels[at] = pixel.channels;
+        });
+    });
+    result.edge.assign(edge.begin(), edge.end());
+    return result;
+}
+
+void join(AllowedDifference& allowed, const AllowedDifference& other) {
+    for (std::size_t i = 0; i < allowed.edge.size(); ++i) {
+        allowed.edge[i] = allowed.edge[i] || other.edge[i];
+        for (std::size_t c = 0; c < allowed.channels.pixels[i].size(); ++c) {
+            allowed.channels.pixels[i][c] = std::max(allowed.channels.pixels[i][c], other.channels.pixels[i][c]);
+        }
+    }
+}
+
+// ---- Exact surfaces, whose silhouettes are not their meshes' ----
+
+// All that is drawn, moved in the window by that part of a pixel.
+Frame moved(Frame frame, const glm::dvec2& pixels) {
+    for (auto& item : frame.items) {
+        Draw* draw = std::get_if<Draw>(&item);
+        if (!draw || draw->raster.viewport.width <= 0 || draw->raster.viewport.height <= 0) continue;
+        const glm::dvec2 ndc = 2.0 * pixels / glm::dvec2(draw->raster.viewport.width, draw->raster.viewport.height);
+        draw->clip_from_eye = glm::translate(glm::dmat4(1), glm::dvec3(ndc, 0)) * draw->clip_from_eye;
+    }
+    return frame;
+}
+
+// Adds the pixels where so little beside the centre something else is seen: a thousandth of a pixel, by which colours otherwise
+// change by less than half a code.
+void add_surface_edges(const Frame& frame, const Options& options, PixelMask& edge) {
+    constexpr double kBeside = 1e-3;  // of a pixel
+    constexpr float kHalfCode = 0.5F / 255;
+    const Image here = render(frame, options);
+    for (const glm::dvec2& beside : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
+        const Image there = render(moved(frame, kBeside * beside), options);
+        for (std::size_t i = 0; i < edge.size(); ++i)
+            for (std::size_t c = 0; c < 3; ++c)
+                edge[i] = edge[i] || std::abs(here.pixels[i][c] - there.pixels[i][c]) > kHalfCode;
+    }
+}
+
+}  // namespace
+
+AllowedDifference allowed_difference(const Frame& frame, Options options) {
+    if (options.shading == Shading::kExact) {
+        options.shading = Shading::kPhong;
+        AllowedDifference result = allowed_difference(frame, options);
+        options.shading = Shading::kExact;
+        add_surface_edges(frame, options, result.edge);
+        return result;
+    }
+    options.quad_cut = QuadCut::kFirstToThird;
+    AllowedDifference result = allowed_with_cut(frame, options);
+    if (!has_quadrilaterals(frame)) return result;
+    options.quad_cut = QuadCut::kSecondToFourth;
+    join(result, allowed_with_cut(frame, options));
+    return result;
+}
+
+}  // namespace twinlight::reference

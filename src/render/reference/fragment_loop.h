@@ -1,0 +1,167 @@
+// The fragments of a picture: pieces and clears in the order of the commands; of each piece coverage, depth test, shading, alpha
+// test, blending and masks (chapters 3 and 4).
+//
+// Written once, over what is kept of a pixel:
+//   - numbers: the picture (framebuffer.h), and one pixel of it with its fragments (pixel_history.h);
+//   - intervals: how far apart right pictures may be (allowed_difference.cpp).
+//
+// Colours wait where they can: a pixel holds either the step whose colour it has, to be lit once it is known that it is
+// seen, or a colour. A fragment whose colour depends on what lies beneath (blending, a colour mask) or decides whether
+// there is a fragment at all (the alpha test) is lit at once.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "render/reference/coverage.h"
+#include "render/reference/fragment_operations.h"
+#include "render/reference/staged_frame.h"
+
+namespace twinlight::reference {
+
+// Kept has
+//   Real                                      double or Interval
+//   for_each_fragment(id, within, visit)      calls visit(id, x, y, Outcome, surface point or null) for what the piece covers
+//   depth(fragment)                           the fragment's
+//   depth_outcome(func, fragment, depth, at)  against what is stored
+//   set_depth(at, id, depth, outcome)
+//   open(at), settle(at)                      the colour is open; is one that certainly overwrites it
+template <class Kept>
+class FragmentLoop {
+  public:
+    using Real = typename Kept::Real;
+
+    // Of the window's pixels; y up. Stages and shaders must outlive it.
+    FragmentLoop(const StagedFrame& stages, const std::vector<Shader>& shaders, const PixelRect& window)
+        : stages_(stages), shaders_(shaders), window_(window), kept_(stages, window), step_(window.count()) {}
+
+    // All steps. Calls watch(fragment, outcome) after each fragment, whether it is drawn or not.
+    template <class Watch>
+    void draw(const Watch& watch) {
+        for (const Step& step : stages_.steps) {
+            if (step.clear < 0) clear(step.clear);
+            for (std::size_t i = step.first_piece; i < step.end_piece; ++i) piece(static_cast<StepId>(i), watch);
+        }
+    }
+    void draw() {
+        draw([](const Fragment&, Outcome) {});
+    }
+
+  private:
+    // 4.2.3: a clear obeys scissor and colour mask.
+    void clear(StepId id) {
+        const Clear& clear = stages_.clear(id);
+        FragmentState mask;
+        mask.color_mask = clear.color_mask;
+        const bool overwrites = overwrites_color(mask);
+        for_each(scissored(clear.scissor, window_), [&](int x, int y) {
+            const std::size_t at = window_.index(x, y);
+            if (clear.depth) kept_.set_depth(at, id, clear.clear_depth, Outcome::kPasses);
+            if (!clear.color) return;
+            if (overwrites)
+                wait(id, at);
+            else
+                write(mask, {channels<Real>(clamped(clear.clear_color))}, x, y);
+        });
+    }
+
+    template <class Watch>
+    void piece(StepId first_id, const Watch& watch) {
+        const Piece& piece = stages_.piece(first_id);
+        const Draw& draw = stages_.draw_of(piece);
+        const RasterState& raster = draw.raster;
+        const FragmentState& state = draw.fragment;
+        const bool writes = writes_color(state);
+        const bool waits = overwrites_color(state) && !state.alpha_test;
+        // What becomes of a fragment that `covers` the pixel certainly, or perhaps.
+        const auto draw_fragment = [&](StepId id, const Fragment& fragment, int x, int y, Outcome covers) {
+            const std::size_t at = window_.index(x, y);
+            Outcome outcome = covers;
+            Real depth{};
+            if (raster.depth_test) {
+                depth = Kept::depth(fragment);
+                outcome = std::min(outcome, kept_.depth_outcome(raster.depth_func, fragment, depth, at));
+                if (outcome == Outcome::kFails) return outcome;
+            }
+            // The alpha test comes before the depth test, but neither leaves anything unless both pass. Where the pixel is
+            // open anyway its colour is of no interest.
+            Shaded<Real> shaded;
+            if (!waits && (writes || state.alpha_test) && outcome == Outcome::kPasses) {
+                shaded = shaders_[piece.draw].template shade<Real>(fragment);
+                if (state.alpha_test) outcome = alpha_outcome(state, shaded.color[3]);
+                if (outcome == Outcome::kFails) return outcome;
+            }
+            // 4.1.5: without the test the depth buffer stays as it is.
+            if (raster.depth_test && raster.depth_mask) kept_.set_depth(at, id, depth, outcome);
+            if (!writes) return outcome;
+            if (outcome == Outcome::kOpen)
+                kept_.open(at);
+            else if (waits)
+                wait(id, at);
+            else
+                write(state, shaded, x, y);
+            return outcome;
+        };
+        kept_.for_each_fragment(first_id, scissored(state.scissor, window_),
+                                [&](StepId id, int x, int y, Outcome covers, const RayPoint* point) {
+                                    const Fragment fragment{&stages_.piece(id), pixel_centre(x, y), point};
+                                    watch(fragment, draw_fragment(id, fragment, x, y, covers));
+                                });
+    }
+
+    // The pixel has the step's colour from now on.
+    void wait(StepId id, std::size_t at) {
+        step_[at] = id;
+        kept_.settle(at);
+    }
+
+    void write(const FragmentState& state, const Shaded<Real>& source, int x, int y) {
+        const std::size_t at = window_.index(x, y);
+        Channels<Real> beneath{};
+        if (overwrites_color(state))
+            kept_.settle(at);
+        else  // what the fragment needs of what lies beneath is what the colour buffer holds of it
+            for (std::size_t i = 0; const Real& channel : resolved(x, y)) beneath[i++] = held(channel);
+        if (colors_.empty()) colors_.resize(step_.size());
+        colors_[at] = written(state, source.color, beneath);
+        step_[at] = kColor;
+        if (source.has_choice) kept_.open(at);
+    }
+
+  protected:
+    static constexpr StepId kColor = std::numeric_limits<StepId>::min();
+
+    // The pixel's colour, lit where it has waited.
+    Channels<Real> resolved(int x, int y) {
+        const std::size_t at = window_.index(x, y);
+        const StepId id = step_[at];
+        if (id == kColor) return colors_[at];
+        if (id < 0) return channels<Real>(clamped(stages_.clear(id).clear_color));
+        const Piece& piece = stages_.piece(id);
+        const Shaded<Real> shaded = shaders_[piece.draw].template shade<Real>({&piece, pixel_centre(x, y)});
+        if (shaded.has_choice) kept_.open(at);
+        return shaded.color;
+    }
+
+    const StagedFrame& stages_;
+    const std::vector<Shader>& shaders_;
+    const PixelRect window_;
+    Kept kept_;
+    std::vector<StepId> step_;            // of the colour, or kColor
+    std::vector<Channels<Real>> colors_;  // where the step is kColor; empty as long as nowhere
+};
+
+// Draws the picture in bands of rows, and calls visit(buffer, band) for each; y as GL counts. Buffer: a FragmentLoop.
+template <class Buffer, class Visit>
+void draw_in_bands(const StagedFrame& stages, const Frame& frame, const Options& options, const Visit& visit) {
+    const std::vector<Shader> shaders = make_shaders(stages, options);
+    for_each_band(frame.height, [&](int y0, int y1) {
+        const PixelRect band{0, y0, frame.width, y1};
+        Buffer buffer(stages, shaders, band);
+        buffer.draw();
+        visit(buffer, band);
+    });
+}
+
+}  // namespace twinlight::reference

@@ -1,0 +1,60 @@
+#include "render/reference/staged_frame.h"
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <thread>
+
+namespace twinlight::reference {
+
+StagedFrame run_stages(const Frame& frame, const Options& options) {
+    StagedFrame stages;
+    const Draw* last = nullptr;
+    const auto add_clear = [&](const Clear& clear) {
+        stages.clears.push_back(clear);
+        stages.steps.push_back({.clear = -static_cast<StepId>(stages.clears.size())});
+    };
+    add_clear({.color = true, .depth = true});
+    for (const auto& item : frame.items) {
+        if (const Clear* clear = std::get_if<Clear>(&item)) {
+            add_clear(*clear);
+            continue;
+        }
+        const Draw& draw = std::get<Draw>(item);
+        stages.draws.push_back({&draw, vertex_stage(draw)});
+        const std::size_t first = stages.pieces.size();
+        const auto index = static_cast<std::uint32_t>(stages.draws.size() - 1);
+        std::vector<Piece> pieces;
+        if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
+            pieces = make_pieces(draw, index, stages.draws.back().vertices, options.quad_cut);
+        else if (!last || !are_one_shape(*last, draw))  // the first part stands for all of the shape
+            pieces = make_surface_pieces(draw, index);
+        last = &draw;
+        std::move(pieces.begin(), pieces.end(), std::back_inserter(stages.pieces));
+        stages.steps.push_back({.first_piece = first, .end_piece = stages.pieces.size()});
+    }
+    return stages;
+}
+
+std::vector<Shader> make_shaders(const StagedFrame& stages, const Options& options) {
+    std::vector<Shader> shaders;
+    shaders.reserve(stages.draws.size());
+    for (const StagedDraw& staged : stages.draws) shaders.emplace_back(staged, options);
+    return shaders;
+}
+
+void for_each_band(int height, const std::function<void(int y0, int y1)>& band) {
+    constexpr int kRowsPerBand = 16;
+    const int bands = (height + kRowsPerBand - 1) / kRowsPerBand;
+    std::atomic<int> next = 0;
+    const auto work = [&] {
+        for (int i = next++; i < bands; i = next++) band(i * kRowsPerBand, std::min(height, (i + 1) * kRowsPerBand));
+    };
+    std::vector<std::jthread> helpers;
+    const int helper_count = std::min(bands, static_cast<int>(std::thread::hardware_concurrency())) - 1;
+    helpers.reserve(static_cast<std::size_t>(std::max(helper_count, 0)));
+    for (int i = 0; i < helper_count; ++i) helpers.emplace_back(work);
+    work();
+}
+
+}  // namespace twinlight::reference
