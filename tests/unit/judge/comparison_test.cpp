@@ -61,7 +61,7 @@ struct Stub {
                         count("reference", options);
                         return picture(frame, reference);
                     },
-                .allowed =
+                .allowed_difference =
                     [this](const Frame& frame, const reference::Options&) {
                         AllowedDifference result{
                             PixelMask(static_cast<std::size_t>(frame.width * frame.height)),
