@@ -106,22 +106,6 @@ TEST(Fuzz, FindsEachDepartureThatIsLifted) {
     }
 }
 
-// What `compare` says of a scene that the driver gets wrong: a spot with a shininess of 0.
-TEST(Fuzz, NamesTheDeparturesOfAFrame) {
-    const auto names_of = [](const std::string& text) {
-        std::vector<std::string_view> names;
-        const auto scene = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
-        for (const Departure* departure : departures_in(make_scene(scene, {}))) names.push_back(departure->name);
-        return names;
-    };
-    const std::string lit = "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);";
-    EXPECT_EQ(names_of(lit + "glutSolidCube(1);"),
-              std::vector<std::string_view>{"shininess 0 with attenuation or a spot"});
-    EXPECT_EQ(names_of(lit + "glMaterialf(GL_FRONT, GL_SHININESS, 5); glColor4f(1, 1, 1, 0); glColor3f(1, 1, 1); "
-                             "glutSolidCube(1);"),
-              std::vector<std::string_view>{"glColor3 after glColor4"});
-}
-
 TEST(Fuzz, ShrinksAFailureToASceneThatStillFails) {
     if (!compare::is_listed(this_driver())) GTEST_SKIP() << "another driver may not fail";
     Options options{.count = 16, .seed = 1, .lifted = "lights after glPopAttrib of GL_ENABLE_BIT"};
