@@ -274,7 +274,7 @@ $(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files Makefile
 $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files Makefile
 	$(call embed,render/programmable/shader_assembly.h,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files Makefile
-	$(call embed,judge/report/pages.h,kPageFiles,$(sort $(FILES_pages)))
+	$(call embed,judge/report/html.h,kPageFiles,$(sort $(FILES_pages)))
 $(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files Makefile
 	$(call embed,judge/check/case.h,kCaseFiles,$(sort $(FILES_cases)))
 

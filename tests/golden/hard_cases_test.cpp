@@ -8,9 +8,10 @@
 
 #include "../unit/run_program.h"
 #include "../unit/sanitized.h"
-#include "judge/check/check.h"
-#include "judge/fuzz/vertex_colors.h"
-#include "listed_driver.h"
+#include "judge/check/suite.h"
+#include "judge/compare/departures.h"
+#include "judge/compare/vertex_colors.h"
+#include "render/context/driver_name.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
@@ -24,7 +25,7 @@ std::string words_of(const std::vector<Finding>& findings) {
     for (const Finding& finding : findings)
         text += std::string(kPathNames.at(static_cast<std::size_t>(finding.path))) + " " + finding.variant + ", " +
                 finding.spot.str() + ": " + text_of(finding.value) + ", expected " + text_of(finding.expected) + " (" +
-                std::string(word_of(finding.verdict)) + ")\n";
+                std::string(word_of(finding.outcome)) + ")\n";
     return text;
 }
 
@@ -32,7 +33,7 @@ TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
     const std::vector<Case> cases = load_cases();
     EXPECT_GE(cases.size(), 240u);  // none is lost on the way into the program
     Suite suite;
-    const bool is_listed = is_listed_driver();
+    const bool is_listed = compare::is_listed(current_driver());
     const std::vector<Result> results = suite.run(cases);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         SCOPED_TRACE(cases[i].name + "\n" + words_of(results[i].findings));
@@ -40,9 +41,9 @@ TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
         EXPECT_EQ(results[i].non_finite, 0);
         EXPECT_LE(results[i].from_long_double, 3e-5);  // whatever tolerance the case itself has
         for (const Path path : {Path::kProgrammable, Path::kReference})
-            EXPECT_EQ(results[i].verdicts[static_cast<std::size_t>(path)], Verdict::kPass);
+            EXPECT_EQ(results[i].outcomes[static_cast<std::size_t>(path)], Outcome::kPass);
         // Of another driver than the listed one nobody has looked at the departures.
-        EXPECT_TRUE(!is_listed || !is_failure(results[i].verdicts[0]));
+        EXPECT_TRUE(!is_listed || !is_failure(results[i].outcomes[0]));
     }
 }
 
@@ -52,7 +53,7 @@ TEST(HardCasesOfTheReference, AreFinite) {
         SCOPED_TRACE(of.name);
         const Frame frame = of.carried_out(kSide).scene.frame;
         for (const Number number : {Number::kFloat, Number::kDouble, Number::kLongDouble}) {
-            reference::Options options{fuzz::kGlsOwnModel};
+            reference::Options options{compare::kGlsOwnModel};
             options.arithmetic.number = number;
             for (const auto& item : frame.items) {
                 const Draw* draw = std::get_if<Draw>(&item);
@@ -132,27 +133,27 @@ Result result_of(const std::string& expectation) {
 TEST(HardCases, FailWhereAnyRendererGivesSomethingElse) {
     EXPECT_FALSE(result_of("// expect: vertex 0: 0.5 0.5 0.5 1\n").fails());
     const Result wrong = result_of("// expect: vertex 0: 0.5 0.50004 0.5 1\n");
-    for (const Verdict verdict : wrong.verdicts) EXPECT_EQ(verdict, Verdict::kNew);
+    for (const Outcome outcome : wrong.outcomes) EXPECT_EQ(outcome, Outcome::kNew);
 }
 
 TEST(HardCases, FailWhereAListedDepartureIsGone) {
     const Result gone = result_of("// expect: vertex 0: 0.5 0.5 0.5 1\n// differs: *: vertex 0: 0 0 0 1; some name\n");
-    EXPECT_EQ(gone.verdicts[0], Verdict::kVanished);
+    EXPECT_EQ(gone.outcomes[0], Outcome::kVanished);
     EXPECT_TRUE(gone.fails());
     const Result elsewhere =
         result_of("// expect: vertex 0: 0.5 0.5 0.5 1\n// differs: another driver: vertex 0: 0 0 0 1; some name\n");
-    EXPECT_EQ(elsewhere.verdicts[0], Verdict::kPass);
+    EXPECT_EQ(elsewhere.outcomes[0], Outcome::kPass);
 }
 
 TEST(HardCases, FailWhereADepartureIsAnotherThanListedOrInNoList) {
     for (const char* differs : {"", "// differs: *: vertex 0: 0.25 0.5 0.5 1; some name\n"}) {
         const Result result = result_of(std::string("// expect: vertex 0: 0 0.5 0.5 1\n") + differs);
-        EXPECT_EQ(result.verdicts[0], Verdict::kNew) << differs;
+        EXPECT_EQ(result.outcomes[0], Outcome::kNew) << differs;
         EXPECT_TRUE(result.fails());
     }
     const Result listed =
         result_of("// expect: vertex 0: 0 0.5 0.5 1\n// differs: *: vertex 0: 0.5 0.5 0.5 1; some name\n");
-    EXPECT_EQ(listed.verdicts[0], Verdict::kDeparts);
+    EXPECT_EQ(listed.outcomes[0], Outcome::kDeparts);
 }
 
 TEST(HardCases, FailFarFromLongDouble) {
@@ -173,7 +174,7 @@ TEST(HardCases, ExpectErrors) {
     };
     EXPECT_FALSE(with("GL_INVALID_ENUM").fails());
     const Result wrong = with("GL_INVALID_VALUE");
-    EXPECT_EQ(wrong.verdicts, (std::array{Verdict::kNew, Verdict::kPass, Verdict::kNew}));
+    EXPECT_EQ(wrong.outcomes, (std::array{Outcome::kNew, Outcome::kPass, Outcome::kNew}));
     for (const Finding& finding : wrong.findings) EXPECT_EQ(text_of(finding.value), "GL_INVALID_ENUM");
 }
 
@@ -220,13 +221,13 @@ TEST(HardCases, HoldAListedDepartureToItsCasesTolerance) {
     const Result listed = result_of(
         "// tolerance: 1e-3, for a test\n// expect: vertex 0: 0 0.5 0.5 1\n"
         "// differs: *: vertex 0: 0.5005 0.5 0.5 1; some name\n");
-    EXPECT_EQ(listed.verdicts[0], Verdict::kDeparts);
+    EXPECT_EQ(listed.outcomes[0], Outcome::kDeparts);
 }
 
 TEST(HardCases, HoldLongDoubleToTheFirstOfTwoAnswers) {
     EXPECT_FALSE(result_of("// expect: vertex 0: 0.5|0 0.5 0.5 1\n").fails());
     const Result second = result_of("// expect: vertex 0: 0|0.5 0.5 0.5 1\n");
-    EXPECT_EQ(second.verdicts, (std::array{Verdict::kPass, Verdict::kPass, Verdict::kNew}));
+    EXPECT_EQ(second.outcomes, (std::array{Outcome::kPass, Outcome::kPass, Outcome::kNew}));
     ASSERT_EQ(second.findings.size(), 1u);
     EXPECT_EQ(second.findings[0].variant, "long double");
 }
@@ -236,7 +237,7 @@ TEST(HardCases, DoNotAskTheFixedFunctionOfVariants) {
         read_case(small_case("// expect: vertex 0: 0.5 0.5 0.5 1\n#pragma twinlight specular(reflection)\n"),
                   "small.gl", "small")};
     const Result result = Suite().run(cases).front();
-    EXPECT_EQ(result.verdicts, (std::array{Verdict::kNotAsked, Verdict::kPass, Verdict::kPass}));
+    EXPECT_EQ(result.outcomes, (std::array{Outcome::kNotAsked, Outcome::kPass, Outcome::kPass}));
     EXPECT_FALSE(result.fails());
 }
 

@@ -12,9 +12,11 @@
 #include <memory>
 
 #include "base/image/png.h"
-#include "judge/report/comparison.h"
+#include "judge/compare/comparison.h"
+#include "judge/report/report.h"
 #include "picture_failure.h"
 #include "render/context/context.h"
+#include "render/context/driver_name.h"
 #include "render/fixed/fixed.h"
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
@@ -40,17 +42,17 @@ Scene scene_of(const std::string& name) {
     return make_scene(scene, {.width = kWidth, .height = kHeight});
 }
 
-report::Comparison comparison_of(const std::string& name, Shading per_pixel = Shading::kPhong) {
+compare::Comparison comparison_of(const std::string& name, Shading per_pixel = Shading::kPhong) {
     const auto context = make_offscreen_context(kWidth, kHeight);
     programmable::Renderer shaders;
-    const report::Renderers renderers = {
+    const compare::Renderers renderers = {
         .fixed = fixed::render,
         .programmable = [&](const Frame& frame,
                             const programmable::Options& options) { return shaders.render(frame, options); },
         .reference = reference::render,
         .allowed_difference = reference::allowed_difference,
     };
-    return report::compare_scene(scene_of(name), {.driver = driver_name(), .per_pixel = per_pixel}, renderers);
+    return compare::compare_scene(scene_of(name), {.driver = driver_name(), .per_pixel = per_pixel}, renderers);
 }
 
 // Writes it instead where `make golden` asks for that.
@@ -70,16 +72,16 @@ void expect_golden(const std::string& scene, const std::string& file_name, const
     Image actual = image;
     for (Rgba& pixel : actual.pixels) pixel[3] = 1;  // pictures in files have no alpha
     // Edges may fall to either side on another driver; the interior is held to what two renderers are held to.
-    if (report::judge(difference(actual, golden, allowed), {}) == report::Verdict::kBeyond)
+    if (compare::judge(difference(actual, golden, allowed), {}) == compare::Verdict::kBeyond)
         ADD_FAILURE() << picture_failure(scene + "-" + file_name, actual, golden).message();
 }
 
 class GoldenScenes : public testing::TestWithParam<std::string> {};
 
-void expect_agreement(const report::Comparison& comparison) {
-    for (const report::Pair& pair : comparison.pairs) {
+void expect_agreement(const compare::Comparison& comparison) {
+    for (const compare::Pair& pair : comparison.pairs) {
         const RegionDifference& interior = pair.difference.interior;
-        EXPECT_NE(pair.verdict, report::Verdict::kBeyond)
+        EXPECT_NE(pair.verdict, compare::Verdict::kBeyond)
             << fmt::format("{} ~ {}: {} of {} interior pixels differ, by {}/255 at most, at {},{}",
                            comparison.a(pair).name, comparison.b(pair).name, interior.differing, interior.pixels,
                            interior.max * 255, interior.worst_x, interior.worst_y);
@@ -88,10 +90,10 @@ void expect_agreement(const report::Comparison& comparison) {
 
 TEST_P(GoldenScenes, AgreeThreeWaysAndWithTheGoldenPictures) {
     const std::string& name = GetParam();
-    const report::Comparison comparison = comparison_of(name);
+    const compare::Comparison comparison = comparison_of(name);
     EXPECT_TRUE(comparison.unsupported.empty());
     expect_agreement(comparison);
-    for (const report::Render& render : comparison.renders)
+    for (const compare::Render& render : comparison.renders)
         expect_golden(name, report::picture_file(render), render.image, comparison.allowed);
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <random>
 
-#include "judge/fuzz/fuzz.h"
+#include "judge/fuzz/fuzzer.h"
 #include "render/reference/reference.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"

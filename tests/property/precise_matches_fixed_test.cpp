@@ -15,10 +15,10 @@
 #include <memory>
 #include <optional>
 
-#include "../golden/listed_driver.h"
-#include "judge/fuzz/departures.h"
-#include "judge/fuzz/fuzz.h"
+#include "judge/compare/departures.h"
+#include "judge/fuzz/fuzzer.h"
 #include "render/context/context.h"
+#include "render/context/driver_name.h"
 #include "render/context/gl.h"
 #include "render/effect/plan.h"
 #include "render/fixed/fixed.h"
@@ -280,12 +280,12 @@ class Comparison {
         const Triangle ordinary =
             is_control ? programs_.lit(draw, {{{.shading = {}, .lecture_variants = false}, 0}}) : Triangle{};
         // What rounding decides is not left out: the same floats decide alike.
-        const fuzz::LeftOut left_out(*commands,
-                                     {"light at the horizon of a vertex", "vertex near the edge of a spot's cone"});
+        const compare::DeparturesOfScene departures(
+            *commands, current_driver(), {"light at the horizon of a vertex", "vertex near the edge of a spot's cone"});
         for (std::size_t v = 0; v < 3; ++v) {
             const std::string where = fmt::format("state {} under {}, vertex {}", state, name_of(kind), v);
             compare(found.positions, fixed[v].position, window(precise[v].position), where + ", position");
-            if (const fuzz::Departure* departure = left_out.at(draw, draw.vertices[v])) {
+            if (const compare::Departure* departure = departures.at(draw, draw.vertices[v])) {
                 ++found.left_out[departure->name];
                 continue;
             }
@@ -309,7 +309,8 @@ class Comparison {
 
 TEST(Precise, GivesTheFixedFunctionsFloatsOverRandomStates) {
     const auto context = make_offscreen_context(kWindow, kWindow, ColorBuffer::kFloat);
-    if (!is_listed_driver()) GTEST_SKIP() << "the order of operations is of Mesa on llvmpipe: " << driver_name();
+    if (!compare::is_listed(current_driver()))
+        GTEST_SKIP() << "the order of operations is of Mesa on llvmpipe: " << driver_name();
     const char* more = std::getenv("TWINLIGHT_PRECISE_STATES");
     const int states = more ? std::atoi(more) : 1200;
     constexpr std::uint64_t kOfAStructure = 40;  // a program takes the driver as long as many states
@@ -342,7 +343,8 @@ bool sums_in_fragments(const Draw& draw) {
 TEST(Precise, DrawsBuiltInScenesInTheFixedFunctionsFloats) {
     constexpr int kWidth = 640, kHeight = 480;
     const auto context = make_offscreen_context(kWidth, kHeight, ColorBuffer::kFloat);
-    if (!is_listed_driver()) GTEST_SKIP() << "the order of operations is of Mesa on llvmpipe: " << driver_name();
+    if (!compare::is_listed(current_driver()))
+        GTEST_SKIP() << "the order of operations is of Mesa on llvmpipe: " << driver_name();
     programmable::Renderer renderer;
     for (const EmbeddedFile& file : kSceneFiles) {
         const std::string name(file.name);
@@ -379,7 +381,7 @@ TEST(Precise, IsOfVerticesAndOfUniforms) {
 // Where the fixed function's answer is no number (2.1.1: none is asked for), it has the ordinary program's.
 TEST(Precise, HasAnAnswerWhereALightIsAtTheVertex) {
     const auto context = make_offscreen_context(1, 1, ColorBuffer::kFloat);
-    if (!is_listed_driver()) GTEST_SKIP() << "GLSL 4.00 is asked for: " << driver_name();
+    if (!compare::is_listed(current_driver())) GTEST_SKIP() << "GLSL 4.00 is asked for: " << driver_name();
     const auto scene = std::make_shared<const CommandList>(read_scene(R"(
 glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);
 glLightfv(GL_LIGHT0, GL_AMBIENT, (GLfloat[]){1, 1, 1, 1});

@@ -40,7 +40,7 @@ constexpr int kStructures = kTextured + 4;
 class SceneText {
   public:
     explicit SceneText(int structure)
-        : structure_(static_cast<std::uint64_t>(structure)), random_(static_cast<std::uint64_t>(1000 + structure)) {
+        : structure_(static_cast<std::uint64_t>(structure)), random_(static_cast<std::uint64_t>(3000 + structure)) {
         textured_ = structure < kTextured;
         const auto place = static_cast<std::size_t>(std::min(structure, kTextured - 1));
         environment_ = kEnvironments.at(place / kFormats.size());

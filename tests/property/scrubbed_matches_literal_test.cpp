@@ -7,10 +7,11 @@
 #include <cmath>
 #include <memory>
 
-#include "judge/fuzz/departures.h"
-#include "judge/fuzz/fuzz.h"
-#include "judge/report/comparison.h"
+#include "judge/compare/comparison.h"
+#include "judge/compare/departures.h"
+#include "judge/fuzz/fuzzer.h"
 #include "render/context/context.h"
+#include "render/context/driver_name.h"
 #include "render/effect/scrubbed_state.h"
 #include "render/fixed/fixed.h"
 #include "render/fixed/replay.h"
@@ -23,8 +24,8 @@ namespace twinlight {
 namespace {
 
 // A comparison whose first pair is scrubbed ~ literal, and whose second is scrubbed ~ reference.
-report::Comparison compare_scrubbed(const Scene& scene, double budget) {
-    const report::Renderers renderers = {
+compare::Comparison compare_scrubbed(const Scene& scene, double budget) {
+    const compare::Renderers renderers = {
         .fixed = [budget](const Scene& s,
                           const fixed::Options& options) { return fixed::render_scrubbed(s, options.shading, budget); },
         .programmable =
@@ -34,11 +35,11 @@ report::Comparison compare_scrubbed(const Scene& scene, double budget) {
         .reference = reference::render,
         .allowed_difference = reference::allowed_difference,
     };
-    return report::compare_scene(scene, {.driver = {}, .pictures = report::Pictures::kPerVertex}, renderers);
+    return compare::compare_scene(scene, {.per_vertex_only = true}, renderers);
 }
 
-void expect_within(const report::Comparison& comparison, std::size_t pair_number, double budget) {
-    const report::Pair& pair = comparison.pairs.at(pair_number);
+void expect_within(const compare::Comparison& comparison, std::size_t pair_number, double budget) {
+    const compare::Pair& pair = comparison.pairs.at(pair_number);
     const RegionDifference& beyond = pair.difference.beyond_allowed;
     // The budget moves a channel before it is rounded, and rounding adds a code where it was another.
     EXPECT_LE(beyond.max, comparison.tolerance.max + budget) << fmt::format(
@@ -56,7 +57,7 @@ TEST(Scrubbed, DrawsTheBuiltInScenesAsLiterally) {
         const Scene made = make_scene(scene, {.width = kSide, .height = kSide});
         const auto context = make_offscreen_context(kSide, kSide);
         for (const double budget : {0.0, PlanOptions{}.budget}) {
-            const report::Comparison comparison = compare_scrubbed(made, budget);
+            const compare::Comparison comparison = compare_scrubbed(made, budget);
             expect_within(comparison, kLiteral, budget);
             if (budget != 0) continue;
             const ImageDifference& difference = comparison.pairs[kLiteral].difference;
@@ -103,13 +104,13 @@ TEST(Scrubbed, DrawsRandomStatesAsLiterally) {
         const std::uint64_t state = i * 97 * fuzz::kPictureEvery + (i % 2 == 0 ? fuzz::kPictureEvery - 1 : i % 31);
         const auto scene = std::make_shared<const CommandList>(fuzz::random_scene(options, state));
         const Scene made = make_scene(scene, {.width = kSide, .height = kSide});
-        if (fuzz::LeftOut(*scene, {}).in(made.frame)) {
+        if (compare::DeparturesOfScene(*scene, current_driver(), {}).in(made.frame)) {
             ++departures;
             continue;
         }
         SCOPED_TRACE(fmt::format("twinlight fuzz --seed 7 --first {} --count 1\n{}", state, print_scene(*scene)));
         const double budget = i % 4 < 2 ? 0 : PlanOptions{}.budget;
-        const report::Comparison comparison = compare_scrubbed(made, budget);
+        const compare::Comparison comparison = compare_scrubbed(made, budget);
         expect_within(comparison, kLiteral, budget);
         expect_within(comparison, kReference, budget);
         ++compared;
@@ -121,7 +122,7 @@ TEST(Scrubbed, DrawsRandomStatesAsLiterally) {
         "{} compared, {} left out for what the driver is known to do otherwise; {} of {} interior pixels differ\n",
         compared, departures, differing, pixels);
     EXPECT_GT(compared, departures);
-    EXPECT_LT(static_cast<double>(differing), report::Tolerance{}.differing_share * static_cast<double>(pixels));
+    EXPECT_LT(static_cast<double>(differing), compare::Tolerance{}.differing_share * static_cast<double>(pixels));
 }
 
 }  // namespace

@@ -11,9 +11,10 @@
 
 #include "../unit/run_program.h"
 #include "base/image/file.h"
-#include "judge/report/comparison.h"
+#include "judge/compare/comparison.h"
 #include "judge/report/words.h"
 #include "render/context/context.h"
+#include "render/context/driver_name.h"
 #include "render/fixed/fixed.h"
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
@@ -43,17 +44,17 @@ std::vector<std::string> recordings() {
     return names;
 }
 
-report::Comparison comparison_of(const Scene& scene) {
+compare::Comparison comparison_of(const Scene& scene) {
     const auto context = make_offscreen_context(scene.frame.width, scene.frame.height);
     programmable::Renderer shaders;
-    const report::Renderers renderers = {
+    const compare::Renderers renderers = {
         .fixed = fixed::render,
         .programmable = [&](const Frame& f,
                             const programmable::Options& options) { return shaders.render(f, options); },
         .reference = reference::render,
         .allowed_difference = reference::allowed_difference,
     };
-    return report::compare_scene(scene, {.driver = driver_name()}, renderers);
+    return compare::compare_scene(scene, {.driver = driver_name()}, renderers);
 }
 
 std::size_t pixels_drawn(const Image& image) {
@@ -69,21 +70,21 @@ TEST_P(RealPrograms, LookAlikeThreeWays) {
     const RecordedFrame recorded = make_recorded_frame(recording, {});
     EXPECT_EQ(recorded.error_count, 0u) << (recorded.first_error ? recorded.first_error->message : "");
 
-    const report::Comparison comparison = comparison_of(recorded.scene);
+    const compare::Comparison comparison = comparison_of(recorded.scene);
     std::set<std::string> unsupported;
     for (const Unsupported& item : comparison.unsupported) unsupported.insert(item.name);
     const auto expected = expected_unsupported().find(GetParam());
     EXPECT_EQ(unsupported, expected == expected_unsupported().end() ? std::set<std::string>() : expected->second);
-    EXPECT_EQ(comparison.verdict(), unsupported.empty() ? report::Verdict::kWithin : report::Verdict::kPartial);
+    EXPECT_EQ(comparison.verdict(), unsupported.empty() ? compare::Verdict::kWithin : compare::Verdict::kPartial);
     std::string told;
     for (const std::string& sentence : report::verdict_sentences(comparison)) told += sentence + "\n";
     SCOPED_TRACE(told);
-    for (const report::Pair& pair : comparison.pairs) {
-        EXPECT_NE(pair.verdict, report::Verdict::kBeyond) << report::name_of(comparison, pair);
+    for (const compare::Pair& pair : comparison.pairs) {
+        EXPECT_NE(pair.verdict, compare::Verdict::kBeyond) << report::name_of(comparison, pair);
         // A picture without an interior would pass, whatever it shows.
         EXPECT_GT(pair.difference.interior.pixels, pair.difference.edge.pixels);
     }
-    for (const report::Render& render : comparison.renders) {
+    for (const compare::Render& render : comparison.renders) {
         EXPECT_GT(pixels_drawn(render.image), render.image.pixels.size() / 200) << render.name << " is all but black";
     }
 }

@@ -49,7 +49,12 @@ const std::map<std::string, Table>& rooms() {
           {"fixed", {"effect", "stages", "context"}},
           {"programmable", {"effect", "stages", "context"}},
           {"reference", {}}}},  // shares neither the driver's numbers nor the planner's mistakes
-        {"judge", {{"report", {}}, {"study", {"report"}}, {"fuzz", {"report"}}, {"check", {"fuzz"}}}},
+        {"judge",
+         {{"compare", {}},
+          {"report", {"compare"}},
+          {"study", {"report"}},
+          {"fuzz", {"compare"}},
+          {"check", {"compare"}}}},
         {"app", {{"cli", {}}, {"demo", {}}}},
     };
     return table;

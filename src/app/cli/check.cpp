@@ -1,6 +1,4 @@
 // twinlight check: the hard cases of golden/hard on this machine's driver.
-#include "judge/check/check.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/reproducer.h"
 #include "base/image/file.h"
+#include "judge/check/suite.h"
 
 namespace twinlight::cli {
 
@@ -24,21 +23,21 @@ struct Arguments {
     bool json = false;
 };
 
-std::string colored(const std::string& text, Verdict verdict) {
+std::string colored(const std::string& text, Outcome outcome) {
     if (!result_in_color()) return text;
-    switch (verdict) {
-        case Verdict::kNotAsked: return text;
-        case Verdict::kPass:
-        case Verdict::kRuling: return "\x1b[32m" + text + "\x1b[0m";
-        case Verdict::kDeparts: return "\x1b[33m" + text + "\x1b[0m";
-        case Verdict::kNew:
-        case Verdict::kVanished: return "\x1b[1;31m" + text + "\x1b[0m";
+    switch (outcome) {
+        case Outcome::kNotAsked: return text;
+        case Outcome::kPass:
+        case Outcome::kRuling: return "\x1b[32m" + text + "\x1b[0m";
+        case Outcome::kDeparts: return "\x1b[33m" + text + "\x1b[0m";
+        case Outcome::kNew:
+        case Outcome::kVanished: return "\x1b[1;31m" + text + "\x1b[0m";
     }
     return text;
 }
 
 struct Counts {
-    std::array<long, kVerdicts> fixed{};
+    std::array<long, kOutcomes> fixed{};
     long failing = 0, non_finite = 0;
     double from_long_double = 0;
 };
@@ -46,7 +45,7 @@ struct Counts {
 Counts counted(const std::vector<Result>& results) {
     Counts counts;
     for (const Result& result : results) {
-        ++counts.fixed.at(static_cast<std::size_t>(result.verdicts[0]));
+        ++counts.fixed.at(static_cast<std::size_t>(result.outcomes[0]));
         counts.failing += result.fails();
         counts.non_finite += result.non_finite;
         counts.from_long_double = std::max(counts.from_long_double, result.from_long_double);
@@ -60,8 +59,8 @@ std::string table(const std::vector<Case>& cases, const std::vector<Result>& res
     std::string text = fmt::format("{:<{}}  {:<9}  {:<12}  {}\n", "case", width, "fixed", "programmable", "reference");
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto word = [&](Path path, int columns) {
-            const Verdict verdict = results[i].verdicts.at(static_cast<std::size_t>(path));
-            return colored(fmt::format("{:<{}}", word_of(verdict), columns), verdict);
+            const Outcome outcome = results[i].outcomes.at(static_cast<std::size_t>(path));
+            return colored(fmt::format("{:<{}}", word_of(outcome), columns), outcome);
         };
         text += fmt::format("{:<{}}  {}  {}  {}\n", cases[i].name, width, word(Path::kFixed, 9),
                             word(Path::kProgrammable, 12), word(Path::kReference, 9));
@@ -75,14 +74,14 @@ std::string table(const std::vector<Case>& cases, const std::vector<Result>& res
 
 std::string summary(const std::vector<Result>& results) {
     const Counts counts = counted(results);
-    const auto fixed = [&](Verdict verdict) { return counts.fixed.at(static_cast<std::size_t>(verdict)); };
+    const auto fixed = [&](Outcome outcome) { return counts.fixed.at(static_cast<std::size_t>(outcome)); };
     return fmt::format(
         "\n{} case{}. The driver's fixed function: {} pass, {} depart as listed, {} answer otherwise where the "
         "specification is open,\n{} depart and are in no list, {} listed and gone, {} not asked. Values that are not "
         "finite, of shaders and the reference: {}.\nShaders are at most {:.1e} from the reference in long "
         "double.\n{}\n",
-        results.size(), results.size() == 1 ? "" : "s", fixed(Verdict::kPass), fixed(Verdict::kDeparts),
-        fixed(Verdict::kRuling), fixed(Verdict::kNew), fixed(Verdict::kVanished), fixed(Verdict::kNotAsked),
+        results.size(), results.size() == 1 ? "" : "s", fixed(Outcome::kPass), fixed(Outcome::kDeparts),
+        fixed(Outcome::kRuling), fixed(Outcome::kNew), fixed(Outcome::kVanished), fixed(Outcome::kNotAsked),
         counts.non_finite, counts.from_long_double,
         counts.failing == 0 ? "Nothing is unexpected."
                             : fmt::format("{} {}.", counts.failing, counts.failing == 1 ? "case fails" : "cases fail"));
@@ -112,7 +111,7 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
                                       {"text", cases[i].text},
                                       {"status", cases[i].is_ruling ? "ruling" : "defined"}};
         for (std::size_t path = 0; path < kPaths; ++path)
-            one[std::string(kPathNames.at(path))] = word_of(results[i].verdicts.at(path));
+            one[std::string(kPathNames.at(path))] = word_of(results[i].outcomes.at(path));
         one["non_finite"] = results[i].non_finite;
         one["from_long_double"] = results[i].from_long_double;
         if (!results[i].error.empty()) one["refused"] = results[i].error;
@@ -120,7 +119,7 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
         for (const Finding& finding : results[i].findings) {
             findings.push_back({{"path", kPathNames.at(static_cast<std::size_t>(finding.path))},
                                 {"variant", finding.variant},
-                                {"verdict", word_of(finding.verdict)},
+                                {"verdict", word_of(finding.outcome)},
                                 {"at", finding.spot.str()},
                                 {"value", json_of(finding.value)},
                                 {"expected", json_of(finding.expected)},

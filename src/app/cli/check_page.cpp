@@ -54,7 +54,7 @@ Image with_ground(Image image) {
 std::string section_of(const Case& of, const Result& result) {
     std::string html = fmt::format("<section id=\"{0}\"><h3>{0}</h3>\n<p>", escaped(of.name));
     for (std::size_t path = 0; path < kPaths; ++path)
-        html += fmt::format(R"(<span class="verdict {0}">{1}: {0}</span>)", word_of(result.verdicts.at(path)),
+        html += fmt::format(R"(<span class="verdict {0}">{1}: {0}</span>)", word_of(result.outcomes.at(path)),
                             kPathNames.at(path));
     html += fmt::format("</p>\n<p><b>{}</b>: {}.</p>\n<p>{}</p>\n<p>Derived: {}</p>\n<ul>", escaped(of.what),
                         escaped(of.why), escaped(of.text), escaped(of.derived));

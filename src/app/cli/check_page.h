@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/check/check.h"
+#include "judge/check/suite.h"
 
 namespace twinlight::cli {
 

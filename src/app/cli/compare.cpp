@@ -7,9 +7,9 @@
 #include "app/cli/command_line.h"
 #include "app/cli/progress.h"
 #include "app/cli/renderers.h"
-#include "judge/fuzz/departures.h"
-#include "judge/report/comparison.h"
+#include "judge/report/report.h"
 #include "judge/report/words.h"
+#include "render/context/driver_name.h"
 
 namespace twinlight::cli {
 
@@ -27,13 +27,13 @@ struct Arguments {
 
 const std::map<std::string, Shading> kPerPixel = {{"phong", Shading::kPhong}, {"exact", Shading::kExact}};
 
-std::string colored(const std::string& text, report::Verdict verdict) {
+std::string colored(const std::string& text, compare::Verdict verdict) {
     if (!result_in_color()) return text;
     switch (verdict) {
-        case report::Verdict::kWithin: return "\x1b[32m" + text + "\x1b[0m";
-        case report::Verdict::kBeyond: return "\x1b[1;31m" + text + "\x1b[0m";
-        case report::Verdict::kPartial: return "\x1b[33m" + text + "\x1b[0m";
-        case report::Verdict::kInformative: return text;
+        case compare::Verdict::kWithin: return "\x1b[32m" + text + "\x1b[0m";
+        case compare::Verdict::kBeyond: return "\x1b[1;31m" + text + "\x1b[0m";
+        case compare::Verdict::kPartial: return "\x1b[33m" + text + "\x1b[0m";
+        case compare::Verdict::kInformative: return text;
     }
     return text;
 }
@@ -48,10 +48,10 @@ std::string line(std::string_view name, std::string_view part, const RegionDiffe
 
 // Two lines a pair: its first name beside the interior, its second beside the edges. A third where a part of the
 // difference is allowed: what is left beyond it.
-std::string table(const report::Comparison& comparison) {
+std::string table(const compare::Comparison& comparison) {
     std::string text = fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}  {}\n", "pair", "", "differing",
                                    "share", "max", "rms", "worst x,y", "verdict");
-    for (const report::Pair& pair : comparison.pairs) {
+    for (const compare::Pair& pair : comparison.pairs) {
         text += line(comparison.a(pair).name, "interior", pair.difference.interior) + "  " +
                 colored(report::word_of(pair.verdict), pair.verdict) + "\n";
         text += line("~ " + comparison.b(pair).name, "edges", pair.difference.edge) + "\n";
@@ -62,11 +62,11 @@ std::string table(const report::Comparison& comparison) {
                               report::grouped(any.edge.pixels));
 }
 
-std::string summary(const report::Comparison& comparison, const std::string& folder) {
+std::string summary(const compare::Comparison& comparison, const std::string& folder) {
     std::string text =
         fmt::format("{}, {} x {}, {}\n\n", comparison.scene, comparison.width, comparison.height, comparison.driver);
     text += table(comparison) + "\ntime:";
-    for (const report::Render& render : comparison.renders) {
+    for (const compare::Render& render : comparison.renders) {
         text += fmt::format("{} {} {:.1f} ms", text.back() == ':' ? "" : ",", render.name, render.ms);
     }
     text += "\n\n";
@@ -77,21 +77,18 @@ std::string summary(const report::Comparison& comparison, const std::string& fol
 
 int run(const Arguments& arguments) {
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
-    report::Comparison comparison;
+    compare::Comparison comparison;
     {
         ProgressBar bar;
         const RendererSet renderers(scene.frame.width, scene.frame.height);
-        comparison = report::compare_scene(
+        comparison = compare::compare_scene(
             scene,
             {.driver = driver_name(),
              .budget = arguments.budget,
              .precise = arguments.precise,
-             .per_pixel = arguments.per_pixel},
-            renderers.functions(), [&](int done, int total, std::string_view next) { bar.show(done, total, next); });
-    }
-    if (!comparison.within_tolerance()) {
-        for (const fuzz::Departure* departure : fuzz::departures_in(scene))
-            comparison.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
+             .per_pixel = arguments.per_pixel,
+             .progress = [&](int done, int total, std::string_view next) { bar.show(done, total, next); }},
+            renderers.functions());
     }
     report::write_report(comparison, arguments.folder);
     write_result(arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder));

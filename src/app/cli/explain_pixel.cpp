@@ -42,7 +42,7 @@ std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, c
                                const Rgba& reference) {
     const Frame& frame = scene.frame;
     const RendererSet set(frame.width, frame.height);
-    const report::Renderers& functions = set.functions();
+    const compare::Renderers& functions = set.functions();
     std::vector<Rendered> result;
     const bool by_pixel = options.shading == Shading::kPhong || options.shading == Shading::kExact;
     if (!by_pixel) result.push_back({"fixed", functions.fixed(scene, {options.shading}).at(pixel.x, pixel.y)});

@@ -1,6 +1,4 @@
 // twinlight fuzz: random scenes, three ways.
-#include "judge/fuzz/fuzz.h"
-
 #include <fmt/format.h>
 
 #include <chrono>
@@ -11,6 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "base/image/file.h"
+#include "judge/fuzz/fuzzer.h"
 #include "judge/report/words.h"
 #include "scene/command/names.h"
 
@@ -156,7 +155,7 @@ int run(const Arguments& arguments) {
 // A name of departures(), or a near one in the message.
 std::string checked_departure(const std::string& text) {
     std::vector<std::string_view> names;
-    for (const fuzz::Departure& departure : fuzz::departures()) names.push_back(departure.name);
+    for (const compare::Departure& departure : compare::departures()) names.push_back(departure.name);
     if (std::ranges::find(names, text) != names.end()) return "";
     const auto near = nearest(text, names);
     return fmt::format("there is no departure '{}'; {}", text,

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "judge/report/comparison.h"
+#include "judge/compare/comparison.h"
 #include "render/context/context.h"
 #include "render/programmable/programmable.h"
 
@@ -15,12 +15,12 @@ class RendererSet {
     RendererSet(int width, int height);
 
     // Valid as long as the set lives.
-    const report::Renderers& functions() const { return functions_; }
+    const compare::Renderers& functions() const { return functions_; }
 
   private:
     std::unique_ptr<OffscreenContext> context_;
     programmable::Renderer programmable_;  // dies before the context
-    report::Renderers functions_;
+    compare::Renderers functions_;
 };
 
 }  // namespace twinlight::cli

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "judge/fuzz/vertex_colors.h"
+#include "judge/compare/vertex_colors.h"
+#include "render/context/driver_name.h"
 #include "scene/command/text.h"
 #include "scene/shape/written_out.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 using namespace check;
 
-// As the fixed function is judged (judge/check/check.cpp), in C. Colours of vertices come from feedback, which has them ahead of the
+// As the fixed function is judged (judge/check/suite.cpp), in C. Colours of vertices come from feedback, which has them ahead of the
 // clamp where the driver lets that be switched off.
 constexpr const char* kJudge = R"c(
 static int departures = 0;
@@ -131,14 +132,14 @@ std::string c_array(const Seen& color) {
 glm::dvec2 window_place(const Case& of, const Spot& spot) {
     if (spot.kind == Spot::Kind::kPixel) return {spot.x, kSide - 1 - spot.y};
     std::string error;
-    const std::optional<fuzz::VertexScene> scene =
-        fuzz::make_vertex_scene(of.carried_out(fuzz::kVertexWindow).scene, error);
+    const std::optional<compare::VertexScene> scene =
+        compare::make_vertex_scene(of.carried_out(compare::kVertexWindow).scene, error);
     const glm::dvec4& clip = scene.value().lit.at(static_cast<std::size_t>(spot.vertex)).position_clip;
     return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * static_cast<double>(kSide);
 }
 
 std::string how_to_run(const std::string& driver, const std::string& name) {
-    if (!driver.starts_with("softpipe")) return "";
+    if (parse_driver_name(driver).name != "softpipe") return "";
     return fmt::format(
         "// Run it with: GALLIUM_DRIVER=softpipe DRAW_USE_LLVM=0 ./{}\n"
         "// (Mesa 22.3's softpipe crashes within LLVM, or hangs, where that makes its vertices for GL_FEEDBACK.)\n",
@@ -150,7 +151,7 @@ std::string how_to_run(const std::string& driver, const std::string& name) {
 std::string reproducer(const std::string& driver, const Case& of, const Result& result) {
     std::string found;
     for (const Finding& finding : result.findings)
-        if (finding.path == Path::kFixed && finding.verdict != Verdict::kRuling)
+        if (finding.path == Path::kFixed && finding.outcome != Outcome::kRuling)
             found += "// " + finding_text(of, finding) + "\n";
     if (found.empty() || !result.error.empty()) return "";
     std::string text = fmt::format(

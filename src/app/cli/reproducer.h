@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "judge/check/check.h"
+#include "judge/check/suite.h"
 
 namespace twinlight::cli {
 

@@ -13,11 +13,11 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/machine.h"
 #include "app/cli/progress.h"
-#include "app/cli/samples.h"
 #include "app/cli/study_renderers.h"
+#include "app/cli/study_samples.h"
 #include "base/image/file.h"
-#include "judge/study/files.h"
-#include "judge/study/tessellation.h"
+#include "judge/study/scene_of_choice.h"
+#include "render/context/driver_name.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
@@ -148,7 +148,7 @@ int run(Arguments arguments) {
     about.width = frame.width;
     about.height = frame.height;
     about.coverage = arguments.coverage.value_or(1);
-    about.series.push_back({.name = study::short_name(driver_name()),
+    about.series.push_back({.name = current_driver().renderer,
                             .machine = this_machine(),
                             .driver = driver_name(),
                             .rounds = 0,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "judge/study/scene_of_choice.h"
 #include "render/context/gl.h"
 #include "render/fixed/replay.h"
 #include "render/reference/reference.h"
@@ -42,7 +43,7 @@ std::shared_ptr<programmable::UploadedFrame> prepared_for_shaders(const Frame& f
     try {
         return std::make_shared<programmable::UploadedFrame>(frame, choice.shader_options());
     } catch (const std::runtime_error& refusal) {
-        if (choice.renderer == study::Renderer::kPrecise) throw study::Refused(refusal.what());
+        if (choice.method == study::Method::kPrecise) throw study::Refused(refusal.what());
         throw;
     }
 }
@@ -55,7 +56,7 @@ StudyRenderers::StudyRenderers(int width, int height)
       context_(make_offscreen_context(width, height)),
       shaders_({.programs = 1024}) {}  // all of them stay ready
 
-study::Renderers StudyRenderers::functions() {
+study::ChoiceRenderers StudyRenderers::functions() {
     return {[this](const Frame& frame, const study::Choice& choice) { return prepare(frame, choice); },
             reference::seen_shapes};
 }
@@ -67,9 +68,9 @@ const RenderTarget& StudyRenderers::target_of(const study::Choice& choice) {
 
 study::Prepared StudyRenderers::prepare(const Frame& frame, const study::Choice& choice) {
     Frame drawn = choice.samples == 1 ? frame : study::enlarged(frame, choice.samples);
-    if (choice.renderer == study::Renderer::kReference) return by_reference(std::move(drawn), choice);
+    if (choice.method == study::Method::kReference) return by_reference(std::move(drawn), choice);
     std::function<void()> draw;
-    if (choice.renderer == study::Renderer::kFixed) {
+    if (choice.method == study::Method::kFixed) {
         const auto kept = std::make_shared<const Frame>(std::move(drawn));
         const auto ready = std::make_shared<fixed::Replay>(*kept, choice.fixed_options());
         draw = [kept, ready] { ready->draw(); };

@@ -18,7 +18,7 @@ class StudyRenderers {
     StudyRenderers(int width, int height);
 
     // Valid as long as the set lives.
-    study::Renderers functions();
+    study::ChoiceRenderers functions();
 
   private:
     study::Prepared prepare(const Frame& frame, const study::Choice& choice);

@@ -1,5 +1,4 @@
-#include "judge/fuzz/disguise.h"
-
+// The same scene, said otherwise.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "judge/fuzz/random_states.h"
 #include "scene/state/state.h"
 
 namespace twinlight::fuzz {

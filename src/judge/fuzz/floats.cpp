@@ -4,66 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
+#include <glm/common.hpp>
 
-#include "judge/fuzz/vertex_colors.h"
+#include "judge/compare/vertex_colors.h"
+#include "render/context/driver_name.h"
 
 namespace twinlight::fuzz {
 
 namespace {
 
-static_assert(kMostVertexScenes == Floats::kMostScenes);
+using compare::Color;
+using compare::Departure;
+using compare::FaceColors;
+using compare::Leaves;
+using compare::VertexScene;
 
-// What a channel may be off by, relative to the sum of the magnitudes of a colour's terms, in units of a float's last place.
-// 2.1.1 allows each operation 1e-5; what drivers and shaders really lose is less.
-constexpr double kUlp = 0x1p-23;
-constexpr double kArithmeticUlps = 40;  // as many operations deep
-// Of n.h, which its power multiplies by the exponent: a unit normal, and one that is the product of an inverse matrix that
-// the driver has in floats.
-constexpr double kUnitCosineUlps = 1, kCosineUlps = 3;
-// Of the logarithm that a power is made of: it is multiplied by the exponent, and matters where n.h is greater than 1, for
-// then the power is the greatest term by far.
-constexpr double kLogarithmUlps = 5;
-// Of each of the two unit vectors whose sum is made unit to h_i: where they nearly cancel, the sum is as far off, but short.
-constexpr double kHalfVectorUlps = 1;
-
-// The shortest sum of the directions to a light and to the viewer: 2 at most.
-double shortest_half_vector(const Draw& draw, const Vertex& vertex) {
-    const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
-    const glm::dvec3 position_eye = glm::dvec3(at) / at.w;
-    const glm::dvec3 to_viewer =
-        draw.lighting.light_model.local_viewer ? glm::normalize(-position_eye) : glm::dvec3(0, 0, 1);
-    double shortest = 2;
-    for (const LightSource& light : draw.lighting.lights) {
-        if (!light.enabled) continue;
-        const glm::dvec3 direction(light.position_eye);
-        const double w = light.position_eye.w;
-        const glm::dvec3 to_light = glm::normalize(w == 0 ? direction : direction / w - position_eye);
-        shortest = std::min(shortest, glm::length(to_light + to_viewer));
-    }
-    return shortest;
-}
-
-double bar(const Draw& draw, const Vertex& vertex) {
-    const LightingState& lighting = draw.lighting;
-    const Materials materials =
-        draw.materials.empty() ? Materials{lighting.front, lighting.back} : draw.materials[vertex.material];
-    const double exponent = std::max(materials.front.shininess, materials.back.shininess);
-    const double of_half_vector = 2 * kHalfVectorUlps / shortest_half_vector(draw, vertex);
-    if (lighting.normalize) return kUlp * (kArithmeticUlps + (kUnitCosineUlps + of_half_vector) * exponent);
-    const glm::dvec3 normal_eye = glm::transpose(glm::inverse(glm::dmat3(draw.eye_from_object))) * vertex.normal_object;
-    const double length = lighting.rescale_normal ? 1 : std::max(1.0, glm::length(normal_eye));
-    return kUlp * (kArithmeticUlps + (kCosineUlps + of_half_vector + kLogarithmUlps * std::log(length)) * exponent);
-}
+static_assert(compare::kMostVertexScenes == Floats::kMostScenes);
 
 // ---- The comparison ----
 
 glm::dvec4 clamped(const glm::dvec4& color) { return glm::clamp(color, 0.0, 1.0); }
 
 // The largest difference of a channel, relative to the magnitude.
-void compare(PairFound& found, double bar, const Color& a, const Color& b, const glm::dvec4& magnitude,
+void compare(PairDifferences& found, double tolerance, const Color& a, const Color& b, const glm::dvec4& magnitude,
              const std::string& where) {
     ++found.compared;
     if (!a || !b) {
@@ -76,7 +39,7 @@ void compare(PairFound& found, double bar, const Color& a, const Color& b, const
         const double relative = std::abs((*a)[channel] - (*b)[channel]) / magnitude[channel];
         if (relative <= found.worst) continue;
         found.worst = std::isnan(relative) ? HUGE_VAL : relative;
-        if (relative <= bar) continue;
+        if (relative <= tolerance) continue;
         found.fails = true;
         found.what = fmt::format("{}, {}: {:.9g} and {:.9g}, {:.1e} of the terms' magnitude {:.3g}", where,
                                  std::array{"red", "green", "blue", "alpha"}.at(static_cast<std::size_t>(channel)),
@@ -84,43 +47,39 @@ void compare(PairFound& found, double bar, const Color& a, const Color& b, const
     }
 }
 
-Found judge(const CommandList& commands, const VertexScene& scene, const std::vector<Color>& fixed_colors,
-            const std::vector<Color>& shader_colors, const std::vector<std::string_view>& lifted) {
-    Found found;
-    const LeftOut left_out(commands, lifted);
+StateDifferences judge(const VertexScene& scene, const std::vector<Color>& fixed_colors,
+                       const std::vector<Color>& shader_colors, const compare::DeparturesOfScene& departures) {
+    StateDifferences found;
     const bool back = scene.shows_back();
-    const bool has_shaders =
-        !scene.draw().lighting.light_model.two_side || !draws_polygons(scene.draw().mode) || knows_faces_of_corners();
+    const bool has_shaders = !scene.draw().lighting.light_model.two_side || !draws_polygons(scene.draw().mode) ||
+                             compare::knows_faces_of_corners();
     const bool is_sum = scene.draw().lighting.light_model.color_control != kGL_SINGLE_COLOR;
     for (std::size_t i = 0; i < scene.lit.size(); ++i) {
-        const reference::LitVertex& lit = scene.lit[i];
-        const glm::dvec4 primary = back ? lit.back_primary : lit.front_primary;
-        const glm::dvec4 secondary = back ? lit.back_secondary : lit.front_secondary;
-        const glm::dvec4 magnitude = glm::max(back ? lit.back_magnitude : lit.front_magnitude, glm::dvec4(1e-30));
+        const FaceColors face = compare::face_colors(scene.lit[i], back);
+        const glm::dvec4 magnitude = glm::max(face.magnitude, glm::dvec4(1e-30));
         const glm::dvec4 at_least_1 = glm::max(magnitude, glm::dvec4(1));
-        const glm::dvec4 sum = color_sum(primary, secondary);
         const std::string where = fmt::format("vertex {}, {} face", i, back ? "back" : "front");
 
-        std::array<PairFound, kPairs> here;
-        const auto of = [&](Pair pair) -> PairFound& { return here[static_cast<std::size_t>(pair)]; };
-        const double bar_here = bar(scene.draw(), scene.draw().vertices[i]);
-        compare(of(Pair::kFixedReference), bar_here, fixed_colors[i], primary, magnitude, where);
-        compare(of(Pair::kProgrammableReference), bar_here, shader_colors[i], sum, at_least_1, where);
+        std::array<PairDifferences, kPairs> here;
+        const auto of = [&](RendererPair pair) -> PairDifferences& { return here[static_cast<std::size_t>(pair)]; };
+        const double tolerance = compare::vertex_tolerance(scene.draw(), scene.draw().vertices[i]);
+        compare(of(RendererPair::kFixedReference), tolerance, fixed_colors[i], face.primary, magnitude, where);
+        compare(of(RendererPair::kProgrammableReference), tolerance, shader_colors[i], face.sum(), at_least_1, where);
         if (!is_sum) {  // feedback returns the primary colour alone
             const Color fixed = fixed_colors[i] ? Color(clamped(*fixed_colors[i])) : Color();
-            compare(of(Pair::kFixedProgrammable), 2 * bar_here, fixed, shader_colors[i], at_least_1, where);
+            compare(of(RendererPair::kFixedProgrammable), 2 * tolerance, fixed, shader_colors[i], at_least_1, where);
         }
 
-        const Departure* departure = left_out.at(scene.draw(), scene.draw().vertices[i]);
+        const Departure* departure = departures.at(scene.draw(), scene.draw().vertices[i]);
         if (departure) {
             LeftOutCount& count = found.left_out[departure];
             ++count.cases;
-            count.differing += of(Pair::kFixedReference).fails;
+            count.differing += of(RendererPair::kFixedReference).fails;
         }
         for (std::size_t pair = 0; pair < kPairs; ++pair) {
-            if (!has_shaders && pair != static_cast<std::size_t>(Pair::kFixedReference)) continue;
+            if (!has_shaders && pair != static_cast<std::size_t>(RendererPair::kFixedReference)) continue;
             if (departure && (has_fixed(pair) || departure->leaves != Leaves::kFixedFunction)) continue;
-            PairFound& all = found.pairs[pair];
+            PairDifferences& all = found.pairs[pair];
             all.compared += here[pair].compared;
             if (here[pair].fails && !all.fails) all.what = here[pair].what;
             all.misses = all.misses || here[pair].misses;
@@ -134,28 +93,22 @@ Found judge(const CommandList& commands, const VertexScene& scene, const std::ve
 }  // namespace
 
 Floats::Floats(std::vector<std::string_view> lifted)
-    : lifted_(std::move(lifted)),
-      context_(make_offscreen_context(kShaderPicture, kShaderPicture, ColorBuffer::kFloat)) {
-    renderer_.emplace();
-}
+    : lifted_(std::move(lifted)), context_(compare::kShaderPicture, compare::kShaderPicture, ColorBuffer::kFloat) {}
 
-Floats::~Floats() {
-    context_->make_current();
-    renderer_.reset();
-}
-
-std::vector<Found> Floats::compare(std::span<const std::shared_ptr<const CommandList>> commands) {
-    context_->make_current();
-    std::vector<Found> found(commands.size());
+std::vector<StateDifferences> Floats::compare(std::span<const std::shared_ptr<const CommandList>> commands) {
+    context_.make_current();
+    const Driver driver = current_driver();
+    std::vector<StateDifferences> found(commands.size());
     std::vector<std::optional<VertexScene>> scenes;
     std::vector<std::vector<Color>> fixed(commands.size());
     for (std::size_t i = 0; i < commands.size(); ++i) {
-        scenes.push_back(make_vertex_scene(commands[i], found[i].error));
-        if (scenes.back()) fixed[i] = fixed_colors(*scenes.back());
+        scenes.push_back(compare::make_vertex_scene(commands[i], found[i].error));
+        if (scenes.back()) fixed[i] = compare::fixed_colors(*scenes.back());
     }
-    const std::vector<std::vector<Color>> shaders = shader_colors(scenes, *renderer_, {{kGlsOwnModel, 0}});
+    const std::vector<std::vector<Color>> shaders =
+        compare::shader_colors(scenes, context_.shaders(), {{compare::kGlsOwnModel, 0}});
     for (std::size_t i = 0; i < commands.size(); ++i) {
-        if (scenes[i]) found[i] = judge(*commands[i], *scenes[i], fixed[i], shaders[i], lifted_);
+        if (scenes[i]) found[i] = judge(*scenes[i], fixed[i], shaders[i], {*commands[i], driver, lifted_});
     }
     return found;
 }

@@ -4,29 +4,26 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
-#include "judge/fuzz/comparison.h"
-#include "render/context/context.h"
-#include "render/programmable/programmable.h"
+#include "judge/compare/shader_context.h"
+#include "judge/fuzz/differences.h"
 
 namespace twinlight::fuzz {
 
 class Floats {
   public:
+    // `lifted`: departures that are not left out.
     explicit Floats(std::vector<std::string_view> lifted);
-    ~Floats();
-    Floats(const Floats&) = delete;
-    Floats& operator=(const Floats&) = delete;
 
     // Scenes whose last Draw has three vertices or fewer, each in a corner of the view of its own. At most kMostScenes.
-    std::vector<Found> compare(std::span<const std::shared_ptr<const CommandList>> scenes);
+    std::vector<StateDifferences> compare(std::span<const std::shared_ptr<const CommandList>> scenes);
     static constexpr std::size_t kMostScenes = 1024;
 
   private:
     std::vector<std::string_view> lifted_;
-    std::unique_ptr<OffscreenContext> context_;
-    std::optional<programmable::Renderer> renderer_;  // dies before the context
+    compare::ShaderContext context_;
 };
 
 }  // namespace twinlight::fuzz

@@ -1,12 +1,11 @@
-#include "judge/fuzz/fragment_states.h"
-
+// Random scenes of what happens between vertices and pixels.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "judge/fuzz/random.h"
+#include "judge/fuzz/random_states.h"
 #include "scene/command/text.h"
 
 namespace twinlight::fuzz {

@@ -1,19 +1,31 @@
-#include "judge/fuzz/lighting_states.h"
-
+// Random lighting states.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "judge/compare/departures.h"
+#include "judge/fuzz/random_states.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::fuzz {
 
+std::string_view departure_of(const Seed& seed, Random& structure) {
+    const bool about_one = structure.chance(0.1);
+    const int which = structure.below(static_cast<int>(compare::departures().size()));
+    if (!seed.departure.empty()) return seed.departure;
+    return about_one ? compare::departures()[static_cast<std::size_t>(which)].name : std::string_view();
+}
+
 namespace {
 
-class LightingState : Writer {
+using Id = CommandId;
+
+class LightingState {
   public:
-    using Writer::Writer;
+    explicit LightingState(const Seed& seed)
+        : structure_(seed.structure), values_(seed.values), departure_(departure_of(seed, structure_)) {}
 
     CommandList build() {
         color_form_ = structure_.below(8);
@@ -38,6 +50,27 @@ class LightingState : Writer {
     }
 
   private:
+    void add(Id id, std::vector<double> arguments = {}) {
+        // Numbers are rounded to what the driver is given: floats.
+        const std::vector<Parameter>& parameters = signature(id).parameters;
+        if (!parameters.empty() && parameters.back().kind == Kind::kFloat) {
+            for (double& value : arguments) value = static_cast<double>(static_cast<float>(value));
+        }
+        list_.commands.push_back({id, std::move(arguments), {}});
+    }
+    bool shows(std::string_view departure) const { return departure_ == departure; }
+
+    // ---- Values ----
+    double uniform(double low, double high) { return values_.uniform(low, high); }
+    double coordinate() { return uniform(0.05, 1) * (values_.chance(0.5) ? 1 : -1); }
+    glm::dvec3 direction() { return glm::normalize(glm::dvec3(coordinate(), coordinate(), coordinate())); }
+
+    // ---- Structure ----
+    bool chance(double probability) { return structure_.chance(probability); }
+    Enum one_of(std::initializer_list<Enum> choices) {
+        return choices.begin()[structure_.below(static_cast<int>(choices.size()))];
+    }
+
     void color(Id id, std::vector<double> head = {}) {
         const bool has_negative = values_.chance(0.05);
         for (int i = 0; i < 4; ++i) head.push_back(uniform(has_negative ? -0.3 : 0, scale_));
@@ -322,8 +355,10 @@ class LightingState : Writer {
             const Enum face = of_back   ? kGL_BACK
                               : of_both ? kGL_FRONT_AND_BACK
                                         : one_of({kGL_FRONT, kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK});
-            vertex_materials_.emplace_back(
-                face, one_of({kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION, kGL_SHININESS}));
+            // Where the driver gets the back wrong, it is a product with a light's colour.
+            const Enum pname = of_back ? one_of({kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR})
+                                       : one_of({kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION, kGL_SHININESS});
+            vertex_materials_.emplace_back(face, pname);
         }
     }
 
@@ -362,6 +397,9 @@ class LightingState : Writer {
         add(Id::glEnd);
     }
 
+    Random structure_, values_;
+    std::string_view departure_;
+    CommandList list_;
     double scale_ = 1;
     glm::dmat4 clip_from_eye_{1}, eye_from_object_{1};
     std::vector<std::pair<Enum, Enum>> vertex_materials_;  // face, parameter

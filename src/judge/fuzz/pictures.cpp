@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "render/context/driver_name.h"
 #include "render/fixed/fixed.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
@@ -17,34 +18,28 @@ double codes(double difference) { return std::round(255 * difference); }
 
 }  // namespace
 
-Pictures::Pictures(std::vector<std::string_view> lifted)
-    : lifted_(std::move(lifted)), context_(make_offscreen_context(kSide, kSide)) {
-    renderer_.emplace();
+Pictures::Pictures(std::vector<std::string_view> lifted) : lifted_(std::move(lifted)), context_(kSide, kSide) {
     renderers_.fixed = fixed::render;
     renderers_.programmable = [this](const Frame& frame, const programmable::Options& options) {
-        return renderer_->render(frame, options);
+        return context_.shaders().render(frame, options);
     };
     renderers_.reference = reference::render;
     renderers_.allowed_difference = reference::allowed_difference;
 }
 
-Pictures::~Pictures() {
-    context_->make_current();
-    renderer_.reset();
-}
-
-Found Pictures::compare(const std::shared_ptr<const CommandList>& commands) {
-    Found found;
+StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& commands) {
+    StateDifferences found;
     try {
         const Scene scene = make_scene(commands, {.width = kSide, .height = kSide});
         if (!scene.frame.unsupported.empty()) {
             found.error = scene.frame.unsupported.front().name + " is not supported";
             return found;
         }
-        context_->make_current();
-        const report::Comparison comparison = report::compare_scene(
-            scene, {.driver = {}, .pictures = report::Pictures::kPerVertex, .budget = 0}, renderers_);
-        const Departure* departure = LeftOut(*commands, lifted_).in(scene.frame);
+        context_.make_current();
+        const compare::Comparison comparison =
+            compare::compare_scene(scene, {.budget = 0, .per_vertex_only = true}, renderers_);
+        const compare::Departure* departure =
+            compare::DeparturesOfScene(*commands, current_driver(), lifted_).in(scene.frame);
         bool departs = false;
         for (std::size_t pair = 0; pair < kPairs; ++pair) {  // in the same order
             const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_allowed;
@@ -52,8 +47,8 @@ Found Pictures::compare(const std::shared_ptr<const CommandList>& commands) {
             // the border of a rounding.
             const bool fails = beyond.max > comparison.tolerance.max;
             departs = departs || (fails && has_fixed(pair));
-            if (departure && (has_fixed(pair) || departure->leaves != Leaves::kFixedFunction)) continue;
-            PairFound& here = found.pairs[pair];
+            if (departure && (has_fixed(pair) || departure->leaves != compare::Leaves::kFixedFunction)) continue;
+            PairDifferences& here = found.pairs[pair];
             here.compared = static_cast<long>(beyond.pixels);
             here.differing = static_cast<long>(beyond.differing);
             here.worst = codes(beyond.max);

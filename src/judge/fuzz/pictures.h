@@ -2,30 +2,27 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
-#include "judge/fuzz/comparison.h"
-#include "judge/report/comparison.h"
-#include "render/context/context.h"
-#include "render/programmable/programmable.h"
+#include "judge/compare/comparison.h"
+#include "judge/compare/shader_context.h"
+#include "judge/fuzz/differences.h"
 
 namespace twinlight::fuzz {
 
 class Pictures {
   public:
+    // `lifted`: departures that are not left out.
     explicit Pictures(std::vector<std::string_view> lifted);
-    ~Pictures();
-    Pictures(const Pictures&) = delete;
-    Pictures& operator=(const Pictures&) = delete;
 
-    Found compare(const std::shared_ptr<const CommandList>& commands);
+    StateDifferences compare(const std::shared_ptr<const CommandList>& commands);
     static constexpr int kSide = 64;
 
   private:
     std::vector<std::string_view> lifted_;
-    std::unique_ptr<OffscreenContext> context_;
-    std::optional<programmable::Renderer> renderer_;  // dies before the context
-    report::Renderers renderers_;
+    compare::ShaderContext context_;
+    compare::Renderers renderers_;
 };
 
 }  // namespace twinlight::fuzz

@@ -2,27 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 
 namespace twinlight::fuzz {
 
-// xorshift64*: Vigna, "An experimental exploration of Marsaglia's xorshift generators, scrambled" (2016).
+// The engine's bits are the standard's own (rand.predef); its distributions are each library's, so that bits become numbers here.
 class Random {
   public:
-    explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ULL + 0x2545F4914F6CDD1DULL) {
-        for (int i = 0; i < 4; ++i) next();
-    }
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
     double uniform(double low, double high) { return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53; }
     int below(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
     bool chance(double probability) { return uniform(0, 1) < probability; }
-    std::uint64_t next() {
-        state_ ^= state_ >> 12;
-        state_ ^= state_ << 25;
-        state_ ^= state_ >> 27;
-        return state_ * 0x2545F4914F6CDD1DULL;
-    }
+    std::uint64_t next() { return engine_(); }
 
   private:
-    std::uint64_t state_;
+    std::mt19937_64 engine_;
 };
 
 }  // namespace twinlight::fuzz

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "judge/report/pages.h"
-
 namespace twinlight::report {
 
 namespace {

@@ -5,10 +5,20 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "base/image/file.h"
+
+namespace twinlight {
+
+// The files of src/judge/report/pages.
+extern const std::vector<EmbeddedFile> kPageFiles;
+
+}  // namespace twinlight
 
 namespace twinlight::report {
 
-// A file of src/judge/report/pages. Throws std::logic_error where there is none.
+// One of kPageFiles. Throws std::logic_error where there is none.
 std::string_view page_file(std::string_view name);
 
 // As text or an attribute's value.

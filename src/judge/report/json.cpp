@@ -1,10 +1,15 @@
 // comparison.json
 #include <nlohmann/json.hpp>
 
-#include "judge/report/comparison.h"
+#include "judge/report/report.h"
 #include "judge/report/words.h"
 
 namespace twinlight::report {
+
+using compare::Comparison;
+using compare::Pair;
+using compare::Render;
+using compare::Verdict;
 
 namespace {
 
@@ -47,6 +52,7 @@ std::string comparison_json(const Comparison& comparison) {
     }
     json["pairs"] = Json::array();
     for (const Pair& pair : comparison.pairs) json["pairs"].push_back(json_of(comparison, pair));
+    json["is_listed_driver"] = comparison.is_listed_driver;
     json["known_departures"] = comparison.known_departures;
     json["unsupported"] = Json::array();
     for (const Unsupported& unsupported : comparison.unsupported) {

@@ -4,7 +4,14 @@
 
 #include <cmath>
 
+#include "render/context/driver_name.h"
+
 namespace twinlight::report {
+
+using compare::Comparison;
+using compare::Pair;
+using compare::Tolerance;
+using compare::Verdict;
 
 std::string grouped(std::size_t number) {
     std::string digits = std::to_string(number);
@@ -70,10 +77,12 @@ std::vector<std::string> verdict_sentences(const Comparison& comparison) {
                                         share_of(judged), codes_of(judged.max), judged.worst_x, judged.worst_y,
                                         has_allowed_difference(pair) ? ", beyond the allowed difference" : ""));
     }
-    for (const std::string& departure : comparison.known_departures) {
-        sentences.push_back("Mesa 22.3 is known to leave the text in what this scene does: " + departure +
-                            "; see golden/known_differences.");
-    }
+    const Driver driver = parse_driver_name(comparison.driver);
+    for (const std::string& departure : comparison.known_departures)
+        sentences.push_back(
+            fmt::format("This scene does what {} of {} is known to get wrong: {}; see golden/known_differences.",
+                        driver.name, driver.version, departure));
+    if (!comparison.is_listed_driver) sentences.push_back("No known bugs are listed for this driver.");
     return sentences;
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "judge/study/model.h"
+#include "judge/study/lighting_change.h"
 #include "render/fixed/replay.h"
 #include "render/programmable/options.h"
 #include "render/reference/options.h"
@@ -15,16 +15,16 @@
 namespace twinlight::study {
 
 // Who draws; of the shaders, with which programs (programmable::Options).
-enum class Renderer : std::uint8_t { kFixed, kUniforms, kConstants, kPrecise, kReference };
+enum class Method : std::uint8_t { kFixed, kUniforms, kConstants, kPrecise, kReference };
 
 // What the driver draws into.
 enum class Target : std::uint8_t { kCodes, kFloats };
 
 struct Choice {
-    Renderer renderer = Renderer::kUniforms;
+    Method method = Method::kUniforms;
     Shading shading = Shading::kGouraud;
     int slices = 0;  // 0: as the scene has them, or none at all (exact surfaces)
-    Model model = Model::kWhole;
+    LightingChange lighting_change = LightingChange::kWhole;
     fixed::Sending sending = fixed::Sending::kBuffers;
     Target target = Target::kCodes;
     int samples = 1;                  // the side of a pixel's square of samples
@@ -63,14 +63,11 @@ struct Axis {
 };
 const std::vector<Axis>& axes();
 
-// All that are worth a look for this scene; `has_slices`: whether its meshes can be made finer or coarser; `coverage`: the
+// All that are worth a look for this scene (selection.cpp); `has_slices`: whether its meshes can be made finer or coarser; `coverage`: the
 // samples along a pixel's side that truth has.
 enum class Extent : std::uint8_t { kQuick, kFull };
 inline const char* name_of(Extent extent) { return extent == Extent::kQuick ? "quick" : "full"; }
 inline constexpr int kMostCoverage = 16;
-std::vector<Choice> choices(const Frame& frame, bool has_slices, Extent extent, int coverage = 1);
-
-// The same picture, `samples` times as wide and as high.
-Frame enlarged(const Frame& frame, int samples);
+std::vector<Choice> select_choices(const Frame& frame, bool has_slices, Extent extent, int coverage = 1);
 
 }  // namespace twinlight::study

@@ -37,7 +37,7 @@ const Point* fastest(const PointsOf& points, const Measure& measure, double most
 
 // By shaders in full simulation, so that meshes and shadings are compared, not models.
 bool is_whole(const Point& point, Shading shading) {
-    const Choice plain{.renderer = Renderer::kUniforms, .shading = shading, .slices = point.choice.slices};
+    const Choice plain{.method = Method::kUniforms, .shading = shading, .slices = point.choice.slices};
     return point.choice == plain;
 }
 

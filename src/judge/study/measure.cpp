@@ -51,6 +51,15 @@ Lab lab_of(const Rgba& pixel) {
 
 double Error::psnr_db() const { return rms > 0 ? -20 * std::log10(rms) : std::numeric_limits<double>::infinity(); }
 
+double quantile(std::vector<double> values, double part) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::ranges::sort(values);
+    const double place = part * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
 std::string Measure::demand_of(double target) const {
     return fmt::format(fmt::runtime(demand), target == kCode ? "1 code of 8 bits" : fmt::format("{:g}", target));
 }

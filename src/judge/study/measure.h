@@ -1,9 +1,10 @@
-// Errors of pictures: what is measured, and where.
+// Errors of pictures: what is measured, and where. What times come to.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/image/delta_e.h"
@@ -72,6 +73,10 @@ inline constexpr std::size_t kMeasureCount = std::size(kMeasures);
 // Where another shape is seen than in truth, or where one begins within a pixel, in either picture; row by row.
 std::vector<char> silhouettes(const std::vector<int>& seen, const std::vector<int>& seen_in_truth, int width,
                               int height);
+
+// Of times, a part of which is no longer: between the two nearest. NaN of none.
+double quantile(std::vector<double> values, double part);
+inline double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 // What pictures are held against.
 class Truth {

@@ -5,13 +5,9 @@
 #include <set>
 
 #include "judge/study/study.h"
+#include "render/context/driver_name.h"
 
 namespace twinlight::study {
-
-std::string short_name(const std::string& driver) {
-    const std::size_t end = driver.find("), ");
-    return end == std::string::npos ? driver.substr(0, driver.find(',')) : driver.substr(0, end + 1);
-}
 
 namespace {
 
@@ -22,13 +18,13 @@ void name_apart(std::vector<Series>& all) {
         for (std::size_t i = 0; i < all.size(); ++i) names.insert(all[i].name = name(all[i], i));
         return names.size() == all.size();
     };
-    const auto by_driver = [](const Series& series, std::size_t) { return short_name(series.driver); };
+    const auto by_driver = [](const Series& series, std::size_t) { return parse_driver_name(series.driver).renderer; };
     const auto by_provider = [](const Series& series, std::size_t) {
-        return short_name(series.driver) +
-               series.driver.substr(std::min(series.driver.rfind(", "), series.driver.size()));
+        const Driver driver = parse_driver_name(series.driver);
+        return driver.renderer + ", " + driver.provider;
     };
     const auto by_machine = [](const Series& series, std::size_t) {
-        return short_name(series.driver) + ", " + series.machine.processor;
+        return parse_driver_name(series.driver).renderer + ", " + series.machine.processor;
     };
     const auto by_number = [&](const Series& series, std::size_t i) {
         return fmt::format("{} ({})", by_machine(series, i), i + 1);

@@ -61,8 +61,6 @@ SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& render
 
 // The lights that it has, in their order.
 std::vector<std::string> lights_of(const SpectralStudy& study);
-// NaN of none.
-double median(std::vector<double> values);
 
 // Sentences of what was measured.
 std::vector<std::string> spectral_findings(const SpectralStudy& study);

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "judge/report/html.h"
+#include "judge/study/measure.h"
 #include "judge/study/spectral.h"
 
 namespace twinlight::study {
@@ -39,12 +39,6 @@ std::vector<std::string> lights_of(const SpectralStudy& study) {
     for (const PatchError& e : study.patches)
         if (lights.empty() || lights.back() != e.light) lights.push_back(e.light);
     return lights;
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
 }
 
 std::vector<std::string> spectral_findings(const SpectralStudy& study) {

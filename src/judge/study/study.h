@@ -79,7 +79,7 @@ struct Refused : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-struct Renderers {
+struct ChoiceRenderers {
     // Throws Refused: the choice is left out.
     std::function<Prepared(const Frame& frame, const Choice& choice)> prepare;
     // Which shape is seen at each pixel: render/reference/reference.h.
@@ -103,7 +103,7 @@ struct Settings {
 
 // `frame_of(n)`: the scene in n slices, 0 for as it is. Throws what the renderers throw. Who calls fills in the scene's name and
 // fingerprint, the machine and the driver.
-Study run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const Renderers& renderers,
+Study run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const ChoiceRenderers& renderers,
           const Settings& settings);
 
 // Several machines' studies of one scene in one. Throws MergeError where they are of different ones.
@@ -115,8 +115,6 @@ struct MergeError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 Study merged(std::vector<NamedStudy> studies);
-// "llvmpipe (LLVM 15.0.6, 256 bits)", without the versions that follow.
-std::string short_name(const std::string& driver);
 // Why the two cannot be held against each other: "of another scene"; empty where they can.
 std::string difference_of(const Study& a, const Study& b);
 
@@ -156,5 +154,10 @@ std::string study_csv(const Study& study);  // a line a point, the first names t
 std::string study_svg(const Study& study);
 // Self-contained: the plot, its points' pictures, a table to sort.
 std::string study_page(const Study& study);
+
+// All of these and the pictures into a folder: all files or none. Throws FileError.
+void write_study(const Study& study, const std::string& folder);
+// A study.json with the pictures that lie beside it; those that do not are left empty. Throws FileError, and as read_study().
+Study load_study(const std::string& file);
 
 }  // namespace twinlight::study

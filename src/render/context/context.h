@@ -25,9 +25,6 @@ std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height,
 
 std::string_view offscreen_provider();  // "OSMesa", "EGL"
 
-// "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6, OSMesa": GL_RENDERER, GL_VERSION, provider.
-std::string driver_name();
-
 // The colour buffer of the current context (the back buffer of a window), row 0 at the top.
 Image read_pixels(int width, int height);
 

@@ -1,3 +1,5 @@
+#include "render/context/driver_name.h"
+
 #include <fmt/format.h>
 
 #include "render/context/context.h"
@@ -12,5 +14,7 @@ std::string driver_name() {
     };
     return fmt::format("{}, {}, {}", text(GL_RENDERER), text(GL_VERSION), offscreen_provider());
 }
+
+Driver current_driver() { return parse_driver_name(driver_name()); }
 
 }  // namespace twinlight

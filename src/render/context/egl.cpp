@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "render/context/context.h"
+#include "render/context/driver_name.h"
 #include "render/context/gl.h"
 #include "render/context/softpipe.h"
 

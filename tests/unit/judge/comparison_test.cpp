@@ -1,5 +1,5 @@
 // Comparisons of stub renderers: which pictures are asked for, what is judged, what is written.
-#include "judge/report/comparison.h"
+#include "judge/compare/comparison.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,14 @@
 
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "judge/report/report.h"
 #include "judge/report/words.h"
+#include "scene/command/command.h"
 
 namespace twinlight::report {
 namespace {
+
+using namespace compare;
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -114,10 +118,11 @@ TEST(Comparison, DrawsPerVertexByGlsModelAndPhongByTheScenes) {
 TEST(Comparison, TellsItsProgressStepByStep) {
     Stub stub;
     int steps = 0;
-    compare_scene(empty_scene(), {}, stub.renderers(), [&](int done, int total, std::string_view) {
+    const auto count = [&](int done, int total, std::string_view) {
         EXPECT_EQ(done, steps++);
         EXPECT_EQ(total, 7);
-    });
+    };
+    compare_scene(empty_scene(), {.progress = count}, stub.renderers());
     EXPECT_EQ(steps, 7);
 }
 
@@ -202,22 +207,42 @@ TEST(Verdict, NamesThePairsThatDiffer) {
     EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kWithin);
     EXPECT_EQ(pair_named(comparison, "fixed ~ programmable-phong").verdict, Verdict::kInformative);
     const std::vector<std::string> sentences = verdict_sentences(comparison);
-    ASSERT_EQ(sentences.size(), 3U);
+    ASSERT_EQ(sentences.size(), 4U);
     EXPECT_EQ(sentences[1],
               "fixed ~ programmable: 1,170 of 1,170 interior pixels differ (100.00%), by up to 25/255 at (1, 0).");
 }
 
-TEST(Verdict, NamesKnownDeparturesWhereItIsBeyond) {
+// A wide line, which softpipe draws half a pixel too far along, and no other driver.
+TEST(Verdict, NamesWhatTheDriverIsKnownToGetWrongWhereItIsBeyond) {
+    Draw line;
+    line.mode = kGL_LINES;
+    line.vertices.resize(2);
+    line.raster.line_width = 5;
+    Scene scene = empty_scene();
+    scene.frame.items.emplace_back(line);
     Stub stub;
-    Comparison comparison = stub.compare();
-    comparison.known_departures = {"fog (3.10)"};
-    EXPECT_EQ(verdict_sentences(comparison).size(), 1U);
+    const auto compared = [&](const std::string& driver) {
+        return compare_scene(scene, {.driver = driver + ", EGL", .per_vertex_only = true}, stub.renderers());
+    };
+    const std::string softpipe = "softpipe, 3.3 (Compatibility Profile) Mesa 22.3.1";
+    EXPECT_EQ(verdict_sentences(compared(softpipe)).size(), 1U);
+    EXPECT_EQ(verdict_sentences(compared("a GPU, 4.6 Mesa 22.3.6")).size(), 1U);
     stub.fixed = 0.6F;
-    comparison = stub.compare();
-    comparison.known_departures = {"fog (3.10)"};
-    EXPECT_NE(verdict_sentences(comparison).back().find(": fog (3.10); see golden/known_differences."),
-              std::string::npos);
-    EXPECT_EQ(json::parse(comparison_json(comparison))["known_departures"], json({"fog (3.10)"}));
+    const Comparison beyond = compared(softpipe);
+    ASSERT_EQ(beyond.known_departures.size(), 1U);
+    EXPECT_TRUE(beyond.known_departures[0].starts_with("wide lines in softpipe (3.4.2: "));
+    EXPECT_EQ(verdict_sentences(beyond).back(), "This scene does what softpipe of Mesa 22.3.1 is known to get wrong: " +
+                                                    beyond.known_departures[0] + "; see golden/known_differences.");
+    EXPECT_EQ(json::parse(comparison_json(beyond))["known_departures"], json(beyond.known_departures));
+    EXPECT_EQ(json::parse(comparison_json(beyond))["is_listed_driver"], true);
+    for (const char* driver : {"a GPU, 4.6 Mesa 22.3.6", "softpipe, 3.3 (Compatibility Profile) Mesa 25.0.7", "?"}) {
+        const Comparison other = compared(driver);
+        EXPECT_EQ(other.known_departures.size(), 0U);
+        EXPECT_EQ(json::parse(comparison_json(other))["is_listed_driver"], false);
+        EXPECT_EQ(verdict_sentences(other).back(), "No known bugs are listed for this driver.");
+    }
+    const Comparison listed = compared("llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6");
+    EXPECT_TRUE(verdict_sentences(listed).back().starts_with("fixed ~ reference: "));
 }
 
 TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
@@ -389,8 +414,7 @@ TEST(Comparison, TakesTheBoundOfThePlansForAllowed) {
     stub.fixed = stub.reference = 128.3F / 255;  // 0.2 below the border
     stub.programmable = 129.0F / 255;
     const auto compared = [&](double budget) {
-        return compare_scene(scene, {.driver = {}, .pictures = Pictures::kPerVertex, .budget = budget},
-                             stub.renderers());
+        return compare_scene(scene, {.budget = budget, .per_vertex_only = true}, stub.renderers());
     };
     const Comparison within = compared(0.5 / 255);
     EXPECT_NEAR(error_bound(within.renders[1].plan), 0.4 / 255, 1e-9);

@@ -10,7 +10,7 @@
 #include <span>
 #include <sstream>
 
-#include "judge/study/tessellation.h"
+#include "judge/study/scene_of_choice.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
@@ -46,29 +46,30 @@ const std::string kRich =
 const LightingState& lighting_of(const Frame& frame) { return std::get<Draw>(frame.items[0]).lighting; }
 
 TEST(Choices, ChangeWhatTheSceneHasAndNothingElse) {
-    const auto has = [](const Frame& frame, Model model) {
-        return std::ranges::any_of(choices(frame, true, Extent::kQuick),
-                                   [&](const Choice& choice) { return choice.model == model; });
+    const auto has = [](const Frame& frame, LightingChange change) {
+        return std::ranges::any_of(select_choices(frame, true, Extent::kQuick),
+                                   [&](const Choice& choice) { return choice.lighting_change == change; });
     };
     const Frame plain = frame_of(kLit + "glutSolidSphere(1, 8, 8);"), rich = frame_of(kRich);
-    for (const ModelRow& model : models()) {
-        if (model.value == Model::kWhole || model.value == Model::kHalfVector) continue;
-        EXPECT_FALSE(has(plain, model.value)) << model.words;
-        EXPECT_TRUE(has(rich, model.value)) << model.words;
+    for (const LightingChangeRow& change : lighting_changes()) {
+        if (change.value == LightingChange::kWhole || change.value == LightingChange::kHalfVector) continue;
+        EXPECT_FALSE(has(plain, change.value)) << change.words;
+        EXPECT_TRUE(has(rich, change.value)) << change.words;
         // Nothing of it is left.
-        EXPECT_FALSE(has(with_model(rich, model.value), model.value)) << model.words;
+        EXPECT_FALSE(has(with_lighting_change(rich, change.value), change.value)) << change.words;
     }
-    EXPECT_EQ(lighting_of(with_model(rich, Model::kDirectional)).lights[0].position_eye,
+    EXPECT_EQ(lighting_of(with_lighting_change(rich, LightingChange::kDirectional)).lights[0].position_eye,
               glm::dvec4(1, 2, 3, 0));  // seen from the middle of the sphere
 }
 
 TEST(Choices, TurnHighlightsByHalfVectorIntoSuchByReflectionAndBack) {
-    const Frame rich = frame_of(kRich), reflecting = with_model(rich, Model::kReflection);
+    const Frame rich = frame_of(kRich), reflecting = with_lighting_change(rich, LightingChange::kReflection);
     EXPECT_EQ(lighting_of(reflecting).light_model.specular, Word::reflection);
     EXPECT_EQ(lighting_of(reflecting).front.shininess, 10);
-    EXPECT_TRUE(matters(reflecting, Model::kHalfVector));
-    EXPECT_EQ(lighting_of(with_model(reflecting, Model::kHalfVector)).light_model.specular, Word::half_vector);
-    EXPECT_EQ(lighting_of(with_model(reflecting, Model::kHalfVector)).front.shininess, 40);
+    EXPECT_TRUE(matters(reflecting, LightingChange::kHalfVector));
+    EXPECT_EQ(lighting_of(with_lighting_change(reflecting, LightingChange::kHalfVector)).light_model.specular,
+              Word::half_vector);
+    EXPECT_EQ(lighting_of(with_lighting_change(reflecting, LightingChange::kHalfVector)).front.shininess, 40);
 }
 
 // Where the light and the viewer are far, n.h is cos(a) where r.v is cos(2a): of which exponent are the lobes nearest to each
@@ -98,22 +99,22 @@ TEST(Choices, MatchTheExponentsOfHighlights) {
 TEST(Choices, RescaleOnlyWhereThatNormalizes) {
     const std::string sphere = "glutSolidSphere(1, 8, 8);";
     const auto rescales = [&](const std::string& before, const std::string& shape) {
-        return matters(frame_of(kLit + "glEnable(GL_NORMALIZE); " + before + shape), Model::kRescale);
+        return matters(frame_of(kLit + "glEnable(GL_NORMALIZE); " + before + shape), LightingChange::kRescale);
     };
     EXPECT_TRUE(rescales("", sphere));
     EXPECT_TRUE(rescales("glRotatef(30, 1, 2, 3); glScalef(2, 2, 2); ", sphere));
     EXPECT_FALSE(rescales("glScalef(2, 2, 1); ", sphere));
     EXPECT_FALSE(rescales("glScalef(2, 2, 1); glutSolidCube(1); glLoadIdentity(); ", sphere));
     EXPECT_FALSE(rescales("", "glBegin(GL_POINTS); glNormal3f(0, 0, 2); glVertex3f(0, 0, 0); glEnd();"));
-    EXPECT_FALSE(matters(frame_of(kLit + sphere), Model::kRescale));
+    EXPECT_FALSE(matters(frame_of(kLit + sphere), LightingChange::kRescale));
 }
 
 TEST(Choices, AreThereForWhatTheStudyAsks) {
     const auto count = [](const Frame& frame, Extent extent, int coverage, const auto& is) {
-        return std::ranges::count_if(choices(frame, true, extent, coverage), is);
+        return std::ranges::count_if(select_choices(frame, true, extent, coverage), is);
     };
     const Frame lit = frame_of(kRich), unlit = frame_of("glutSolidSphere(1, 8, 8);");
-    const auto is_precise = [](const Choice& choice) { return choice.renderer == Renderer::kPrecise; };
+    const auto is_precise = [](const Choice& choice) { return choice.method == Method::kPrecise; };
     const auto has_samples = [](const Choice& choice) { return choice.samples > 1; };
     EXPECT_GT(count(lit, Extent::kQuick, 1, is_precise), 0);
     EXPECT_EQ(count(unlit, Extent::kQuick, 1, is_precise), 0);
@@ -127,7 +128,7 @@ TEST(Choices, AreThereForWhatTheStudyAsks) {
 
 // Every axis gives back what it told, and no other value.
 TEST(Choices, AreWhatTheirAxesTell) {
-    for (const Choice& choice : choices(frame_of(kRich), true, Extent::kFull, 8)) {
+    for (const Choice& choice : select_choices(frame_of(kRich), true, Extent::kFull, 8)) {
         Choice read;
         for (const Axis& axis : axes()) ASSERT_TRUE(axis.set(read, axis.value(choice).key)) << axis.name;
         EXPECT_EQ(read, choice) << choice.words();
@@ -143,7 +144,7 @@ TEST(Choices, AreWhatTheirAxesTell) {
 
 TEST(Choices, HaveKeysOfTheirOwn) {
     std::set<std::string> keys;
-    const std::vector<Choice> all = choices(frame_of(kRich), true, Extent::kFull, 8);
+    const std::vector<Choice> all = select_choices(frame_of(kRich), true, Extent::kFull, 8);
     for (const Choice& choice : all) keys.insert(choice.key());
     EXPECT_EQ(keys.size(), all.size());
 }
@@ -163,8 +164,8 @@ double brightness(Shading shading) {
     return 0;
 }
 
-Renderers known_renderers() {
-    Renderers renderers;
+ChoiceRenderers known_renderers() {
+    ChoiceRenderers renderers;
     renderers.prepare = [](const Frame& /*frame*/, const Choice& choice) {
         return Prepared{[] {},
                         [shading = choice.shading] {
@@ -232,15 +233,15 @@ TEST(Study, TellsTheErrorsOfSilhouettesApart) {
 }
 
 TEST(Study, LeavesOutWhatIsRefused) {
-    Renderers renderers = known_renderers();
+    ChoiceRenderers renderers = known_renderers();
     const auto prepare = renderers.prepare;
     renderers.prepare = [&](const Frame& frame, const Choice& choice) {
-        if (choice.renderer == Renderer::kPrecise) throw Refused("no such programs");
+        if (choice.method == Method::kPrecise) throw Refused("no such programs");
         return prepare(frame, choice);
     };
     const Study study = run(known_frame, true, renderers, quick()), whole = known_study();
     EXPECT_LT(study.points.size(), whole.points.size());
-    for (const Point& point : study.points) EXPECT_NE(point.choice.renderer, Renderer::kPrecise);
+    for (const Point& point : study.points) EXPECT_NE(point.choice.method, Method::kPrecise);
 }
 
 // Ends after so many pieces of work.
@@ -295,7 +296,7 @@ TEST(Study, EndsWithWhatItHasAndGoesOnFromThere) {
 
 Point timed(Shading shading, int slices, double seconds, double rms, double max = 1) {
     Point point;
-    point.choice = {.renderer = Renderer::kUniforms, .shading = shading, .slices = slices};
+    point.choice = {.method = Method::kUniforms, .shading = shading, .slices = slices};
     point.seconds = {seconds, seconds, seconds};
     point.errors.whole = {.pixels = 64, .max = max, .rms = rms};
     return point;

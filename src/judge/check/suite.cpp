@@ -1,0 +1,399 @@
+#include "judge/check/suite.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <iterator>
+
+#include "judge/check/variants.h"
+#include "judge/compare/vertex_colors.h"
+#include "render/context/driver_name.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/lecture_variants.h"
+#include "scene/state/state.h"
+
+namespace twinlight::check {
+
+namespace {
+
+using compare::Color;
+
+// ---- What is asked ----
+
+// --precise follows GL's own model alone.
+bool is_asked(const ShaderVariant& variant, const Frame& frame) {
+    return !(variant.options.precise && has_variants(frame));
+}
+
+Enum driver_error() {
+    const Enum first = glGetError();
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    return first;
+}
+
+// ---- Judging ----
+
+bool is_finite(const glm::dvec4& color) {
+    return std::isfinite(color.r) && std::isfinite(color.g) && std::isfinite(color.b) && std::isfinite(color.a);
+}
+
+// What is right, and how nearly.
+struct Right {
+    Seen value, other;  // either
+    double tolerance = 0;
+};
+
+bool agree(const std::optional<Seen>& value, const Right& right) {
+    if (!value || value->index() != right.value.index()) return false;
+    if (const Enum* error = std::get_if<Enum>(&*value)) return *error == std::get<Enum>(right.value);
+    const auto near = [&](double a, double b) {
+        if (a == b || (std::isnan(a) && std::isnan(b))) return true;  // infinite ones too
+        return std::abs(a - b) <= right.tolerance * std::max(1.0, std::abs(b));
+    };
+    const auto &a = std::get<glm::dvec4>(*value), &b = std::get<glm::dvec4>(right.value),
+               &other = std::get<glm::dvec4>(right.other);
+    for (int i = 0; i < 4; ++i)
+        if (!near(a[i], b[i]) && !near(a[i], other[i])) return false;
+    return true;
+}
+
+std::optional<Seen> seen(const Color& color) { return color ? std::optional<Seen>(*color) : std::nullopt; }
+
+void worsen(Outcome& outcome, Outcome by) { outcome = std::max(outcome, by); }
+
+double float_tolerance(const Case& of) { return of.tolerance.value_or(kTolerance); }
+
+// Of what is calculated, or kept, in floats.
+Right of_floats(const Case& of, const Expectation& expected) {
+    return {expected.value, expected.other, float_tolerance(of)};
+}
+
+// Of what the reference calculates. Long double has one answer.
+Right of_reference(const Case& of, const Expectation& expected, Number number) {
+    const double floats = float_tolerance(of);
+    return {expected.value, number == Number::kLongDouble ? expected.value : expected.other,
+            number == Number::kFloat ? floats : std::min(floats, kWrittenTolerance)};
+}
+
+// What a renderer shows at each place of a case.
+using Shown = std::function<std::optional<Seen>(const Expectation&)>;
+
+// `error` is what glGetError tells behind it. Of what GL does not have it is not asked.
+void judge_fixed(const Case& of, const Frame& frame, const std::string& driver, Enum error, const Shown& shown,
+                 Result& result) {
+    if (has_variants(frame)) return;
+    if (!of.expects_error() && error != kGL_NO_ERROR) {  // whatever the specification leaves open
+        worsen(result.outcomes[static_cast<std::size_t>(Path::kFixed)], Outcome::kNew);
+        result.findings.push_back(
+            {Path::kFixed, "", Outcome::kNew, {.kind = Spot::Kind::kError, .shading = {}}, error, kGL_NO_ERROR, ""});
+    }
+    for (const Expectation& expected : of.expectations) {
+        if (expected.spot.shading) continue;
+        const std::optional<Seen> value =
+            expected.spot.kind == Spot::Kind::kError ? std::optional<Seen>(error) : shown(expected);
+        const auto listed = std::ranges::find_if(of.differs, [&](const Differs& differs) {
+            return differs.spot == expected.spot &&
+                   ::fnmatch(("*" + differs.driver + "*").c_str(), driver.c_str(), 0) == 0;
+        });
+        const bool agrees = agree(value, of_floats(of, expected));
+        Outcome outcome = Outcome::kPass;
+        std::string name;
+        if (listed != of.differs.end()) {
+            name = listed->name;
+            outcome = agrees                                                              ? Outcome::kVanished
+                      : agree(value, {listed->value, listed->value, float_tolerance(of)}) ? Outcome::kDeparts
+                                                                                          : Outcome::kNew;
+        } else if (!agrees) {
+            outcome = of.is_ruling ? Outcome::kRuling : Outcome::kNew;
+        }
+        worsen(result.outcomes[static_cast<std::size_t>(Path::kFixed)], outcome);
+        if (outcome != Outcome::kPass)
+            result.findings.push_back({Path::kFixed, "", outcome, expected.spot, value, expected.value, name});
+    }
+}
+
+void judge_own(Path path, std::string_view variant, const Spot& spot, const Right& right,
+               const std::optional<Seen>& value, Result& result) {
+    const glm::dvec4* color = value ? std::get_if<glm::dvec4>(&*value) : nullptr;
+    if (color && !is_finite(*color)) ++result.non_finite;
+    Outcome& outcome = result.outcomes[static_cast<std::size_t>(path)];
+    if (agree(value, right)) return worsen(outcome, Outcome::kPass);
+    worsen(outcome, Outcome::kNew);
+    result.findings.push_back({path, std::string(variant), Outcome::kNew, spot, value, right.value, ""});
+}
+
+// Twinlight's own, which shaders and the reference are spared.
+void judge_error(const Case& of, Enum error, Result& result) {
+    for (const Expectation& expected : of.expectations)
+        if (expected.spot.kind == Spot::Kind::kError)
+            judge_own(Path::kReference, "", expected.spot, of_floats(of, expected), error, result);
+}
+
+// The bar that holds whatever a case says of its tolerance. Not where floats may jump.
+void hold_to_long_double(const Expectation& expected, const Color& value, const glm::dvec4& exact, Result& result) {
+    for (int i = 0; i < 4 && value; ++i) {
+        if (std::get<glm::dvec4>(expected.value)[i] != std::get<glm::dvec4>(expected.other)[i]) continue;
+        const double off = std::abs((*value)[i] - exact[i]);
+        result.from_long_double = std::isnan(off) ? HUGE_VAL : std::max(result.from_long_double, off);
+    }
+}
+
+// As fragments have it.
+Right as_sum(Right right, const glm::dvec3& secondary) {
+    for (Seen* color : {&right.value, &right.other})
+        *color = compare::color_sum(std::get<glm::dvec4>(*color), glm::dvec4(secondary, 0));
+    return right;
+}
+
+// What the vertices of a Draw have in long double, as fragments have it.
+std::vector<glm::dvec4> sums_in_long_double(const Draw& draw, bool back) {
+    std::vector<glm::dvec4> sums;
+    for (const reference::LitVertex& vertex : reference::light_vertices(draw, long_double().options, false))
+        sums.push_back(compare::face_colors(vertex, back).sum());
+    return sums;
+}
+
+// The same as a shading shows them, which need not be what GL's own does. Phong makes each fragment's normal unit; flat
+// shading shows the provoking vertex of a polygon (2.14.7, table 2.12).
+std::vector<glm::dvec4> sums_in_long_double(const compare::VertexScene& scene, std::optional<Shading> shading) {
+    Draw draw = scene.draw();
+    draw.lighting.normalize |= shading == Shading::kPhong;
+    std::vector<glm::dvec4> sums = sums_in_long_double(draw, scene.shows_back());
+    if (shading == Shading::kFlat && draws_polygons(draw.mode))
+        std::ranges::fill(sums, glm::dvec4(draw.mode == kGL_POLYGON ? sums.front() : sums.back()));
+    return sums;
+}
+
+void judge_reference(const Case& of, const compare::VertexScene& scene, Result& result) {
+    const bool back = scene.shows_back();
+    for (const ReferenceVariant& variant : reference_variants()) {
+        const std::vector<reference::LitVertex> lit = reference::light_vertices(scene.draw(), variant.options, false);
+        for (const Expectation& expected : of.expectations) {
+            if (expected.spot.kind != Spot::Kind::kVertex) continue;
+            const compare::FaceColors face =
+                compare::face_colors(lit.at(static_cast<std::size_t>(expected.spot.vertex)), back);
+            const Right right = of_reference(of, expected, variant.options.arithmetic.number);
+            const glm::dvec4 right_secondary(expected.secondary, 1);
+            judge_own(Path::kReference, variant.name, expected.spot, right, face.primary, result);
+            judge_own(Path::kReference, variant.name + " secondary", expected.spot,
+                      {right_secondary, right_secondary, right.tolerance}, glm::dvec4(glm::dvec3(face.secondary), 1),
+                      result);
+        }
+    }
+}
+
+void judge_shaders(const Case& of, const compare::VertexScene& scene, const ShaderVariant& variant,
+                   const std::vector<Color>& colors, Result& result) {
+    const std::vector<glm::dvec4> of_gl = sums_in_long_double(scene, {});
+    const std::vector<glm::dvec4> exact = sums_in_long_double(scene, variant.options.shading);
+    for (const Expectation& expected : of.expectations) {
+        if (expected.spot.kind != Spot::Kind::kVertex) continue;
+        const auto vertex = static_cast<std::size_t>(expected.spot.vertex);
+        hold_to_long_double(expected, colors.at(vertex), exact.at(vertex), result);
+        if (glm::length(exact[vertex] - of_gl[vertex]) > kWrittenTolerance) continue;  // not what GL has there
+        judge_own(Path::kProgrammable, variant.name, expected.spot, as_sum(of_floats(of, expected), expected.secondary),
+                  seen(colors[vertex]), result);
+    }
+}
+
+long non_finite_pixels(const Image& image) {
+    return std::ranges::count_if(image.pixels, [](const Rgba& pixel) {
+        return !std::ranges::all_of(pixel, [](auto channel) { return std::isfinite(channel); });
+    });
+}
+
+glm::dvec4 color_at(const Image& image, const Spot& spot) {
+    const Rgba& pixel = image.at(spot.x, spot.y);
+    return {pixel[0], pixel[1], pixel[2], pixel[3]};
+}
+
+struct Picture {
+    Path path;
+    std::string variant;
+    std::optional<Shading> shading;
+    Number number;  // of the reference
+    Image image;
+};
+
+bool is_of(const Spot& spot, const Picture& picture) {
+    return spot.kind == Spot::Kind::kPixel && spot.shading == picture.shading;
+}
+
+// What a picture shows where the case expects something of this shading.
+void judge_picture(const Case& of, const Picture& picture, Result& result) {
+    result.non_finite += non_finite_pixels(picture.image);
+    for (const Expectation& expected : of.expectations) {
+        if (!is_of(expected.spot, picture)) continue;
+        const Right right =
+            picture.path == Path::kReference ? of_reference(of, expected, picture.number) : of_floats(of, expected);
+        judge_own(picture.path, picture.variant, expected.spot, right, color_at(picture.image, expected.spot), result);
+    }
+}
+
+void hold_to_long_double(const Case& of, const std::vector<Picture>& pictures, Result& result) {
+    for (const Picture& exact : pictures) {
+        if (exact.path != Path::kReference || exact.number != Number::kLongDouble) continue;
+        for (const Picture& picture : pictures) {
+            if (picture.path != Path::kProgrammable) continue;
+            for (const Expectation& e : of.expectations)
+                if (is_of(e.spot, exact) && is_of(e.spot, picture))
+                    hold_to_long_double(e, color_at(picture.image, e.spot), color_at(exact.image, e.spot), result);
+        }
+    }
+}
+
+// The pictures of a case: those of its shadings, by all numbers and tiers of each.
+std::vector<Picture> pictures_of(const Case& of, const Frame& frame, programmable::Renderer& renderer) {
+    std::vector<std::optional<Shading>> shadings;
+    for (const Expectation& expected : of.expectations) {
+        if (expected.spot.kind == Spot::Kind::kPixel &&
+            std::ranges::find(shadings, expected.spot.shading) == shadings.end())
+            shadings.push_back(expected.spot.shading);
+    }
+    std::vector<Picture> shown, exact;
+    for (const std::optional<Shading>& shading : shadings) {
+        const std::string suffix = shading ? std::string(" ") + name_of(*shading) : "";
+        for (ShaderVariant variant : shader_variants()) {
+            if (variant.options.shading || (variant.options.precise && shading) || !is_asked(variant, frame)) continue;
+            variant.options.shading = shading;
+            shown.push_back({Path::kProgrammable,
+                             variant.name + suffix,
+                             shading,
+                             {},
+                             renderer.render(frame, variant.options).image});
+        }
+        for (ReferenceVariant variant : reference_variants()) {
+            variant.options.shading = shading;
+            exact.push_back({Path::kReference, variant.name + suffix, shading, variant.options.arithmetic.number,
+                             reference::render(frame, variant.options)});
+        }
+    }
+    std::ranges::move(exact, std::back_inserter(shown));
+    return shown;
+}
+
+}  // namespace
+
+std::string_view word_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::kNotAsked: return "not asked";
+        case Outcome::kPass: return "pass";
+        case Outcome::kRuling: return "ruling";
+        case Outcome::kDeparts: return "departs";
+        case Outcome::kNew: return "NEW";
+        case Outcome::kVanished: return "VANISHED";
+    }
+    return "";
+}
+
+std::string finding_text(const Case& of, const Finding& finding) {
+    std::string text = fmt::format("{}{}{}, {}: {}, ", name_of(finding.path), finding.variant.empty() ? "" : " ",
+                                   finding.variant, finding.spot.str(), text_of(finding.value));
+    if (finding.outcome == Outcome::kVanished)
+        return text + "as the text says; the case lists another: " + finding.name;
+    text += (finding.outcome == Outcome::kRuling ? "ruled " : "expected ") + text_of(finding.expected);
+    if (finding.outcome != Outcome::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
+    return text;
+}
+
+bool Result::fails() const {
+    return !error.empty() || non_finite > 0 || from_long_double > kTolerance ||
+           std::ranges::any_of(outcomes, is_failure);
+}
+
+Suite::Suite()
+    : context_(compare::kShaderPicture, compare::kShaderPicture, ColorBuffer::kFloat), driver_(driver_name()) {}
+
+std::vector<Result> Suite::run(std::span<const Case> cases) {
+    context_.make_current();
+    std::vector<Result> results(cases.size());
+    run_vertices(cases, results);
+    run_pictures(cases, results);
+    return results;
+}
+
+void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& results) {
+    std::vector<std::optional<compare::VertexScene>> scenes(cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const Case& of = cases[i];
+        if (!of.is_of_vertices()) continue;
+        try {
+            CarriedOut given = of.carried_out(compare::kVertexWindow);
+            judge_error(of, given.error, results[i]);
+            scenes[i] = compare::make_vertex_scene(std::move(given.scene), results[i].error);
+        } catch (const SceneError& refused) {
+            results[i].error = refused.what();
+        }
+        if (!scenes[i]) continue;
+        for (const Expectation& expected : of.expectations) {
+            if (static_cast<std::size_t>(expected.spot.vertex) >= scenes[i]->lit.size())
+                results[i].error = "the last primitive has no " + expected.spot.str();
+        }
+        if (!results[i].error.empty()) {
+            scenes[i].reset();
+            continue;
+        }
+        driver_error();
+        const std::vector<Color> fixed = compare::fixed_colors(*scenes[i]);
+        judge_fixed(
+            of, scenes[i]->scene.frame, driver_, driver_error(),
+            [&](const Expectation& expected) { return seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex))); },
+            results[i]);
+        judge_reference(of, *scenes[i], results[i]);
+    }
+    for (const ShaderVariant& variant : shader_variants()) {
+        const auto colors = compare::shader_colors(scenes, context_.shaders(), variant.options);
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            if (!scenes[i] || (scenes[i]->shows_back() && !compare::knows_faces_of_corners())) continue;
+            if (is_asked(variant, scenes[i]->scene.frame))
+                judge_shaders(cases[i], *scenes[i], variant, colors[i], results[i]);
+        }
+    }
+}
+
+void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& results) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const Case& of = cases[i];
+        Result& result = results[i];
+        if (of.is_of_vertices()) continue;
+        try {
+            const auto [scene, error] = of.carried_out(kSide);
+            const Frame& frame = scene.frame;
+            judge_error(of, error, result);
+            driver_error();
+            const Image fixed = fixed::render(scene);
+            judge_fixed(
+                of, frame, driver_, driver_error(),
+                [&](const Expectation& expected) { return Seen(color_at(fixed, expected.spot)); }, result);
+            result.pictures.emplace_back("fixed", fixed);
+            std::vector<Picture> pictures = pictures_of(of, frame, context_.shaders());
+            for (const Picture& picture : pictures) judge_picture(of, picture, result);
+            hold_to_long_double(of, pictures, result);
+            for (Picture& picture : pictures)
+                result.pictures.emplace_back(fmt::format("{} {}", name_of(picture.path), picture.variant),
+                                             std::move(picture.image));
+        } catch (const SceneError& refused) {
+            result.error = refused.what();
+        }
+    }
+}
+
+void Suite::draw_vertices(const Case& of, Result& result) {
+    if (!of.is_of_vertices() || !result.error.empty()) return;
+    context_.make_current();
+    const Scene scene = of.carried_out(kVertexSide).scene;
+    if (!has_variants(scene.frame)) result.pictures.emplace_back("fixed", fixed::render(scene));
+    result.pictures.emplace_back("programmable", context_.shaders().render(scene.frame, plain().options).image);
+    result.pictures.emplace_back("reference", reference::render(scene.frame, {}));
+}
+
+}  // namespace twinlight::check

@@ -1,0 +1,176 @@
+// Which pictures are drawn, which are held against each other, and what they are held to.
+#include "judge/compare/comparison.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include "judge/compare/allowed_difference.h"
+#include "judge/compare/departures.h"
+
+namespace twinlight::compare {
+
+namespace {
+
+struct PlannedRender {
+    Path path;
+    bool per_pixel;  // with the lecture's variants
+    const char* name;
+    const char* meaning;
+
+    bool by_driver() const { return path != Path::kReference; }
+};
+constexpr std::array kRenders = {
+    PlannedRender{Path::kFixed, false, "fixed",
+                  "The driver's fixed function carries the commands out. It lights vertices."},
+    PlannedRender{Path::kProgrammable, false, "programmable",
+                  "Shaders on the same driver light vertices by GL's model."},
+    PlannedRender{Path::kReference, false, "reference",
+                  "The specification's equation in double precision, no driver. It lights vertices."},
+    PlannedRender{Path::kProgrammable, true, "programmable-phong",
+                  "Shaders light every pixel and follow the scene's pragmas."},
+    PlannedRender{Path::kReference, true, "reference-phong",
+                  "The reference lights every pixel and follows the scene's pragmas."},
+};
+// Of exact surfaces, in the place of phong's.
+constexpr std::array kExactRenders = {
+    PlannedRender{Path::kProgrammable, true, "programmable-exact",
+                  "Shaders cast a ray through every pixel at the surfaces that curved shapes stand for."},
+    PlannedRender{Path::kReference, true, "reference-exact",
+                  "The reference casts a ray through every pixel at the surfaces that curved shapes stand for."},
+};
+constexpr const char* kPreciseMeaning =
+    "Shaders light vertices by GL's model, in the order of operations of Mesa's fixed function.";
+
+// The per-vertex pictures follow GL's own model.
+Look look_of(bool per_pixel, const CompareOptions& options) {
+    if (per_pixel) return {.shading = options.per_pixel, .lecture_variants = true};
+    return {.shading = std::nullopt, .lecture_variants = false};
+}
+
+constexpr std::size_t kReference = 2, kReferencePhong = 4;
+
+struct PlannedPair {
+    std::size_t a, b;  // into kRenders
+    bool judged;
+    bool phong = false;  // both
+};
+constexpr std::array kPairs = {
+    PlannedPair{0, 1, true},       PlannedPair{0, 2, true},  PlannedPair{1, 2, true},
+    PlannedPair{3, 4, true, true}, PlannedPair{0, 3, false},  // what GL's lighting of vertices cannot show
+};
+
+bool is_of_drivers(const PlannedPair& pair) { return kRenders[pair.a].by_driver() && kRenders[pair.b].by_driver(); }
+
+// What the driver draws with is drawn twice and the second is timed, for in the first the driver compiles.
+template <class Draw>
+auto timed(bool twice, double& ms, const Draw& draw) {
+    using Clock = std::chrono::steady_clock;
+    if (twice) draw();
+    const Clock::time_point start = Clock::now();
+    auto picture = draw();
+    ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return picture;
+}
+
+Render render(const PlannedRender& planned, const Scene& scene, const CompareOptions& options,
+              const Renderers& renderers) {
+    Render result{.path = planned.path, .name = planned.name, .meaning = planned.meaning, .image = {}};
+    const Look look = look_of(planned.per_pixel, options);
+    const bool twice = planned.by_driver() && !options.per_vertex_only;
+    switch (planned.path) {
+        case Path::kFixed:
+            result.image = timed(twice, result.ms, [&] { return renderers.fixed(scene, {look.shading}); });
+            break;
+        case Path::kProgrammable: {
+            programmable::Options shaders{{look, options.budget}};
+            shaders.precise = options.precise && !planned.per_pixel;
+            if (shaders.precise) result.meaning = kPreciseMeaning;
+            programmable::Picture picture =
+                timed(twice, result.ms, [&] { return renderers.programmable(scene.frame, shaders); });
+            result.image = std::move(picture.image);
+            if (!shaders.precise) result.plan = explain(std::move(picture.plans));
+            break;
+        }
+        case Path::kReference:
+            result.image =
+                timed(twice, result.ms, [&] { return renderers.reference(scene.frame, reference::Options{look}); });
+            if (reference::has_quadrilaterals(scene.frame))
+                result.other_cut = renderers.reference(scene.frame, {look, reference::QuadCut::kSecondToFourth});
+            break;
+    }
+    return result;
+}
+
+}  // namespace
+
+Image Comparison::counterpart(const Pair& pair) const {
+    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, allowed.channels)
+                             : b(pair).image;
+}
+
+Comparison compare_scene(const Scene& scene, const CompareOptions& options, const Renderers& renderers) {
+    constexpr int kSteps = static_cast<int>(kRenders.size()) + 2;
+    int done = 0;
+    const auto begin_step = [&](std::string_view name) {
+        if (options.progress) options.progress(done++, kSteps, name);
+    };
+
+    Comparison result;
+    const Frame& frame = scene.frame;
+    const bool all = !options.per_vertex_only;
+    result.scene = scene.name();
+    result.driver = options.driver;
+    result.width = frame.width;
+    result.height = frame.height;
+    result.unsupported = frame.unsupported;
+    for (std::size_t i = 0; i < kRenders.size(); ++i) {
+        const bool exact = kRenders[i].per_pixel && options.per_pixel == Shading::kExact;
+        const PlannedRender& planned =
+            exact ? kExactRenders[i - (kRenders.size() - kExactRenders.size())] : kRenders[i];
+        if (planned.per_pixel && !all) continue;
+        begin_step(planned.name);
+        result.renders.push_back(render(planned, scene, options, renderers));
+    }
+    begin_step("edges");
+    const auto freedom_of = [&](bool per_pixel) {
+        return renderers.allowed_difference(frame, reference::Options{look_of(per_pixel, options)});
+    };
+    result.allowed = freedom_of(false);
+    AllowedDifference of_phong = all ? freedom_of(true) : result.allowed;
+    for (std::size_t i = 0; i < result.allowed.edge.size(); ++i) {  // one mask for all pairs
+        result.allowed.edge[i] = of_phong.edge[i] = result.allowed.edge[i] || of_phong.edge[i];
+    }
+
+    allow_ties(result.allowed, result.renders[kReference].image);
+    if (all) allow_ties(of_phong, result.renders[kReferencePhong].image);
+
+    begin_step("differences");
+    const AllowedDifference of_drivers = allowed_of_drivers(result.allowed, result.renders[kReference]);
+    for (const PlannedPair& planned : kPairs) {
+        if (kRenders[planned.b].per_pixel && !all) continue;
+        Pair pair;
+        pair.a = planned.a;
+        pair.b = planned.b;
+        const AllowedDifference& allowed = is_of_drivers(planned) ? of_drivers
+                                           : planned.phong        ? of_phong
+                                                                  : result.allowed;
+        pair.difference = difference(result.a(pair).image, result.counterpart(pair),
+                                     with_plans(allowed, result.a(pair), result.b(pair),
+                                                result.renders[planned.phong ? kReferencePhong : kReference]));
+        if (planned.judged) pair.verdict = judge(result, pair);
+        // The interior is what is judged; an edge pixel that is wholly different must not darken it.
+        pair.factor = amplification_for(pair.difference.interior.max);
+        result.pairs.push_back(pair);
+    }
+    const Driver driver = parse_driver_name(options.driver);
+    result.is_listed_driver = is_listed(driver);
+    if (!result.within_tolerance())
+        for (const Departure* departure : known_departures_in(scene, driver))
+            result.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
+    return result;
+}
+
+}  // namespace twinlight::compare

@@ -1,0 +1,242 @@
+// Departures that show in the order of a scene's commands. A rule sees a command after the other and keeps as little as the
+// driver's state machine would: a recording may be longer than memory.
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "judge/compare/departure_rules.h"
+#include "scene/state/attributes.h"
+
+namespace twinlight::compare {
+
+namespace {
+
+using Id = CommandId;
+
+bool is_one_of(const Command& command, std::initializer_list<std::string_view> prefixes) {
+    return std::ranges::any_of(prefixes, [&](std::string_view prefix) { return command.name().starts_with(prefix); });
+}
+
+bool enables_color_material(const Command& command) {
+    return command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL;
+}
+
+bool lights_two_sides(const Command& command) {
+    return command.name().starts_with("glLightModel") && command.enumerant(0) == kGL_LIGHT_MODEL_TWO_SIDE &&
+           command.number(1) != 0;
+}
+
+// Of glMaterial; others are errors, and change nothing.
+bool is_material_parameter(Enum pname) {
+    return pname == kGL_AMBIENT || pname == kGL_DIFFUSE || pname == kGL_SPECULAR || pname == kGL_EMISSION ||
+           pname == kGL_SHININESS || pname == kGL_AMBIENT_AND_DIFFUSE || pname == kGL_COLOR_INDEXES;
+}
+
+// A command of which `shows` is true, anywhere.
+template <typename Shows>
+CommandRule any_command(Shows shows) {
+    return [shows, found = false](const Command& command) mutable { return found = shows(command) || found; };
+}
+
+// Both, wherever in the scene.
+CommandRule both(CommandRule first, CommandRule second) {
+    return [first = std::move(first), second = std::move(second)](const Command& command) {
+        const bool a = first(command), b = second(command);
+        return a && b;
+    };
+}
+
+// Such a command between a glPushAttrib whose mask has one of `bits`, and none of `without`, and its glPopAttrib.
+template <typename IsIt>
+CommandRule inside_push(Enum bits, Enum without, IsIt is_it) {
+    return any_command([=, masks = std::vector<Enum>()](const Command& command) mutable {
+        if (command.id == Id::glPushAttrib && masks.size() < kAttributeStackDepth)
+            masks.push_back(command.enumerant(0));
+        if (command.id == Id::glPopAttrib && !masks.empty()) masks.pop_back();
+        const bool saved =
+            std::ranges::any_of(masks, [&](Enum mask) { return (mask & bits) != 0 && (mask & without) == 0; });
+        return saved && is_it(command);
+    });
+}
+
+// The parameters of a material that varies from vertex to vertex, by side and by what varies it (2.14.2, 2.14.3).
+class VaryingMaterials {
+  public:
+    void see(const Command& command) {
+        if (command.id == Id::glBegin || command.id == Id::glEnd) inside_ = command.id == Id::glBegin;
+        if (command.id == Id::glColorMaterial) {
+            tracking_face_ = command.enumerant(0);
+            tracked_ = command.enumerant(1);
+        }
+        if (enables_color_material(command)) insert(tracking_face_, tracked_, kByColor);
+        if (!inside_ || !command.name().starts_with("glMaterial")) return;
+        has_values_of_one_side_ |= command.enumerant(0) != kGL_FRONT_AND_BACK;
+        insert(command.enumerant(0), command.enumerant(1), kByMaterial);
+    }
+
+    // The back's has some, and they are not the front's: set by glMaterial of one side, or in another way, or the front's
+    // are others.
+    bool has_sides_apart() const { return apart_; }
+
+  private:
+    enum Way { kByMaterial, kByColor };
+    using Parameters = std::set<std::pair<Enum, Way>>;
+
+    void insert(Enum face, Enum pname, Way way) {
+        if (!is_material_parameter(pname)) return;
+        if (pname == kGL_AMBIENT_AND_DIFFUSE) {
+            insert(face, kGL_AMBIENT, way);
+            return insert(face, kGL_DIFFUSE, way);
+        }
+        if (face != kGL_BACK) front_.emplace(pname, way);
+        if (face != kGL_FRONT) back_.emplace(pname, way);
+        apart_ = are_apart(without_tracked(front_), without_tracked(back_));
+    }
+    // What tracks the colour is not changed by glMaterial.
+    static Parameters without_tracked(const Parameters& side) {
+        Parameters left = side;
+        for (const auto& [pname, way] : side)
+            if (way == kByColor) left.erase({pname, kByMaterial});
+        return left;
+    }
+    bool are_apart(const Parameters& front, const Parameters& back) const {
+        const auto is_by_material = [](const auto& one) { return one.second == kByMaterial; };
+        const bool back_has_any = std::ranges::any_of(back, is_by_material);
+        const bool any_material = back_has_any || std::ranges::any_of(front, is_by_material);
+        return any_material && !back.empty() && (front != back || (back_has_any && has_values_of_one_side_));
+    }
+
+    Parameters front_, back_;
+    Enum tracking_face_ = kGL_FRONT_AND_BACK, tracked_ = kGL_AMBIENT_AND_DIFFUSE;
+    bool inside_ = false, has_values_of_one_side_ = false, apart_ = false;
+};
+
+}  // namespace
+
+CommandRule mixes_glcolor3_and_4() {
+    return any_command([has_4 = false](const Command& command) mutable {
+        has_4 = has_4 || command.name().starts_with("glColor4");
+        return has_4 && command.name().starts_with("glColor3");
+    });
+}
+
+CommandRule mixes_tex_coords() {
+    return any_command([has_4 = false](const Command& command) mutable {
+        if (!command.name().starts_with("glTexCoord")) return false;
+        const char form = command.name()[10];  // glTexCoord2f: 2; glTexCoordPointer: P
+        has_4 = has_4 || form == '4';
+        return has_4 && form != '4' && form != 'P';
+    });
+}
+
+CommandRule sets_material_before_pop() {
+    return inside_push(kGL_LIGHTING_BIT, 0,
+                       [](const Command& command) { return command.name().starts_with("glMaterial"); });
+}
+
+// The same glShadeModel before and after a glPopAttrib of one list.
+CommandRule shades_after_pop_in_list() {
+    struct InList {
+        bool in_list = false, popped = false;
+        bool before_flat = false, before_smooth = false;
+    };
+    return any_command([list = InList()](const Command& command) mutable {
+        if (command.id == Id::glNewList) list = {.in_list = true};
+        if (command.id == Id::glEndList) list.in_list = false;
+        if (command.id == Id::glPopAttrib) list.popped = list.in_list && (list.before_flat || list.before_smooth);
+        if (command.id != Id::glShadeModel) return false;
+        bool& before = command.enumerant(0) == kGL_FLAT ? list.before_flat : list.before_smooth;
+        const bool again = list.popped && before;
+        before = before || list.in_list;
+        return again;
+    });
+}
+
+CommandRule switches_lights_before_pop() {
+    return inside_push(kGL_ENABLE_BIT, kGL_LIGHTING_BIT, [](const Command& command) {
+        return (command.id == Id::glEnable || command.id == Id::glDisable) && command.enumerant(0) >= kGL_LIGHT0 &&
+               command.enumerant(0) < kGL_LIGHT0 + kMaxLights;
+    });
+}
+
+CommandRule generates_mipmaps_after_pop() {
+    return inside_push(kGL_TEXTURE_BIT, 0, [](const Command& command) {
+        return command.name().starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP;
+    });
+}
+
+CommandRule restores_tracked_color() {
+    return both(any_command(enables_color_material), inside_push(kGL_CURRENT_BIT, 0, [](const Command& command) {
+                    return command.name().starts_with("glColor");
+                }));
+}
+
+CommandRule sets_sides_apart() {
+    return both(any_command(lights_two_sides), [materials = VaryingMaterials()](const Command& command) mutable {
+        materials.see(command);
+        return materials.has_sides_apart();
+    });
+}
+
+// A parameter of both sides' material that the first vertex of a glBegin does not have, but a later one.
+CommandRule sets_both_sides_after_vertex() {
+    return both(any_command(lights_two_sides),
+                any_command([set = std::set<Enum>(), has_vertex = false](const Command& command) mutable {
+                    if (command.id == Id::glBegin) {
+                        set.clear();
+                        has_vertex = false;
+                    }
+                    if (command.name().starts_with("glVertex")) {
+                        has_vertex = true;
+                        return false;
+                    }
+                    if (!command.name().starts_with("glMaterial") || command.enumerant(0) != kGL_FRONT_AND_BACK ||
+                        !is_material_parameter(command.enumerant(1)))
+                        return false;
+                    if (!has_vertex) set.insert(command.enumerant(1));
+                    return !set.contains(command.enumerant(1));
+                }));
+}
+
+CommandRule sets_color_before_new_mode() {
+    return any_command([enabled = false, color = false](const Command& command) mutable {
+        enabled = enabled || enables_color_material(command);
+        color = color || (enabled && is_one_of(command, {"glColor3", "glColor4"}));
+        return color && command.id == Id::glColorMaterial;
+    });
+}
+
+// A glMaterial, then a glColor that the material follows, then a glNewList before anything is drawn.
+CommandRule tracks_color_before_list() {
+    return both(any_command(enables_color_material),
+                any_command([material = false, color = false](const Command& command) mutable {
+                    if (command.name().starts_with("glMaterial")) material = true;
+                    if (command.id == Id::glEnd) material = color = false;
+                    color = color || (material && is_one_of(command, {"glColor3", "glColor4"}));
+                    return color && command.id == Id::glNewList;
+                }));
+}
+
+CommandRule lists_edge_flags() {
+    return both(any_command([in_list = false](const Command& command) mutable {
+                    if (command.id == Id::glNewList || command.id == Id::glEndList)
+                        in_list = command.id == Id::glNewList;
+                    return in_list && command.name().starts_with("glEdgeFlag");
+                }),
+                any_command([](const Command& command) {
+                    return command.id == Id::glPolygonMode && command.enumerant(1) != kGL_FILL;
+                }));
+}
+
+// Where it can be seen: by colours that are no linear function, and where one is drawn again, by depths.
+CommandRule shows_cut_of_rectangles() {
+    return [lit = false, rectangles = 0](const Command& command) mutable {
+        lit = lit || (command.id == Id::glEnable && command.enumerant(0) == kGL_LIGHTING);
+        if (rectangles < 2 && command.name().starts_with("glRect")) ++rectangles;
+        return rectangles > 1 || (rectangles > 0 && lit);
+    };
+}
+
+}  // namespace twinlight::compare

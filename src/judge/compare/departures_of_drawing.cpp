@@ -1,0 +1,150 @@
+// Departures between a Draw's vertices and its pixels.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "judge/compare/departure_rules.h"
+
+namespace twinlight::compare {
+
+namespace {
+
+bool is_clipped(const Draw& draw) {
+    return std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+        const glm::dvec4 eye = draw.eye_from_object * vertex.position_object, clip = draw.clip_from_eye * eye;
+        for (const auto& plane : draw.raster.clip_planes_eye)
+            if (plane && glm::dot(*plane, eye) < 0) return true;
+        return std::max({std::abs(clip.x), std::abs(clip.y), std::abs(clip.z)}) > clip.w;
+    });
+}
+
+bool offsets_borders(const Draw& draw) {
+    if (!draw.raster.depth_test) return false;  // which alone shows it
+    const auto draws_offset_borders = [&](Enum mode) {
+        return mode != kGL_FILL && draw.raster.polygon_offset.is_enabled_for(mode);
+    };
+    return draws_offset_borders(draw.raster.polygon_mode_front) || draws_offset_borders(draw.raster.polygon_mode_back);
+}
+
+struct Corners {
+    std::array<glm::dvec3, 3> window;
+    double determinant;  // of their unit x, y, w in clip coordinates: 0 where they are on one line through the eye
+    double slope;        // m of 3.5.5; infinite where that is
+};
+
+// Whether any three corners that a polygon of the Draw may be cut to.
+bool any_corners(const Draw& draw, const std::function<bool(const Corners&)>& are) {
+    const auto window = [&](const glm::dvec4& clip) {
+        const RasterState& raster = draw.raster;
+        const glm::dvec2 half_size = 0.5 * glm::dvec2(raster.viewport.width, raster.viewport.height);
+        const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+        const double z = glm::mix(raster.depth_near, raster.depth_far, ndc.z * 0.5 + 0.5);
+        return glm::dvec3(half_size * glm::dvec2(ndc), z);
+    };
+    for (std::size_t i = 2; i < draw.count(); ++i) {
+        for (const std::size_t first : {std::size_t{0}, i - 2}) {
+            Corners corners{};
+            glm::dmat3 xyw(0);
+            for (int k = 0; const std::size_t corner : {first, i - 1, i}) {
+                const glm::dvec4 clip =
+                    draw.clip_from_eye * draw.eye_from_object * draw.vertices[draw.index(corner)].position_object;
+                const glm::dvec3 direction(clip.x, clip.y, clip.w);
+                xyw[k] = glm::length(direction) > 0 ? glm::normalize(direction) : direction;
+                corners.window.at(static_cast<std::size_t>(k++)) = window(clip);
+            }
+            corners.determinant = glm::determinant(xyw);
+            const glm::dvec3 normal =
+                glm::cross(corners.window[1] - corners.window[0], corners.window[2] - corners.window[0]);
+            const double rise = std::max(std::abs(normal.x), std::abs(normal.y)), area = std::abs(normal.z);
+            corners.slope = rise == 0 ? 0 : area == 0 ? HUGE_VAL : rise / area;
+            if (are(corners)) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+bool draws_borders_of_clipped_polygons(const Draw& draw) { return draw.draws_borders() && is_clipped(draw); }
+
+bool has_faces_on_borders(const Draw& draw) {
+    return draw.draws_borders() && draw.lighting.enabled && draw.lighting.light_model.two_side;
+}
+
+bool has_wide_lines(const Draw& draw) { return draw.draws_lines() && draw.raster.line_width > 1; }
+
+// Whatever chooses by the level of detail: a mipmap, or one of two filters.
+bool has_level_of_detail(const Draw& draw) {
+    const Texture* texture = draw.texture.texture.get();
+    return texture && texture->min_filter != texture->mag_filter;
+}
+
+bool has_edge_flags_in_strip(const Draw& draw) {
+    const bool strip = draw.mode == kGL_TRIANGLE_STRIP || draw.mode == kGL_TRIANGLE_FAN || draw.mode == kGL_QUAD_STRIP;
+    return strip && draw.draws_borders() &&
+           std::ranges::any_of(draw.vertices, [](const Vertex& vertex) { return !vertex.edge_flag; });
+}
+
+bool offsets_other_modes_alone(const Draw& draw) {
+    const PolygonOffset& offset = draw.raster.polygon_offset;
+    return draw.raster.depth_test && draws_polygons(draw.mode) && !draw.draws_borders() && !offset.fill &&
+           (offset.line || offset.point) && (offset.units != 0 || offset.factor != 0);
+}
+
+bool offsets_one_of_two_modes(const Draw& draw) {
+    const PolygonOffset& offset = draw.raster.polygon_offset;
+    return offset.is_enabled_for(draw.raster.polygon_mode_front) !=
+           offset.is_enabled_for(draw.raster.polygon_mode_back);
+}
+
+// A polygon that is seen from its edge has no slope m, but lines and points.
+bool offsets_borders_without_area(const Draw& draw) {
+    constexpr double kNoArea = 1e-7;
+    return offsets_borders(draw) &&
+           any_corners(draw, [](const Corners& corners) { return std::abs(corners.determinant) < kNoArea; });
+}
+
+bool offsets_borders_out_of_range(const Draw& draw) {
+    const PolygonOffset& offset = draw.raster.polygon_offset;
+    constexpr double kRounding = 1e-5;  // of the slope
+    constexpr double kStep = 0x1p-24;   // 3.5.5 leaves r open: it is this to the reference, and twice as much to Mesa
+    return offsets_borders(draw) && any_corners(draw, [&](const Corners& corners) {
+               return std::ranges::any_of(corners.window, [&](const glm::dvec3& corner) {
+                   for (const double r : {kStep, 2 * kStep}) {
+                       const double by = offset.factor * corners.slope + offset.units * r;
+                       const double margin = kRounding * std::abs(by) + 2 * kStep;
+                       if (!(corner.z + by > margin && corner.z + by < 1 - margin)) return true;
+                   }
+                   return false;
+               });
+           });
+}
+
+bool has_no_q(const Draw& draw, const Vertex& vertex) {
+    return draw.texture.texture && (draw.texture.texture_matrix * vertex.tex_coord).w <= 1e-6;
+}
+
+bool has_wide_points(const Draw& draw) { return draw.draws_points() && draw.raster.point_size > 1; }
+
+bool biases_level_of_points(const Draw& draw) {
+    return draw.draws_points() && draw.texture.texture && draw.texture.lod_bias > 0;
+}
+
+bool adds_secondary_color_in_fog(const Draw& draw) {
+    return draw.fog.enabled && draw.lighting.enabled && draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
+}
+
+bool clamps_between_nearest_and_linear(const Draw& draw) {
+    const Texture* texture = draw.texture.texture.get();
+    if (!texture || (texture->wrap_s != kGL_CLAMP && texture->wrap_t != kGL_CLAMP)) return false;
+    const bool min_nearest = texture->min_filter == kGL_NEAREST || texture->min_filter == kGL_NEAREST_MIPMAP_NEAREST ||
+                             texture->min_filter == kGL_NEAREST_MIPMAP_LINEAR;
+    return min_nearest != (texture->mag_filter == kGL_NEAREST);
+}
+
+}  // namespace twinlight::compare

@@ -1,0 +1,152 @@
+// Departures in the lighting of a Draw's vertices, and what rounding decides there.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "judge/compare/departure_rules.h"
+
+namespace twinlight::compare {
+
+namespace {
+
+glm::dvec3 eye_position(const Draw& draw, const Vertex& vertex) {
+    const glm::dvec4 eye = draw.eye_from_object * vertex.position_object;
+    return glm::dvec3(eye) / (eye.w == 0 ? 1 : eye.w);
+}
+
+glm::dvec3 eye_normal(const Draw& draw, const Vertex& vertex) {
+    const glm::dmat3 m = glm::transpose(glm::inverse(glm::dmat3(draw.eye_from_object)));
+    return glm::normalize(m * vertex.normal_object);
+}
+
+glm::dvec3 toward(const LightSource& light, const glm::dvec3& position_eye) {
+    const glm::dvec3 p(light.position_eye);
+    return glm::normalize(light.position_eye.w == 0 ? p : p / light.position_eye.w - position_eye);
+}
+
+template <class Predicate>
+bool any_light(const Draw& draw, Predicate predicate) {
+    if (!draw.lighting.enabled) return false;
+    return std::any_of(draw.lighting.lights.begin(), draw.lighting.lights.end(),
+                       [&](const LightSource& light) { return light.enabled && predicate(light); });
+}
+
+// Of either face, whichever vertex has it.
+bool any_material(const Draw& draw, const std::function<bool(const Material&, const Material&)>& predicate) {
+    if (predicate(draw.lighting.front, draw.lighting.back)) return true;
+    return std::ranges::any_of(draw.materials, [&](const Materials& m) { return predicate(m.front, m.back); });
+}
+
+// The squares of such lengths are 0, subnormal or infinite in floats.
+bool leaves_floats(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length < 1e-18 || length > 1e18;
+}
+
+// Float rounding moves a cosine of unit vectors by some 1e-6: nearer than this to a jump, it decides.
+constexpr double kJump = 1e-5;
+
+bool is_at_edge_of_cone(const Draw& draw, const Vertex& vertex) {
+    return any_light(draw, [&](const LightSource& light) {
+        const double cos_angle =
+            glm::dot(-toward(light, eye_position(draw, vertex)), glm::normalize(light.spot_direction_eye));
+        return light.spot_cutoff_deg != 180 &&
+               std::abs(cos_angle - std::cos(light.spot_cutoff_deg * M_PI / 180)) < kJump;
+    });
+}
+
+}  // namespace
+
+bool has_shininess_0_with_factors(const Draw& draw) {
+    const bool two_side = draw.lighting.light_model.two_side;
+    const bool has_0 = any_material(draw, [&](const Material& front, const Material& back) {
+        return front.shininess == 0 || (two_side && back.shininess == 0);
+    });
+    return has_0 && any_light(draw, [](const LightSource& light) {
+               const bool attenuated =
+                   light.position_eye.w != 0 && (light.constant_attenuation != 1 || light.linear_attenuation != 0 ||
+                                                 light.quadratic_attenuation != 0);
+               return attenuated || light.spot_cutoff_deg != 180;
+           });
+}
+
+bool has_shininess_0_on_one_side(const Draw& draw) {
+    return draw.lighting.enabled && draw.lighting.light_model.two_side &&
+           any_material(draw, [](const Material& front, const Material& back) {
+               return (front.shininess == 0) != (back.shininess == 0);
+           });
+}
+
+bool has_color_material_of_no_color(const Draw& draw, const Vertex& vertex) {
+    return draw.lighting.color_material.enabled && vertex.color == Vertex{}.color;
+}
+
+bool has_color_material_on_back_alone(const Draw& draw) {
+    const ColorMaterial& color_material = draw.lighting.color_material;
+    return draw.lighting.light_model.two_side && color_material.enabled && color_material.face == kGL_BACK &&
+           color_material.mode != kGL_EMISSION;
+}
+
+bool has_w_under_positional_light(const Draw& draw, const Vertex& vertex) {
+    const double w = (draw.eye_from_object * vertex.position_object).w;
+    return std::abs(w - 1) > 1e-9 &&
+           (draw.lighting.light_model.local_viewer ||
+            any_light(draw, [](const LightSource& light) { return light.position_eye.w != 0; }));
+}
+
+bool has_w_in_fog(const Draw& draw) {
+    return draw.fog.enabled && std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+               return std::abs((draw.eye_from_object * vertex.position_object).w - 1) > 1e-9;
+           });
+}
+
+bool has_extreme_direction(const Draw& draw, const Vertex& vertex) {
+    return draw.lighting.enabled &&
+           (leaves_floats(vertex.normal_object) || any_light(draw, [](const LightSource& light) {
+                return light.position_eye.w == 0 && leaves_floats(glm::dvec3(light.position_eye));
+            }));
+}
+
+bool rescales_much(const Draw& draw) {
+    if (!draw.lighting.enabled || !draw.lighting.rescale_normal || draw.lighting.normalize) return false;
+    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(draw.eye_from_object))));
+    return scale > 1e5 || scale < 1e-5;
+}
+
+bool has_no_answer(const Draw& draw, const Vertex& vertex) {
+    const glm::dvec4 eye = draw.eye_from_object * vertex.position_object;
+    if (eye.w <= 0) return true;
+    if (!draw.lighting.enabled) return false;
+    if (vertex.normal_object == glm::dvec3(0) || glm::determinant(glm::dmat3(draw.eye_from_object)) == 0) return true;
+    return any_light(draw, [&](const LightSource& light) {
+        const glm::dvec3 p(light.position_eye);
+        const bool is_here = light.position_eye.w == 0
+                                 ? p == glm::dvec3(0)
+                                 : glm::length(p / light.position_eye.w - eye_position(draw, vertex)) < 1e-3;
+        const double attenuation = light.constant_attenuation + light.linear_attenuation + light.quadratic_attenuation;
+        const bool has_axis = light.spot_cutoff_deg == 180 || light.spot_direction_eye != glm::dvec3(0);
+        return is_here || !has_axis || (light.position_eye.w != 0 && attenuation == 0);
+    });
+}
+
+// On the axis of a cone of 0 degrees, or at 90 degrees in one of 90: floats have no other answer than the text's.
+bool is_at_exact_edge_of_cone(const Draw& draw, const Vertex& vertex) {
+    return is_at_edge_of_cone(draw, vertex) && any_light(draw, [&](const LightSource& light) {
+               return light.spot_cutoff_deg == 0 || light.spot_cutoff_deg == 90;
+           });
+}
+
+bool is_near_edge_of_cone(const Draw& draw, const Vertex& vertex) {
+    return is_at_edge_of_cone(draw, vertex) && !is_at_exact_edge_of_cone(draw, vertex);
+}
+
+bool has_light_at_horizon(const Draw& draw, const Vertex& vertex) {
+    return any_light(draw, [&](const LightSource& light) {
+        return std::abs(glm::dot(eye_normal(draw, vertex), toward(light, eye_position(draw, vertex)))) < kJump;
+    });
+}
+
+}  // namespace twinlight::compare

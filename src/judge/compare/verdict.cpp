@@ -1,0 +1,36 @@
+// What decides a verdict.
+#include <algorithm>
+
+#include "judge/compare/comparison.h"
+
+namespace twinlight::compare {
+
+Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
+    const RegionDifference& judged = difference.beyond_allowed;
+    const bool within =
+        judged.max <= tolerance.max && (judged.differing == 0 || judged.differing_share() < tolerance.differing_share);
+    return within ? Verdict::kWithin : Verdict::kBeyond;
+}
+
+Verdict judge(const Comparison& comparison, const Pair& pair) {
+    const Verdict verdict = judge(pair.difference, comparison.tolerance);
+    const Render &a = comparison.a(pair), &b = comparison.b(pair);
+    bool partial = false;
+    for (const Unsupported& item : comparison.unsupported) {
+        if (lacks(a.path, item) != lacks(b.path, item)) return Verdict::kPartial;  // a difference may come of it
+        partial = partial || lacks(a.path, item);
+    }
+    return partial && verdict == Verdict::kWithin ? Verdict::kPartial : verdict;
+}
+
+Verdict Comparison::verdict() const {
+    const auto any = [&](Verdict verdict) {
+        return std::ranges::any_of(pairs, [verdict](const Pair& pair) { return pair.verdict == verdict; });
+    };
+    if (any(Verdict::kBeyond)) return Verdict::kBeyond;
+    return any(Verdict::kPartial) ? Verdict::kPartial : Verdict::kWithin;
+}
+
+bool Comparison::within_tolerance() const { return verdict() != Verdict::kBeyond; }
+
+}  // namespace twinlight::compare

@@ -1,0 +1,79 @@
+#include "judge/study/scene_of_choice.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace twinlight::study {
+
+namespace {
+
+// Which arguments of a command count: around the axis, and the other way.
+struct Counts {
+    std::size_t around = 0, across = 0;  // 0: has none
+};
+
+Counts counts_of(const Command& command) {
+    switch (command.id) {
+        case CommandId::glutSolidSphere:
+        case CommandId::glutWireSphere: return {1, 2};
+        case CommandId::glutSolidCone:
+        case CommandId::glutWireCone:
+        case CommandId::glutSolidCylinder:
+        case CommandId::glutWireCylinder: return {2, 3};
+        case CommandId::glutSolidTorus:
+        case CommandId::glutWireTorus: return {3, 2};
+        case CommandId::gluSphere: return {2, 3};
+        case CommandId::gluCylinder: return {4, 5};
+        case CommandId::gluDisk:
+        case CommandId::gluPartialDisk: return {3, 4};
+        case CommandId::pragma_shape: break;
+        default: return {};
+    }
+    switch (command.word(0)) {
+        case Word::sphere: return {2, 3};
+        case Word::cylinder:
+        case Word::cylinder_triangles:
+        case Word::cone: return {3, 0};
+        default: return {};
+    }
+}
+
+}  // namespace
+
+CommandList with_slices(const CommandList& scene, int slices) {
+    constexpr int kLeast = 3;
+    CommandList result = scene;
+    for (Command& command : result.commands) {
+        const auto [around, across] = counts_of(command);
+        if (around != 0) command.arguments.at(around) = std::max(slices, kLeast);
+        if (across != 0) command.arguments.at(across) = std::max(slices / 2, kLeast);
+    }
+    return result;
+}
+
+bool has_slices(const CommandList& scene) {
+    return std::ranges::any_of(scene.commands, [](const Command& command) { return counts_of(command).around != 0; });
+}
+
+Frame enlarged(const Frame& frame, int samples) {
+    Frame result = frame;
+    result.width *= samples;
+    result.height *= samples;
+    const auto enlarge = [&](Viewport& box) {
+        for (int* length : {&box.x, &box.y, &box.width, &box.height}) *length *= samples;
+    };
+    for (auto& item : result.items) {
+        if (Clear* clear = std::get_if<Clear>(&item)) enlarge(clear->scissor.box);
+        Draw* draw = std::get_if<Draw>(&item);
+        if (!draw) continue;
+        enlarge(draw->raster.viewport);
+        enlarge(draw->fragment.scissor.box);
+        draw->raster.line_width *= samples;
+        draw->raster.point_size *= samples;
+        draw->raster.polygon_offset.factor *= samples;  // of the depth's slope, from pixel to pixel (3.5.5)
+    }
+    return result;
+}
+
+}  // namespace twinlight::study

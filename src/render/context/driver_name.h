@@ -1,0 +1,26 @@
+// Which driver draws, and what its name says.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace twinlight {
+
+// "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6, OSMesa": GL_RENDERER, GL_VERSION and the
+// provider of the current context.
+std::string driver_name();
+
+// The parts of such a name. A part that it does not say is empty.
+struct Driver {
+    std::string renderer;  // "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string name;      // "llvmpipe"
+    std::string version;   // "Mesa 22.3.6", "NVIDIA 535.54.03"
+    std::string provider;  // "OSMesa"
+
+    // Whether the version is this one or a later patch of it: "Mesa 22.3.6" is one of "Mesa 22.3".
+    bool has_version(std::string_view release) const;
+};
+Driver parse_driver_name(std::string_view driver_name);
+Driver current_driver();  // that of the current context
+
+}  // namespace twinlight

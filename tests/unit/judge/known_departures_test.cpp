@@ -1,0 +1,84 @@
+// A driver's departure is named on the drivers and versions where it was seen, and nowhere else.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "judge/compare/departures.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
+
+namespace twinlight::compare {
+namespace {
+
+Driver driver(const std::string& renderer, const std::string& version) {
+    return parse_driver_name(renderer + ", 4.5 (Compatibility Profile) " + version + ", OSMesa");
+}
+const Driver kLlvmpipe = driver("llvmpipe (LLVM 15.0.6, 256 bits)", "Mesa 22.3.6");
+const Driver kSoftpipe = driver("softpipe", "Mesa 22.3.6");
+
+std::vector<std::string_view> names_of(const std::string& text, const Driver& driver) {
+    std::vector<std::string_view> names;
+    const auto scene = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
+    for (const Departure* departure : known_departures_in(make_scene(scene, {}), driver))
+        names.push_back(departure->name);
+    return names;
+}
+
+using Names = std::vector<std::string_view>;
+
+const std::string kSpot = "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);";
+const std::string kSpotOnCube = kSpot + "glutSolidCube(1);";
+const std::string kWideLine = "glLineWidth(5); glBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(1, 0); glEnd();";
+
+TEST(KnownDepartures, AreThoseOfTheFrame) {
+    EXPECT_EQ(names_of(kSpotOnCube, kLlvmpipe), Names{"shininess 0 with attenuation or a spot"});
+    EXPECT_EQ(names_of(kSpot + "glMaterialf(GL_FRONT, GL_SHININESS, 5); glColor4f(1, 1, 1, 0); glColor3f(1, 1, 1); "
+                               "glutSolidCube(1);",
+                       kLlvmpipe),
+              Names{"glColor3 after glColor4"});
+}
+
+TEST(KnownDepartures, AreThoseOfTheDriver) {
+    EXPECT_EQ(names_of(kSpotOnCube, kSoftpipe), Names{"shininess 0 with attenuation or a spot"});
+    EXPECT_EQ(names_of(kWideLine, kSoftpipe), Names{"wide lines in softpipe"});
+    EXPECT_EQ(names_of(kWideLine, kLlvmpipe), Names{});
+    EXPECT_EQ(names_of(kSpotOnCube, driver("Mesa Intel(R) UHD Graphics 620 (KBL GT2)", "Mesa 22.3.6")), Names{});
+    EXPECT_EQ(names_of(kSpotOnCube, driver("NVIDIA GeForce GTX 1080/PCIe/SSE2", "NVIDIA 535.54.03")), Names{});
+    EXPECT_EQ(names_of(kSpotOnCube, {}), Names{});
+}
+
+TEST(KnownDepartures, AreThoseOfTheVersion) {
+    EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "Mesa 22.3.0")).size(), 1U);
+    EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "Mesa 22.30.1")), Names{});
+    EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "Mesa 25.0.7")), Names{});
+}
+
+TEST(KnownDepartures, AreListedForADriverOrNotAtAll) {
+    EXPECT_TRUE(is_listed(kLlvmpipe));
+    EXPECT_TRUE(is_listed(kSoftpipe));
+    EXPECT_FALSE(is_listed(driver("llvmpipe", "Mesa 25.0.7")));
+    EXPECT_FALSE(is_listed(driver("iris", "Mesa 22.3.6")));
+    EXPECT_FALSE(is_listed({}));
+}
+
+TEST(KnownDepartures, SayWhereTheyWereSeen) {
+    for (const Departure& departure : departures())
+        EXPECT_TRUE(departure.leaves == Leaves::kOpen || !departure.seen_on.empty()) << departure.name;
+}
+
+// The fuzzer leaves out what may show: in other versions as well, and on any driver what several were seen to show.
+TEST(KnownDepartures, MayShowElsewhere) {
+    const auto may_show = [](std::string_view name, const Driver& driver) {
+        return std::ranges::find(departures(), name, &Departure::name)->may_show_on(driver);
+    };
+    const Driver gpu = driver("a GPU", "Mesa 22.3.6"), newer = driver("softpipe", "Mesa 25.0.7");
+    for (const Driver& driver : {kLlvmpipe, kSoftpipe, gpu, newer}) {
+        EXPECT_TRUE(may_show("glColor3 after glColor4", driver));
+        EXPECT_TRUE(may_show("no answer in the text", driver));
+        EXPECT_EQ(may_show("wide lines in softpipe", driver), driver.name == "softpipe");
+        EXPECT_EQ(may_show("shininess 0 on one side of two", driver), driver.name == "llvmpipe");
+    }
+}
+
+}  // namespace
+}  // namespace twinlight::compare
