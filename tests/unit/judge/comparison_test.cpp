@@ -54,7 +54,11 @@ struct Stub {
                 .programmable =
                     [this](const Frame& frame, const programmable::Options& options) {
                         count("programmable", options);
-                        return programmable::Picture{picture(frame, programmable), {}};
+                        programmable::Picture result{picture(frame, programmable), {}};
+                        for (const auto& item : frame.items)
+                            if (const Draw* draw = std::get_if<Draw>(&item))
+                                result.plans.push_back({1, draw->place, true, plan_effects(*draw, options)});
+                        return result;
                     },
                 .reference =
                     [this](const Frame& frame, const reference::Options& options) {
