@@ -270,7 +270,7 @@ embed = @mkdir -p $(@D); { echo '\#include "$(1)"'; echo 'namespace twinlight {'
     echo '};'; echo '}'; } > $@
 
 $(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files Makefile
-	$(call embed,scene/scenes/scenes.h,kSceneFiles,$(sort $(FILES_scenes)))
+	$(call embed,scene/scenes/load.h,kSceneFiles,$(sort $(FILES_scenes)))
 $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files Makefile
 	$(call embed,render/programmable/shader_assembly.h,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files Makefile

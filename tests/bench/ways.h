@@ -6,7 +6,7 @@
 
 #include "ratios.h"
 #include "render/fixed/replay.h"
-#include "render/programmable/options.h"
+#include "render/programmable/shader_options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::bench {

@@ -1,8 +1,6 @@
 // Every built-in scene: its renderers agree, and its pictures are the golden ones (golden/scenes/NAME/*.png).
 //
 // The golden pictures change only by `make golden CASE=NAME`; look at them before they are committed.
-#include "scene/scenes/scenes.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,6 +19,7 @@
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
+#include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

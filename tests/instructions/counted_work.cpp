@@ -10,7 +10,6 @@
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
-#include "scene/scenes/scenes.h"
 #include "scene/shape/vertex_order.h"
 #include "scene/state/state.h"
 

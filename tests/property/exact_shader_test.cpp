@@ -7,7 +7,7 @@
 #include "exact_shader_cases.h"
 #include "render/context/context.h"
 #include "render/programmable/programmable.h"
-#include "scene/scenes/scenes.h"
+#include "scene/scenes/load.h"
 
 namespace twinlight {
 namespace {

@@ -29,7 +29,7 @@
 #include "render/programmable/uploaded_mesh.h"
 #include "resolved_state.h"
 #include "scene/command/text.h"
-#include "scene/scenes/scenes.h"
+#include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

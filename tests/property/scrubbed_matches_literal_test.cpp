@@ -17,7 +17,7 @@
 #include "render/fixed/replay.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
-#include "scene/scenes/scenes.h"
+#include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

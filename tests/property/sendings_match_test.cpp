@@ -4,7 +4,7 @@
 #include "render/context/context.h"
 #include "render/fixed/replay.h"
 #include "scene/command/text.h"
-#include "scene/scenes/scenes.h"
+#include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

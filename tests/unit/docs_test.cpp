@@ -14,7 +14,7 @@
 #include "render/programmable/programmable.h"
 #include "scene/command/command.h"
 #include "scene/command/text.h"
-#include "scene/scenes/scenes.h"
+#include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

@@ -24,7 +24,6 @@
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
-#include "scene/scenes/scenes.h"
 #include "scene/state/state.h"
 #include "xvfb.h"
 

@@ -1,10 +1,10 @@
-#include "app/cli/machine.h"
-
 #include <sys/utsname.h>
 
 #include <fstream>
 #include <string>
 #include <thread>
+
+#include "app/cli/study_renderers.h"
 
 namespace twinlight::cli {
 

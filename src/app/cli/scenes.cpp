@@ -1,6 +1,4 @@
 // twinlight scenes: the built-in scenes.
-#include "scene/scenes/scenes.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <sstream>
 
 #include "app/cli/command_line.h"
+#include "scene/scenes/load.h"
 
 namespace twinlight::cli {
 

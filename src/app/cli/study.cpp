@@ -11,10 +11,8 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/machine.h"
 #include "app/cli/progress.h"
 #include "app/cli/study_renderers.h"
-#include "app/cli/study_samples.h"
 #include "base/image/file.h"
 #include "judge/study/scene_of_choice.h"
 #include "render/context/driver_name.h"

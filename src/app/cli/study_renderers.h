@@ -1,10 +1,12 @@
-// What a study draws with.
+// What a study draws with, and on which machine.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "judge/study/spectral.h"
 #include "judge/study/study.h"
 #include "render/context/context.h"
 #include "render/context/render_target.h"
@@ -29,5 +31,12 @@ class StudyRenderers {
     programmable::Renderer shaders_;  // this and the next die before the context
     std::map<std::pair<study::Target, int>, RenderTarget> targets_;
 };
+
+// Where the scene has `#pragma twinlight spectrum(n)`: what its samples cost and how far off they are. Draws into the current
+// context. `quick`: three rounds of times instead of nine.
+std::optional<study::SpectralStudy> study_samples(const Frame& frame, bool quick);
+
+// The machine that the program runs on.
+study::Machine this_machine();
 
 }  // namespace twinlight::cli

@@ -216,7 +216,7 @@ glm::dvec4 color_at(const Image& image, const Spot& spot) {
     return {pixel[0], pixel[1], pixel[2], pixel[3]};
 }
 
-struct Picture {
+struct CasePicture {
     Path path;
     std::string variant;
     std::optional<Shading> shading;
@@ -224,12 +224,12 @@ struct Picture {
     Image image;
 };
 
-bool is_of(const Spot& spot, const Picture& picture) {
+bool is_of(const Spot& spot, const CasePicture& picture) {
     return spot.kind == Spot::Kind::kPixel && spot.shading == picture.shading;
 }
 
 // What a picture shows where the case expects something of this shading.
-void judge_picture(const Case& of, const Picture& picture, Result& result) {
+void judge_picture(const Case& of, const CasePicture& picture, Result& result) {
     result.non_finite += non_finite_pixels(picture.image);
     for (const Expectation& expected : of.expectations) {
         if (!is_of(expected.spot, picture)) continue;
@@ -239,10 +239,10 @@ void judge_picture(const Case& of, const Picture& picture, Result& result) {
     }
 }
 
-void hold_to_long_double(const Case& of, const std::vector<Picture>& pictures, Result& result) {
-    for (const Picture& exact : pictures) {
+void hold_to_long_double(const Case& of, const std::vector<CasePicture>& pictures, Result& result) {
+    for (const CasePicture& exact : pictures) {
         if (exact.path != Path::kReference || exact.number != Number::kLongDouble) continue;
-        for (const Picture& picture : pictures) {
+        for (const CasePicture& picture : pictures) {
             if (picture.path != Path::kProgrammable) continue;
             for (const Expectation& e : of.expectations)
                 if (is_of(e.spot, exact) && is_of(e.spot, picture))
@@ -252,14 +252,14 @@ void hold_to_long_double(const Case& of, const std::vector<Picture>& pictures, R
 }
 
 // The pictures of a case: those of its shadings, by all numbers and tiers of each.
-std::vector<Picture> pictures_of(const Case& of, const Frame& frame, programmable::Renderer& renderer) {
+std::vector<CasePicture> pictures_of(const Case& of, const Frame& frame, programmable::Renderer& renderer) {
     std::vector<std::optional<Shading>> shadings;
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.kind == Spot::Kind::kPixel &&
             std::ranges::find(shadings, expected.spot.shading) == shadings.end())
             shadings.push_back(expected.spot.shading);
     }
-    std::vector<Picture> shown, exact;
+    std::vector<CasePicture> shown, exact;
     for (const std::optional<Shading>& shading : shadings) {
         const std::string suffix = shading ? std::string(" ") + name_of(*shading) : "";
         for (ShaderVariant variant : shader_variants()) {
@@ -375,10 +375,10 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
                 of, frame, driver_, driver_error(),
                 [&](const Expectation& expected) { return Seen(color_at(fixed, expected.spot)); }, result);
             result.pictures.emplace_back("fixed", fixed);
-            std::vector<Picture> pictures = pictures_of(of, frame, context_.shaders());
-            for (const Picture& picture : pictures) judge_picture(of, picture, result);
+            std::vector<CasePicture> pictures = pictures_of(of, frame, context_.shaders());
+            for (const CasePicture& picture : pictures) judge_picture(of, picture, result);
             hold_to_long_double(of, pictures, result);
-            for (Picture& picture : pictures)
+            for (CasePicture& picture : pictures)
                 result.pictures.emplace_back(fmt::format("{} {}", name_of(picture.path), picture.variant),
                                              std::move(picture.image));
         } catch (const SceneError& refused) {

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <utility>
 
-#include "judge/compare/allowed_difference.h"
+#include "judge/compare/allowances.h"
 #include "judge/compare/departures.h"
 
 namespace twinlight::compare {
@@ -135,11 +135,11 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
         result.renders.push_back(render(planned, scene, options, renderers));
     }
     begin_step("edges");
-    const auto freedom_of = [&](bool per_pixel) {
+    const auto allowed_of = [&](bool per_pixel) {
         return renderers.allowed_difference(frame, reference::Options{look_of(per_pixel, options)});
     };
-    result.allowed = freedom_of(false);
-    AllowedDifference of_phong = all ? freedom_of(true) : result.allowed;
+    result.allowed = allowed_of(false);
+    AllowedDifference of_phong = all ? allowed_of(true) : result.allowed;
     for (std::size_t i = 0; i < result.allowed.edge.size(); ++i) {  // one mask for all pairs
         result.allowed.edge[i] = of_phong.edge[i] = result.allowed.edge[i] || of_phong.edge[i];
     }

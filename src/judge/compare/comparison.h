@@ -14,7 +14,7 @@
 #include "render/fixed/fixed.h"
 #include "render/path.h"
 #include "render/programmable/programmable.h"
-#include "render/reference/options.h"
+#include "render/reference/reference_options.h"
 #include "scene/state/scene.h"
 
 namespace twinlight::compare {

@@ -8,8 +8,8 @@
 
 #include "judge/study/lighting_change.h"
 #include "render/fixed/replay.h"
-#include "render/programmable/options.h"
-#include "render/reference/options.h"
+#include "render/programmable/shader_options.h"
+#include "render/reference/reference_options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::study {

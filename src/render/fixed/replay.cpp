@@ -13,7 +13,7 @@
 #include "render/effect/scrubbed_state.h"
 #include "render/fixed/draw_state.h"
 #include "render/fixed/fixed.h"
-#include "render/fixed/mesh.h"
+#include "render/fixed/sent_mesh.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
 
@@ -95,7 +95,7 @@ struct PreparedDraw {
     bool textured = false, fogged = false;
     bool by_vertex = false;  // glMaterial between glBegin and glEnd
     FaceEffects front, back;
-    std::optional<Mesh> mesh;
+    std::optional<SentMesh> mesh;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "base/image/image.h"
 #include "render/effect/explanation.h"
-#include "render/programmable/options.h"
+#include "render/programmable/shader_options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::programmable {

@@ -8,7 +8,7 @@
 
 #include "render/programmable/lighting_names.h"
 #include "render/programmable/lighting_text.h"
-#include "render/programmable/precise/precise_text.h"
+#include "render/programmable/precise/precise.h"
 #include "render/programmable/shader_pieces.h"
 #include "render/programmable/vertex_attributes.h"
 

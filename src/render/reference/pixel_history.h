@@ -10,7 +10,7 @@
 #include "base/image/image.h"
 #include "lighting/equation.h"
 #include "render/reference/draw_lighting.h"
-#include "render/reference/options.h"
+#include "render/reference/reference_options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::reference {

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/reference/options.h"
+#include "render/reference/reference_options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::reference {

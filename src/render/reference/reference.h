@@ -4,7 +4,7 @@
 
 #include "base/image/difference.h"
 #include "base/image/image.h"
-#include "render/reference/options.h"
+#include "render/reference/reference_options.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::reference {

@@ -8,7 +8,6 @@
 #include "base/image/file.h"
 #include "scene/command/text.h"
 #include "scene/scenes/images.h"
-#include "scene/scenes/scenes.h"
 #include "scene/trace/trace.h"
 
 namespace twinlight {

@@ -3,10 +3,15 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "base/image/file.h"
 #include "scene/command/command.h"
 
 namespace twinlight {
+
+// The built-in scenes, NAME.gl.
+extern const std::vector<EmbeddedFile> kSceneFiles;
 
 // A built-in scene's name, a file, or - for standard input; what it holds tells what it is. Throws SceneError, and
 // FileError where a file cannot be read.

@@ -7,7 +7,7 @@
 #include "../hand_built_draws.h"
 #include "app/demo/view.h"
 #include "scene/command/text.h"
-#include "scene/scenes/scenes.h"
+#include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
 namespace twinlight::programmable {

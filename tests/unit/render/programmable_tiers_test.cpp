@@ -7,7 +7,7 @@
 #include "render/effect/plan.h"
 #include "render/programmable/bake.h"
 #include "scene/command/text.h"
-#include "scene/scenes/scenes.h"
+#include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
 namespace twinlight::programmable {

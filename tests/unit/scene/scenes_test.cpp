@@ -1,6 +1,4 @@
 // The built-in scenes: each is a scene, is C, and holds the numbers of the lecture that it comes from.
-#include "scene/scenes/scenes.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -14,6 +12,7 @@
 #include <variant>
 
 #include "scene/command/text.h"
+#include "scene/scenes/load.h"
 #include "scene/spectrum/spectrum.h"
 #include "scene/state/state.h"
 

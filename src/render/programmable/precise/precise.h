@@ -6,7 +6,8 @@
 
 #include "render/programmable/draw_values.h"
 #include "render/programmable/form.h"
-#include "render/programmable/options.h"
+#include "render/programmable/lighting_text.h"
+#include "render/programmable/shader_options.h"
 
 namespace twinlight::programmable {
 
@@ -26,5 +27,8 @@ bool floats_suffice(const Draw& draw, const Plan& plan);
 // In the place of code_for() and uniforms(). Throws std::runtime_error for a Draw with lights that GL does not have.
 Code precise_code(const Draw& draw, const Plan& plan);
 Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code);
+
+// The lighting as GLSL: the equation in the order of operations of Mesa's fixed function (precise.glsl).
+LightingText precise_lighting_text(const EffectSet& effects, const Form& form);
 
 }  // namespace twinlight::programmable

@@ -1,8 +1,7 @@
-#include "render/programmable/precise/precise_text.h"
-
 #include <fmt/format.h>
 
 #include "render/programmable/lighting_names.h"
+#include "render/programmable/precise/precise.h"
 
 namespace twinlight::programmable {
 namespace {

@@ -1,4 +1,4 @@
-// Mesh: a Draw's vertices as the fixed function is sent them (ReplayOptions::sending).
+// SentMesh: a Draw's vertices as the fixed function is sent them (ReplayOptions::sending).
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ struct MeshContents {
     bool normal = false, color = false, tex_coord = false;
 };
 
-class Mesh {
+class SentMesh {
   public:
-    Mesh(const Draw& draw, const MeshContents& contents, const ReplayOptions& options);
-    ~Mesh();
-    Mesh(const Mesh&) = delete;
-    Mesh& operator=(const Mesh&) = delete;
+    SentMesh(const Draw& draw, const MeshContents& contents, const ReplayOptions& options);
+    ~SentMesh();
+    SentMesh(const SentMesh&) = delete;
+    SentMesh& operator=(const SentMesh&) = delete;
 
     // None of its arrays is enabled afterwards. A property that all vertices share is the current one.
     void draw() const;

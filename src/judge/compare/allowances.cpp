@@ -1,4 +1,4 @@
-#include "judge/compare/allowed_difference.h"
+#include "judge/compare/allowances.h"
 
 #include <algorithm>
 #include <cmath>

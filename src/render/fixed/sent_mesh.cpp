@@ -1,4 +1,4 @@
-#include "render/fixed/mesh.h"
+#include "render/fixed/sent_mesh.h"
 
 #include <algorithm>
 #include <limits>
@@ -18,7 +18,7 @@ bool all_share(const Draw& draw, Property Vertex::*property) {
 
 }  // namespace
 
-Mesh::Mesh(const Draw& draw, const MeshContents& contents, const ReplayOptions& options)
+SentMesh::SentMesh(const Draw& draw, const MeshContents& contents, const ReplayOptions& options)
     : sending_(options.sending), mode_(draw.mode) {
     if (draw.vertices.empty()) return;
     shared_ = draw.vertices.front();
@@ -65,13 +65,13 @@ Mesh::Mesh(const Draw& draw, const MeshContents& contents, const ReplayOptions& 
     }
 }
 
-Mesh::~Mesh() {
+SentMesh::~SentMesh() {
     for (const GLuint name : {vertices_, edge_flags_})
         if (name != 0) glDeleteBuffers(1, &name);
     if (list_ != 0) glDeleteLists(list_, 1);
 }
 
-void Mesh::draw() const {
+void SentMesh::draw() const {
     if (stride_ == 0) return;
     const glm::vec4 color(shared_.color), tex_coord(shared_.tex_coord);
     glColor4fv(&color[0]);
@@ -85,7 +85,7 @@ void Mesh::draw() const {
     }
 }
 
-void Mesh::draw_arrays() const {
+void SentMesh::draw_arrays() const {
     const auto stride = static_cast<GLsizei>(stride_);
     // An array's address, or its offset into the buffer that is bound.
     const auto* memory = reinterpret_cast<const char*>(values_.data());
@@ -125,7 +125,7 @@ void Mesh::draw_arrays() const {
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }
 
-void Mesh::draw_immediately() const {
+void SentMesh::draw_immediately() const {
     const std::size_t stride = stride_ / sizeof(float);
     glBegin(mode_);
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
