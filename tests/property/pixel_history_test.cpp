@@ -89,7 +89,7 @@ TEST(PixelHistory, EndsInThePicturesColorInTheBuiltInScenes) {
 TEST(PixelHistory, EndsInThePicturesColorInRandomScenes) {
     std::mt19937 random(16);
     Seen seen;
-    for (std::uint64_t picture = 0; picture < 150; ++picture) {
+    for (std::uint64_t picture = 0; picture < 200; ++picture) {
         const std::uint64_t state =
             picture * fuzz::kPicturesPerStructure * fuzz::kPictureEvery + fuzz::kPictureEvery - 1;
         SCOPED_TRACE(fmt::format("seed 20, state {}", state));
