@@ -3,7 +3,7 @@
 //   c_pri = e_cm + a_cm a_cs
 //         + sum_i att_i spot_i [ a_cm a_cli + (n . VP_i) d_cm d_cli + f_i (n . h_i)^s_rm s_cm s_cli ]
 //
-// a . b means max(a . b, 0). The last term of the bracket goes to c_sec instead where that is separate (c_es). All
+// a . b means max(a . b, 0) here: positive_dot(); dot() is not clamped. The last term of the bracket goes to c_sec instead where that is separate (c_es). All
 // positions and directions are in eye coordinates. The specification's letters, and what they are called here:
 //
 //   V        SurfacePoint::position_eye       n        SurfacePoint::normal_eye
@@ -13,7 +13,7 @@
 //   s_cm     Material::specular               s_cli    Light::specular
 //   s_rm     Material::shininess              P_pli    Light::position_eye, directional
 //   k_0i..2i Light::*_attenuation             s_dli    Light::spot_dir_eye
-//   c_rli    Light::cos_cutoff                s_rli    Light::spot_exponent
+//   c_rli    its cosine: Light::cos_cutoff    s_rli    Light::spot_exponent
 //   v_bs     Model::local_viewer              c_es     Model::separate_specular
 //   VP       toward_light(): from V to P_pli  d        |P_pli - V|
 //   VP_e     toward_viewer(): from V to P_e   P_e      the origin
@@ -26,6 +26,7 @@
 //
 // RULING (the specification leaves these open): no answer is ever NaN or infinite. A value is the limit of the equation
 // where there is one; otherwise the term contributes 0. The functions of real.h do this, and take the ruling's name.
+// ruled(...) returns its last argument; only marked.h keeps the ruling with it.
 #pragma once
 
 #include <span>
@@ -96,7 +97,7 @@ struct Lit {
 
 // ---- The factors ----
 
-// VP and d.
+// VP and d. Nothing asks for the d of a directional light.
 template <class Real>
 UnitAndLength<Real> toward_light(const Light<Real>& light, Vec3<Real> position_eye) {
     const auto [dir, length] = light.directional ? UnitAndLength<Real>{light.position_eye, Limits<Real>::largest}

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "../unit/pictures.h"
 #include "base/image/png.h"
 #include "judge/compare/comparison.h"
 #include "judge/report/report.h"

@@ -173,7 +173,7 @@ double random_bits(fuzz::Random& random, CommandId id) {
     return bits | ((bits & kGL_ENABLE_BIT) != 0 ? kGL_LIGHTING_BIT : 0);
 }
 
-// Arrays, the names of objects, display lists: tests/property/arrays_match_driver_test.cpp has them.
+// Arrays, names of objects and display lists are not in these sequences: the fuzzer has them (src/judge/fuzz/disguise.cpp).
 bool uses_arrays_or_names(const Signature& sig) {
     const bool is_array = sig.name.ends_with("ClientState") || sig.name.ends_with("ClientAttrib") ||
                           sig.name.starts_with("glDrawArrays") || sig.name == "glArrayElement";

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "../unit/pictures.h"
 #include "app/demo/controls.h"
 #include "app/demo/view.h"
 #include "base/image/difference.h"

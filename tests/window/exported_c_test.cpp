@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "../unit/pictures.h"
 #include "../unit/run_program.h"
 #include "base/image/difference.h"
 #include "base/image/file.h"

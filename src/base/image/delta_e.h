@@ -37,7 +37,7 @@ struct PerceivedDifference {
     friend bool operator==(const PerceivedDifference&, const PerceivedDifference&) = default;
 };
 
-// Channels are clamped to [0,1], NaN is 0, alpha is passed over. Not rounded to codes: give quantised(image) for what
+// Channels are clamped to [0,1], NaN is 0, alpha is passed over. Not rounded to codes: round them first (channel_code()) for what
 // 8 bits show. Throws std::invalid_argument unless the sizes are equal.
 PerceivedDifference perceived_difference(const Image& one, const Image& other);
 // Over the pixels that are set in the mask.

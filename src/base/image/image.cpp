@@ -13,12 +13,4 @@ std::uint8_t channel_code(float channel) {
     return static_cast<std::uint8_t>(std::clamp(static_cast<double>(channel), 0.0, 1.0) * 255 + 0.5);
 }
 
-Image quantised(const Image& image) {
-    Image result = image;
-    for (Rgba& pixel : result.pixels) {
-        for (float& channel : pixel) channel = static_cast<float>(channel_code(channel)) / 255.0F;
-    }
-    return result;
-}
-
 }  // namespace twinlight

@@ -33,7 +33,4 @@ using PixelMask = std::vector<bool>;
 // A NaN, for which GL has no answer, is 0.
 std::uint8_t channel_code(float channel);
 
-// Every channel replaced by its code / 255.
-Image quantised(const Image& image);
-
 }  // namespace twinlight

@@ -93,26 +93,6 @@ PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
     return image;
 }
 
-Image decode_png(std::string_view bytes) {
-    constexpr int kChannels = kRgba;
-    if (bytes.size() > INT_MAX) throw std::runtime_error("the PNG is larger than 2 GiB");
-    int width = 0, height = 0, channels_in_file = 0;
-    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> codes(
-        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()), &width,
-                              &height, &channels_in_file, kChannels),
-        stbi_image_free);
-    if (!codes) throw std::runtime_error(cannot_be_read());
-
-    Image image(width, height);
-    const stbi_uc* code = codes.get();
-    for (Rgba& pixel : image.pixels) {
-        for (float& channel : pixel) channel = static_cast<float>(*code++) / 255.0F;
-    }
-    return image;
-}
-
 void write_png(const std::string& path, const Image& image) { write_file_atomically(path, encode_png(image)); }
-
-Image read_png(const std::string& path) { return decode_png(read_file(path)); }
 
 }  // namespace twinlight

@@ -25,10 +25,6 @@ struct PngPixels {
 // unpacks to more than such an image has, is refused before it takes memory. Throws std::runtime_error.
 PngPixels decode_png_pixels(std::string_view bytes, int longest_side);
 
-// Any PNG of 8 bits or fewer; alpha is 1 where the file has none. Throws std::runtime_error with the decoder's reason.
-Image decode_png(std::string_view bytes);
-
 void write_png(const std::string& path, const Image& image);  // atomically: see file.h
-Image read_png(const std::string& path);
 
 }  // namespace twinlight

@@ -48,8 +48,8 @@ enum class Verdict : std::uint8_t {
     kInformative,  // the two show different models: no tolerance applies
 };
 
-// What a judged pair is held to, in the interior, beyond the difference that is allowed for filters and blending: no channel off by
-// more than max, and a share of the pixels that differ below differing_share.
+// What a judged pair is held to away from edges, beyond the allowed difference (allowances.h): no channel off by more than max,
+// and a share of the pixels that differ below differing_share.
 struct Tolerance {
     double max = 1 / 255.0;          // one code: two right roundings of one value may be neighbours
     double differing_share = 0.001;  // as rarely as float and double lie on different sides of a rounding border

@@ -31,7 +31,7 @@ struct Departure {
     std::string_view name;
     std::string_view section;
     Leaves leaves = Leaves::kFixedFunction;
-    std::span<const SeenOn> seen_on{};  // empty: it is of no driver (kOpen)
+    std::span<const SeenOn> seen_on{};  // empty: of no driver in particular
     // The first that is there says where it applies: anywhere in a scene, to a Draw, or to a vertex.
     CommandRule (*of_commands)() = nullptr;
     bool (*of_draw)(const Draw& draw) = nullptr;

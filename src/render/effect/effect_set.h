@@ -13,7 +13,7 @@
 //   local_viewer                             a light's highlight depends on the viewer
 //   vertex_w                                 a light is positional, or local_viewer, or there is fog
 //   normalize                                a light is diffuse or specular, and one factor does not make all normals unit
-//   separate_specular, specular_model        a light is specular
+//   separate_specular, highlight             a light is specular
 //   shininess                                a light is specular
 //   spectral_products                        tracks_* or varies_* of an ambient, diffuse or specular colour
 //   spectral_groups                          no spectral_products; only where PlanOptions::fold_spectra is off
@@ -44,10 +44,10 @@
 
 namespace twinlight {
 
-// x^n as code: 1 for n = 0, repeated squaring for a whole n, pow for the rest.
-enum class Power : std::uint8_t { kOne, kWhole, kReal };
+// How x^n is written: 1 where n is 0, repeated squaring for another whole n, pow for the rest.
+enum class Power : std::uint8_t { kZero, kWhole, kReal };
 inline Power power_of(double exponent) {
-    if (exponent == 0) return Power::kOne;
+    if (exponent == 0) return Power::kZero;
     return exponent == std::floor(exponent) ? Power::kWhole : Power::kReal;
 }
 
@@ -58,7 +58,7 @@ struct LightEffects {
     bool directional = false;  // w of the position is 0
     bool attenuated = false;   // by a linear or quadratic factor; a constant one is folded into the products
     bool spot = false;         // cutoff other than 180 degrees
-    Power spot_exponent = Power::kOne;
+    Power spot_exponent = Power::kZero;
     bool smooth_cone = false;  // the lecture's cone in the place of the spot's
     bool ambient = false;      // an ambient term that is not the same at every vertex
     bool diffuse = false;
@@ -123,7 +123,7 @@ struct EffectSet {
     bool normalize = false;
     bool separate_specular = false;
     Highlight highlight = Highlight::kHalfVector;
-    Power shininess = Power::kOne;
+    Power shininess = Power::kZero;
     FaceEffects front, back;
     std::vector<LightEffects> lights;  // in GL's order
     TextureEffects texture;
@@ -137,7 +137,7 @@ struct EffectSet {
 
     friend auto operator<=>(const EffectSet&, const EffectSet&) = default;  // NOLINT
 
-    // Whether any light is: needs_position(), say, for "a position in eye coordinates is called for".
+    // Whether any light has this fact. needs_x() below: whether the code must have x.
     bool any_light(bool LightEffects::*fact) const {
         return std::any_of(lights.begin(), lights.end(), [fact](const LightEffects& light) { return light.*fact; });
     }

@@ -325,11 +325,11 @@ class Planner {
         // What lies between two whole numbers is not whole.
         const bool between =
             facts().shading == Shading::kPhong && (facts().front.varies_shininess || facts().back.varies_shininess);
-        facts().shininess = between ? Power::kReal : Power::kOne;
+        facts().shininess = between ? Power::kReal : Power::kZero;
         for (const Materials& m : materials_)
             facts().shininess = std::max({facts().shininess, power_of(m.front.shininess), power_of(m.back.shininess)});
-        facts().local_viewer = model.local_viewer && facts().shininess != Power::kOne;
-        if (facts().shininess == Power::kOne)
+        facts().local_viewer = model.local_viewer && facts().shininess != Power::kZero;
+        if (facts().shininess == Power::kZero)
             leave_out("the highlight's shape", "GL_SHININESS is 0: x^0 is 1 for every x");
         if (!facts().local_viewer)
             leave_out("the local viewer", model.local_viewer ? "with a GL_SHININESS of 0 no viewer matters"

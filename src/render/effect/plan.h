@@ -90,9 +90,6 @@ Plan plan_effects(const Draw& draw, const PlanOptions& options);
 // The same for who keeps the facts of vertices that stay as they are: then the cost does not grow with their number.
 Plan plan_effects(const Draw& draw, const PlanOptions& options, const VertexFacts& vertices);
 
-// The lights that are in, those that may add most first.
-std::vector<LightBound> lights_by_bound(const Plan& plan);
-
 // The lights that are out, as Plan::left_out has the rest.
 std::vector<LeftOut> lights_left_out(const Plan& plan);
 

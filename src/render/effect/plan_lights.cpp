@@ -115,7 +115,7 @@ class LightsPlanner {
             if (!within_share) {
                 factors = light_factors(what_.bounds, light, what_.faces, static_cast<int>(face_count_));
                 // A cone that holds all of the Draw, and does not fall off, is none.
-                if (effects.spot && effects.spot_exponent == Power::kOne && factors.cone_holds_all)
+                if (effects.spot && effects.spot_exponent == Power::kZero && factors.cone_holds_all)
                     effects.spot = false;
                 find_range();
             }
@@ -214,7 +214,7 @@ class LightsPlanner {
             note("cone", fmt::format("it is directional: its spot factor is {:.6g} at every vertex", reach));
         else if (!effects.spot && !effects.smooth_cone)
             note("cone", "it holds all of the Draw, and GL_SPOT_EXPONENT is 0");
-        if (effects.spot && effects.spot_exponent == Power::kOne)
+        if (effects.spot && effects.spot_exponent == Power::kZero)
             note("fall-off inside the cone", "GL_SPOT_EXPONENT is 0");
         if (!effects.ambient && meets(ambient_of(light), &FaceRange::ambient))
             note("ambient term", "it is the same at every vertex: it is added to the scene's ambient light");
@@ -239,15 +239,6 @@ class LightsPlanner {
 }  // namespace
 
 ColorRange plan_lights(const LightsToPlan& what, Plan& plan) { return LightsPlanner(what, plan).run(); }
-
-std::vector<LightBound> lights_by_bound(const Plan& plan) {
-    std::vector<LightBound> lights;
-    for (const PlannedLight& light : plan.lights)
-        lights.push_back(plan.light_bounds[static_cast<std::size_t>(light.number)]);
-    std::stable_sort(lights.begin(), lights.end(),
-                     [](const LightBound& a, const LightBound& b) { return a.largest() > b.largest(); });
-    return lights;
-}
 
 std::vector<LeftOut> lights_left_out(const Plan& plan) {
     std::vector<LeftOut> left_out;

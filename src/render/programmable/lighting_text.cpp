@@ -65,12 +65,12 @@ class Writer : LightingWriter {
         return text_ + "    return lit;\n}\n\n";
     }
 
-    // VPe is called for by what is not the same at every vertex: h_i of a light that is near or of a near viewer, and r.
+    // Reflection needs the direction to the viewer, and so does h_i where it is not the same at every vertex.
     bool needs_vpe_dir() const {
         if (effects_.local_viewer) return true;
         bool near_light = false;
         for (const LightEffects& light : effects_.lights) near_light |= light.specular && !light.directional;
-        return effects_.shininess != Power::kOne && effects_.any_light(&LightEffects::specular) &&
+        return effects_.shininess != Power::kZero && effects_.any_light(&LightEffects::specular) &&
                (near_light || is_reflection());
     }
     std::string vpe_dir() const {
@@ -98,9 +98,9 @@ class Writer : LightingWriter {
             const std::string slope = names_.light(i, "float", "cone_slope", "1 / (cos inner - cos outer)");
             return reach + fmt::format("smooth_cone({}, {}, {}, vp_dir)", spot_dir, cos_outer, slope);
         }
-        const std::string cos_cutoff = names_.light(i, "float", "cos_cutoff", "c_rli");
+        const std::string cos_cutoff = names_.light(i, "float", "cos_cutoff", "cos(c_rli), less rounding");
         std::string exponent = "0";
-        if (light.spot_exponent != Power::kOne)
+        if (light.spot_exponent != Power::kZero)
             exponent =
                 names_.light(i, light.spot_exponent == Power::kWhole ? "int" : "float", "spot_exponent", "s_rli");
         return reach + fmt::format("spot({}, {}, {}, vp_dir)", spot_dir, cos_cutoff, exponent);
@@ -111,7 +111,7 @@ class Writer : LightingWriter {
 
     // f_i (n . h_i)^s_rm, or the lecture's term.
     std::string highlight(std::size_t i, const std::string& face, const FaceEffects& varying) {
-        if (effects_.shininess == Power::kOne) return is_reflection() ? "1.0" : "f_i(n_dot_vp)";
+        if (effects_.shininess == Power::kZero) return is_reflection() ? "1.0" : "f_i(n_dot_vp)";
         const std::string shininess = names_.shininess(face, varying);
         std::string highlight;
         if (is_reflection()) {
@@ -132,7 +132,7 @@ class Writer : LightingWriter {
         const LightEffects& light = effects_.lights[i];
         text_ += names_.light_block(i);
         const bool cone = light.spot || light.smooth_cone;
-        const bool needs_vp_dir = cone || has_n_dot_vp(light) || (light.specular && effects_.shininess != Power::kOne);
+        const bool needs_vp_dir = cone || has_n_dot_vp(light) || (light.specular && effects_.shininess != Power::kZero);
         if (!light.directional)
             add("        vec3 vp = {} - {};\n", names_.light(i, "vec3", "position_" + names_.space(), "P_pli"),
                 names_.position());
@@ -141,13 +141,13 @@ class Writer : LightingWriter {
                 light.directional ? names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1")
                                   : "unit(vp)");
         if (has_n_dot_vp(light)) add("        float n_dot_vp = positive_dot(n, vp_dir);\n");
-        const std::string reach = this->reach(i), times = reach.empty() ? "" : "reach * ";
-        if (!reach.empty()) add("        float reach = {};\n", reach);
+        const std::string reach_value = reach(i), reach_times = reach_value.empty() ? "" : "reach * ";
+        if (!reach_value.empty()) add("        float reach = {};\n", reach_value);
 
-        if (light.ambient) term(i, face, "ambient", times, ambient_of(varying));
-        if (light.diffuse) term(i, face, "diffuse", times + "n_dot_vp * ", diffuse_of(varying));
+        if (light.ambient) term(i, face, "ambient", reach_times, ambient_of(varying));
+        if (light.diffuse) term(i, face, "diffuse", reach_times + "n_dot_vp * ", diffuse_of(varying));
         if (light.specular)
-            term(i, face, "specular", times + highlight(i, face, varying) + " * ", specular_of(varying));
+            term(i, face, "specular", reach_times + highlight(i, face, varying) + " * ", specular_of(varying));
         text_ += "    }\n";
     }
 

@@ -133,17 +133,4 @@ PatchedTriangles patched(std::span<const std::uint32_t> indices, std::size_t ver
     return result;
 }
 
-std::size_t vertices_shaded_in_runs(std::span<const std::uint32_t> indices) {
-    constexpr std::size_t kRun = 1024 / 3 * 3, kCache = 256;
-    std::size_t shaded = 0;
-    std::array<std::uint32_t, kCache> cache{};
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        if (i % kRun == 0) cache.fill(kNone);
-        std::uint32_t& kept = cache[indices[i] % kCache];
-        if (kept != indices[i]) ++shaded;
-        kept = indices[i];
-    }
-    return shaded;
-}
-
 }  // namespace twinlight

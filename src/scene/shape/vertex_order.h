@@ -29,7 +29,4 @@ inline constexpr std::size_t kPatchIndices = 4096 / 3 * 3;
 // `indices` has three for each triangle, all below vertex_count. Linear time.
 PatchedTriangles patched(std::span<const std::uint32_t> indices, std::size_t vertex_count);
 
-// How many vertices that module shades for a list of triangles in one draw.
-std::size_t vertices_shaded_in_runs(std::span<const std::uint32_t> indices);
-
 }  // namespace twinlight

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "../pictures.h"
 #include "../run_program.h"
 #include "base/image/file.h"
 #include "base/image/png.h"

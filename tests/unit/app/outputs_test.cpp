@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "../pictures.h"
 #include "../run_program.h"
 #include "base/image/file.h"
 #include "base/image/png.h"

@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "../pictures.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "judge/report/report.h"

@@ -100,7 +100,7 @@ TEST(Plan, CallsForTheConeOfPositionalSpotlights) {
     EXPECT_EQ(reason(draw, "GL_LIGHT0's cone"), "it holds all of the Draw, and GL_SPOT_EXPONENT is 0");
     draw.lighting.lights[0].spot_cutoff_deg = 10;
     EXPECT_TRUE(facts(draw).lights[0].spot);
-    EXPECT_EQ(facts(draw).lights[0].spot_exponent, Power::kOne);
+    EXPECT_EQ(facts(draw).lights[0].spot_exponent, Power::kZero);
     EXPECT_EQ(reason(draw, "GL_LIGHT0's fall-off inside the cone"), "GL_SPOT_EXPONENT is 0");
     draw.lighting.lights[0].spot_exponent = 3;
     EXPECT_EQ(facts(draw).lights[0].spot_exponent, Power::kWhole);
@@ -146,7 +146,7 @@ TEST(Plan, KnowsWholeExponentsFromOthers) {
     draw.lighting.front.shininess = 76.8;
     EXPECT_EQ(facts(draw).shininess, Power::kReal);
     draw.lighting.front.shininess = 0;
-    EXPECT_EQ(facts(draw).shininess, Power::kOne);
+    EXPECT_EQ(facts(draw).shininess, Power::kZero);
 }
 
 TEST(Plan, CallsForSeparateSpecularAndReflectionOnlyWithASpecularTerm) {

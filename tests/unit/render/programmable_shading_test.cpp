@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../hand_built_draws.h"
+#include "../pictures.h"
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "../pictures.h"
 #include "../run_program.h"
 #include "base/image/file.h"
 #include "base/image/png.h"

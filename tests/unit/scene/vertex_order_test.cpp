@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <span>
 
 namespace twinlight {
 namespace {
@@ -19,6 +21,20 @@ std::vector<std::uint32_t> grid(std::uint32_t columns, std::uint32_t rows) {
         }
     }
     return indices;
+}
+
+// How many vertices Mesa's draw module shades for a list of triangles in one draw (docs/performance.md).
+std::size_t vertices_shaded_in_runs(std::span<const std::uint32_t> indices) {
+    constexpr std::size_t kRun = 1024 / 3 * 3, kCache = 256;
+    std::size_t shaded = 0;
+    std::array<std::uint32_t, kCache> cache{};
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (i % kRun == 0) cache.fill(std::numeric_limits<std::uint32_t>::max());
+        std::uint32_t& kept = cache[indices[i] % kCache];
+        if (kept != indices[i]) ++shaded;
+        kept = indices[i];
+    }
+    return shaded;
 }
 
 TEST(Patches, HoldTheSameTrianglesEachWithItsOwnOrderOfVertices) {

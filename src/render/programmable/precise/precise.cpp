@@ -66,15 +66,15 @@ void put_all_in_force(EffectSet& effects, const Draw& draw, const LightingState&
         effects.lights.push_back({.directional = light.position_eye.w == 0,
                                   .attenuated = is_attenuated(light),
                                   .spot = spot,
-                                  .spot_exponent = spot ? Power::kReal : Power::kOne,
+                                  .spot_exponent = spot ? Power::kReal : Power::kZero,
                                   .smooth_cone = false,
                                   .ambient = rgb,
                                   .diffuse = rgb,
                                   .specular = true});
     });
     effects.clamp = true;
-    effects.shininess = is_shiny(draw) ? Power::kReal : Power::kOne;
-    effects.local_viewer = lighting.light_model.local_viewer && effects.shininess != Power::kOne;
+    effects.shininess = is_shiny(draw) ? Power::kReal : Power::kZero;
+    effects.local_viewer = lighting.light_model.local_viewer && effects.shininess != Power::kZero;
     effects.separate_specular = lighting.light_model.color_control != kGL_SINGLE_COLOR;
     effects.highlight = Highlight::kHalfVector;
     effects.normalize = draw.lighting.normalize;  // a plan may find it idle, and change lighting.normalize

@@ -61,7 +61,7 @@ class Writer : LightingWriter {
             reach = fmt::format("attenuation({}, vp)", names_.light(i, "vec3", "attenuation", "k_0i, k_1i, k_2i"));
         if (!light.spot) return reach;
         const std::string spot_dir = names_.light(i, "vec3", "spot_dir_" + names_.space(), "s_dli, of length 1");
-        const std::string cos_cutoff = names_.light(i, "float", "cos_cutoff", "c_rli");
+        const std::string cos_cutoff = names_.light(i, "float", "cos_cutoff", "cos(c_rli)");
         const std::string exponent = names_.light(i, "float", "spot_exponent", "s_rli");
         return reach + (reach.empty() ? "" : " * ") +
                fmt::format("spot({}, {}, {}, vp_dir)", spot_dir, cos_cutoff, exponent);
@@ -69,7 +69,7 @@ class Writer : LightingWriter {
 
     // f_i (n . h_i)^s_rm.
     std::string highlight(std::size_t i, const std::string& face, const FaceEffects& varying) {
-        if (effects_.shininess == Power::kOne) return "f_i(n_dot_vp)";
+        if (effects_.shininess == Power::kZero) return "f_i(n_dot_vp)";
         std::string n_dot_h;
         if (effects_.lights[i].directional && !effects_.local_viewer) {
             n_dot_h = fmt::format(

@@ -1,4 +1,5 @@
-// The terms of the lighting equation (GL 2.1, section 2.14.1), under the names of src/lighting/equation.h. A program has the
+// The terms of the lighting equation (GL 2.1, section 2.14.1), under the names of src/lighting/equation.h, with helpers of
+// their own; fog and sRGB at the end. A program has the
 // functions that it calls and no others (shader_assembly.h). They take their values as parameters, so one text serves every light,
 // both faces, and object as well as eye coordinates. EXPONENT is int for whole exponents, and POWER whole_power; else float and
 // real_power.
@@ -41,8 +42,8 @@ float attenuation(vec3 k, float light_distance) {
     return divisor > 0.0 ? 1.0 / max(divisor, 1e-37) : 0.0;
 }
 
-// spot_i (section 2.14.1): 0 outside of the cone, (PV . s_dli)^s_rli within. The border belongs to the cone: cos_cutoff is c_rli
-// less what rounding may take from a cosine.
+// spot_i (section 2.14.1): 0 outside of the cone, (PV . s_dli)^s_rli within. The border belongs to the cone: cos_cutoff is
+// cos(c_rli), less what rounding may take from a cosine.
 float spot(vec3 spot_dir, float cos_cutoff, EXPONENT spot_exponent, vec3 vp_dir) {
     float cos_angle = dot(-vp_dir, spot_dir);
     return cos_angle >= cos_cutoff ? POWER(max(cos_angle, 0.0), spot_exponent) : 0.0;

@@ -1,0 +1,51 @@
+// The picture.
+#include "render/reference/reference.h"
+
+#include "render/reference/framebuffer.h"
+
+namespace twinlight::reference {
+
+namespace {
+
+// By Draw.
+std::vector<int> shape_numbers(const StagedFrame& stages) {
+    std::vector<int> numbers;
+    const Draw* last = nullptr;
+    for (const StagedDraw& staged : stages.draws) {
+        const Draw& draw = *staged.draw;
+        const bool is_same = last && are_one_shape(*last, draw);
+        numbers.push_back(numbers.empty() ? 0 : numbers.back() + (is_same ? 0 : 1));
+        last = &draw;
+    }
+    return numbers;
+}
+
+}  // namespace
+
+std::vector<int> seen_shapes(const Frame& frame, const Options& options) {
+    const StagedFrame stages = run_stages(frame, options);
+    const std::vector<int> numbers = shape_numbers(stages);
+    std::vector<int> seen(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height), -1);
+    draw_in_bands<Framebuffer>(stages, frame, options, [&](const Framebuffer& framebuffer, const PixelRect& band) {
+        for_each(band, [&](int x, int y) {
+            const std::optional<StepId> step = framebuffer.step(x, y);
+            if (!step || *step < 0) return;
+            const std::size_t row = static_cast<std::size_t>(frame.height - 1 - y);
+            seen[row * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)] =
+                numbers[stages.piece(*step).draw];
+        });
+    });
+    return seen;
+}
+
+Image render(const Frame& frame, const Options& options) {
+    Image image(frame.width, frame.height);
+    const StagedFrame stages = run_stages(frame, options);
+    draw_in_bands<Framebuffer>(stages, frame, options, [&](Framebuffer& framebuffer, const PixelRect& band) {
+        const std::vector<Channels<double>> colors = framebuffer.colors();
+        for_each(band, [&](int x, int y) { image.at(x, frame.height - 1 - y) = rgba(colors[band.index(x, y)]); });
+    });
+    return image;
+}
+
+}  // namespace twinlight::reference
