@@ -564,9 +564,10 @@ TEST_F(Cli, StudiesWhatAccuracyCosts) {
 
 TEST_F(Cli, KeepsWhatAnInterruptedStudyHas) {
     const std::string file = scene(kScene), folder = out_ / "study";
+    // --foreground: otherwise timeout also signals its process group, and a second interrupt ends the program at once.
     const ProgramResult result =
-        run_shell("twinlight", "timeout --preserve-status -s INT 2 \"$PROGRAM\" study " + quoted(file) + " -o " +
-                                   quoted(folder) + " --quick --seconds 1000 --size 24x24 --json");
+        run_shell("twinlight", "timeout --foreground --preserve-status -s INT 2 \"$PROGRAM\" study " + quoted(file) +
+                                   " -o " + quoted(folder) + " --quick --seconds 1000 --size 24x24 --json");
     ASSERT_EQ(result.status, 0) << result.err;
     const json begun = json::parse(result.out);
     const ProgramResult more = run({"study", file, "-o", folder, "--resume", "--seconds", "0", "--json"});
