@@ -1,4 +1,4 @@
-// Which pictures are drawn, which are held against each other, and what they are held to.
+// Which pictures are drawn, which of them are compared, and how far they may differ.
 #include "judge/compare/comparison.h"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ constexpr std::array kRenders = {
     PlannedRender{Path::kReference, true, "reference-phong",
                   "The reference lights every pixel and follows the scene's pragmas."},
 };
-// Of exact surfaces, in the place of phong's.
+// With exact surfaces: these instead of the phong pictures.
 constexpr std::array kExactRenders = {
     PlannedRender{Path::kProgrammable, true, "programmable-exact",
                   "Shaders cast a ray through every pixel at the surfaces that curved shapes stand for."},
@@ -64,7 +64,7 @@ constexpr std::array kPairs = {
 
 bool is_of_drivers(const PlannedPair& pair) { return kRenders[pair.a].by_driver() && kRenders[pair.b].by_driver(); }
 
-// What the driver draws with is drawn twice and the second is timed, for in the first the driver compiles.
+// The driver draws each picture twice, and the second is timed: in the first it compiles.
 template <class Draw>
 auto timed(bool twice, double& ms, const Draw& draw) {
     using Clock = std::chrono::steady_clock;

@@ -1,5 +1,5 @@
 // The comparison of one scene drawn several ways: three renderers per vertex, two per pixel, and the pairs of
-// them that are held against each other.
+// them that are compared.
 #pragma once
 
 #include <functional>
@@ -35,7 +35,7 @@ struct Render {
     Image image;
     double ms = 0;  // one render, the picture read back
     // The reference's picture with quadrilaterals cut the other way, where the scene has any: the specification
-    // allows both (QuadCut), so another picture is held against whichever is nearer, pixel by pixel.
+    // allows both (QuadCut), so another picture is compared with the nearer one, pixel by pixel.
     std::optional<Image> other_cut{};
     // What it was drawn from, where that is plans: how far they leave it from the scene is allowed.
     std::vector<ExplainedDraw> plan{};
@@ -77,7 +77,7 @@ struct Comparison {
 
     const Render& a(const Pair& pair) const { return renders[pair.a]; }
     const Render& b(const Pair& pair) const { return renders[pair.b]; }
-    // b's picture as a's is held against it: of a reference with two cuts, the nearer one at each pixel.
+    // The picture of b that a is compared with: of a reference with two cuts, the nearer one at each pixel.
     Image counterpart(const Pair& pair) const;
     Verdict verdict() const;        // kBeyond if a pair is; else kPartial if one is; else kWithin
     bool within_tolerance() const;  // as far as the pictures tell: no pair is beyond
@@ -104,8 +104,8 @@ struct CompareOptions {
 };
 
 // The per-vertex pictures follow GL's own model (the lecture's variants off), flat or gouraud as the scene
-// says, so that the three can be held against each other; the phong pictures follow the scene's variants.
-// What the driver draws with is drawn twice and the second time is told, for in the first the driver compiles.
+// says, so that the three can be compared; the phong pictures follow the scene's variants.
+// The driver draws each picture twice, and the second is timed: in the first it compiles.
 Comparison compare_scene(const Scene& scene, const CompareOptions& options, const Renderers& renderers);
 
 }  // namespace twinlight::compare

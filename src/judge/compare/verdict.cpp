@@ -17,7 +17,7 @@ Verdict judge(const Comparison& comparison, const Pair& pair) {
     const Render &a = comparison.a(pair), &b = comparison.b(pair);
     bool partial = false;
     for (const Unsupported& item : comparison.unsupported) {
-        if (lacks(a.path, item) != lacks(b.path, item)) return Verdict::kPartial;  // a difference may come of it
+        if (lacks(a.path, item) != lacks(b.path, item)) return Verdict::kPartial;  // which may be why they differ
         partial = partial || lacks(a.path, item);
     }
     return partial && verdict == Verdict::kWithin ? Verdict::kPartial : verdict;

@@ -98,7 +98,7 @@ class Driver {
 };
 
 struct Options {
-    std::optional<Shading> shading{};  // in the place of every glShadeModel: kFlat or kGouraud
+    std::optional<Shading> shading{};  // instead of every glShadeModel: kFlat or kGouraud
 };
 
 // Throws std::invalid_argument for what the fixed function cannot do: Shading::kPhong and Shading::kExact.

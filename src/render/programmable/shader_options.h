@@ -19,7 +19,7 @@ struct Options : PlanOptions {
     // Lit per vertex in the order of operations of Mesa's fixed function, every sum in floats (precise.h). Nothing of the
     // lighting is left out then, whatever the budget.
     bool precise = false;
-    // Of a UploadedFrame: large meshes in patches (render/stages/elements.h).
+    // For an UploadedFrame: large meshes in patches (render/stages/elements.h).
     bool patches = true;
 };
 
