@@ -1,8 +1,11 @@
 #include "scene/command/memory.h"
 
+#include <array>
 #include <cstring>
 #include <limits>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace twinlight {
 
@@ -10,7 +13,7 @@ namespace {
 
 // Calls `use` with a value of the kind's C type.
 template <std::size_t i = 0, class Use>
-auto with_type(Kind kind, Use use) {
+constexpr auto with_type(Kind kind, Use use) {
     if constexpr (i + 1 < std::tuple_size_v<CTypes>) {
         if (kind != static_cast<Kind>(i)) return with_type<i + 1>(kind, use);
     }
@@ -51,13 +54,27 @@ Kind c_type(Kind kind) {
     return kind;
 }
 
-WholeRange whole_range(Kind kind) {
+namespace {
+
+constexpr WholeRange range_of(Kind kind) {
     if (kind == Kind::kSizeiptr) return {-0x1p53, 0x1p53};  // what a double holds exactly
     return with_type(kind, []<class T>(T) -> WholeRange {
         if constexpr (!std::is_integral_v<T>) return {0, 0};
         return {static_cast<double>(std::numeric_limits<T>::min()), static_cast<double>(std::numeric_limits<T>::max())};
     });
 }
+
+template <std::size_t... i>
+constexpr std::array<WholeRange, sizeof...(i)> ranges(std::index_sequence<i...> /*kinds*/) {
+    return {range_of(static_cast<Kind>(i))...};
+}
+
+// By kind: a recording asks for every whole number in it.
+constexpr auto kRanges = ranges(std::make_index_sequence<std::tuple_size_v<CTypes>>());
+
+}  // namespace
+
+WholeRange whole_range(Kind kind) { return kRanges.at(static_cast<std::size_t>(kind)); }
 
 double load(std::span<const std::byte> bytes, Kind kind) {
     return with_type(kind, [&](auto value) {
