@@ -101,9 +101,9 @@ TEST_F(Cli, RefusesBadUse) {
                    "use it with --with programmable");
     expect_refused(
         run({"render", file, "--with", "programmable", "--precise", "--shading", "phong", "-o", out_ / "p.png"}),
-        "it has no phong shading");
+        "does not work with phong or exact shading");
     expect_refused(run({"render", file, "--with", "programmable", "--precise", "--baked", "-o", out_ / "p.png"}),
-                   "as uniforms");
+                   "does not work with constants");
     expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
     expect_refused(run({"compare", file}), "-o is required");
     expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
@@ -602,7 +602,7 @@ TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
     expect_refused(render("fixed"), "use --with programmable or --with reference");
     expect_refused(
         run({"render", file, "--with", "programmable", "--precise", "--shading", "exact", "-o", out_ / "p.png"}),
-        "no exact surfaces");
+        "does not work with phong or exact shading");
     EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "exact"}).out.find("cast_ray()"), std::string::npos);
     const ProgramResult explained = run({"explain", file, "--shading", "exact"});
     EXPECT_EQ(explained.status, 0) << explained.err;
