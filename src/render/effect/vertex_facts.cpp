@@ -10,9 +10,9 @@
 namespace twinlight {
 namespace {
 
-// Beyond these, squares overflow or underflow; nothing is said of what lies there.
+// Beyond these, squares overflow or underflow; such vertices have no bounds.
 constexpr double kFar = 1e100, kNear = 1e-100;
-// What rounding may take from a sphere or cone found in double precision.
+// More than the rounding error of a sphere or cone in double precision.
 constexpr double kRounding = 1e-12;
 
 bool is_far(const glm::dvec3& v) {
@@ -20,7 +20,7 @@ bool is_far(const glm::dvec3& v) {
     return !(size.x <= kFar && size.y <= kFar && size.z <= kFar);
 }
 
-// From the middle of the box around the positions.
+// Centred on the middle of the positions' bounding box.
 void find_sphere(const Draw& draw, VertexFacts& facts) {
     const bool negative = draw.vertices.front().position_object.w < 0;
     glm::dvec3 low(kFar), high(-kFar);
@@ -44,7 +44,7 @@ void find_sphere(const Draw& draw, VertexFacts& facts) {
         std::sqrt(square) + kRounding * (std::sqrt(square) + glm::length(facts.center_object)) + kNear;
 }
 
-// Around the sum of the unit normals.
+// The axis is the direction of the sum of the unit normals.
 void find_normal_cone(const Draw& draw, VertexFacts& facts) {
     double shortest = kFar, longest = 0;
     glm::dvec3 sum(0);
@@ -62,7 +62,7 @@ void find_normal_cone(const Draw& draw, VertexFacts& facts) {
         longest = std::max(longest, length);
         sum += n / length;
     }
-    if (longest == 0 && ordinary) return;  // there is none
+    if (longest == 0 && ordinary) return;  // no normal is other than 0
     facts.normal_half_angle = std::numbers::pi;
     facts.shortest_normal = shortest;
     facts.longest_normal = ordinary ? longest : std::numeric_limits<double>::infinity();
@@ -74,7 +74,7 @@ void find_normal_cone(const Draw& draw, VertexFacts& facts) {
         const glm::dvec3& n = v.normal_object;
         if (n != glm::dvec3(0)) cosine = std::min(cosine, glm::dot(n, facts.normal_axis_dir_object) / glm::length(n));
     }
-    // An arc cosine near 1 loses half of the digits.
+    // acos near 1 loses half of the digits.
     facts.normal_half_angle = std::acos(std::max(cosine - kRounding, -1.0));
 }
 

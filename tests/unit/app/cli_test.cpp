@@ -466,10 +466,10 @@ TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
     EXPECT_EQ(text.err, "");
     // 90 degrees less the cone's 20 and asin(sqrt(2) / 5).
     for (const char* expected :
-         {"1 draw, 1 different plan; budget: 0.5 of 255 codes", "in   directional, diffuse: at most 204 of 255 codes",
-          "its cone misses the sphere around the Draw by 53.6 degrees",
-          "at most 0.204 of 255 codes of it reach a channel", "GL_LIGHT3 to GL_LIGHT7",
-          "The picture is off by 0.204 of 255 codes at most."})
+         {"1 draw, 1 different plan; budget: 0.5/255",
+          "in   directional, diffuse: it adds at most 204/255 to a channel",
+          "its cone misses the draw's bounding sphere by 53.6 degrees", "it would add at most 0.204/255 to a channel",
+          "GL_LIGHT3 to GL_LIGHT7", "The picture is off by 0.204/255 at most."})
         EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
     EXPECT_EQ(text.out.find('\x1b'), std::string::npos);
     EXPECT_NE(run({"explain", file, "--budget", "0"}).out.find("The picture is off by nothing."), std::string::npos);
