@@ -2,7 +2,7 @@
 
 uniform mat4 u_clip_from_object;  // the product of the projection and the modelview matrix
 uniform mat4 u_eye_from_object;  // the modelview matrix
-uniform mat3 u_eye_from_object_normal;  // the transposed inverse of its upper 3x3 (section 2.11.3)
+uniform mat3 u_eye_from_object_normal;  // the transposed inverse of the modelview matrix's upper 3x3 (section 2.11.3)
 uniform float u_normal_scale;  // GL_RESCALE_NORMAL's factor (section 2.11.3)
 uniform vec3 u_viewer_object;  // the eye, in object coordinates
 uniform vec3 u_viewer_dir_object;  // the direction to the eye, for a viewer at infinity
@@ -29,8 +29,8 @@ uniform vec3 u_moment;
 uniform vec3 u_moment_per_x;
 uniform vec3 u_moment_per_y;
 uniform vec4 u_clip_w;  // dot(u_clip_w, (position, 1)) is the clip coordinate w
-uniform vec4 u_to_near_plane;  // the same for w + z
-uniform vec4 u_to_far_plane;  // the same for w - z
+uniform vec4 u_to_near_plane;  // dot(u_to_near_plane, (position, 1)) is w + z
+uniform vec4 u_to_far_plane;  // dot(u_to_far_plane, (position, 1)) is w - z
 uniform float u_far_depth;  // from glDepthRange (section 2.11.1)
 uniform float u_half_depth_range;
 // How the point that projects to a window position moves with x, y and depth; homogeneous.
@@ -38,9 +38,9 @@ uniform vec4 u_step_x;
 uniform vec4 u_step_y;
 uniform vec4 u_step_depth;
 uniform float u_offset_factor;  // from glPolygonOffset (section 3.5.5)
-uniform float u_offset;  // its units, as a depth
+uniform float u_offset;  // glPolygonOffset's units, as a depth
 uniform float u_front_side;  // 1 if the outward normal of a front face points along the ray, -1 if against it
-uniform float u_shown_side;  // the same for the face that is not culled
+uniform float u_shown_side;  // 1 if the outward normal of an unculled face points along the ray, -1 if against it
 uniform float u_point_number;  // the number of the visible point to draw, counted from the farthest
 uniform float u_radius;  // of the sphere, or at the middle of the frustum
 uniform float u_slope;  // the change of the radius along the axis
