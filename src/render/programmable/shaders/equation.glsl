@@ -35,7 +35,8 @@ float positive_dot(vec3 a, vec3 b) {
     return max(dot(a, b), 0.0);
 }
 
-// att_i: the attenuation at a distance, for k = (k_0i, k_1i, k_2i) (section 2.14.1). RULING: 0 instead of 1 / 0.
+// att_i: the attenuation at a distance, for k = (k_0i, k_1i, k_2i) (section 2.14.1). 1 / 0, which the specification
+// leaves open, becomes 0.
 float attenuation(vec3 k, float light_distance) {
     float divisor = k[0] + light_distance * (k[1] + light_distance * k[2]);
     return divisor > 0.0 ? 1.0 / max(divisor, 1e-37) : 0.0;
