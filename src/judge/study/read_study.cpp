@@ -12,7 +12,7 @@ namespace twinlight::study {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 // A value with the way to it, for what is said of it.
 class Node {

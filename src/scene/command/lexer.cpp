@@ -16,7 +16,7 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' |
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     constexpr std::size_t kLongest = 40;
     std::string shown = "'";
     for (char c : text.substr(0, kLongest)) {
@@ -109,7 +109,7 @@ void Lexer::string() {
         const auto byte = static_cast<unsigned char>(text_[position_]);
         if (byte == '\n') break;
         if (byte < 0x20 || byte == 0x7F || byte == '\\') {
-            fail(place_, fmt::format("a string cannot hold {}", quoted(text_.substr(position_, 1))));
+            fail(place_, fmt::format("a string cannot hold {}", in_quotes(text_.substr(position_, 1))));
         }
         advance();
     }
@@ -161,7 +161,7 @@ Token Lexer::next() {
         advance();
     } else {
         fail(place_, fmt::format("{} has no place in a scene; expected C statements such as glEnable(GL_LIGHTING);",
-                                 quoted(text_.substr(position_, 1))));
+                                 in_quotes(text_.substr(position_, 1))));
     }
     token.text = text_.substr(start, position_ - start);
     return token;

@@ -48,7 +48,7 @@ class Lexer {
 };
 
 // What may be shown of untrusted text: printable, one line, not too long; in quotes.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 [[noreturn]] void fail(const Place& place, const std::string& message);  // throws SceneError
 

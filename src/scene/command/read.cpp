@@ -17,7 +17,7 @@ std::size_t Object::length() const {
 }
 
 std::string shown(const Token& token) {
-    return token.kind == TokenKind::kEnd ? std::string(token.text) : quoted(token.text);
+    return token.kind == TokenKind::kEnd ? std::string(token.text) : in_quotes(token.text);
 }
 
 std::vector<Command> Reader::read() {
@@ -97,7 +97,7 @@ void Reader::program() {
     advance();
     if (token_.kind == TokenKind::kEnd) return;
     fail(token_.place, fmt::format("nothing may follow {}, which is the scene: write what other functions call into it",
-                                   quoted(name.text)));
+                                   in_quotes(name.text)));
 }
 
 void Reader::declaration() {
@@ -117,15 +117,15 @@ void Reader::declaration() {
         advance();
         if (token_.is("(")) {
             fail(name.place, fmt::format("functions are not part of a scene: write what {} calls one after the other",
-                                         quoted(name.text)));
+                                         in_quotes(name.text)));
         }
         if (variables_.contains(name.text)) {
-            fail(name.place,
-                 fmt::format("{} is declared already, at {}", quoted(name.text), variables_.at(name.text).place.str()));
+            fail(name.place, fmt::format("{} is declared already, at {}", in_quotes(name.text),
+                                         variables_.at(name.text).place.str()));
         }
         Object object{.kind = kind,
                       .dimensions = dimensions_in_brackets(),
-                      .shown = quoted(name.text),
+                      .shown = in_quotes(name.text),
                       .place = name.place,
                       .known = is_static,
                       .unknown_because = "it was declared without a value"};
@@ -172,7 +172,7 @@ void Reader::assignment() {
     const Token name = token_;
     const auto refuse = [&] {
         fail(name.place, fmt::format("assignments are not part of a scene: give {} its value where it is declared",
-                                     quoted(name.text)));
+                                     in_quotes(name.text)));
     };
     advance();
     const std::optional<Lvalue> target = lvalue(name);
@@ -209,7 +209,7 @@ const Command& Reader::call() {
             if (sig.family != Family::kPragma) names.push_back(sig.name);
         }
         const auto near = nearest(name.text, names);
-        fail(name.place, fmt::format("unknown command {}{}", quoted(name.text),
+        fail(name.place, fmt::format("unknown command {}{}", in_quotes(name.text),
                                      near ? fmt::format("; did you mean {}?", *near)
                                           : "; docs/scene-language.md lists the commands of a scene"));
     }

@@ -116,7 +116,7 @@ void Reader::image_argument(Command& command) {
             auto memory = std::make_shared<const Memory>(Memory{Kind::kUbyte, std::move(image.rgba), file});
             found = images_.emplace(file, LoadedImage{image.width, image.height, std::move(memory)}).first;
         } catch (const std::runtime_error& error) {
-            fail(name.place, fmt::format("{}: {}", quoted(file), error.what()));
+            fail(name.place, fmt::format("{}: {}", in_quotes(file), error.what()));
         }
     }
     command.arguments.push_back(found->second.width);

@@ -311,7 +311,7 @@ Value Reader::literal(const Token& token) {
     const bool hex = digits.starts_with("0x") || digits.starts_with("0X");
     const auto is_suffix = [](char c) { return std::string_view("uUlL").find(c) != std::string_view::npos; };
     const bool has_point = !hex && digits.find_first_of(".eE") != std::string_view::npos;
-    const auto bad = [&] { fail(token.place, fmt::format("{} is not a number", quoted(token.text))); };
+    const auto bad = [&] { fail(token.place, fmt::format("{} is not a number", in_quotes(token.text))); };
     if (has_point) {
         const bool is_float = digits.ends_with('f') || digits.ends_with('F');
         if (is_float || digits.ends_with('l') || digits.ends_with('L')) digits.remove_suffix(1);
@@ -321,7 +321,8 @@ Value Reader::literal(const Token& token) {
         if (error == std::errc::result_out_of_range) {
             // Too small is 0 or a denormal, as in C; too large is an error.
             value = std::strtod(std::string(digits).c_str(), nullptr);
-            if (std::isinf(value)) fail(token.place, fmt::format("{} is too large for a double", quoted(token.text)));
+            if (std::isinf(value))
+                fail(token.place, fmt::format("{} is too large for a double", in_quotes(token.text)));
         }
         return real(value, is_float);
     }
@@ -334,7 +335,7 @@ Value Reader::literal(const Token& token) {
                                               : octal ? 8
                                                       : 10);
     if (error == std::errc::result_out_of_range) {
-        fail(token.place, fmt::format("{} is too large; write it with a point for a double", quoted(token.text)));
+        fail(token.place, fmt::format("{} is too large; write it with a point for a double", in_quotes(token.text)));
     }
     if (significant.empty() || end != significant.data() + significant.size()) bad();
     return integer(value);
@@ -435,7 +436,7 @@ void Reader::unknown_name(const Token& name) {
     std::vector<std::string_view> names = visible_names();
     for (const NamedValue& row : gl_names()) names.push_back(row.name);
     const auto near = nearest(name.text, names);
-    fail(name.place, fmt::format("unknown name {}{}", quoted(name.text),
+    fail(name.place, fmt::format("unknown name {}{}", in_quotes(name.text),
                                  near             ? fmt::format("; did you mean {}?", *near)
                                  : token_.is("(") ? "; a call cannot stand inside an expression"
                                                   : ""));

@@ -110,7 +110,7 @@ bool DumpReader::next_call() {
     if (c == '\x1b') fail_here("this dump has colours in it; make it with 'apitrace dump --color=never'");
     return cut_off_or(
         fmt::format("expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found {}",
-                    quoted(function_name_.empty() ? std::string(1, c) : function_name_)));
+                    in_quotes(function_name_.empty() ? std::string(1, c) : function_name_)));
 }
 
 bool DumpReader::read_call() {
