@@ -18,9 +18,8 @@ void State::client_arrays(const Command& c) {
         saved_pixel_stores_.pop_back();
     } else if (c.id == CommandId::glEnableClientState) {
         const Enum array = c.enumerant(0);
-        if (array == kGL_SECONDARY_COLOR_ARRAY || array == kGL_FOG_COORD_ARRAY) {
+        if (array == kGL_SECONDARY_COLOR_ARRAY || array == kGL_FOG_COORD_ARRAY)
             outside(fmt::format("{}({})", c.name(), enum_name(array)), c.place);
-        }
     }
 }
 

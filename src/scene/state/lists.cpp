@@ -1,8 +1,6 @@
 // glNewList, glCallList and what belongs to them (5.4).
 #include "scene/state/lists.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -122,8 +120,7 @@ bool State::compile(const Command& c) {
     lists_.open->sends_vertices |= kSendsVertices.contains(c.id);
     bytes += listed.bytes();
     if (bytes > kMaxListedBytes - lists_.bytes - lists_.open->bytes) {
-        raise(kGL_OUT_OF_MEMORY, c,
-              fmt::format("all display lists hold {} MiB at the most together", kMaxListedBytes >> 20));
+        raise(kGL_OUT_OF_MEMORY, c, "all display lists hold {} MiB at the most together", kMaxListedBytes >> 20);
         return true;
     }
     lists_.open->bytes += bytes;
@@ -142,9 +139,8 @@ std::size_t State::compile_calls(const Command& c) {
         const std::byte* at = c.memory->bytes.data() + static_cast<std::size_t>(offset);
         for (double i = 0; i < count; ++i, at += size)
             names.push_back(list_name({at, static_cast<std::size_t>(size)}, c.enumerant(1)));
-        if (std::ranges::find(names, 0U) != names.end()) {
+        if (std::ranges::find(names, 0U) != names.end())
             note_unsupported("glCallLists with a name 0, in a list", c.place, MissingFrom::kFixedFunction);
-        }
     }
     std::vector<std::uint32_t>& calls = lists_.open->calls;
     for (std::uint32_t name : names) {
@@ -175,11 +171,9 @@ bool State::walk_calls(const Command& c, const DisplayList& list) {
         if (found == lists_.named.end()) continue;
         if (!has_time(c, 1 + static_cast<double>(found->second->commands.size()))) return false;
         if (levels.size() >= kMaxListDepth) {
-            raise(
-                kGL_OUT_OF_MEMORY, c,
-                fmt::format("this list sends vertices and calls lists that stand deeper than {} in each other, or in a "
-                            "circle",
-                            kMaxListDepth));
+            raise(kGL_OUT_OF_MEMORY, c,
+                  "this list sends vertices and calls lists that stand deeper than {} in each other, or in a circle",
+                  kMaxListDepth);
             return false;
         }
         levels.push_back({found->second, found->second.get()});
@@ -189,20 +183,18 @@ bool State::walk_calls(const Command& c, const DisplayList& list) {
 
 void State::gen_lists(const Command& c) {
     // The names are those of empty lists from now on. No command can tell such a list from none, so none is kept.
-    if (c.number(0) < 0) raise(kGL_INVALID_VALUE, c, fmt::format("glGenLists is asked for {} lists", c.number(0)));
+    if (c.number(0) < 0) raise(kGL_INVALID_VALUE, c, "glGenLists is asked for {} lists", c.number(0));
 }
 
 void State::new_list(const Command& c) {
     const std::uint32_t name = c.enumerant(0);
     if (name == 0) return raise(kGL_INVALID_VALUE, c, "glNewList is given the name 0; names begin at 1");
     if (!known(c, c.enumerant(1), {kGL_COMPILE, kGL_COMPILE_AND_EXECUTE})) return;
-    if (lists_.named.size() >= kMaxLists && !lists_.named.contains(name)) {
-        return raise(kGL_OUT_OF_MEMORY, c, fmt::format("there are {} lists at the most", kMaxLists));
-    }
+    if (lists_.named.size() >= kMaxLists && !lists_.named.contains(name))
+        return raise(kGL_OUT_OF_MEMORY, c, "there are {} lists at the most", kMaxLists);
     if (lists_.open_name != 0) {
-        return raise(
-            kGL_INVALID_OPERATION, c,
-            fmt::format("glNewList inside glNewList; the first, at {}, has no glEndList yet", lists_.opened.str()));
+        return raise(kGL_INVALID_OPERATION, c, "glNewList inside glNewList; the first, at {}, has no glEndList yet",
+                     lists_.opened.str());
     }
     lists_.open_name = name;
     lists_.open_mode = c.enumerant(1);
@@ -220,9 +212,7 @@ void State::end_list(const Command& c) {
 }
 
 void State::delete_lists(const Command& c) {
-    if (c.number(1) < 0) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("glDeleteLists is given the range {}", c.number(1)));
-    }
+    if (c.number(1) < 0) return raise(kGL_INVALID_VALUE, c, "glDeleteLists is given the range {}", c.number(1));
     const double first = c.number(0), end = first + c.number(1);
     auto it = lists_.named.lower_bound(c.enumerant(0));
     while (it != lists_.named.end() && it->first < end) {
@@ -240,17 +230,16 @@ void State::call_lists(const Command& c) {
     const Enum type = c.enumerant(1);
     const int size = list_name_bytes(type);
     if (size == 0) {
-        return raise(
-            kGL_INVALID_ENUM, c,
-            fmt::format("glCallLists is given the type {}; expected GL_UNSIGNED_BYTE, GL_INT, ...", enum_name(type)));
+        return raise(kGL_INVALID_ENUM, c, "glCallLists is given the type {}; expected GL_UNSIGNED_BYTE, GL_INT, ...",
+                     enum_name(type));
     }
-    if (count < 0) return raise(kGL_INVALID_VALUE, c, fmt::format("glCallLists is given {} names", count));
+    if (count < 0) return raise(kGL_INVALID_VALUE, c, "glCallLists is given {} names", count);
     if (count == 0 || !c.memory) return;
     const double offset = c.number(2), bytes = static_cast<double>(c.memory->bytes.size());
     if (offset < 0 || offset + count * size > bytes) {
         return raise(kGL_INVALID_OPERATION, c,
-                     fmt::format("glCallLists reads {} names of {} bytes, but the memory it is given has {} bytes",
-                                 count, size, std::max(0.0, bytes - offset)));
+                     "glCallLists reads {} names of {} bytes, but the memory it is given has {} bytes", count, size,
+                     std::max(0.0, bytes - offset));
     }
     const std::byte* names = c.memory->bytes.data() + static_cast<std::size_t>(offset);
     const std::uint32_t base = a_.list_base;

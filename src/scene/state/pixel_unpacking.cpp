@@ -37,9 +37,8 @@ constexpr Packed kPacked[] = {
 };
 
 const Packed* find_packed(Enum type) {
-    for (const Packed& row : kPacked) {
+    for (const Packed& row : kPacked)
         if (row.type == type) return &row;
-    }
     return nullptr;
 }
 

@@ -140,8 +140,11 @@ class State {
     void execute_list(const Command& command, std::uint32_t name);
     void execute_listed(const ListedCommand& listed);
     void raise_inside(const Command& command);  // of a command that stands between Begin and End
-    void raise(Enum code, const Command& command, std::string message);
     void raise(GlError error);
+    template <class... Values>
+    void raise(Enum code, const Command& command, fmt::format_string<Values...> message, Values&&... values) {
+        raise(refused(code, command, message, std::forward<Values>(values)...));
+    }
     // Whether `value` is one of `allowed`; raises GL_INVALID_ENUM if not.
     bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);
     LightSource* light_source(const Command& command, Enum light);  // null, and GL_INVALID_ENUM, for no light
