@@ -1,8 +1,6 @@
 #include "render/programmable/programmable.h"
 
 #include <list>
-#include <stdexcept>
-#include <type_traits>
 #include <variant>
 
 #include "render/context/context.h"

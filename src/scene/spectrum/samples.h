@@ -12,7 +12,6 @@
 #include <span>
 #include <vector>
 
-#include "base/math/srgb.h"
 #include "scene/spectrum/spectrum.h"
 
 namespace twinlight {

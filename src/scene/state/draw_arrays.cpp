@@ -1,8 +1,6 @@
 // Drawing from vertex arrays (2.8): what the arrays hold becomes Draws; for the arrays themselves see arrays.h.
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "scene/state/state.h"
 
 namespace twinlight {

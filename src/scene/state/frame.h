@@ -4,7 +4,6 @@
 // Spaces: object -> eye (modelview) -> clip (projection) -> ndc -> window (viewport, depth range).
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <glm/common.hpp>
 #include <limits>
 
 namespace twinlight {

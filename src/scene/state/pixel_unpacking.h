@@ -4,7 +4,6 @@
 #include <glm/vec4.hpp>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "scene/state/attributes.h"

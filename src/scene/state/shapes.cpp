@@ -1,5 +1,4 @@
 // Shapes become Draws, a part each; GLU's quadrics say how theirs are sent (GLU 1.3 chapter 6).
-#include <fmt/format.h>
 
 #include <stdexcept>
 

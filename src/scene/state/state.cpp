@@ -9,7 +9,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
 
 #include "scene/command/command_set.h"
 #include "scene/command/text.h"
