@@ -6,6 +6,7 @@
 // all that interpolation needs, and a flat colour is not touched (2.14.8).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

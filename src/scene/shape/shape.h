@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "base/math/srgb.h"
 #include "scene/spectrum/spectrum.h"
 
 namespace twinlight {

@@ -4,6 +4,7 @@
 // Spaces: object -> eye (modelview) -> clip (projection) -> ndc -> window (viewport, depth range).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -290,10 +291,11 @@ inline bool are_one_shape(const Draw& draw, const Draw& next) {
 // The Draw's vertices of these numbers in this order; all of them where there is none.
 template <class Visit>
 void for_each_vertex(const Draw& draw, const std::vector<std::uint32_t>& numbers, const Visit& visit) {
-    if (numbers.empty())
+    if (numbers.empty()) {
         for (const Vertex& vertex : draw.vertices) visit(vertex);
-    else
+    } else {
         for (const std::uint32_t number : numbers) visit(draw.vertices.at(number));
+    }
 }
 
 struct Clear {

@@ -4,6 +4,7 @@
 #include <glm/vec4.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "scene/state/attributes.h"
