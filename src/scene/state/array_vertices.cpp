@@ -10,18 +10,7 @@ namespace twinlight {
 
 namespace {
 
-Kind kind_of(Enum type) {
-    switch (type) {
-        case kGL_BYTE: return Kind::kByte;
-        case kGL_UNSIGNED_BYTE: return Kind::kUbyte;
-        case kGL_SHORT: return Kind::kShort;
-        case kGL_UNSIGNED_SHORT: return Kind::kUshort;
-        case kGL_INT: return Kind::kInt;
-        case kGL_UNSIGNED_INT: return Kind::kUint;
-        case kGL_DOUBLE: return Kind::kDouble;
-        default: return Kind::kFloat;
-    }
-}
+Kind kind_of(Enum type) { return *kind_of_type(type); }  // of a legal array
 
 std::uint64_t element_bytes(const ArrayPointer& array) {
     return static_cast<std::uint64_t>(array.size) * size_of(kind_of(array.type));

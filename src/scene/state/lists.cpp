@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "scene/command/command_set.h"
+#include "scene/command/memory.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -31,50 +31,26 @@ bool reads_pixels(const Command& c) {
     return std::ranges::any_of(c.sig().parameters, names_pixels);
 }
 
-template <class T>
-T value_at(const std::byte* at) {
-    T value;
-    std::memcpy(&value, at, sizeof value);
-    return value;
-}
-
 }  // namespace
 
 std::uint32_t list_name(std::span<const std::byte> bytes, Enum type) {
-    const std::byte* at = bytes.data();
-    const auto byte = [at](int i) { return std::to_integer<std::uint32_t>(at[i]); };
-    switch (type) {
-        case kGL_BYTE: return static_cast<std::uint32_t>(value_at<std::int8_t>(at));
-        case kGL_UNSIGNED_BYTE: return byte(0);
-        case kGL_SHORT: return static_cast<std::uint32_t>(value_at<std::int16_t>(at));
-        case kGL_UNSIGNED_SHORT: return value_at<std::uint16_t>(at);
-        case kGL_FLOAT: {
-            const auto real = value_at<float>(at);
-            if (std::isnan(real)) return 0;
-            return static_cast<std::uint32_t>(
-                static_cast<std::int64_t>(std::clamp(real, -2147483648.0F, 4294967040.0F)));
-        }
-        case kGL_2_BYTES: return byte(0) << 8 | byte(1);
-        case kGL_3_BYTES: return byte(0) << 16 | byte(1) << 8 | byte(2);
-        case kGL_4_BYTES: return byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
-        default: return value_at<std::uint32_t>(at);
+    if (const std::optional<Kind> kind = kind_of_type(type)) {
+        const double value = load(bytes, *kind);
+        if (std::isnan(value)) return 0;
+        constexpr double kLargestFloat = 4294967040;  // below 2^32
+        return static_cast<std::uint32_t>(
+            static_cast<std::int64_t>(is_real(*kind) ? std::clamp(value, -2147483648.0, kLargestFloat) : value));
     }
+    std::uint32_t name = 0;  // of GL_2_BYTES and its like: the highest byte first
+    for (const std::byte byte : bytes.first(static_cast<std::size_t>(list_name_bytes(type))))
+        name = name << 8 | std::to_integer<std::uint32_t>(byte);
+    return name;
 }
 
 int list_name_bytes(Enum type) {
-    switch (type) {
-        case kGL_BYTE:
-        case kGL_UNSIGNED_BYTE: return 1;
-        case kGL_SHORT:
-        case kGL_UNSIGNED_SHORT:
-        case kGL_2_BYTES: return 2;
-        case kGL_3_BYTES: return 3;
-        case kGL_INT:
-        case kGL_UNSIGNED_INT:
-        case kGL_FLOAT:
-        case kGL_4_BYTES: return 4;
-        default: return 0;
-    }
+    if (type >= kGL_2_BYTES && type <= kGL_4_BYTES) return 2 + static_cast<int>(type - kGL_2_BYTES);
+    const std::optional<Kind> kind = type == kGL_DOUBLE ? std::nullopt : kind_of_type(type);
+    return kind ? static_cast<int>(size_of(*kind)) : 0;
 }
 
 std::size_t ListedCommand::bytes() const {
