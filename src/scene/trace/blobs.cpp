@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/image/descriptor.h"
 #include "scene/command/lexer.h"
-#include "scene/trace/descriptor.h"
 
 namespace twinlight::trace {
 
