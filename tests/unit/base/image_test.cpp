@@ -100,7 +100,7 @@ TEST(Png, HoldsNoAlpha) {
 }
 
 TEST(Png, SaysThatRubbishCannotBeRead) {
-    EXPECT_EQ(message_of([] { decode_png("not a picture"); }), "it is no PNG; convert it to one");
+    EXPECT_EQ(message_of([] { decode_png("not a picture"); }), "this is not a PNG; convert it to one");
     EXPECT_ANY_THROW(decode_png(""));
     const std::string whole = encode_png(Image(8, 8));
     EXPECT_ANY_THROW(decode_png(std::string_view(whole).substr(0, whole.size() / 2)));
