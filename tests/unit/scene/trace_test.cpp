@@ -165,7 +165,7 @@ TEST_F(Traces, RefuseWhatIsNoDumpWithItsLine) {
         refusal("1 glFlush()\nhello\n"),
         "dump.txt:2:1: expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found 'hello'");
     EXPECT_EQ(refusal("1 glFlush()\n2 \x1b[1mglFlush\x1b[0m()\n"),
-              "dump.txt:2:1: this dump has colours in it; make it with 'apitrace dump --color=never'");
+              "dump.txt:2:1: this dump contains colour codes; create it with 'apitrace dump --color=never'");
 }
 
 TEST_F(Traces, RefuseArgumentsThatGlCouldNotHaveBeenGiven) {
@@ -175,7 +175,7 @@ TEST_F(Traces, RefuseArgumentsThatGlCouldNotHaveBeenGiven) {
         {"1 glVertex2i(x = 0.5, y = 1)", "x of glVertex2i must be a whole number, not 0.5"},
         {"1 glLightfv(light = GL_LIGHT0, pname = GL_POSITION, params = {1, 2, 3})", "has 3 values, but 4 are needed"},
         {"1 glVertexPointer(size = 3, type = GL_FLOAT, stride = 0, pointer = blob(36))",
-         "make it with 'apitrace dump --blobs'"},
+         "create the dump with 'apitrace dump --blobs'"},
     };
     for (const auto& [call, expected] : cases) {
         const std::string found = refusal(call + "\n");
@@ -197,7 +197,7 @@ TEST_F(Traces, AreNotFollowedIntoTheDepth) {
     for (const char* opening : {"{", "&", "a = ", "{a = ", "&{"}) {
         std::string deep = "1 glViewport(x = ";
         for (int i = 0; i < 1'000'000; ++i) deep += opening;
-        EXPECT_NE(refusal(deep + "1)\n").find("nested deeper than 8 here"), std::string::npos) << opening;
+        EXPECT_NE(refusal(deep + "1)\n").find("nested more than 8 deep"), std::string::npos) << opening;
     }
     EXPECT_FALSE(trace::is_dump("\x1b[1"));
     EXPECT_FALSE(trace::is_dump("\x1b["));
