@@ -353,16 +353,16 @@ std::string refusal(const Command& command) {
 }
 
 TEST(ShapeArguments, ThatMakeNoSenseAreRefusedWithTheRemedy) {
-    EXPECT_EQ(refusal(pragma(Word::cube, {})), "sizes given: 0; write shape(cube, size)");
+    EXPECT_EQ(refusal(pragma(Word::cube, {})), "shape is given the wrong number of sizes, 0; write shape(cube, size)");
     EXPECT_EQ(refusal(pragma(Word::cube, {0})), "size of shape(cube, size) is 0; it must be greater than 0");
     EXPECT_EQ(refusal(pragma(Word::sphere, {1, 8, 1})),
-              "stacks of shape(sphere, radius, slices, stacks) is 1; it must be a whole number, 2 or more");
+              "stacks of shape(sphere, radius, slices, stacks) is 1; it must be a whole number of 2 or more");
     EXPECT_EQ(refusal(pragma(Word::cone, {1, 2, 3.5})),
-              "slices of shape(cone, radius, height, slices) is 3.5; it must be a whole number, 3 or more");
+              "slices of shape(cone, radius, height, slices) is 3.5; it must be a whole number of 3 or more");
     EXPECT_EQ(refusal(pragma(Word::reflection, {})),
-              "reflection is no shape; a shape is cube, cylinder, cylinder_triangles, cone or sphere");
+              "reflection is not a shape; expected cube, cylinder, cylinder_triangles, cone or sphere");
     EXPECT_EQ(refusal(shape(CommandId::glutSolidSphere, {1, 2e9, 2e9})),
-              "glutSolidSphere would have more than 8000000 vertices; give it fewer slices or stacks");
+              "glutSolidSphere would have more than 8000000 vertices; use fewer slices or stacks");
     EXPECT_NE(refusal(pragma(Word::sphere, {1, 1e300, 4})), "accepted");
     EXPECT_NE(refusal(pragma(Word::sphere, {std::nan(""), 8, 4})), "accepted");
     EXPECT_NE(refusal(pragma(Word::sphere, {1, std::nan(""), 4})), "accepted");
