@@ -74,24 +74,25 @@ TEST(QuadricReading, TellsMistakes) {
     EXPECT_EQ(error_of("GLUquadric* q;\ngluSphere(q, 1, 8, 6);"),
               "scene.gl:2:11: 'q' has no value here: it was declared without a value; write q = gluNewQuadric();");
     EXPECT_EQ(error_of("GLUquadric* q = NULL;\ngluSphere(q, 1, 8, 6);"),
-              "scene.gl:2:11: gluSphere is given no quadric; make one by gluNewQuadric()");
+              "scene.gl:2:11: gluSphere needs a quadric; create one with gluNewQuadric()");
     EXPECT_EQ(error_of("gluSphere(1, 1, 8, 6);"),
               "scene.gl:1:11: expected gluNewQuadric() or the name of a GLUquadric*, found '1'");
     EXPECT_EQ(error_of("GLUquadric* ball = gluNewQuadric(); gluSphere(bal, 1, 8, 6);"),
               "scene.gl:1:47: expected gluNewQuadric() or the name of a GLUquadric*, found 'bal'; did you mean ball?");
     EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(); glEnable(q);"),
-              "scene.gl:1:43: 'q' is a quadric, and a number is needed here");
+              "scene.gl:1:43: 'q' is a quadric, but a number is needed here");
     EXPECT_EQ(error_of("GLUquadric q;"),
-              "scene.gl:1:12: expected '*' after GLUquadric: scenes have pointers to quadrics only, found 'q'");
+              "scene.gl:1:12: expected '*' after GLUquadric, as in GLUquadric* name = gluNewQuadric();, found 'q'");
     EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(1);"),
               "scene.gl:1:31: expected ')' after the arguments of gluNewQuadric, found '1'");
     EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(); gluQuadricNormals(q, GLU_SMOTH);"),
               "scene.gl:1:55: unknown name 'GLU_SMOTH'; did you mean GLU_SMOOTH?");
-    EXPECT_EQ(error_of("GLUquadric* q[2];"), "scene.gl:1:13: arrays of quadrics are not part of a scene: declare each");
+    EXPECT_EQ(error_of("GLUquadric* q[2];"),
+              "scene.gl:1:13: a scene cannot use arrays of quadrics; declare each quadric");
     EXPECT_EQ(error_of("int q = gluNewQuadric();"),
-              "scene.gl:1:9: gluNewQuadric returns a quadric: declare 'q' as a GLUquadric*");
+              "scene.gl:1:9: gluNewQuadric returns a quadric; declare 'q' as a GLUquadric*");
     EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(); glLightfv(GL_LIGHT0, GL_POSITION, &q);"),
-              "scene.gl:1:69: a scene has no pointers to pointers to quadrics");
+              "scene.gl:1:69: a scene cannot take the address of a GLUquadric*");
 }
 
 const char* const kProgram =
@@ -134,7 +135,7 @@ TEST(QuadricState, RefusesWhatGluRefuses) {
               "scene.gl:2:1: gluQuadricDrawStyle is given GLU_FLAT; expected GLU_FILL, GLU_LINE, GLU_SILHOUETTE, "
               "GLU_POINT (GLU_INVALID_ENUM)");
     EXPECT_EQ(error_of(make + "gluDeleteQuadric(q);\ngluSphere(q, 1, 8, 6);"),
-              "scene.gl:3:1: gluSphere is given the quadric that gluDeleteQuadric has deleted at scene.gl:2:1 "
+              "scene.gl:3:1: gluSphere uses a quadric that gluDeleteQuadric deleted at scene.gl:2:1 "
               "(GL_INVALID_VALUE)");
     EXPECT_NE(error_of(make + "gluCylinder(q, 1, 1, 1, 2000000000, 2000000000);").find("more than 8000000 vertices"),
               std::string::npos);

@@ -76,7 +76,7 @@ TEST(SpectralPragmas, TellWhatTheyTake) {
         }
         return "(nothing was thrown)";
     };
-    EXPECT_NE(message_of("spectrum(2)").find("expected 0, which is red, green and blue, or 3 to 81 samples"),
+    EXPECT_NE(message_of("spectrum(2)").find("the number of samples must be 0 (red, green and blue) or from 3 to 81"),
               std::string::npos)
         << message_of("spectrum(2)");
     EXPECT_NE(message_of("spectrum(82)").find("3 to 81"), std::string::npos);

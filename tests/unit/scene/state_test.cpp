@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"glEnd();", kGL_INVALID_OPERATION, "glEnd without a glBegin"},
         Refused{"glBegin(GL_LINES); glBegin(GL_LINES); glEnd();", kGL_INVALID_OPERATION, "glBegin inside glBegin"},
         Refused{"glBegin(GL_LINES); glEnable(GL_LIGHTING); glEnd();", kGL_INVALID_OPERATION,
-                "cannot stand between glBegin and glEnd; the glBegin is at scene.gl:1:1"},
+                "is not allowed between glBegin and glEnd; the glBegin is at scene.gl:1:1"},
         Refused{"glBegin(GL_LINES); glutSolidCube(1); glEnd();", kGL_INVALID_OPERATION, "cannot stand between"},
         Refused{"glPopMatrix();", kGL_STACK_UNDERFLOW, "GL_MODELVIEW"},
         Refused{"glFrustum(-1, 1, -1, 1, 0, 1);", kGL_INVALID_VALUE, "above 0"},
@@ -146,8 +146,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"glScaled(INFINITY, 1, 1);", kGL_INVALID_VALUE, "not finite"},
         Refused{"glMaterialf(GL_FRONT, GL_SHININESS, NAN);", kGL_INVALID_VALUE, "not finite"},
         Refused{"#pragma twinlight specular(cube)", kGL_INVALID_ENUM, "half_vector or reflection"},
-        Refused{"#pragma twinlight light(3, GL_DIFFUSE, 1, 1, 1, 1)", kGL_INVALID_ENUM, "a number from 8 to 65535"},
-        Refused{"#pragma twinlight light(8, GL_DIFFUSE, 1)", kGL_INVALID_VALUE, "GL_DIFFUSE has 4 values, here 1"},
+        Refused{"#pragma twinlight light(3, GL_DIFFUSE, 1, 1, 1, 1)", kGL_INVALID_ENUM,
+                "the number must be from 8 to 65535"},
+        Refused{"#pragma twinlight light(8, GL_DIFFUSE, 1)", kGL_INVALID_VALUE, "GL_DIFFUSE needs 4 values, not 1"},
         Refused{"#pragma twinlight light(8, GL_SPOT_CUTOFF, 100)", kGL_INVALID_VALUE, "[0, 90] or 180"},
         Refused{"#pragma twinlight spot_cone(GL_LIGHT0, -5, 10)", kGL_INVALID_VALUE, "[0, 180]"}));
 
