@@ -145,22 +145,23 @@ TEST_F(TextureFiles, AreExportedAsArraysAndKeptByPrinting) {
 // ---- What is not read ----
 
 TEST_F(TextureFiles, LieInTheScenesFolder) {
-    const std::string elsewhere = "lies in the scene's own folder; give its name alone";
+    const std::string elsewhere = "must be in the folder of the scene; give only its file name";
     expect_refused("\"../picture.png\"", elsewhere);
     expect_refused("\"" + (in_ / "picture.png") + "\"", elsewhere);
     expect_refused("\"./picture.png\"", elsewhere);
     expect_refused("\"..\"", elsewhere);
     expect_refused("\"\"", elsewhere);
-    expect_refused("\"none.png\"", "'none.png': No such file or directory; the picture must lie beside the scene");
+    expect_refused("\"none.png\"",
+                   "'none.png': No such file or directory; the picture must be in the folder of the scene");
     write_png(out_ / "picture.png", red_above_blue());
     fs::create_symlink(out_ / "picture.png", in_ / "link.png");
-    expect_refused("\"link.png\"", "a link leads out of the scene's folder");
+    expect_refused("\"link.png\"", "this link points outside the folder of the scene");
     fs::create_symlink("loop.png", in_ / "loop.png");
     expect_refused("\"loop.png\"", "Too many levels of symbolic links");
     fs::create_directory(in_ / "folder.png");
-    expect_refused("\"folder.png\"", "it is no file");
+    expect_refused("\"folder.png\"", "this is not a file");
     EXPECT_EQ(run_shell("", "mkfifo " + quoted(in_ / "pipe.png")).status, 0);
-    expect_refused("\"pipe.png\"", "it is no file");
+    expect_refused("\"pipe.png\"", "this is not a file");
 }
 
 TEST_F(TextureFiles, MayBeReachedByALinkWithinTheFolder) {
@@ -174,14 +175,14 @@ TEST_F(TextureFiles, HaveNoFolderInStandardInputAndPipes) {
             run_shell("twinlight", "cat " + quoted(in_ / "scene.gl") + " | \"$PROGRAM\" render " + scene +
                                        " --with reference -o " + quoted(out_ / "p.png"));
         EXPECT_EQ(result.status, 2);
-        EXPECT_NE(result.err.find("save it to a file beside the picture"), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find("save the scene in a file next to the picture"), std::string::npos) << result.err;
     }
 }
 
 TEST_F(TextureFiles, AreNamedInQuotes) {
     expect_refused("picture", "expected the name of a picture in quotes, such as \"brick.png\"");
     expect_refused("3", "expected the name of a picture in quotes");
-    expect_refused("\"picture.png", "this string is not closed on its line");
+    expect_refused("\"picture.png", "this string has no end on its line");
     EXPECT_THROW(read_scene("#pragma twinlight texture(\"a\\nb\")\n", "s.gl", "s"), SceneError);
     EXPECT_THROW(read_scene("#pragma twinlight texture(\"a\tb\")\n", "s.gl", "s"), SceneError);
     EXPECT_THROW(read_scene("glEnable(\"a\");\n", "s.gl", "s"), SceneError);
@@ -219,24 +220,24 @@ std::string png_of_zeros(std::size_t width, std::size_t height, std::size_t byte
 TEST_F(TextureFiles, ArePngsOfALimitedSize) {
     const auto put = [this](const std::string& bytes) { write_file_atomically(in_ / "a.png", bytes); };
     put("");
-    expect_refused("\"a.png\"", "it is no PNG; convert it to one");
+    expect_refused("\"a.png\"", "this is not a PNG; convert it to one");
     put("\xff\xd8\xff\xe0 a JPEG");
-    expect_refused("\"a.png\"", "it is no PNG; convert it to one");
+    expect_refused("\"a.png\"", "this is not a PNG; convert it to one");
     const std::string whole = encode_png(red_above_blue());
     for (std::size_t size = 8; size < whole.size(); size += 7) {
         put(whole.substr(0, size));
-        expect_refused("\"a.png\"", "save it anew");
+        expect_refused("\"a.png\"", "save it again");
     }
     put(png_of_zeros(4, 3, 15));  // a byte a row says how the row is filtered
     EXPECT_EQ(images_beside(in_ / "scene.gl")("a.png").rgba.size(), 4U * 3 * 4);
     put(png_of_zeros(kMaxImageSide + 1, 1, kMaxImageSide + 2));
-    expect_refused("\"a.png\"", "it has 2049 x 1 pixels, at most 2048 x 2048 are read; make it smaller");
+    expect_refused("\"a.png\"", "the picture has 2049 x 1 pixels; the limit is 2048 x 2048; make it smaller");
     put(png_of_zeros(0x7fffffff, 0x7fffffff, 10));
     expect_refused("\"a.png\"", "");
     put(png_of_zeros(4, 3, 1 << 20));  // a picture of 15 bytes that unpacks to a mebibyte
-    expect_refused("\"a.png\"", "more than its size says");
+    expect_refused("\"a.png\"", "more than its size allows");
     put(whole + std::string(kMaxImageFileBytes, '\0'));
-    expect_refused("\"a.png\"", "it has more than 32 MiB");
+    expect_refused("\"a.png\"", "the file has more than 32 MiB");
 }
 
 }  // namespace
