@@ -14,28 +14,13 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/image/descriptor.h"
+
 namespace twinlight {
 
 namespace {
 
 [[noreturn]] void fail(const std::string& path, int error) { throw FileError(path + ": " + std::strerror(error)); }
-
-class Descriptor {
-  public:
-    Descriptor(const std::string& path, int flags, mode_t mode = 0)
-        : fd_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    bool valid() const { return fd_ >= 0; }
-    int get() const { return fd_; }
-    // Returns 0 or the error: a full disk may show only here.
-    int close() { return fd_ < 0 || ::close(std::exchange(fd_, -1)) == 0 ? 0 : errno; }
-
-  private:
-    int fd_;
-};
 
 // Blocks the signals that end a program, so that no temporary file is left behind.
 class SignalsBlocked {
@@ -77,7 +62,7 @@ class PendingFile {
         const bool exists = ::stat(path.c_str(), &existing) == 0;
         if (exists && S_ISDIR(existing.st_mode)) fail(path, EISDIR);
         if (exists && !S_ISREG(existing.st_mode)) {
-            Descriptor device(path, O_WRONLY);
+            Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
             if (!device.valid()) fail(path, errno);
             if (const int error = write_and_close(device, bytes); error != 0) fail(path, error);
             return;
@@ -88,7 +73,8 @@ class PendingFile {
         // The process number gives two writers of one file different temporary names.
         const std::string temporary = target_ + "." + std::to_string(::getpid()) + ".part";
         constexpr mode_t kAsUmaskAllows = 0666;
-        Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL, exists ? existing.st_mode & 0777 : kAsUmaskAllows);
+        Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                               exists ? existing.st_mode & 0777 : kAsUmaskAllows));
         if (!file.valid()) fail(path, errno);
         temporary_ = temporary;
         if (const int error = write_and_close(file, bytes); error != 0) {
@@ -137,7 +123,7 @@ std::string read_rest(int descriptor, std::size_t max_bytes, const std::string& 
 }  // namespace
 
 std::string read_file(const std::string& path, std::size_t max_bytes) {
-    const Descriptor file(path, O_RDONLY);
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.valid()) fail(path, errno);
     return read_rest(file.get(), max_bytes, path);
 }

@@ -10,7 +10,7 @@
 
 namespace twinlight {
 
-// A file inside the program. The build generates tables of them.
+// A file inside the program. tools/embed.sh writes tables of them.
 struct EmbeddedFile {
     std::string_view name;  // without its folder
     std::string_view text;

@@ -4,7 +4,6 @@
 // A solid is one GL_TRIANGLES with two triangles per cell of the grid. Seen from outside they are clockwise, so
 // programs may need glFrontFace(GL_CW). Wires are one GL_LINE_STRIP for each row and column of each grid.
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "base/math/directions.h"

@@ -56,9 +56,7 @@ void State::driver_only_secondary_color(const Command& c) {
     a_.secondary_color.reset();
     if (is_black) return;
     a_.secondary_color = c.place;
-    if (open_ && adds_secondary_color(*open_)) {
-        note_unsupported("glSecondaryColor", c.place);
-    }
+    if (open_ && adds_secondary_color(*open_)) note_unsupported("glSecondaryColor", c.place);
 }
 
 // Section 3.3, table 6.12.
@@ -72,11 +70,10 @@ void State::driver_only_point_parameter(const Command& c) {
                             : pname == kGL_POINT_SPRITE_COORD_ORIGIN
                                 ? values->front() == kGL_UPPER_LEFT
                                 : pname == kGL_POINT_FADE_THRESHOLD_SIZE;  // only affects multisampling
-    if (is_initial) {
+    if (is_initial)
         a_.point_parameters.erase(pname);
-    } else {
+    else
         a_.point_parameters[pname] = c.place;
-    }
 }
 
 void State::note_driver_only_values(const Draw& draw) {
@@ -84,9 +81,8 @@ void State::note_driver_only_values(const Draw& draw) {
     if (a_.secondary_color && adds_secondary_color(draw)) note("glSecondaryColor", *a_.secondary_color);
     if (a_.fog_coordinates && draw.fog.enabled) note("glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)", *a_.fog_coordinates);
     if (!draw.draws_points()) return;
-    for (const auto& [pname, place] : a_.point_parameters) {
+    for (const auto& [pname, place] : a_.point_parameters)
         note(fmt::format("glPointParameter({})", enum_name(pname)), place);
-    }
 }
 
 // 3.6.3: scales and biases the pixels of every glTexImage.
@@ -107,18 +103,15 @@ void State::driver_only_pixel_transfer(const Command& c) {
 // Section 3.7. A bitmap without pixels only moves the raster position.
 void State::driver_only_bitmap(const Command& c) {
     const int width = static_cast<int>(c.number(0)), height = static_cast<int>(c.number(1));
-    if (width < 0 || height < 0) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("glBitmap is given the size {} x {}; it cannot be negative", width, height));
-    }
+    if (width < 0 || height < 0)
+        return raise(kGL_INVALID_VALUE, c, "glBitmap is given the size {} x {}; it cannot be negative", width, height);
     const std::size_t needed = bitmap_bytes(width, height, pixel_store_);
     if (needed == 0) return;
     const double there = c.memory ? static_cast<double>(c.memory->bytes.size()) - c.number(6) : 0;
     if (!arrays_.pixel_unpack_buffer() && static_cast<double>(needed) > there) {
-        return raise(
-            kGL_INVALID_OPERATION, c,
-            fmt::format("glBitmap reads {} bytes, but its array has {}; check GL_UNPACK_ALIGNMENT, which is {}", needed,
-                        there, pixel_store_.unpack_alignment));
+        return raise(kGL_INVALID_OPERATION, c,
+                     "glBitmap reads {} bytes, but its array has {}; check GL_UNPACK_ALIGNMENT, which is {}", needed,
+                     there, pixel_store_.unpack_alignment);
     }
     driver_only_drawing(c);
 }
@@ -129,8 +122,8 @@ void State::driver_only_stipple(const Command& c) {
     const std::size_t needed = bitmap_bytes(kSide, kSide, pixel_store_);
     if (needed > c.array().size()) {
         raise(kGL_INVALID_OPERATION, c,
-              fmt::format("glPolygonStipple reads {} bytes with these glPixelStore values, but its array has {}",
-                          needed, c.array().size()));
+              "glPolygonStipple reads {} bytes with these glPixelStore values, but its array has {}", needed,
+              c.array().size());
     }
 }
 
@@ -147,10 +140,9 @@ void State::driver_only_copy_image(const Command& c) {
                       width <= kMaxTextureSize >> level && height <= kMaxTextureSize >> level;
     const auto count = static_cast<std::size_t>(std::max(0, width)) * static_cast<std::size_t>(std::max(0, height));
     if (!fits) {
-        return raise(
-            kGL_INVALID_VALUE, c,
-            fmt::format("{} cannot make level {} with {} x {} texels; each side of level 0 can have at most {}",
-                        c.name(), level, width, height, kMaxTextureSize));
+        return raise(kGL_INVALID_VALUE, c,
+                     "{} cannot make level {} with {} x {} texels; each side of level 0 can have at most {}", c.name(),
+                     level, width, height, kMaxTextureSize);
     }
     if (!format) return;  // for example a depth format
     if (!has_texels(c, static_cast<double>(count))) return;

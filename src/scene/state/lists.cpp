@@ -1,14 +1,12 @@
 // Display lists: glNewList, glCallList and related commands (5.4).
 #include "scene/state/lists.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "scene/command/command_set.h"
+#include "scene/command/memory.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -33,50 +31,26 @@ bool reads_pixels(const Command& c) {
     return std::ranges::any_of(c.sig().parameters, names_pixels);
 }
 
-template <class T>
-T value_at(const std::byte* at) {
-    T value;
-    std::memcpy(&value, at, sizeof value);
-    return value;
-}
-
 }  // namespace
 
 std::uint32_t list_name(std::span<const std::byte> bytes, Enum type) {
-    const std::byte* at = bytes.data();
-    const auto byte = [at](int i) { return std::to_integer<std::uint32_t>(at[i]); };
-    switch (type) {
-        case kGL_BYTE: return static_cast<std::uint32_t>(value_at<std::int8_t>(at));
-        case kGL_UNSIGNED_BYTE: return byte(0);
-        case kGL_SHORT: return static_cast<std::uint32_t>(value_at<std::int16_t>(at));
-        case kGL_UNSIGNED_SHORT: return value_at<std::uint16_t>(at);
-        case kGL_FLOAT: {
-            const auto real = value_at<float>(at);
-            if (std::isnan(real)) return 0;
-            return static_cast<std::uint32_t>(
-                static_cast<std::int64_t>(std::clamp(real, -2147483648.0F, 4294967040.0F)));
-        }
-        case kGL_2_BYTES: return byte(0) << 8 | byte(1);
-        case kGL_3_BYTES: return byte(0) << 16 | byte(1) << 8 | byte(2);
-        case kGL_4_BYTES: return byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
-        default: return value_at<std::uint32_t>(at);
+    if (const std::optional<Kind> kind = kind_of_type(type)) {
+        const double value = load(bytes, *kind);
+        if (std::isnan(value)) return 0;
+        constexpr double kLargestFloat = 4294967040;  // below 2^32
+        return static_cast<std::uint32_t>(
+            static_cast<std::int64_t>(is_real(*kind) ? std::clamp(value, -2147483648.0, kLargestFloat) : value));
     }
+    std::uint32_t name = 0;  // of GL_2_BYTES and its like: the highest byte first
+    for (const std::byte byte : bytes.first(static_cast<std::size_t>(list_name_bytes(type))))
+        name = name << 8 | std::to_integer<std::uint32_t>(byte);
+    return name;
 }
 
 int list_name_bytes(Enum type) {
-    switch (type) {
-        case kGL_BYTE:
-        case kGL_UNSIGNED_BYTE: return 1;
-        case kGL_SHORT:
-        case kGL_UNSIGNED_SHORT:
-        case kGL_2_BYTES: return 2;
-        case kGL_3_BYTES: return 3;
-        case kGL_INT:
-        case kGL_UNSIGNED_INT:
-        case kGL_FLOAT:
-        case kGL_4_BYTES: return 4;
-        default: return 0;
-    }
+    if (type >= kGL_2_BYTES && type <= kGL_4_BYTES) return 2 + static_cast<int>(type - kGL_2_BYTES);
+    const std::optional<Kind> kind = type == kGL_DOUBLE ? std::nullopt : kind_of_type(type);
+    return kind ? static_cast<int>(size_of(*kind)) : 0;
 }
 
 std::size_t ListedCommand::bytes() const {
@@ -123,8 +97,7 @@ bool State::compile(const Command& c) {
     lists_.open->sends_vertices |= kSendsVertices.contains(c.id);
     bytes += listed.bytes();
     if (bytes > kMaxListedBytes - lists_.bytes - lists_.open->bytes) {
-        raise(kGL_OUT_OF_MEMORY, c,
-              fmt::format("all display lists together can have at most {} MiB", kMaxListedBytes >> 20));
+        raise(kGL_OUT_OF_MEMORY, c, "all display lists together can have at most {} MiB", kMaxListedBytes >> 20);
         return true;
     }
     lists_.open->bytes += bytes;
@@ -143,9 +116,8 @@ std::size_t State::compile_calls(const Command& c) {
         const std::byte* at = c.memory->bytes.data() + static_cast<std::size_t>(offset);
         for (double i = 0; i < count; ++i, at += size)
             names.push_back(list_name({at, static_cast<std::size_t>(size)}, c.enumerant(1)));
-        if (std::ranges::find(names, 0U) != names.end()) {
+        if (std::ranges::find(names, 0U) != names.end())
             note_unsupported("glCallLists with the name 0 in a display list", c.place, MissingFrom::kFixedFunction);
-        }
     }
     std::vector<std::uint32_t>& calls = lists_.open->calls;
     for (std::uint32_t name : names) {
@@ -178,9 +150,8 @@ bool State::walk_calls(const Command& c, const DisplayList& list) {
         if (!has_time(c, 1 + static_cast<double>(found->second->commands.size()))) return false;
         if (levels.size() >= kMaxListDepth) {
             raise(kGL_OUT_OF_MEMORY, c,
-                  fmt::format(
-                      "this list sends vertices and calls lists that are nested more than {} deep, or in a circle",
-                      kMaxListDepth));
+                  "this list sends vertices and calls lists that are nested more than {} deep, or in a circle",
+                  kMaxListDepth);
             return false;
         }
         levels.push_back({found->second, found->second.get()});
@@ -191,20 +162,18 @@ bool State::walk_calls(const Command& c, const DisplayList& list) {
 void State::gen_lists(const Command& c) {
     // The new lists are empty. No command can distinguish an empty list from a missing one, so nothing is stored.
     if (c.number(0) < 0)
-        raise(kGL_INVALID_VALUE, c, fmt::format("glGenLists is given the count {}; it must be 0 or more", c.number(0)));
+        raise(kGL_INVALID_VALUE, c, "glGenLists is given the count {}; it must be 0 or more", c.number(0));
 }
 
 void State::new_list(const Command& c) {
     const std::uint32_t name = c.enumerant(0);
     if (name == 0) return raise(kGL_INVALID_VALUE, c, "glNewList is given the name 0; names start at 1");
     if (!known(c, c.enumerant(1), {kGL_COMPILE, kGL_COMPILE_AND_EXECUTE})) return;
-    if (lists_.named.size() >= kMaxLists && !lists_.named.contains(name)) {
-        return raise(kGL_OUT_OF_MEMORY, c, fmt::format("a scene can have at most {} display lists", kMaxLists));
-    }
+    if (lists_.named.size() >= kMaxLists && !lists_.named.contains(name))
+        return raise(kGL_OUT_OF_MEMORY, c, "a scene can have at most {} display lists", kMaxLists);
     if (lists_.open_name != 0) {
-        return raise(
-            kGL_INVALID_OPERATION, c,
-            fmt::format("glNewList inside another glNewList; the one at {} has no glEndList yet", lists_.opened.str()));
+        return raise(kGL_INVALID_OPERATION, c, "glNewList inside another glNewList; the one at {} has no glEndList yet",
+                     lists_.opened.str());
     }
     lists_.open_name = name;
     lists_.open_mode = c.enumerant(1);
@@ -222,10 +191,8 @@ void State::end_list(const Command& c) {
 }
 
 void State::delete_lists(const Command& c) {
-    if (c.number(1) < 0) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("glDeleteLists is given the range {}; it must be 0 or more", c.number(1)));
-    }
+    if (c.number(1) < 0)
+        return raise(kGL_INVALID_VALUE, c, "glDeleteLists is given the range {}; it must be 0 or more", c.number(1));
     const double first = c.number(0), end = first + c.number(1);
     auto it = lists_.named.lower_bound(c.enumerant(0));
     while (it != lists_.named.end() && it->first < end) {
@@ -243,19 +210,15 @@ void State::call_lists(const Command& c) {
     const Enum type = c.enumerant(1);
     const int size = list_name_bytes(type);
     if (size == 0) {
-        return raise(
-            kGL_INVALID_ENUM, c,
-            fmt::format("glCallLists is given the type {}; expected GL_UNSIGNED_BYTE, GL_INT, ...", enum_name(type)));
+        return raise(kGL_INVALID_ENUM, c, "glCallLists is given the type {}; expected GL_UNSIGNED_BYTE, GL_INT, ...",
+                     enum_name(type));
     }
-    if (count < 0)
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("glCallLists is given the count {}; it must be 0 or more", count));
+    if (count < 0) return raise(kGL_INVALID_VALUE, c, "glCallLists is given the count {}; it must be 0 or more", count);
     if (count == 0 || !c.memory) return;
     const double offset = c.number(2), bytes = static_cast<double>(c.memory->bytes.size());
     if (offset < 0 || offset + count * size > bytes) {
-        return raise(kGL_INVALID_OPERATION, c,
-                     fmt::format("glCallLists reads {} names of {} bytes, but its array has {} bytes", count, size,
-                                 std::max(0.0, bytes - offset)));
+        return raise(kGL_INVALID_OPERATION, c, "glCallLists reads {} names of {} bytes, but its array has {} bytes",
+                     count, size, std::max(0.0, bytes - offset));
     }
     const std::byte* names = c.memory->bytes.data() + static_cast<std::size_t>(offset);
     const std::uint32_t base = a_.list_base;

@@ -1,8 +1,6 @@
 // Converts a call in a dump to a Command.
 #pragma once
 
-#include <string>
-
 #include "scene/command/command.h"
 #include "scene/trace/arguments.h"
 #include "scene/trace/blobs.h"
