@@ -1,4 +1,4 @@
-// Reading scenes: what the C statements mean, and what is said about mistakes.
+// Reading scenes: the meaning of C statements, and error messages.
 #include "scene/command/text.h"
 
 #include <gtest/gtest.h>
@@ -84,8 +84,8 @@ TEST(Reading, TakesCompoundLiterals) {
 TEST(Reading, TakesRowsOfArraysOfArrays) {
     const std::string rows = "GLfloat v[][3] = {{1, 2, 3}, {4, 5}, 6, 7, 8}; ";
     EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[0]);"), (Values{1, 2, 3}));
-    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[1]);"), (Values{4, 5, 0}));  // C sets the rest of a row to 0
-    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[2]);"), (Values{6, 7, 8}));  // and rows need no braces of their own
+    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[1]);"), (Values{4, 5, 0}));  // C fills the rest of a row with 0
+    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[2]);"), (Values{6, 7, 8}));  // rows need no braces
     EXPECT_EQ(arguments_of(rows + "glVertex3fv(&v[1][0]);"), (Values{4, 5, 0}));
     EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[0] + 3);"), (Values{4, 5, 0}));
     EXPECT_EQ(arguments_of(rows + "glVertex3f(v[2][1], sizeof(v), sizeof v[0]);"), (Values{7, 36, 12}));
@@ -112,7 +112,7 @@ TEST(Reading, CastsNumbersAsCDoes) {
 
 // ---- Pointers ----
 
-// The command, and the bytes from where its pointer points on as values of `kind`.
+// The command, and the memory that its pointer points to as values of `kind`.
 struct Pointed {
     Command command;
     Values values;
@@ -179,7 +179,7 @@ TEST(ObjectNames, AreTheLowestThatWereNeverGiven) {
     EXPECT_EQ(commands[2].arguments, (Values{2, 3, 4}));
     EXPECT_EQ(commands[3].arguments, (Values{1, 1}));
     EXPECT_EQ(commands[4].arguments, (Values{1, 5}));
-    EXPECT_EQ(commands[5].arguments, (Values{1, 9}));  // a literal says its names itself
+    EXPECT_EQ(commands[5].arguments, (Values{1, 9}));  // a literal gives the names
     EXPECT_EQ(commands[6].arguments, (Values{kGL_TEXTURE_2D, 4}));
 }
 
@@ -222,7 +222,7 @@ TEST(Reading, RemembersWhereACommandStands) {
     EXPECT_EQ(commands[0].place.str(), "scene.gl:2:9");  // columns count characters, not bytes
 }
 
-// ---- Mistakes: one line with the place, what is wrong, and the nearest known name ----
+// ---- Mistakes: one line with the place, the error, and the nearest known name ----
 
 struct Mistake {
     const char* text;
