@@ -72,7 +72,7 @@ void Reader::statement() {
 // draw_scene; the rest only opens a window and is skipped.
 void Reader::program() {
     const Token first = token_;
-    if (in_program_) fail(first.place, "a function cannot be inside another function; end the first one with }");
+    if (in_program_) fail(first.place, "a function cannot be inside another function; end the first one with }}");
     in_program_ = true;
     accept("static");
     advance();

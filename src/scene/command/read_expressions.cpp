@@ -410,6 +410,13 @@ Value Reader::named_value(const Token& name) {
 void Reader::unknown_name(const Token& name) {
     std::vector<std::string_view> names = visible_names();
     for (const NamedValue& row : gl_names()) names.push_back(row.name);
+    // The nearest name to GL_LIGHT8 is another light, which is not what the scene means.
+    constexpr std::string_view kLight = "GL_LIGHT";
+    const bool is_light = name.text.starts_with(kLight) && name.text.size() > kLight.size() &&
+                          name.text.find_first_not_of("0123456789", kLight.size()) == std::string_view::npos;
+    if (is_light)
+        fail(name.place, "unknown name {}; GL has GL_LIGHT0 to GL_LIGHT7, others need #pragma twinlight light(8, ...)",
+             in_quotes(name.text));
     const auto near = nearest(name.text, names);
     fail(name.place, "unknown name {}{}", in_quotes(name.text),
          near             ? fmt::format("; did you mean {}?", *near)

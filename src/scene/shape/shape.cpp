@@ -24,7 +24,8 @@ class Sizes {
   public:
     Sizes(const Command& command, std::string_view usage, std::size_t expected) : command_(command), usage_(usage) {
         const std::size_t given = command.arguments.size() - 1;
-        if (given != expected) refuse("shape is given the wrong number of sizes, {}; write shape({})", given, usage_);
+        if (given != expected)
+            refuse("shape({}) needs {} size{}, not {}", usage_, expected, expected == 1 ? "" : "s", given);
     }
 
     double length(std::size_t i, std::string_view name) const {

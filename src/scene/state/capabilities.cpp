@@ -121,6 +121,13 @@ void State::set_capability(const Command& c, bool enabled) {
 bool State::known_capability(const Command& c) {
     const Enum cap = c.enumerant(0);
     if (capability(cap)) return true;
+    constexpr Enum kMostNumbered = 256;
+    if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMostNumbered) {
+        raise(kGL_INVALID_ENUM, c,
+              "{} is given GL_LIGHT0 + {}; GL has GL_LIGHT0 to GL_LIGHT7, others need #pragma twinlight light(8, ...)",
+              c.name(), cap - kGL_LIGHT0);
+        return false;
+    }
     raise(kGL_INVALID_ENUM, c,
           "{} is given {}, which is not a capability; expected GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, ...", c.name(),
           enum_name(cap));

@@ -354,7 +354,7 @@ std::string refusal(const Command& command) {
 }
 
 TEST(ShapeArguments, ThatMakeNoSenseAreRefusedWithTheRemedy) {
-    EXPECT_EQ(refusal(pragma(Word::cube, {})), "shape is given the wrong number of sizes, 0; write shape(cube, size)");
+    EXPECT_EQ(refusal(pragma(Word::cube, {})), "shape(cube, size) needs 1 size, not 0");
     EXPECT_EQ(refusal(pragma(Word::cube, {0})), "size of shape(cube, size) is 0; it must be greater than 0");
     EXPECT_EQ(refusal(pragma(Word::sphere, {1, 8, 1})),
               "stacks of shape(sphere, radius, slices, stacks) is 1; it must be a whole number of 2 or more");

@@ -116,6 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refused{"glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 120);", kGL_INVALID_VALUE,
                 "GL_SPOT_CUTOFF is 120; it must be in [0, 90] or 180"},
+        Refused{"glEnable(GL_LIGHT0 + 8);", kGL_INVALID_ENUM, "glEnable is given GL_LIGHT0 + 8; GL has GL_LIGHT0 to"},
         Refused{"glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, -1);", kGL_INVALID_VALUE, "[0, 90] or 180"},
         Refused{"glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, 128.5);", kGL_INVALID_VALUE, "in [0, 128]"},
         Refused{"glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, -0.5);", kGL_INVALID_VALUE, "must be 0 or more"},
@@ -344,8 +345,9 @@ TEST(Frames, NameWhatTheRenderersDoNotDoYetWithCountAndPlace) {
 }
 
 TEST(Frames, AreRefusedWhenSomethingIsLeftOpen) {
-    EXPECT_EQ(error_of("glBegin(GL_LINES);"), "scene.gl:1:1: this glBegin has no glEnd");
-    EXPECT_EQ(error_of("glutSolidCube(1);\n glPushMatrix();"), "scene.gl:2:2: this glPushMatrix has no glPopMatrix");
+    EXPECT_EQ(error_of("glBegin(GL_LINES);"), "scene.gl:1:1: this glBegin has no glEnd; add it after the last vertex");
+    EXPECT_EQ(error_of("glutSolidCube(1);\n glPushMatrix();"),
+              "scene.gl:2:2: this glPushMatrix has no glPopMatrix; each push needs a pop");
 }
 
 TEST(Frames, AreRefusedWhenNothingIsDrawn) {

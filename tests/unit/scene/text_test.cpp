@@ -242,6 +242,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"glEnabel(GL_LIGHTING);", "scene.gl:1:1: unknown command 'glEnabel'; did you mean glEnable?"},
         Mistake{"glEnable(GL_LIGTH0);", "scene.gl:1:10: unknown name 'GL_LIGTH0'; did you mean GL_LIGHT0?"},
+        Mistake{"glEnable(GL_LIGHT8);",
+                "scene.gl:1:10: unknown name 'GL_LIGHT8'; GL has GL_LIGHT0 to GL_LIGHT7, others need #pragma"},
         Mistake{"glEnable();", "scene.gl:1:10: glEnable takes 1 argument: glEnable(cap); only 0 are given"},
         Mistake{"glScalef(1, 2);", "scene.gl:1:14: glScalef takes 3 arguments: glScalef(x, y, z); only 2 are given"},
         Mistake{"glScalef(1, 2, 3, 4);", "more are given"},
