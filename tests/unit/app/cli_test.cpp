@@ -101,9 +101,9 @@ TEST_F(Cli, RefusesBadUse) {
                    "use it with --with programmable");
     expect_refused(
         run({"render", file, "--with", "programmable", "--precise", "--shading", "phong", "-o", out_ / "p.png"}),
-        "it has no phong shading");
+        "does not work with phong or exact shading");
     expect_refused(run({"render", file, "--with", "programmable", "--precise", "--baked", "-o", out_ / "p.png"}),
-                   "as uniforms");
+                   "does not work with constants");
     expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
     expect_refused(run({"compare", file}), "-o is required");
     expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
@@ -466,10 +466,10 @@ TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
     EXPECT_EQ(text.err, "");
     // 90 degrees less the cone's 20 and asin(sqrt(2) / 5).
     for (const char* expected :
-         {"1 draw, 1 different plan; budget: 0.5 of 255 codes", "in   directional, diffuse: at most 204 of 255 codes",
-          "its cone misses the sphere around the Draw by 53.6 degrees",
-          "at most 0.204 of 255 codes of it reach a channel", "GL_LIGHT3 to GL_LIGHT7",
-          "The picture is off by 0.204 of 255 codes at most."})
+         {"1 draw, 1 different plan; budget: 0.5/255",
+          "in   directional, diffuse: it adds at most 204/255 to a channel",
+          "its cone misses the draw's bounding sphere by 53.6 degrees", "it would add at most 0.204/255 to a channel",
+          "GL_LIGHT3 to GL_LIGHT7", "The picture is off by 0.204/255 at most."})
         EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
     EXPECT_EQ(text.out.find('\x1b'), std::string::npos);
     EXPECT_NE(run({"explain", file, "--budget", "0"}).out.find("The picture is off by nothing."), std::string::npos);
@@ -603,7 +603,7 @@ TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
     expect_refused(render("fixed"), "use --with programmable or --with reference");
     expect_refused(
         run({"render", file, "--with", "programmable", "--precise", "--shading", "exact", "-o", out_ / "p.png"}),
-        "no exact surfaces");
+        "does not work with phong or exact shading");
     EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "exact"}).out.find("cast_ray()"), std::string::npos);
     const ProgramResult explained = run({"explain", file, "--shading", "exact"});
     EXPECT_EQ(explained.status, 0) << explained.err;
