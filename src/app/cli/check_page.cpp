@@ -20,8 +20,6 @@ using report::escaped;
 constexpr const char* kStyle = R"(
 section { border-top: 1px solid var(--line); }
 summary code { font: 600 .9375rem ui-monospace, monospace; }
-.verdict.good { border-color: var(--good); }
-.verdict.bad { border-color: var(--bad); }
 .case { margin: 0 0 1rem 1.25rem; }
 .case figure { display: inline-block; margin: .25rem 1rem .25rem 0; }
 .case figure img { width: 128px; height: 128px; image-rendering: pixelated; }
@@ -96,11 +94,15 @@ std::string style_class(Outcome outcome) {
     return name;
 }
 
+// For each renderer that does not pass.
 std::string badges(const Result& result) {
     std::string html;
-    for (std::size_t path = 0; path < kPaths; ++path)
-        html += fmt::format(R"( <span class="outcome {}">{}: {}</span>)", style_class(result.outcomes.at(path)),
-                            kPathNames.at(path), word_of(result.outcomes.at(path)));
+    for (std::size_t path = 0; path < kPaths; ++path) {
+        const Outcome outcome = result.outcomes.at(path);
+        if (outcome == Outcome::kPass) continue;
+        html += fmt::format(R"( <span class="outcome {}">{}: {}</span>)", style_class(outcome), kPathNames.at(path),
+                            word_of(outcome));
+    }
     return html;
 }
 
@@ -193,23 +195,12 @@ std::string links(const std::vector<Case>& cases, const Group& group) {
     return html;
 }
 
-// Is it right? If not, where? By how much?
-std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& results,
-                    const std::vector<Group>& groups) {
-    const Group &unexpected = groups[0], &known = groups[1];
-    std::string html = fmt::format("<div class=\"verdict {}\">\n<p>", unexpected.cases.empty() ? "good" : "bad");
-    html += unexpected.cases.empty() ? fmt::format("Nothing unexpected in {}.", counted(cases.size(), "case", "cases"))
-                                     : fmt::format("Unexpected results in {} of {}: {}.", unexpected.cases.size(),
-                                                   counted(cases.size(), "case", "cases"), links(cases, unexpected));
-    html += "</p>\n";
-    if (!known.cases.empty())
-        html += fmt::format(
-            "<details><summary>The driver&rsquo;s fixed function has known bugs in {}.</summary><p>{}.</p></details>\n",
-            counted(known.cases.size(), "case", "cases"), links(cases, known));
-    double largest = 0, from_long_double = 0;
+// The largest error of the driver's fixed function, and how often its result is not finite; empty where it has no
+// errors.
+std::string error_of_driver(const std::vector<Case>& cases, const std::vector<Result>& results) {
+    double largest = 0;
     std::size_t worst = 0, not_finite = 0;
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        from_long_double = std::max(from_long_double, results[i].from_long_double);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
         bool is_finite = true;
         for (const Finding& finding : results[i].findings) {
             if (finding.path != Path::kFixed || finding.outcome == Outcome::kRuling) continue;
@@ -221,14 +212,38 @@ std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& r
         }
         not_finite += !is_finite;
     }
+    std::string html;
     if (largest > 0)
-        html += fmt::format(
-            "<p>Its largest error is {0:.2g}, where 1 is full brightness, in <a href=\"#{1}\">{1}</a>{2}.</p>\n",
-            largest, escaped(cases[worst].name),
-            not_finite == 0 ? ""
-                            : fmt::format("; in {} its result is not finite", counted(not_finite, "case", "cases")));
-    return html +
-           fmt::format("<p>The shaders are at most {:.1e} away from the reference.</p>\n</div>\n", from_long_double);
+        html = fmt::format(
+            "The driver&rsquo;s largest error is {0:.2g} (1 is full brightness), in <a href=\"#{1}\">{1}</a>. ",
+            largest, escaped(cases[worst].name));
+    if (not_finite > 0)
+        html += fmt::format("Its result is NaN or infinite in {}. ", counted(not_finite, "case", "cases"));
+    return html;
+}
+
+// Is it right? If not, where? By how much?
+std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& results,
+                    const std::vector<Group>& groups) {
+    const Group &unexpected = groups[0], &known = groups[1];
+    const bool is_expected = unexpected.cases.empty();
+    std::string right = is_expected ? "Nothing unexpected: "
+                                    : fmt::format("Unexpected results in {} of {}. ", unexpected.cases.size(),
+                                                  counted(cases.size(), "case", "cases"));
+    right += fmt::format("{} of {} pass, {} known bugs of the driver.", groups[3].cases.size(),
+                         counted(cases.size(), "case", "cases"),
+                         known.cases.empty() ? "none shows" : fmt::format("{} show", known.cases.size()));
+    std::string where;
+    if (!is_expected) where = fmt::format("Unexpected: {}.", links(cases, unexpected));
+    if (!known.cases.empty())
+        where += fmt::format("<details><summary>The cases with known bugs</summary>{}.</details>", links(cases, known));
+    double from_long_double = 0;
+    for (const Result& result : results) from_long_double = std::max(from_long_double, result.from_long_double);
+    return fmt::format(
+        "<div class=\"verdict {}\"><dl>\n<dt>Is it right?</dt><dd>{}</dd>\n<dt>If not, where?</dt><dd>{}</dd>\n"
+        "<dt>By how much?</dt><dd>{}The shaders are at most {:.1e} away from the reference.</dd>\n</dl></div>\n",
+        is_expected ? "within" : "beyond", right, where.empty() ? "Nowhere." : where, error_of_driver(cases, results),
+        from_long_double);
 }
 
 }  // namespace
