@@ -76,9 +76,8 @@ class SceneText {
 
     // By how many steps of 1/255 a right picture may differ from the fixed function's.
     int codes() const {
-        const int rounding = 1;  // to 8 bits, on either side of a half
-        const int weights =
-            linear_ ? 3 : 0;  // 8 bits for the position between two texels, in s, in t and between levels
+        const int rounding = 1;               // to 8 bits, on either side of a half
+        const int weights = linear_ ? 3 : 0;  // 8 bits for a position between texels, in s, in t and between levels
         return rounding + weights;
     }
 
