@@ -57,7 +57,7 @@ chose, the driver gives another one.</dd>
 <dt>not tested</dt><dd>The case needs a feature that GL&rsquo;s fixed function lacks.</dd>
 </dl></details>
 <details><summary>What the symbols mean</summary>
-<p class="hint">They are those of the OpenGL 2.1 specification, whose section numbers stand with each case. V is the
+<p class="hint">They are those of the OpenGL 2.1 specification, whose section numbers are given with each case. V is the
 vertex, n its normal, P the light. VP is the unit vector from the vertex to the light, PV the opposite one, VPe the
 unit vector to the viewer; h is the half vector between VP and VPe. k_0, k_1 and k_2 are the constant, linear and
 quadratic attenuation, d is the distance to the light, att_i the attenuation factor. s is the direction of a

@@ -1,7 +1,6 @@
 // Rewrites a scene with other commands that must draw the same picture.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <optional>
 #include <span>

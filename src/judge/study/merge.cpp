@@ -1,7 +1,6 @@
 // Merges studies of one scene from several machines.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 #include "judge/study/study.h"
