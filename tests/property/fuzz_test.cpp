@@ -81,7 +81,7 @@ TEST(Fuzz, GivesTheSameSceneForTheSameState) {
 TEST(Fuzz, FindsEachDepartureThatIsLifted) {
     const Driver driver = this_driver();
     if (!compare::is_listed(driver)) GTEST_SKIP() << "another driver may have mended some";
-    if (driver.name == "softpipe") GTEST_SKIP() << "what it alone does otherwise hides most of the rest";
+    if (driver.name == "softpipe") GTEST_SKIP() << "its own known bugs hide most of the others";
     for (const compare::Departure& departure : compare::departures()) {
         if (!departure.is_known_on(driver)) continue;
         SCOPED_TRACE(departure.name);

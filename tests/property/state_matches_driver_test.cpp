@@ -266,7 +266,7 @@ bool is_departure(const Command& command, const State& state) {
         const ParameterInfo* info = find_parameter(*owner, command.enumerant(command.sig().parameters.size() - 2));
         if (info && info->count > 1) return true;
     }
-    // 2.14.3: what tracks a colour has it at once; the driver loses a glColor that stands before a new glColorMaterial.
+    // 2.14.3: a tracked material changes at once; the driver loses a glColor before a new glColorMaterial.
     // Nor does it have the colour that glPopAttrib restores.
     const bool changes_color = command.id == CommandId::glColorMaterial || command.id == CommandId::glPopAttrib;
     if (changes_color && state.lighting().color_material.enabled) return true;

@@ -40,13 +40,13 @@ StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& com
             compare::compare_scene(scene, {.budget = 0, .per_vertex_only = true}, renderers_);
         const compare::Departure* departure =
             compare::DeparturesOfScene(*commands, current_driver(), lifted_).in(scene.frame);
-        bool departs = false;
+        bool shows_bug = false;
         for (std::size_t pair = 0; pair < kPairs; ++pair) {  // both lists have the same order
             const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_allowed;
             // The share of pixels that differ by 1/255 counts over all pictures: in one picture the colour of a whole
             // surface may round either way.
             const bool fails = beyond.max > comparison.tolerance.max;
-            departs = departs || (fails && has_fixed(pair));
+            shows_bug = shows_bug || (fails && has_fixed(pair));
             if (departure && (has_fixed(pair) || departure->leaves != compare::Leaves::kFixedFunction)) continue;
             PairDifferences& here = found.pairs[pair];
             here.compared = static_cast<long>(beyond.pixels);
@@ -64,7 +64,7 @@ StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& com
                                     channels(comparison.a(comparison.pairs[pair]).image),
                                     channels(comparison.counterpart(comparison.pairs[pair])), here.worst);
         }
-        if (departure) found.left_out[departure] = {1, departs};
+        if (departure) found.left_out[departure] = {1, shows_bug};
     } catch (const SceneError& refused) {
         found.error = refused.what();
     }

@@ -1,5 +1,4 @@
-// The study by derivation: what is changed in a scene, how errors fall into parts, which choices make the front, what
-// is written.
+// The study: changes of a scene, errors inside shapes and at outlines, the front, and the files.
 #include "judge/study/study.h"
 
 #include <gtest/gtest.h>
@@ -73,8 +72,8 @@ TEST(Choices, TurnHighlightsByHalfVectorIntoSuchByReflectionAndBack) {
     EXPECT_EQ(lighting_of(with_lighting_change(reflecting, LightingChange::kHalfVector)).front.shininess, 40);
 }
 
-// Where the light and the viewer are far, n.h is cos(a) where r.v is cos(2a): of which exponent are the lobes nearest
-// to each other? Over the sphere of normals, whose directions at angle a have weight sin(a).
+// With a distant light and viewer, n.h is cos(a) where r.v is cos(2a). Finds the exponent for which the two lobes are
+// closest, over the sphere of normals, where directions at angle a have the weight sin(a).
 TEST(Choices, MatchTheExponentsOfHighlights) {
     for (const double shininess : {16.0, 40.0, 128.0}) {
         const auto distance = [&](double part) {
