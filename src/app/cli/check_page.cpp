@@ -233,6 +233,11 @@ std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& r
     right += fmt::format("{} of {} pass, {} known bugs of the driver.", groups[3].cases.size(),
                          counted(cases.size(), "case", "cases"),
                          known.cases.empty() ? "none shows" : fmt::format("{} show", known.cases.size()));
+    if (!groups[2].cases.empty())
+        right += fmt::format(" The driver gives another result in {} where the specification is silent.",
+                             counted(groups[2].cases.size(), "case", "cases"));
+    if (!groups[4].cases.empty())
+        right += fmt::format(" GL lacks the features of {}.", counted(groups[4].cases.size(), "case", "cases"));
     std::string where;
     if (!is_expected) where = fmt::format("Unexpected: {}.", links(cases, unexpected));
     if (!known.cases.empty())
