@@ -63,7 +63,7 @@ TEST(KnownDepartures, AreListedForADriverOrNotAtAll) {
 
 TEST(KnownDepartures, SayWhereTheyWereSeen) {
     for (const Departure& departure : departures())
-        EXPECT_TRUE(departure.leaves == Leaves::kOpen || !departure.seen_on.empty()) << departure.name;
+        EXPECT_TRUE(departure.cause == Cause::kUnspecified || !departure.seen_on.empty()) << departure.name;
 }
 
 // The fuzzer leaves out what may show: in other versions as well, and on any driver what several were seen to show.
