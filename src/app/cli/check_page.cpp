@@ -91,7 +91,7 @@ std::string links(const std::vector<Case>& cases, const std::vector<Result>& res
     std::string html;
     for (std::size_t i = 0; i < cases.size(); ++i)
         if (wanted(results[i]))
-            html += fmt::format("{}<a href=\"#{1}\">{1}</a>", html.empty() ? "" : ", ", escaped(cases[i].name));
+            html += fmt::format("{0}<a href=\"#{1}\">{1}</a>", html.empty() ? "" : ", ", escaped(cases[i].name));
     return html;
 }
 

@@ -41,7 +41,7 @@ std::string colored(const std::string& text, compare::Verdict verdict) {
 std::string line(std::string_view name, std::string_view part, const RegionDifference& region) {
     const bool any = region.differing > 0;
     return fmt::format("{:<20}  {:<15}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}", name, part,
-                       report::grouped(region.differing), report::share_of(region), report::codes_of(region.max),
+                       report::grouped(region.differing), report::share_of(region), report::in_255ths(region.max),
                        any ? fmt::format("{:.1e}", region.rms) : "0",
                        any ? fmt::format("{},{}", region.worst_x, region.worst_y) : "-");
 }
@@ -65,9 +65,7 @@ std::string table(const compare::Comparison& comparison) {
 std::string summary(const compare::Comparison& comparison, const std::string& folder) {
     std::string text =
         fmt::format("{}, {} x {}, {}\n\n", comparison.scene, comparison.width, comparison.height, comparison.driver);
-    const report::Answer answer = report::answer(comparison);
-    text += fmt::format("{}\n{}\n{}\n", answer.is_right, answer.where, answer.how_much);
-    for (const std::string& sentence : answer.details) text += sentence + "\n";
+    for (const std::string& sentence : report::answer(comparison).sentences()) text += sentence + "\n";
     for (const Unsupported& item : comparison.unsupported) text += report::sentence_of(item) + "\n";
     text += "\n" + table(comparison) + "\nTime:";
     for (const compare::Render& render : comparison.renders) {
