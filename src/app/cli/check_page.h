@@ -8,7 +8,7 @@
 
 namespace twinlight::cli {
 
-// One file that holds everything: the summary first, then each case with its explanation, findings, pictures and scene.
+// One file that holds everything: by what is tested, each case with its words, what was found, its pictures and its text.
 std::string check_page(const std::string& driver, const std::vector<check::Case>& cases,
                        const std::vector<check::Result>& results);
 
