@@ -71,7 +71,7 @@ std::string summary(const compare::Comparison& comparison, const std::string& fo
     for (const compare::Render& render : comparison.renders) {
         text += fmt::format("{} {} {:.1f} ms", text.back() == ':' ? "" : ",", render.name, render.ms);
     }
-    return text + "\n" + "Report: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
+    return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
 int run(const Arguments& arguments) {
