@@ -255,7 +255,9 @@ TEST(Words, AreFoundInPagesAndTheMakefile) {
 
 TEST(Words, OfTheSourcesAreNotWorn) {
     int files = 0;
-    std::string found = worn_phrases("Makefile", of_makefile(read_file("Makefile")));
+    std::string found;
+    for (const char* file : {"Makefile", "tools/deps.sh", ".ci/run"})
+        found += worn_phrases(file, of_makefile(read_file(file)));
     for (const auto& entry : std::filesystem::recursive_directory_iterator("src")) {
         const std::string path = entry.path().generic_string(), kind = entry.path().extension();
         std::vector<Text> texts;
