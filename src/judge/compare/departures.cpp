@@ -240,7 +240,7 @@ bool is_listed(const Driver& driver) {
 std::vector<const Departure*> known_departures_in(const Scene& scene, const Driver& driver) {
     CommandRules command_rules;
     scene.recording->for_each([&](const Step& step) {
-        if (step.kind == Step::Kind::kCommand) command_rule.see(step.command);
+        if (step.kind == Step::Kind::kCommand) command_rules.see(step.command);
         return true;
     });
     std::vector<const Departure*> found;
