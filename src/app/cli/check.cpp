@@ -77,8 +77,9 @@ std::string summary(const std::vector<Result>& results) {
     const Counts counts = counted(results);
     const auto fixed = [&](Outcome outcome) { return counts.fixed.at(static_cast<std::size_t>(outcome)); };
     return fmt::format(
-        "\n{}\n{} case{}. The driver's fixed function: {} pass, {} known bug, {} our choice (the specification is "
-        "silent),\n{} new bug, {} fixed bug, {} not tested.\n"
+        "\n{}\n{} case{}. The driver's fixed function: {} pass, {} with a known bug, {} our choice (the specification "
+        "is "
+        "silent),\n{} with a new bug, {} with a fixed bug, {} not tested.\n"
         "The shaders are at most {:.1e} away from the reference in long double. Results that are not finite: {}.\n",
         counts.failing == 0 ? "Nothing unexpected."
                             : fmt::format("{} unexpected {}.", counts.failing, counts.failing == 1 ? "case" : "cases"),

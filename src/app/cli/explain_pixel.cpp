@@ -214,6 +214,8 @@ std::string explain_pixel(const Scene& scene, const PlanOptions& options, const 
         "{}, pixel {},{} of {} x {}: {}\n", scene.name(), pixel.x, pixel.y, frame.width, frame.height,
         fragments.empty() ? "no draw covers it"
                           : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
+    if (std::ranges::any_of(fragments, &PixelFragment::is_lit))
+        text += "The symbols are those of OpenGL 2.1, section 2.14.1; docs/lighting.md explains them.\n";
     bool variants = false;
     for (const PixelFragment& fragment : fragments) {
         text += "\n" + text_of(fragment, *draws[fragment.draw]);

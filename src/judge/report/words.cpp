@@ -66,17 +66,16 @@ std::string words_of(const Tolerance& tolerance) {
 namespace {
 
 // "fixed ~ reference: 5 of 299,091 pixels away from edges differ (< 0.01%)"
-std::string count_of(const Comparison& comparison, const Pair& pair) {
-    const RegionDifference& region = pair.difference.beyond_allowed;
+std::string count_of(const Comparison& comparison, const Pair& pair, const RegionDifference& region) {
     return fmt::format("{}: {} of {} pixels away from edges differ ({})", name_of(comparison, pair),
                        grouped(region.differing), grouped(region.pixels), share_of(region));
 }
 
-// The pair with this verdict that differs most; null if there is none.
-const Pair* worst_pair(const Comparison& comparison, Verdict verdict) {
+// The pair with this verdict that differs most in one of its regions; null if there is none.
+const Pair* worst_pair(const Comparison& comparison, Verdict verdict, RegionDifference ImageDifference::*region) {
     const Pair* worst = nullptr;
-    const auto size = [](const Pair& pair) {
-        return std::pair(pair.difference.beyond_allowed.max, pair.difference.beyond_allowed.differing);
+    const auto size = [region](const Pair& pair) {
+        return std::pair((pair.difference.*region).max, (pair.difference.*region).differing);
     };
     for (const Pair& pair : comparison.pairs)
         if (pair.verdict == verdict && (!worst || size(pair) > size(*worst))) worst = &pair;
@@ -96,25 +95,29 @@ Answer partial_answer(const Comparison& comparison) {
 
 Answer agreeing_answer(const Comparison& comparison) {
     Answer answer{.is_right = "Yes: the renderers agree.", .where = {}, .how_much = {}, .details = {}};
-    const Pair* worst = worst_pair(comparison, Verdict::kWithin);
-    const bool any_differs = std::ranges::any_of(comparison.pairs, [](const Pair& pair) {
-        return pair.verdict == Verdict::kWithin && pair.difference.interior.differing > 0;
-    });
-    if (worst && worst->difference.beyond_allowed.differing > 0) {
-        const RegionDifference& region = worst->difference.beyond_allowed;
-        answer.where = fmt::format("Only rounding differs, most in {}; for example at ({}, {}).",
-                                   count_of(comparison, *worst), region.worst_x, region.worst_y);
-        answer.how_much = fmt::format("By {}; allowed is {}.", in_255ths(region.max), words_of(comparison.tolerance));
+    const Pair *beyond = worst_pair(comparison, Verdict::kWithin, &ImageDifference::beyond_allowed),
+               *any = worst_pair(comparison, Verdict::kWithin, &ImageDifference::interior);
+    if (beyond && beyond->difference.beyond_allowed.differing > 0) {
+        const RegionDifference& region = beyond->difference.beyond_allowed;
+        answer.where = fmt::format("Few pixels differ, most in {}; for example at ({}, {}).",
+                                   count_of(comparison, *beyond, region), region.worst_x, region.worst_y);
+        answer.how_much =
+            fmt::format("By up to {}; allowed is {}.", in_255ths(region.max), words_of(comparison.tolerance));
+    } else if (any && any->difference.interior.differing > 0) {
+        const RegionDifference& region = any->difference.interior;
+        answer.where = fmt::format("Nowhere more than allowed, most in {}; for example at ({}, {}).",
+                                   count_of(comparison, *any, region), region.worst_x, region.worst_y);
+        answer.how_much = fmt::format(
+            "By up to {}, which rounding, filters or blending explain at each of these pixels.", in_255ths(region.max));
     } else {
-        answer.where = any_differs ? "Away from edges, no pixel differs more than filters, blending and rounding allow."
-                                   : "Away from edges, no pixel differs.";
+        answer.where = "Away from edges, no pixel differs.";
         answer.how_much = fmt::format("By 0; allowed is {}.", words_of(comparison.tolerance));
     }
     return answer;
 }
 
 Answer differing_answer(const Comparison& comparison) {
-    const Pair& worst = *worst_pair(comparison, Verdict::kBeyond);
+    const Pair& worst = *worst_pair(comparison, Verdict::kBeyond, &ImageDifference::beyond_allowed);
     const RegionDifference& region = worst.difference.beyond_allowed;
     Answer answer{.is_right = "No: the renderers differ more than allowed.",
                   .where = fmt::format("Most in {}; the worst is at ({}, {}).", count_of(comparison, worst),
@@ -127,8 +130,9 @@ Answer differing_answer(const Comparison& comparison) {
     for (const Pair& pair : comparison.pairs) {
         if (pair.verdict != Verdict::kBeyond || &pair == &worst) continue;
         const RegionDifference& other = pair.difference.beyond_allowed;
-        answer.details.push_back(fmt::format("{}, by up to {}; the worst is at ({}, {}).", count_of(comparison, pair),
-                                             in_255ths(other.max), other.worst_x, other.worst_y));
+        answer.details.push_back(fmt::format("{}, by up to {}; the worst is at ({}, {}).",
+                                             count_of(comparison, pair, other), in_255ths(other.max), other.worst_x,
+                                             other.worst_y));
     }
     const Driver driver = parse_driver_name(comparison.driver);
     for (const std::string& departure : comparison.known_departures)
