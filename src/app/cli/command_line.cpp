@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <limits>
 #include <map>
 
 #include "app/cli/progress.h"
@@ -53,7 +54,7 @@ void add_budget_option(CLI::App& app, double& budget) {
     app.add_option("--budget", budget,
                    "how much the shaders may change a colour channel (0 to 1) by skipping faint lights; 0: not at all")
         ->type_name("B")
-        ->check(unnamed(CLI::Range(0.0, 1.0)))
+        ->check(number_from(0.0, 1.0))
         ->default_str("0.5/255");
 }
 
@@ -62,7 +63,7 @@ void add_frame_option(CLI::App& app, std::optional<int>& frame) {
            "--frame", [&frame](int number) { frame = number; },
            "frame of a recorded program, counted from 0 (default: the first that draws something)")
         ->type_name("N")
-        ->check(unnamed(CLI::NonNegativeNumber));
+        ->check(number_from(0, std::numeric_limits<int>::max()));
 }
 
 namespace {

@@ -1,12 +1,15 @@
 // Shared by the subcommands: their declarations, common options, loading a scene.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "app/program.h"
 #include "render/look.h"
@@ -41,8 +44,16 @@ CLI::Validator one_of(const Map& map) {
     return CLI::Validator(check, "");
 }
 
-// Without its description, which --help would print beside the option's type, as in "N:INT in [0 - 9]".
-inline CLI::Validator unnamed(CLI::Validator validator) { return validator.description(""); }
+// Accepts numbers from `low` to `high`. Unlike CLI::Range, adds nothing to --help, and its message is plain.
+template <class Number>
+CLI::Validator number_from(Number low, Number high) {
+    const auto check = [low, high](const std::string& text) {
+        if (CLI::Range(low, high)(text).empty()) return std::string();
+        return fmt::format("'{}' is not a {}number from {} to {}", text, std::is_integral_v<Number> ? "whole " : "",
+                           low, high);
+    };
+    return CLI::Validator(check, "");
+}
 
 CLI::Option* add_scene_argument(CLI::App& app, std::string& scene);
 void add_shading_option(CLI::App& app, std::optional<Shading>& shading);

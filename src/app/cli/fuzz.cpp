@@ -174,7 +174,7 @@ Subcommand add_fuzz(CLI::App& app) {
     fuzz->add_option("--count", options.count, "number of random scenes")
         ->type_name("N")
         ->capture_default_str()
-        ->check(unnamed(CLI::Range(std::uint64_t{1}, most - 1)));
+        ->check(number_from(std::uint64_t{1}, most - 1));
     fuzz->add_option("--seed", options.seed, "random seed; a seed gives the same scenes on every machine")
         ->type_name("S")
         ->capture_default_str();
@@ -182,7 +182,7 @@ Subcommand add_fuzz(CLI::App& app) {
                      "number of the first scene, to repeat a failure or to continue an earlier run")
         ->type_name("N")
         ->capture_default_str()
-        ->check(unnamed(CLI::Range(std::uint64_t{0}, most << 20)));
+        ->check(number_from(std::uint64_t{0}, most << 20));
     CLI::Option* floats_only = fuzz->add_flag_callback(
         "--float-only", [&options] { options.pictures = false; }, "compare only vertex colours, in floats");
     fuzz->add_flag_callback(

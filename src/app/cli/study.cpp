@@ -194,14 +194,14 @@ Subcommand add_study(CLI::App& app) {
             "--seconds", [arguments](double seconds) { arguments->seconds = seconds; },
             "time for the measurements, which repeat at least three times (default: 60, or 5 with --quick)")
         ->type_name("S")
-        ->check(unnamed(CLI::Range(0.0, 86400.0)));
+        ->check(number_from(0.0, 86400.0));
     study
         ->add_option_function<int>(
             "--coverage", [arguments](int samples) { arguments->coverage = samples; },
             "study antialiasing too: the exact picture has NxN samples per pixel (N is 1, 2, 4, 8 or 16)")
         ->type_name("N")
         ->default_str("1")
-        ->check(unnamed(CLI::IsMember({1, 2, 4, 8, 16})));
+        ->check(CLI::IsMember({1, 2, 4, 8, 16}).description(""));
     study->add_flag("--quick", arguments->quick, "fewer choices, a smaller picture, less time");
     study->add_flag("--resume", arguments->resume, "continue the study in DIR with the same settings");
     study->add_option("--merge", arguments->merge, "combine studies of one scene from several machines; takes no SCENE")

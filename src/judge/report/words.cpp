@@ -120,7 +120,7 @@ Answer differing_answer(const Comparison& comparison) {
     const Pair& worst = *worst_pair(comparison, Verdict::kBeyond, &ImageDifference::beyond_allowed);
     const RegionDifference& region = worst.difference.beyond_allowed;
     Answer answer{.is_right = "No: the renderers differ more than allowed.",
-                  .where = fmt::format("Most in {}; the worst is at ({}, {}).", count_of(comparison, worst),
+                  .where = fmt::format("Most in {}; the worst is at ({}, {}).", count_of(comparison, worst, region),
                                        region.worst_x, region.worst_y),
                   .how_much = fmt::format(
                       "By up to {}{}; allowed is {}.", in_255ths(region.max),
