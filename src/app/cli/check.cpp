@@ -17,7 +17,7 @@ namespace {
 
 using namespace check;
 
-struct Arguments {
+struct CheckArguments {
     std::vector<std::string> names;
     std::string reproducers, page;  // folders; empty: not wanted
     bool json = false;
@@ -151,7 +151,7 @@ void write_reproducers(const std::string& folder, const std::string& driver, con
     }
 }
 
-int run(const Arguments& arguments) {
+int run_check(const CheckArguments& arguments) {
     const std::vector<Case> cases = load_cases(arguments.names);
     for (const std::string& folder :
          {arguments.reproducers, arguments.page})  // before the work: a bad folder fails at once
@@ -172,7 +172,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Subcommand add_check(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<CheckArguments>();
     CLI::App* check = app.add_subcommand("check", "Test this machine's driver with the hard cases of lighting");
     check
         ->add_option("CASE", arguments->names,
@@ -204,7 +204,7 @@ Subcommand add_check(CLI::App& app) {
         "shaders\n"
         "or the reference that is not finite, or shaders more than 3e-5 away from the reference in long double;\n"
         "2 bad input or usage.");
-    return {check, [arguments] { return run(*arguments); }};
+    return {check, [arguments] { return run_check(*arguments); }};
 }
 
 }  // namespace twinlight::cli

@@ -13,7 +13,7 @@ namespace twinlight::cli {
 
 namespace {
 
-struct Arguments {
+struct ExportArguments {
     std::string scene;
     std::string form;
     std::optional<Shading> shading;
@@ -45,7 +45,7 @@ const std::map<std::string, Export> kForms = {
     {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_of(scene)); }},
 };
 
-int run(const Arguments& arguments) {
+int run_export(const ExportArguments& arguments) {
     if (arguments.form != "glsl" && arguments.shading) {
         throw UsageError("--shading applies only to --as glsl; the other formats keep the scene's glShadeModel");
     }
@@ -62,7 +62,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Subcommand add_export(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<ExportArguments>();
     CLI::App* exporting = app.add_subcommand(
         "export", "Print a scene as a C program (freeglut), as the GLSL shaders that draw it, or as a scene file");
     add_scene_argument(*exporting, arguments->scene);
@@ -73,7 +73,7 @@ Subcommand add_export(CLI::App& app) {
     add_shading_option(*exporting, arguments->shading);
     add_frame_option(*exporting, arguments->frame);
     add_precise_flag(*exporting, arguments->precise);
-    return {exporting, [arguments] { return run(*arguments); }};
+    return {exporting, [arguments] { return run_export(*arguments); }};
 }
 
 }  // namespace twinlight::cli

@@ -26,7 +26,7 @@ namespace {
 constexpr Size kSize{320, 240}, kQuickSize{240, 180};
 constexpr double kSeconds = 60, kQuickSeconds = 5;
 
-struct Arguments {
+struct StudyArguments {
     std::string scene;
     std::optional<Size> size;
     std::string folder;
@@ -72,13 +72,13 @@ std::string summary(const study::Study& study, const std::string& folder) {
     return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
-int write(const Arguments& arguments, const study::Study& study) {
+int write(const StudyArguments& arguments, const study::Study& study) {
     study::write_study(study, arguments.folder);
     write_result(arguments.json ? study_json(study) : summary(study, arguments.folder));
     return kFine;
 }
 
-int merge(const Arguments& arguments) {
+int merge(const StudyArguments& arguments) {
     if (arguments.merge.size() < 2) throw UsageError("--merge needs at least two study.json files");
     std::vector<study::NamedStudy> studies;
     for (const std::string& file : arguments.merge) studies.push_back({file, study::load_study(file)});
@@ -86,7 +86,7 @@ int merge(const Arguments& arguments) {
 }
 
 // Loads the study that --resume continues; its settings are the defaults of this one.
-std::optional<study::Study> earlier_study(Arguments& arguments) {
+std::optional<study::Study> earlier_study(StudyArguments& arguments) {
     if (!arguments.resume) return {};
     const std::string file = (std::filesystem::path(arguments.folder) / "study.json").string();
     study::Study study = study::load_study(file);
@@ -113,7 +113,7 @@ void check_resumable(const study::Study& earlier, const study::Study& now) {
                         one_line(difference)));
 }
 
-int run(Arguments arguments) {
+int run_study(StudyArguments arguments) {
     if (!arguments.merge.empty()) return merge(arguments);
     if (arguments.scene.empty()) throw UsageError("SCENE is missing; give a scene, or --merge and study.json files");
     const std::optional<study::Study> earlier = earlier_study(arguments);
@@ -178,7 +178,7 @@ int run(Arguments arguments) {
 }  // namespace
 
 Subcommand add_study(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<StudyArguments>();
     CLI::App* study = app.add_subcommand("study", "Measure how much time accuracy costs");
     add_scene_argument(*study, arguments->scene)->required(false);
     study
@@ -214,7 +214,7 @@ Subcommand add_study(CLI::App& app) {
         "For a scene with #pragma twinlight spectrum(n), the number of wavelengths is studied too (spectral.svg).\n"
         "Ctrl-C stops the study and keeps all measurements; --resume continues it.\n"
         "Exit status: 0 success, 2 bad input or usage.");
-    return {study, [arguments] { return run(*arguments); }};
+    return {study, [arguments] { return run_study(*arguments); }};
 }
 
 }  // namespace twinlight::cli
