@@ -31,7 +31,7 @@ void toggle_renderer(Controls& controls) {
 }
 
 void toggle_keys(Controls& controls, int) { controls.keys_shown = !controls.keys_shown; }
-void quit(Controls& controls, int) { controls.quit_asked = true; }
+void quit(Controls& controls, int) { controls.quit_requested = true; }
 
 // GLUT's numbers (freeglut_std.h; window.cpp checks them).
 constexpr int kF1 = kSpecialKey + 1, kLeft = kSpecialKey + 100, kUp = kSpecialKey + 101;
@@ -57,7 +57,7 @@ constexpr Key kKeys[] = {
     {'=', '=', "", "", [](Controls& c, int) { zoom(c, 1); }},
     {'-', '-', "", "", [](Controls& c, int) { zoom(c, -1); }},
     {'r', 'r', "r", "reset the view to the scene's own", [](Controls& c, int) { c.view = c.initial_view; }},
-    {'s', 's', "s", "save the picture", [](Controls& c, int) { c.save_asked = true; }},
+    {'s', 's', "s", "save the picture", [](Controls& c, int) { c.save_requested = true; }},
     {'h', 'h', "h", "hide or show the status line", [](Controls& c, int) { c.status_shown = !c.status_shown; }},
     {kF1, kF1, "F1, ?", "show or hide these keys", toggle_keys},
     {'?', '?', "", "", toggle_keys},

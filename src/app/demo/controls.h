@@ -18,8 +18,8 @@ struct Controls {
     bool difference = false;       // the picture is |fixed - programmable|, amplified
     bool keys_shown = false;       // the overlay of all keys
     bool status_shown = true;      // the overlay of one line
-    bool save_asked = false;       // the window writes the picture and clears this
-    bool quit_asked = false;
+    bool save_requested = false;   // the window writes the picture and clears this
+    bool quit_requested = false;
     View initial_view;           // the key r returns to it
     bool scene_is_flat = false;  // the scene's own shade model; the key f first switches to the other one
 };

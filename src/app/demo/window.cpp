@@ -176,7 +176,7 @@ int Window::run() {
         for (const char code : self.options_.keys) press(self.controls_, static_cast<unsigned char>(code));
         self.act();
     });
-    if (status_ == EXIT_SUCCESS && !controls_.quit_asked) glutMainLoop();
+    if (status_ == EXIT_SUCCESS && !controls_.quit_requested) glutMainLoop();
     return status_;
 }
 
@@ -205,7 +205,7 @@ void Window::display() {
     glutSetWindowTitle((summary_ + " - twinlight").c_str());
     ++frames_shown_;
     const bool last = options_.quit_after > 0 && frames_shown_ >= options_.quit_after;
-    if (controls_.save_asked || (last && !options_.screenshot.empty())) {
+    if (controls_.save_requested || (last && !options_.screenshot.empty())) {
         save();
     }
     place_picture();
@@ -221,7 +221,7 @@ void Window::display() {
 
 // If the file cannot be written, prints an error and goes on.
 void Window::save() {
-    controls_.save_asked = false;
+    controls_.save_requested = false;
     const std::string file = options_.screenshot.empty() ? "twinlight-demo.png" : options_.screenshot;
     try {
         write_png(file, read_pixels(picture_.width, picture_.height));
@@ -286,7 +286,7 @@ void Window::key(int code) {
 }
 
 void Window::act() {
-    if (controls_.quit_asked) {
+    if (controls_.quit_requested) {
         quit();
     } else {
         glutPostRedisplay();
