@@ -1,13 +1,8 @@
 # Twinlight's build. `make help` lists the targets; `make deps` installs what they need.
 #
 #   config=release|debug|sanitize   release builds into build/, the others into build/<config>/; `make fuzz` into build/fuzz/
-<<<<<<< HEAD
 #   GL=osmesa|egl                   how to draw without a window: Mesa's OSMesa (build/) or EGL's drivers (build/egl/)
-#   units=rooms|files               compile each folder as one file (release: takes a third of the time), or each file by itself
-=======
-#   GL=osmesa|egl                   what draws without a window: Mesa's OSMesa into build/, EGL's drivers into build/egl/
-#   units=rooms|files               compile a folder at a time (release: less than half the time), or each file alone (the others)
->>>>>>> main
+#   units=rooms|files               compile each folder as one file (release: takes less than half the time), or each file by itself
 #   CI=true                         warnings are errors
 
 config ?= release
@@ -132,15 +127,9 @@ CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,char
 FILES_cases := $(wildcard golden/hard/*.gl)
 FILES_pages := $(wildcard src/judge/report/pages/*) $(BUILD)/embedded/chart.js
 
-<<<<<<< HEAD
 # With units=rooms, each folder of sources (a room) is one translation unit, which reads its headers once. Files with their own
 # flags are compiled separately, and so are those that a program links without the rest of their room.
-ALONE := $(if $(filter files,$(units)),%.cpp,$(SOURCES_osmesa) $(SOURCES_egl) src/lighting/points_avx%.cpp \
-=======
-# A room, a folder of sources, is one translation unit where units=rooms: its headers are read once. Files with flags of their own
-# are compiled alone, and so are those that a program links without the rest of their room.
 ALONE := $(if $(filter files,$(units)),%.cpp,src/render/context/%.cpp src/lighting/points_avx%.cpp \
->>>>>>> main
     src/app/demo/main.cpp src/app/demo/window.cpp src/app/cli/progress.cpp $(SOURCES_bench_meshes))
 ROOMS := $(patsubst %/,%,$(sort $(dir $(filter-out $(ALONE),$(SOURCES_all)))))
 object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
@@ -240,13 +229,8 @@ $(BUILD)/objects/$(1).room.cpp: $(if $(subst |$(call room_written,$(1))|,,|$(cal
 endef
 $(foreach name,$(ROOMS),$(eval $(call room,$(name))))
 
-<<<<<<< HEAD
 # (g++ treats an included source as a header, and warns about its uses of anonymous namespaces.)
-$(BUILD)/objects/%/room.o: $(BUILD)/objects/%/room.cpp $(BUILD)/flags
-=======
-# (g++ takes a source that is included for a header, and warns of what it uses of an anonymous namespace.)
 $(BUILD)/objects/%.room.o: $(BUILD)/objects/%.room.cpp $(BUILD)/flags
->>>>>>> main
 	@echo "compile $*/*.cpp"
 	@$(CXX) $(CXXFLAGS_all) -Wno-subobject-linkage -iquote . -MMD -MP -c $< -o $@
 
