@@ -152,9 +152,9 @@ test: deps  ## build; run every test headless (TEST=Filter* runs some)
 	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(PROGRAMS) \
 	    $(PROGRAMS)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
 
-bench: deps  ## measure: a table of medians, and ratios in build/bench.json (BENCH=Regex runs some)
+bench: deps  ## measure: a table of medians, and ratios in build/bench.json (BENCH=Regex runs some, QUICK=1 runs each once)
 	@$(MAKE) $(PROGRAMS)/twinlight-bench
-	@TWINLIGHT_BUILD=$(PROGRAMS) $(PROGRAMS)/twinlight-bench '$(or $(BENCH),.)'
+	@TWINLIGHT_BUILD=$(PROGRAMS) $(PROGRAMS)/twinlight-bench $(if $(QUICK),--quick) '$(or $(BENCH),.)'
 
 # Each target from seeds and from the corpus that earlier runs left. Warnings are the other compiler's, so CI is not said.
 TIME ?= 60
