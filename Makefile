@@ -150,7 +150,7 @@ test: deps  ## build; run every test headless (TEST=Filter* runs some)
 	@$(MAKE) test-binary
 	@if pkg-config --exists egl; then $(MAKE) GL=egl $(BUILD)/egl/twinlight; fi
 	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(PROGRAMS) \
-	    $(PROGRAMS)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
+	    tests/run.sh $(PROGRAMS)/twinlight-tests '$(or $(TEST),*)'
 
 bench: deps  ## measure: a table of medians, and ratios in build/bench.json (BENCH=Regex runs some, QUICK=1 runs each once)
 	@$(MAKE) $(PROGRAMS)/twinlight-bench
