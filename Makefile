@@ -163,8 +163,7 @@ fuzz: deps  ## look for crashes on random input (TIME=seconds a target, TARGET=s
 	@if ! { $(try_fuzzer); } 2>/dev/null; then \
 	    echo "fuzz: skipped, clang++ and its runtime are not installed (Debian's packages clang and libclang-rt-dev)"; exit 0; fi; \
 	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
-	for target in $(or $(TARGET),$(fuzz_targets)); do \
-	    tests/fuzz/run.sh $$target $(TIME) || exit 1; done
+	printf '%s\n' $(or $(TARGET),$(fuzz_targets)) | xargs -P $$(nproc) -I TARGET tests/fuzz/run.sh TARGET $(TIME)
 
 deps:  ## install what is missing (apt), and nothing else
 	@missing() { echo "$$DEPENDENCIES" | while read -r package ask; do \
