@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# run.sh PROGRAM [FILTER]: runs a GoogleTest program's tests on all processors. Neighbouring suites form a part. Each part is a process;
-# what it prints appears when it ends. The last lines count the tests as GoogleTest does. PROGRAM.times lists the tests with their
-# milliseconds, the slowest first.
+# run.sh PROGRAM [FILTER]: runs a GoogleTest program's tests on all processors. It starts a process for every few suites and shows the
+# output of each when it ends. The last lines count the tests as GoogleTest does. PROGRAM.times lists the tests with their milliseconds,
+# the slowest first.
 set -uo pipefail
 program=$1 filter=${2:-*}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export program scratch
 
-# One line a part: "Suite.Test:Suite.Test", whole suites of at least 8 tests together, for a process takes 30 ms to start.
+# One line a part: "Suite.Test:Suite.Test", whole suites with at least 8 tests together, because a process takes 30 ms to start.
 "$program" --gtest_list_tests --gtest_filter="$filter" | awk '
     /^[^ ]+\.( |$)/ { if (tests >= 8) { print part; part = ""; tests = 0 } suite = $1 }
     /^  / { part = part (part == "" ? "" : ":") suite $1; ++tests }

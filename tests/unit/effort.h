@@ -1,4 +1,4 @@
-// How much of a long test runs: all of it in CI (where CI is set in the environment), a quarter elsewhere.
+// Long tests try all their cases in CI (the environment variable CI is set), and a quarter of them elsewhere.
 #pragma once
 
 #include <algorithm>
@@ -6,17 +6,17 @@
 
 namespace twinlight {
 
-inline bool runs_whole() {
+inline bool tries_all() {
     const char* ci = std::getenv("CI");
     return ci != nullptr && *ci != '\0';
 }
 
-inline int rounds(int n) { return runs_whole() ? n : std::max(1, n / 4); }
+inline int rounds(int n) { return tries_all() ? n : std::max(1, n / 4); }
 
-// How much random rounds must find: of fewer rounds half as much, since chance weighs more there.
-inline int least_found(int n) { return runs_whole() ? n : n / 8; }
+// How much the rounds must find: n of all, and n / 8 of a quarter, where chance weighs more.
+inline int least_found(int n) { return tries_all() ? n : n / 8; }
 
-// Whether row i of a table is tried.
-inline bool is_tried(int i) { return runs_whole() || i % 4 == 0; }
+// Whether to try case i.
+inline bool is_tried(int i) { return tries_all() || i % 4 == 0; }
 
 }  // namespace twinlight
