@@ -162,11 +162,11 @@ test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs s
 	@$(MAKE) test-binary
 	@if pkg-config --exists egl; then $(MAKE) GL=egl $(BUILD)/egl/twinlight; fi
 	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(PROGRAMS) \
-	    $(PROGRAMS)/twinlight-tests --gtest_brief=1 $(if $(TEST),--gtest_filter='$(TEST)')
+	    tests/run.sh $(PROGRAMS)/twinlight-tests '$(or $(TEST),*)'
 
-bench: deps  ## measure speed: print medians, write ratios to build/bench.json (BENCH=Regex runs some)
+bench: deps  ## measure speed: print medians, write ratios to build/bench.json (BENCH=Regex runs some, QUICK=1 runs each once)
 	@$(MAKE) $(PROGRAMS)/twinlight-bench
-	@TWINLIGHT_BUILD=$(PROGRAMS) $(PROGRAMS)/twinlight-bench '$(or $(BENCH),.)'
+	@TWINLIGHT_BUILD=$(PROGRAMS) $(PROGRAMS)/twinlight-bench $(if $(QUICK),--quick) '$(or $(BENCH),.)'
 
 # Each target starts from seeds and from the corpus of earlier runs. clang warns about other things than g++, so CI=true
 # (warnings are errors) is not passed on.
@@ -176,8 +176,7 @@ fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET
 	@if ! { $(try_fuzzer); } 2>/dev/null; then \
 	    echo "fuzz: skipped, because clang++ or its fuzzer runtime is not installed (Debian packages clang and libclang-rt-dev)"; exit 0; fi; \
 	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
-	for target in $(or $(TARGET),$(fuzz_targets)); do \
-	    tests/fuzz/run.sh $$target $(TIME) || exit 1; done
+	printf '%s\n' $(or $(TARGET),$(fuzz_targets)) | xargs -P $$(nproc) -I TARGET tests/fuzz/run.sh TARGET $(TIME)
 
 deps:  ## install missing packages with apt; build nothing
 	@tools/deps.sh
