@@ -211,9 +211,7 @@ class CommandRules {
 };
 
 bool applies_in(const Departure& departure, const Frame& frame) {
-    return std::ranges::any_of(frame.items, [&](const auto& item) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (!draw) return false;
+    return std::ranges::any_of(frame.draws(), [&](const Draw* draw) {
         if (departure.draw_rule) return departure.draw_rule(*draw);
         return std::ranges::any_of(draw->vertices,
                                    [&](const Vertex& vertex) { return departure.vertex_rule(*draw, vertex); });

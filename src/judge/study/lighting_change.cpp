@@ -133,9 +133,8 @@ std::span<const LightingChangeRow> lighting_changes() { return kChanges; }
 
 bool matters(const Frame& frame, LightingChange change) {
     bool any = false;
-    for (const auto& item : frame.items) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (!draw || !draw->lighting.enabled) continue;
+    for (const Draw* draw : frame.draws()) {
+        if (!draw->lighting.enabled) continue;
         const bool here = row_of(change).matters(*draw);
         if (here && change == LightingChange::kRescale && !rescaling_normalizes(*draw)) return false;
         any |= here;
@@ -145,8 +144,8 @@ bool matters(const Frame& frame, LightingChange change) {
 
 Frame with_lighting_change(const Frame& frame, LightingChange change) {
     Frame result = frame;
-    for (auto& item : result.items)
-        if (Draw* draw = std::get_if<Draw>(&item); draw && draw->lighting.enabled) row_of(change).apply(*draw);
+    for (Draw* draw : result.draws())
+        if (draw->lighting.enabled) row_of(change).apply(*draw);
     return result;
 }
 

@@ -61,10 +61,9 @@ Frame enlarged(const Frame& frame, int samples) {
     const auto enlarge = [&](Viewport& box) {
         for (int* length : {&box.x, &box.y, &box.width, &box.height}) *length *= samples;
     };
-    for (auto& item : result.items) {
+    for (auto& item : result.items)
         if (Clear* clear = std::get_if<Clear>(&item)) enlarge(clear->scissor.box);
-        Draw* draw = std::get_if<Draw>(&item);
-        if (!draw) continue;
+    for (Draw* draw : result.draws()) {
         enlarge(draw->raster.viewport);
         enlarge(draw->fragment.scissor.box);
         draw->raster.line_width *= samples;

@@ -55,18 +55,15 @@ std::vector<PatchError> patch_errors() {
 }
 
 bool has_spectrum(const Frame& frame) {
-    return std::ranges::any_of(frame.items, [](const auto& item) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        return draw && draw->lighting.light_model.spectrum;
-    });
+    return std::ranges::any_of(frame.draws(),
+                               [](const Draw* draw) { return draw->lighting.light_model.spectrum != nullptr; });
 }
 
 Frame with_samples(const Frame& frame, int samples) {
     const auto spectrum = samples == 0 ? nullptr : std::make_shared<const SpectralSamples>(samples);
     Frame result = frame;
-    for (auto& item : result.items)
-        if (Draw* draw = std::get_if<Draw>(&item); draw && draw->lighting.light_model.spectrum)
-            draw->lighting.light_model.spectrum = spectrum;
+    for (Draw* draw : result.draws())
+        if (draw->lighting.light_model.spectrum) draw->lighting.light_model.spectrum = spectrum;
     return result;
 }
 

@@ -158,7 +158,7 @@ TEST_F(Cli, RefusesALineOfAGigabyteUnread) {
                                            "head -c 1000000000 /dev/zero | tr '\\0' ' ' | "
                                            "\"$PROGRAM\" render - --with reference -o " +
                                                quoted(out_ / "p.png"));
-    expect_refused(result, "is larger than 64 MiB");
+    expect_refused(result, "is larger than 64 MiB, the limit for a scene");
 }
 
 TEST_F(Cli, RefusesScenesThatAreNotThere) {
@@ -167,7 +167,7 @@ TEST_F(Cli, RefusesScenesThatAreNotThere) {
     };
     expect_refused(render(in_ / "none.gl"), in_ / "none.gl: No such file or directory");
     expect_refused(render(in_.str()), "Is a directory");
-    expect_refused(render("no-such-scene-at-all"), "there is no built-in scene and no file of this name");
+    expect_refused(render("no-such-scene-at-all"), "there is no built-in scene and no file with this name");
     expect_refused(render("a\nb"), "a\\x0ab");
     expect_refused(render("game.trace"), "game.trace: No such file or directory");
     expect_refused(render("repot"), "did you mean 'report'?");
@@ -486,7 +486,8 @@ TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
     expect_refused(run({"explain", file, "--budget", "2"}), "--budget");
 }
 
-// The strips of a sphere: those that the light reaches, and those behind, each told once with numbers that hold for all.
+// The strips of a sphere: those that the light reaches, and those behind, each told once with numbers that hold for
+// all.
 TEST_F(Cli, ExplainsThePartsOfAShapeTogether) {
     const std::string file = scene(
         "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightfv(GL_LIGHT0, GL_POSITION, (float[]){0, 0, 1, 0}); "
