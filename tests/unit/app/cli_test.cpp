@@ -559,7 +559,7 @@ TEST_F(Cli, StudiesWhatAccuracyCosts) {
     EXPECT_EQ(json::parse(merged.out)["series"].size(), 2U);
     EXPECT_EQ(read_file(both + "/pictures/2-reference-exact.png"), read_file(folder + "/pictures/reference-exact.png"));
     expect_refusal(run({"study", "--merge", file, "-o", both}), "at least two");
-    expect_refusal(run({"study", "--merge", file, scene(kScene), "-o", both}), "is no JSON");
+    expect_refusal(run({"study", "--merge", file, scene(kScene), "-o", both}), "this is not JSON");
     expect_refusal(run({"study", "-o", both}), "SCENE is missing");
 }
 
