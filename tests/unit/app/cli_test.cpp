@@ -101,9 +101,9 @@ TEST_F(Cli, RefusesBadUse) {
                    "use it with --with programmable");
     expect_refused(
         run({"render", file, "--with", "programmable", "--precise", "--shading", "phong", "-o", out_ / "p.png"}),
-        "it has no phong shading");
+        "does not work with phong or exact shading");
     expect_refused(run({"render", file, "--with", "programmable", "--precise", "--baked", "-o", out_ / "p.png"}),
-                   "as uniforms");
+                   "does not work with constants");
     expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
     expect_refused(run({"compare", file}), "-o is required");
     expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
@@ -467,9 +467,9 @@ TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
     // 90 degrees less the cone's 20 and asin(sqrt(2) / 5).
     for (const char* expected :
          {"1 draw with 1 different set of effects; allowed change of a channel: 0.5",
-          "used     directional, diffuse: at most 204", "its cone misses the sphere around the Draw by 53.6 degrees",
-          "at most 0.204 of 255 codes of it reach a channel", "GL_LIGHT3 to GL_LIGHT7",
-          "Skipping them changes a channel by at most 0.204"})
+          "used     directional, diffuse: it adds at most 204/255 to a channel",
+          "its cone misses the draw's bounding sphere by 53.6 degrees", "it would add at most 0.204/255 to a channel",
+          "GL_LIGHT3 to GL_LIGHT7", "Skipping them changes a channel by at most 0.204"})
         EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
     EXPECT_EQ(text.out.find('\x1b'), std::string::npos);
     EXPECT_NE(run({"explain", file, "--budget", "0"}).out.find("Skipping them changes no pixel."), std::string::npos);
@@ -603,7 +603,7 @@ TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
     expect_refused(render("fixed"), "use --with programmable or --with reference");
     expect_refused(
         run({"render", file, "--with", "programmable", "--precise", "--shading", "exact", "-o", out_ / "p.png"}),
-        "no exact surfaces");
+        "does not work with phong or exact shading");
     EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "exact"}).out.find("cast_ray()"), std::string::npos);
     const ProgramResult explained = run({"explain", file, "--shading", "exact"});
     EXPECT_EQ(explained.status, 0) << explained.err;
