@@ -18,7 +18,7 @@ constexpr SeenOn kSoftpipe[] = {{"softpipe", "Mesa 22.3"}};
 const std::vector<Departure>& departures() {
     static const std::vector<Departure> list = {
         // Departures that affect shaders too come first: if one of these applies, the others do not matter.
-        {.name = "no answer in the text",
+        {.name = "no answer in the specification",
          .section =
              "2.1.1, 2.11.3, 2.14.1: singular matrix, direction of length 0, vertex whose w is not positive, light "
              "at the vertex",
@@ -60,7 +60,7 @@ const std::vector<Departure>& departures() {
          .cause = Cause::kDriver,
          .seen_on = kBoth,
          .draw_rule = offsets_borders_out_of_range},
-        {.name = "polygon offset of lines or points alone",
+        {.name = "polygon offset of only lines or points",
          .section = "3.5.5: filled polygons are offset only if GL_POLYGON_OFFSET_FILL is enabled",
          .cause = Cause::kDriver,
          .seen_on = kLlvmpipe,
@@ -120,11 +120,11 @@ const std::vector<Departure>& departures() {
          .section = "2.14.3: the material follows the colour",
          .seen_on = kBoth,
          .command_rule = tracks_color_before_list},
-        {.name = "colour material on the back alone of two sides",
+        {.name = "two-sided colour material only on the back",
          .section = "2.14.3: all channels of the back material follow the colour; the driver updates only red",
          .seen_on = kBoth,
          .draw_rule = has_color_material_on_back_alone},
-        {.name = "materials of vertices that two sides do not share",
+        {.name = "vertex materials that differ between two sides",
          .section = "2.14.2: glMaterial between glBegin and glEnd changes all channels of the side that it names",
          .seen_on = kBoth,
          .command_rule = sets_sides_apart},
@@ -174,11 +174,14 @@ const std::vector<Departure>& departures() {
          .seen_on = kBoth,
          .vertex_rule = has_w_under_positional_light},
         {.name = "fog of a vertex whose w is not 1", .section = "3.10", .seen_on = kBoth, .draw_rule = has_w_in_fog},
-        {.name = "a direction whose square leaves the floats",
+        {.name = "a direction whose square does not fit a float",
          .section = "2.14.1, 2.1.1: positions and normals up to 2^32 are valid, and unit vectors have length 1",
          .seen_on = kBoth,
          .vertex_rule = has_extreme_direction},
-        {.name = "rescaling under a great scale", .section = "2.11.3", .seen_on = kBoth, .draw_rule = rescales_much},
+        {.name = "GL_RESCALE_NORMAL under a large scale",
+         .section = "2.11.3",
+         .seen_on = kBoth,
+         .draw_rule = rescales_much},
     };
     return list;
 }

@@ -25,6 +25,7 @@ constexpr Phrase kPhrases[] = {
     {"told", "shown, reported"},
     {"stands", "is"},
     {"anew", "again"},
+    {"alone", "only"},
     {"judged", "compared; decides the verdict"},
     {"departs", "violates the specification; has a bug"},
     {"depart", "violate the specification; have a bug"},
