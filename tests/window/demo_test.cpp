@@ -314,7 +314,7 @@ TEST_F(DemoWindow, AnswersKeysAndMouse) {
     press(controls, 'm');
     press(controls, '?');  // and the overlay of the keys does not stand in the picture
     check("wireframe", "key m key F1");
-    EXPECT_NE(read_file((folder() / "demo.log").string()).find("GL_FLAT or GL_SMOOTH"), std::string::npos);
+    EXPECT_NE(read_file((folder() / "demo.log").string()).find("GL_FLAT and GL_SMOOTH"), std::string::npos);
 
     press(controls, 'r');
     check("reset", "key r");

@@ -335,6 +335,19 @@ struct Frame {
     std::vector<Unsupported> unsupported{};
     // The names of display lists that another list called before they existed.
     std::vector<std::uint32_t> lists_called_before_made{};
+
+    // The Draws alone.
+    std::vector<const Draw*> draws() const { return draws_of<const Draw>(items); }
+    std::vector<Draw*> draws() { return draws_of<Draw>(items); }
+
+  private:
+    template <class Type, class Items>
+    static std::vector<Type*> draws_of(Items& items) {
+        std::vector<Type*> draws;
+        for (auto& item : items)
+            if (Type* draw = std::get_if<Draw>(&item)) draws.push_back(draw);
+        return draws;
+    }
 };
 
 }  // namespace twinlight

@@ -318,9 +318,7 @@ Frame make_frame(const CommandList& commands, const StateOptions& options) {
     if (const auto error = state.unfinished())
         throw SceneError(fmt::format("{}: {}", error->place.str(), error->message));
     Frame frame = state.take_frame();
-    const bool draws = std::any_of(frame.items.begin(), frame.items.end(),
-                                   [](const auto& item) { return std::holds_alternative<Draw>(item); });
-    if (!draws) {
+    if (frame.draws().empty()) {
         throw SceneError(fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
                                      commands.name));
     }
