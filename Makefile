@@ -67,8 +67,8 @@ WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(if $(CI),-Werror)
 CXXFLAGS_common := -std=c++20 -ffp-contract=off $(WARNINGS) -Isrc -DGL_GLEXT_PROTOTYPES
 CXXFLAGS_release := -O2
 CXXFLAGS_debug := -O0 -g
-# (At -O1 g++ 12 sees a copy beyond a std::string's own buffer where there is none.)
-OPTIMISATION_test := $(if $(filter release,$(config)),-O1 -Wno-array-bounds)
+# (At -O1 g++ 12 sees copies beyond a std::string's own buffer where there are none.)
+OPTIMISATION_test := $(if $(filter release,$(config)),-O1 -Wno-array-bounds -Wno-stringop-overflow)
 # For src/lighting/points.h, which lights many points at once on processors that have these instructions.
 INSTRUCTIONS_points_avx2 := -mavx2 -mfma
 # (g++ 12's own header leaves some values undefined on purpose, and g++ warns about them.)
