@@ -1,4 +1,4 @@
-// twinlight scenes: the built-in scenes.
+// twinlight scenes: lists the built-in scenes, or prints one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace twinlight::cli {
 
 namespace {
 
-struct Arguments {
+struct ScenesArguments {
     std::string name;
     bool json = false;
 };
@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
 
-// A scene's first comment starts with a sentence that says what it is.
+// The first sentence of a scene's first comment.
 std::string description_of(const EmbeddedFile& file) {
     std::string sentence;
     std::istringstream lines{std::string(file.text)};
@@ -33,7 +33,7 @@ std::string description_of(const EmbeddedFile& file) {
     return sentence;
 }
 
-// The words in lines of at most 80 columns, which start at this one but for the first.
+// Wraps at 80 columns; all lines but the first are indented.
 std::string wrapped(const std::string& words, std::size_t indent) {
     constexpr std::size_t kColumns = 80;
     std::string text;
@@ -52,7 +52,7 @@ std::string wrapped(const std::string& words, std::size_t indent) {
     return text;
 }
 
-int list(const Arguments& arguments) {
+int list(const ScenesArguments& arguments) {
     if (arguments.json) {
         Json json = {{"scenes", Json::array()}};
         for (const EmbeddedFile& file : kSceneFiles) {
@@ -71,7 +71,7 @@ int list(const Arguments& arguments) {
     return kFine;
 }
 
-int run(const Arguments& arguments) {
+int run_scenes(const ScenesArguments& arguments) {
     if (arguments.name.empty()) return list(arguments);
     std::vector<std::string> names;
     for (const EmbeddedFile& file : kSceneFiles) {
@@ -90,11 +90,11 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Subcommand add_scenes(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<ScenesArguments>();
     CLI::App* scenes = app.add_subcommand("scenes", "List the built-in scenes, or print one");
-    scenes->add_option("NAME", arguments->name, "print this scene's text")->type_name("");
-    scenes->add_flag("--json", arguments->json, "print one JSON object");
-    return {scenes, [arguments] { return run(*arguments); }};
+    scenes->add_option("NAME", arguments->name, "print the text of this scene")->type_name("");
+    scenes->add_flag("--json", arguments->json, "print one JSON object instead of text");
+    return {scenes, [arguments] { return run_scenes(*arguments); }};
 }
 
 }  // namespace twinlight::cli

@@ -23,7 +23,7 @@ enum class ColorBuffer { kUnorm8, kFloat };
 std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height,
                                                          ColorBuffer color_buffer = ColorBuffer::kUnorm8);
 
-std::string_view offscreen_provider();  // "OSMesa", "EGL"
+std::string_view context_provider();  // what made the context: "OSMesa", "EGL", "GLUT"; each program links one
 
 // The colour buffer of the current context (the back buffer of a window), row 0 at the top.
 Image read_pixels(int width, int height);

@@ -168,7 +168,7 @@ class EglContext final : public OffscreenContext {
 
 }  // namespace
 
-std::string_view offscreen_provider() { return "EGL"; }
+std::string_view context_provider() { return "EGL"; }
 
 std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height, ColorBuffer color_buffer) {
     keep_llvm_out_of_softpipe();

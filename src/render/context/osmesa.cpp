@@ -51,7 +51,7 @@ class OsmesaContext final : public OffscreenContext {
 
 }  // namespace
 
-std::string_view offscreen_provider() { return "OSMesa"; }
+std::string_view context_provider() { return "OSMesa"; }
 
 std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height, ColorBuffer color_buffer) {
     keep_llvm_out_of_softpipe();

@@ -59,9 +59,7 @@ std::vector<PlannedDraw> plan_frame(const Frame& frame, const PlanOptions& optio
     std::vector<PlannedDraw> plans;
     const Draw* last = nullptr;
     int number = 0;
-    for (const auto& item : frame.items) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (!draw) continue;
+    for (const Draw* draw : frame.draws()) {
         ++number;
         const bool begins_shape = !last || !are_one_shape(*last, *draw);
         last = draw;

@@ -71,9 +71,8 @@ ScrubbedState scrubbed_state(const Plan& plan, std::size_t most_lights) {
 
 Frame scrubbed_frame(const Frame& frame, const PlanOptions& options) {
     Frame result = frame;
-    for (auto& item : result.items) {
-        Draw* draw = std::get_if<Draw>(&item);
-        if (!draw || !draw->lighting.enabled) continue;
+    for (Draw* draw : result.draws()) {
+        if (!draw->lighting.enabled) continue;
         const Plan plan = plan_effects(*draw, options);
         const ColorMaterial tracking = draw->lighting.color_material;
         draw->lighting = scrubbed_state(plan, plan.lights.size()).lighting;

@@ -12,6 +12,12 @@
 
 namespace twinlight {
 
+// Bounds the rounding error of a sum of products in double, relative to the sum of their magnitudes; the real error is
+// ten thousand times smaller.
+inline constexpr double kBoundsRounding = 1e-12;
+// Beyond these, squares overflow or underflow, and there are no bounds.
+inline constexpr double kLargestLength = 1e100, kSmallestLength = 1e-100;
+
 struct VertexFacts {
     bool w_is_1 = true;
     bool q_is_1 = true;            // of the texture coordinates

@@ -117,7 +117,7 @@ void reset_texture_units(const Vertex& current) {
         set_enabled(GL_TEXTURE_1D, start.enabled_1d);
         set_enabled(GL_TEXTURE_2D, start.enabled_2d);
         for (const DriverOnlyCapability& row : driver_only_capabilities())
-            if (row.of_unit()) glDisable(row.cap);
+            if (row.is_per_unit()) glDisable(row.cap);
         reset_texture(GL_TEXTURE_1D);
         reset_texture(GL_TEXTURE_2D);
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(start.env_mode));
@@ -169,7 +169,7 @@ void reset(int width, int height) {
     reset_stack(GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH);  // before lights and clip planes, which it transforms
     reset_pixels(initial.pixel_store());                  // before the stipple patterns, which it unpacks
     for (const DriverOnlyCapability& row : driver_only_capabilities())
-        if (!row.of_unit()) set_enabled(row.cap, *initial.capability(row.cap));
+        if (!row.is_per_unit()) set_enabled(row.cap, *initial.capability(row.cap));
     for (const auto& [target, mode] : start.hints) glHint(target, mode);
     glListBase(start.list_base);
     reset_current_values(start.current);

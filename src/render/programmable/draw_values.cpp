@@ -24,21 +24,17 @@ namespace {
 // (2.14.1), so the shader compares with a limit that is lower by this amount.
 constexpr double kCosineRounding = 4.0 / (1 << 23);
 
-float to_float(double x) {
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(x, -kLargest, kLargest));
-}
-
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
 
 // The largest power of two that is at most x; 1 if there is none.
 double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
 
-// ---- Ranges ---- The shader squares lengths, and a float's square overflows above 1e38 and underflows below 1e-38.
-// Lighting does not depend on the unit of length (attenuation does, so its factors are converted), nor on the length of
-// normals that are scaled to 1. So lengths far from 1 are measured in another unit: a power of two, which rounds
-// nothing.
-bool ordinary(double size) { return size > 1e-12 && size < 1e12; }
+// ---- Ranges ----
+// The shader squares lengths, and a float's square overflows above 1e38 and underflows below 1e-38. Lighting does not depend
+// on the unit of length (attenuation does, so its factors are converted), nor on the length of normals that are scaled to 1.
+// So lengths far from 1 are measured in another unit: a power of two, which rounds nothing.
+
+bool needs_no_unit(double size) { return size > 1e-12 && size < 1e12; }
 
 double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, const Plan& plan) {
     double size = 0;
@@ -316,7 +312,7 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         add(vertex.position_object - glm::dvec4(origin_object * vertex.position_object.w, 0), 4);
         if (effects.needs_normal()) {
             const double size = largest_component(vertex.normal_object);
-            const bool rescaled = normals_made_unit && !ordinary(size);
+            const bool rescaled = normals_made_unit && !needs_no_unit(size);
             add(rescaled ? vertex.normal_object / power_of_two(size) : vertex.normal_object, 3);
             values.push_back(0);
         }

@@ -5,6 +5,8 @@
 // vectors of directional lights, products of the material's and the lights' colours, the normal matrix.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,6 +18,12 @@ namespace twinlight::programmable {
 
 // Maps a uniform's name to its floats: matrices column by column, arrays element by element.
 using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
+
+// The nearest float; what is too large for one becomes the largest.
+inline float to_float(double x) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(x, -kLargest, kLargest));
+}
 
 // All uniforms of the program made from this code, except the texture's sampler.
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code);

@@ -46,7 +46,7 @@ class KeptMeshes {
     // The facts of the Draw's vertices, from an earlier frame or computed now.
     std::shared_ptr<Known> known(const Draw& draw);
     // The buffers of these vertices for a program with these effects.
-    std::shared_ptr<const UploadedMesh> mesh(Known& known, const Draw& draw, const EffectSet& effects, bool patches,
+    std::shared_ptr<const UploadedMesh> mesh(Known& known, const Draw& draw, const EffectSet& effects,
                                              const glm::dvec3& origin_object);
     void end_frame();
 

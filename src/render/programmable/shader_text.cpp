@@ -116,9 +116,7 @@ std::string shader_source(const Frame& frame, const Options& asked) {
                             .text = program_text(draw, plan, code, numbers)});
     };
     const Draw* last = nullptr;
-    for (const auto& item : frame.items) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (!draw) continue;
+    for (const Draw* draw : frame.draws()) {
         ++number;
         if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
             const Plan plan = plan_effects(*draw, options);

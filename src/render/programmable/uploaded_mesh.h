@@ -15,13 +15,12 @@ namespace twinlight::programmable {
 struct MeshForm {
     std::vector<Attribute> attributes;
     bool unit_normals = false;
-    bool borders = false;  // edge flags matter
-    bool patches = false;
+    bool borders = false;         // edge flags matter
     glm::dvec3 origin_object{0};  // positions are relative to this (draw_values.h)
 
     friend bool operator==(const MeshForm&, const MeshForm&) = default;
 };
-MeshForm mesh_form(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
+MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const glm::dvec3& origin_object);
 
 // Must be destroyed before its context.
 class UploadedMesh {

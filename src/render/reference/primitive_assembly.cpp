@@ -56,10 +56,7 @@ class Assembler {
 bool is_quadrilaterals(const Draw& draw) { return draw.mode == kGL_QUADS || draw.mode == kGL_QUAD_STRIP; }
 
 bool has_quadrilaterals(const Frame& frame) {
-    return std::ranges::any_of(frame.items, [](const auto& item) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        return draw && is_quadrilaterals(*draw);
-    });
+    return std::ranges::any_of(frame.draws(), [](const Draw* draw) { return is_quadrilaterals(*draw); });
 }
 
 std::vector<Primitive> assemble(const Draw& draw, QuadCut cut) {

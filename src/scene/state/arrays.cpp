@@ -1,4 +1,4 @@
-// The commands that say where vertex arrays are (2.8), and the client's attribute stack (6.1.14).
+// The commands that set vertex arrays (2.8), and the client attribute stack (6.1.14).
 #include "scene/state/arrays.h"
 
 #include <fmt/format.h>
@@ -8,8 +8,6 @@
 namespace twinlight {
 
 namespace {
-
-GlError refused(Enum code, const Command& c, std::string message) { return {code, c.place, std::move(message), false}; }
 
 // The types and sizes that each pointer command takes (table 2.4).
 struct Allowed {
@@ -31,8 +29,8 @@ Allowed allowed_for(CommandId id) {
     }
 }
 
-// Table 2.5: the formats of glInterleavedArrays, from GL_V2F on. Sizes of 0: no such array. Offsets in floats: c, four
-// bytes of colour, takes the place of one.
+// Table 2.5: the formats of glInterleavedArrays, from GL_V2F on. A size of 0 means that there is no such array. Offsets
+// are in floats; four bytes of colour (c) count as one float.
 struct Interleaved {
     int tex_coord, color, vertex;
     bool bytes_of_color, normal;
@@ -105,9 +103,9 @@ std::optional<GlError> VertexArrays::enable(const Command& c) {
     bool* on = enabled(c.enumerant(0));
     if (!on) {
         return refused(kGL_INVALID_ENUM, c,
-                       fmt::format("{} is given {}; expected GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, "
-                                   "GL_TEXTURE_COORD_ARRAY or GL_EDGE_FLAG_ARRAY",
-                                   c.name(), enum_name(c.enumerant(0))));
+                       "{} is given {}; expected GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, "
+                       "GL_TEXTURE_COORD_ARRAY or GL_EDGE_FLAG_ARRAY",
+                       c.name(), enum_name(c.enumerant(0)));
     }
     *on = c.id == CommandId::glEnableClientState;
     return std::nullopt;
@@ -122,7 +120,7 @@ void VertexArrays::point(ArrayPointer& array, int size, Enum type, int stride, c
     array.offset = offset;
 }
 
-// glVertexPointer(size, type, stride, pointer); a normal has no size, an edge flag no type either.
+// glVertexPointer(size, type, stride, pointer); normals have no size, edge flags neither size nor type.
 std::optional<GlError> VertexArrays::set_pointer(const Command& c) {
     const Allowed allowed = allowed_for(c.id);
     const bool has_size = allowed.smallest != allowed.largest, has_type = allowed.types.size() > 1;
@@ -130,18 +128,17 @@ std::optional<GlError> VertexArrays::set_pointer(const Command& c) {
     const double size = has_size ? c.number(next++) : allowed.smallest;
     const Enum type = has_type ? c.enumerant(next++) : allowed.types[0];
     const double stride = c.number(next++), offset = c.number(next);
-    if (stride < 0) return refused(kGL_INVALID_VALUE, c, fmt::format("the stride of {} is {}", c.name(), stride));
+    if (stride < 0)
+        return refused(kGL_INVALID_VALUE, c, "the stride of {} is {}; it must be 0 or more", c.name(), stride);
     if (std::find(allowed.types.begin(), allowed.types.end(), type) == allowed.types.end()) {
         std::vector<std::string> names;
         for (Enum one : allowed.types) names.push_back(enum_name(one));
-        return refused(
-            kGL_INVALID_ENUM, c,
-            fmt::format("{} is given the type {}; expected {}", c.name(), enum_name(type), fmt::join(names, ", ")));
+        return refused(kGL_INVALID_ENUM, c, "{} is given the type {}; expected {}", c.name(), enum_name(type),
+                       fmt::join(names, ", "));
     }
     if (size < allowed.smallest || size > allowed.largest) {
-        return refused(kGL_INVALID_VALUE, c,
-                       fmt::format("{} is given the size {}; it must be in [{}, {}]", c.name(), size, allowed.smallest,
-                                   allowed.largest));
+        return refused(kGL_INVALID_VALUE, c, "{} is given the size {}; it must be in [{}, {}]", c.name(), size,
+                       allowed.smallest, allowed.largest);
     }
     ArrayPointer& array = c.id == CommandId::glNormalPointer     ? client_.normal
                           : c.id == CommandId::glColorPointer    ? client_.color
@@ -155,11 +152,11 @@ std::optional<GlError> VertexArrays::set_pointer(const Command& c) {
 std::optional<GlError> VertexArrays::interleaved(const Command& c) {
     const Enum format = c.enumerant(0);
     const double stride = c.number(1), offset = c.number(2);
-    if (stride < 0) return refused(kGL_INVALID_VALUE, c, fmt::format("the stride of {} is {}", c.name(), stride));
+    if (stride < 0)
+        return refused(kGL_INVALID_VALUE, c, "the stride of {} is {}; it must be 0 or more", c.name(), stride);
     if (format < kGL_V2F || format > kGL_T4F_C4F_N3F_V4F) {
-        return refused(kGL_INVALID_ENUM, c,
-                       fmt::format("{} is given the format {}; expected GL_V2F to GL_T4F_C4F_N3F_V4F", c.name(),
-                                   enum_name(format)));
+        return refused(kGL_INVALID_ENUM, c, "{} is given the format {}; expected GL_V2F to GL_T4F_C4F_N3F_V4F",
+                       c.name(), enum_name(format));
     }
     const Interleaved& row = kInterleaved[format - kGL_V2F];
     const int step = stride > 0 ? static_cast<int>(stride) : row.stride * 4;
@@ -178,9 +175,8 @@ std::optional<GlError> VertexArrays::interleaved(const Command& c) {
 
 std::optional<GlError> wrong_texture_unit(const Command& c) {
     if (c.enumerant(0) - kGL_TEXTURE0 < kMaxTextureUnits) return std::nullopt;
-    return refused(kGL_INVALID_ENUM, c,
-                   fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(),
-                               enum_name(c.enumerant(0)), kMaxTextureUnits - 1));
+    return refused(kGL_INVALID_ENUM, c, "{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(),
+                   enum_name(c.enumerant(0)), kMaxTextureUnits - 1);
 }
 
 std::optional<GlError> VertexArrays::active_texture(const Command& c) {
@@ -189,22 +185,20 @@ std::optional<GlError> VertexArrays::active_texture(const Command& c) {
     return error;
 }
 
-// ---- The client's attribute stack; what GL_CLIENT_PIXEL_STORE_BIT saves is State's ----
+// ---- The client attribute stack; State handles GL_CLIENT_PIXEL_STORE_BIT ----
 
 std::optional<GlError> VertexArrays::push(const Command& c) {
     if (stack_.size() >= kClientAttributeStackDepth) {
         return refused(kGL_STACK_OVERFLOW, c,
-                       fmt::format("the client's attribute stack holds {} levels; a glPopClientAttrib is missing",
-                                   kClientAttributeStackDepth));
+                       "the client attribute stack is full ({} levels); a glPopClientAttrib is missing",
+                       kClientAttributeStackDepth);
     }
     stack_.push_back({client_, c.enumerant(0)});
     return std::nullopt;
 }
 
 std::optional<GlError> VertexArrays::pop(const Command& c) {
-    if (stack_.empty()) {
-        return refused(kGL_STACK_UNDERFLOW, c, "glPopClientAttrib without a glPushClientAttrib");
-    }
+    if (stack_.empty()) return refused(kGL_STACK_UNDERFLOW, c, "glPopClientAttrib without a glPushClientAttrib");
     if ((stack_.back().mask & kGL_CLIENT_VERTEX_ARRAY_BIT) != 0) client_ = std::move(stack_.back().client);
     stack_.pop_back();
     return std::nullopt;

@@ -1,5 +1,4 @@
-// Shapes become Draws, a part each; GLU's quadrics say how theirs are sent (GLU 1.3 chapter 6).
-#include <fmt/format.h>
+// Converts shapes to Draws, one for each part. GLU's quadrics hold the settings of their shapes (GLU 1.3, chapter 6).
 
 #include <stdexcept>
 
@@ -10,7 +9,7 @@ namespace twinlight {
 
 namespace {
 
-// What is too large is beyond Twinlight's limits; the libraries would send it.
+// A shape that is too large exceeds only Twinlight's limits, so it gives GL_OUT_OF_MEMORY.
 Enum code_of(const std::invalid_argument& error, Enum otherwise) {
     return dynamic_cast<const ShapeTooLarge*>(&error) != nullptr ? kGL_OUT_OF_MEMORY : otherwise;
 }
@@ -21,12 +20,13 @@ void State::shape(const Command& c) {
     try {
         send_shape(c, shape_parts(c), shape_surfaces(c));
     } catch (const std::invalid_argument& error) {
-        raise(code_of(error, kGL_INVALID_VALUE), c, error.what());
+        raise(code_of(error, kGL_INVALID_VALUE), c, "{}", error.what());
     }
 }
 
-// What a part does not send is what is current. Sent between glBegin and glEnd it becomes current itself (2.7).
-// RULING: sent by vertex arrays it does not, which 2.8 leaves open.
+// Attributes that a part does not send have the current values. Attributes sent between glBegin and glEnd become
+// current (2.7).
+// RULING: attributes sent by vertex arrays do not; 2.8 leaves this open.
 void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vector<Surface> surfaces) {
     std::shared_ptr<const std::vector<Surface>> shared;
     if (!surfaces.empty()) shared = std::make_shared<const std::vector<Surface>>(std::move(surfaces));
@@ -66,10 +66,8 @@ void State::delete_quadric(const Command& c) {
 
 void State::set_quadric(const Command& c) {
     Quadric* q = quadric(c);
-    if (q && !set(*q, c)) {
-        raise(kGLU_INVALID_ENUM, c,
-              fmt::format("{} is given {}; expected {}", c.name(), enum_name(c.enumerant(1)), choices(c.id)));
-    }
+    if (q && !set(*q, c))
+        raise(kGLU_INVALID_ENUM, c, "{} is given {}; expected {}", c.name(), enum_name(c.enumerant(1)), choices(c.id));
 }
 
 void State::quadric_shape(const Command& c) {
@@ -78,7 +76,7 @@ void State::quadric_shape(const Command& c) {
     try {
         send_shape(c, quadric_parts(*q, c), quadric_surfaces(*q, c));
     } catch (const std::invalid_argument& error) {
-        raise(code_of(error, kGLU_INVALID_VALUE), c, error.what());
+        raise(code_of(error, kGLU_INVALID_VALUE), c, "{}", error.what());
     }
 }
 
@@ -89,7 +87,7 @@ bool State::can_send(const Command& c) {
         quadric_parts(*q, c);
         return true;
     } catch (const std::invalid_argument& error) {
-        raise(code_of(error, kGLU_INVALID_VALUE), c, error.what());
+        raise(code_of(error, kGLU_INVALID_VALUE), c, "{}", error.what());
         return false;
     }
 }
@@ -98,11 +96,11 @@ Quadric* State::quadric(const Command& c) {
     const auto found = quadrics_.find(c.number(0));
     if (found != quadrics_.end()) return &found->second;
     const auto deleted = deleted_quadrics_.find(c.number(0));
-    raise(kGL_INVALID_VALUE, c,
-          deleted == deleted_quadrics_.end()
-              ? fmt::format("{} is given no quadric; make one by gluNewQuadric()", c.name())
-              : fmt::format("{} is given the quadric that gluDeleteQuadric has deleted at {}", c.name(),
-                            deleted->second.str()));
+    if (deleted == deleted_quadrics_.end())
+        raise(kGL_INVALID_VALUE, c, "{} needs a quadric; create one with gluNewQuadric()", c.name());
+    else
+        raise(kGL_INVALID_VALUE, c, "{} uses a quadric that gluDeleteQuadric deleted at {}", c.name(),
+              deleted->second.str());
     return nullptr;
 }
 

@@ -42,47 +42,46 @@ void State::pixel_store(const Command& c) {
     if (!values) return;
     const int value = static_cast<int>(std::clamp(std::round(values->front()), -0x1p31, 0x1p31 - 1));
     const bool is_alignment = pname == kGL_UNPACK_ALIGNMENT || pname == kGL_PACK_ALIGNMENT;
-    if (is_alignment && value != 1 && value != 2 && value != 4 && value != 8) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("{} is {}; it must be 1, 2, 4 or 8", enum_name(pname), value));
-    }
+    if (is_alignment && value != 1 && value != 2 && value != 4 && value != 8)
+        return raise(kGL_INVALID_VALUE, c, "{} is {}; it must be 1, 2, 4 or 8", enum_name(pname), value);
     for (const PixelStoreRow& row : kPixelStoreRows) {
         if (row.pname != pname) continue;
         std::visit([&]<class T>(T PixelStore::*at) { pixel_store_.*at = static_cast<T>(value); }, row.member);
     }
 }
 
-// 3.6.4: a format and a type that GL knows and that go together.
+// 3.6.4: checks that the format and the type are known and can be used together.
 bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX || source.format == kGL_DEPTH_COMPONENT) {
-        note_lasting(fmt::format("{} of {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
+        note_lasting(fmt::format("{} with {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
                      c.place);
         return false;
     }
     if (!components_of(source.format)) {
-        raise(kGL_INVALID_ENUM, c,
-              fmt::format("{} is given the format {}; expected GL_RGB, GL_RGBA, GL_LUMINANCE, ...", c.name(),
-                          enum_name(source.format)));
+        raise(kGL_INVALID_ENUM, c, "{} is given the format {}; expected GL_RGB, GL_RGBA, GL_LUMINANCE, ...", c.name(),
+              enum_name(source.format));
         return false;
     }
     if (pixel_bytes(source.format, source.type)) return true;
     const bool is_type = pixel_bytes(kGL_RGB, source.type) || pixel_bytes(kGL_RGBA, source.type);
-    raise(is_type ? kGL_INVALID_OPERATION : kGL_INVALID_ENUM, c,
-          is_type ? fmt::format("the type {} does not go with the format {}", enum_name(source.type),
-                                enum_name(source.format))
-                  : fmt::format("{} is given the type {}; expected GL_UNSIGNED_BYTE, GL_FLOAT, ...", c.name(),
-                                enum_name(source.type)));
+    if (is_type)
+        raise(kGL_INVALID_OPERATION, c, "the type {} cannot be used with the format {}", enum_name(source.type),
+              enum_name(source.format));
+    else
+        raise(kGL_INVALID_ENUM, c, "{} is given the type {}; expected GL_UNSIGNED_BYTE, GL_FLOAT, ...", c.name(),
+              enum_name(source.type));
     return false;
 }
 
-// The pixels that the command's pointer leads to, in memory or in the buffer that is bound for it (2.9). RULING: all 0
-// where it is null, which 3.8.1 leaves undefined. Nothing, and the error, where the memory ends before the image does.
+// The pixels that the command's pointer points to, in memory or in the buffer bound for pixels (2.9). If the memory is
+// too small, raises the error and returns nullopt. RULING: a null pointer gives pixels of value 0; 3.8.1 leaves them
+// undefined.
 std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& source) {
     const BufferObject* buffer = lists_.nesting > 0 ? nullptr : arrays_.pixel_unpack_buffer();
     if (!c.memory && !buffer) return PixelRows{source, pixel_store_, {}};
     if (buffer && (c.memory || buffer->mapped)) {
-        raise(kGL_INVALID_OPERATION, c,
-              fmt::format("{} reads the buffer that is bound to GL_PIXEL_UNPACK_BUFFER, {}", c.name(),
-                          c.memory ? "but is given an address" : "which is mapped; a glUnmapBuffer is missing"));
+        raise(kGL_INVALID_OPERATION, c, "{} reads the buffer that is bound to GL_PIXEL_UNPACK_BUFFER, {}", c.name(),
+              c.memory ? "but is given an array; give an offset" : "which is mapped; call glUnmapBuffer first");
         return std::nullopt;
     }
     const std::vector<std::byte>& bytes = buffer ? buffer->bytes : c.memory->bytes;
@@ -90,8 +89,8 @@ std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& sour
     const std::size_t needed = bytes_read(source, pixel_store_), size = bytes.size();
     if (offset < 0 || offset > static_cast<double>(size) || needed > size - static_cast<std::size_t>(offset)) {
         raise(kGL_INVALID_OPERATION, c,
-              fmt::format("{} reads {} bytes, but the memory it is given has {}; mind GL_UNPACK_ALIGNMENT, {} here",
-                          c.name(), needed, static_cast<double>(size) - offset, pixel_store_.unpack_alignment));
+              "{} reads {} bytes, but its array has {}; check GL_UNPACK_ALIGNMENT, which is {}", c.name(), needed,
+              static_cast<double>(size) - offset, pixel_store_.unpack_alignment);
         return std::nullopt;
     }
     return PixelRows{source, pixel_store_, std::span(bytes).subspan(static_cast<std::size_t>(offset))};
@@ -106,13 +105,12 @@ std::size_t texels_of(const Texture& texture) {
 bool State::has_texels(const Command& c, double count, std::size_t replaced) {
     if (!has_time(c, count)) return false;
     if (static_cast<double>(textures_.texels - replaced) + count <= static_cast<double>(kMaxTexels)) return true;
-    raise(kGL_OUT_OF_MEMORY, c,
-          fmt::format("{} is given {} texels more; all textures have {} at the most together", c.name(), count,
-                      kMaxTexels));
+    raise(kGL_OUT_OF_MEMORY, c, "{} adds {} texels; all textures together can have at most {}", c.name(), count,
+          kMaxTexels);
     return false;
 }
 
-// Images of textures that State does not follow.
+// Images of textures that only the driver supports.
 bool is_driver_only_image(Enum target) {
     return target == kGL_TEXTURE_RECTANGLE || target == kGL_PROXY_TEXTURE_RECTANGLE ||
            (target >= kGL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= kGL_PROXY_TEXTURE_CUBE_MAP);
@@ -126,26 +124,21 @@ void State::tex_image(const Command& c) {
     if (two && is_driver_only_image(a.target)) return;
     if (!known(c, a.target, {target, proxy})) return;
     const PixelSource& source = a.source;
-    if (a.level < 0 || a.level >= kMaxTextureLevels) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("the level is {}; it must be in [0, {}]", a.level, kMaxTextureLevels - 1));
-    }
-    if (a.border != 0 && a.border != 1) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("the border is {}; it must be 0 or 1", a.border));
-    }
+    if (a.level < 0 || a.level >= kMaxTextureLevels)
+        return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", a.level, kMaxTextureLevels - 1);
+    if (a.border != 0 && a.border != 1)
+        return raise(kGL_INVALID_VALUE, c, "the border is {}; it must be 0 or 1", a.border);
     const int largest = kMaxTextureSize >> a.level;
     for (int side : two ? std::vector<int>{source.width, source.height} : std::vector<int>{source.width}) {
         if (side < 0 || side > largest + 2 * a.border || side < 2 * a.border) {
-            return raise(kGL_INVALID_VALUE, c,
-                         fmt::format("the image is {} x {}; each side of level {} must be in [0, {}]", source.width,
-                                     source.height, a.level, largest));
+            return raise(kGL_INVALID_VALUE, c, "the image is {} x {}; each side of level {} must be in [0, {}]",
+                         source.width, source.height, a.level, largest);
         }
     }
     const std::optional<InternalFormat> format = internal_format(a.internal_format);
     if (!format) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("{} is given the internal format {}; expected 1 to 4, GL_RGB, GL_RGBA8, ...", c.name(),
-                                 enum_name(static_cast<Enum>(std::max(a.internal_format, 0.0)))));
+        return raise(kGL_INVALID_VALUE, c, "{} is given the internal format {}; expected 1 to 4, GL_RGB, GL_RGBA8, ...",
+                     c.name(), enum_name(static_cast<Enum>(std::max(a.internal_format, 0.0))));
     }
     if (!check_pixel_type(c, source) || a.target == proxy) return;
     const auto level = static_cast<std::size_t>(a.level);
@@ -154,10 +147,8 @@ void State::tex_image(const Command& c) {
     if (!has_texels(c, static_cast<double>(source.width) * source.height, replaced)) return;
     const auto rows = pixels(c, source);
     if (!rows) return;
-    // RULING: borders are cut off, as drivers do; what samples them is named.
-    if (a.border == 1) {
-        note_lasting(fmt::format("{} with a border", c.name()), c.place);
-    }
+    // RULING: borders are cut off, as in drivers, and the picture is reported as partial.
+    if (a.border == 1) note_lasting(fmt::format("{} with a border", c.name()), c.place);
     const int dx = a.border, dy = two ? a.border : 0;
     TextureImage image{
         source.width - 2 * dx, source.height - 2 * dy, format->base_format, static_cast<Enum>(a.internal_format), {}};
@@ -165,9 +156,8 @@ void State::tex_image(const Command& c) {
     std::vector<glm::dvec4> row;
     for (int y = 0; y < image.height; ++y) {
         rows->unpack(y + dy, row);
-        for (int x = 0; x < image.width; ++x) {
+        for (int x = 0; x < image.width; ++x)
             image.texels.push_back(stored(row[static_cast<std::size_t>(x + dx)], *format));
-        }
     }
     Texture* texture = writable_texture(c, target);
     if (!texture) return;
@@ -192,29 +182,27 @@ void State::tex_sub_image(const Command& c) {
     if (level < 0 || level >= kMaxTextureLevels || source.width < 0 || source.height < 0) {
         return raise(
             kGL_INVALID_VALUE, c,
-            fmt::format("{} is given the level {} and the size {} x {}", c.name(), level, source.width, source.height));
+            "{} is given level {} and the size {} x {}; the level must be in [0, {}], the size cannot be negative",
+            c.name(), level, source.width, source.height, kMaxTextureLevels - 1);
     }
     if (!check_pixel_type(c, source)) return;
     const Texture& bound = bound_texture(target);
     if (bound.levels.size() <= static_cast<std::size_t>(level) ||
         bound.levels[static_cast<std::size_t>(level)].texels.empty()) {
-        return raise(
-            kGL_INVALID_OPERATION, c,
-            fmt::format("level {} has no image yet; give it one by {}", level, two ? "glTexImage2D" : "glTexImage1D"));
+        return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with {}", level,
+                     two ? "glTexImage2D" : "glTexImage1D");
     }
     const TextureImage& old = bound.levels[static_cast<std::size_t>(level)];
     if (x0 < 0 || y0 < 0 || x0 > old.width - source.width || y0 > old.height - source.height) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("{} x {} texels at ({}, {}) lie outside the image of {} x {}", source.width,
-                                 source.height, x0, y0, old.width, old.height));
+        return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) are not inside the image of {} x {}",
+                     source.width, source.height, x0, y0, old.width, old.height);
     }
     const auto rows = pixels(c, source);
     if (!rows || source.width == 0 || source.height == 0) return;
     const bool mipmaps = level == 0 && bound.generate_mipmap;
-    if (!has_time(c, static_cast<double>(mipmaps ? texels_of(bound) : 0) +
-                         static_cast<double>(source.width) * source.height)) {
+    if (!has_time(
+            c, static_cast<double>(mipmaps ? texels_of(bound) : 0) + static_cast<double>(source.width) * source.height))
         return;
-    }
     Texture* texture = writable_texture(c, target);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);
@@ -236,9 +224,8 @@ void State::generate_mipmaps(Texture& texture) const {
     if (!texture.generate_mipmap || texture.levels[0].texels.empty()) return;
     const InternalFormat format = *internal_format(texture.levels[0].internal_format);
     texture.levels.resize(1);
-    while (texture.levels.back().width > 1 || texture.levels.back().height > 1) {
+    while (texture.levels.back().width > 1 || texture.levels.back().height > 1)
         texture.levels.push_back(half(texture.levels.back(), format));
-    }
 }
 
 }  // namespace twinlight

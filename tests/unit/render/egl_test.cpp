@@ -15,7 +15,7 @@ namespace {
 class Egl : public testing::Test {
   protected:
     void SetUp() override {
-        program_ = offscreen_provider() == "EGL" ? "twinlight" : "egl/twinlight";
+        program_ = context_provider() == "EGL" ? "twinlight" : "egl/twinlight";
         if (!std::filesystem::exists(build_folder() + "/" + program_))
             GTEST_SKIP() << "make GL=egl builds it, where Debian's package libegl-dev is installed";
     }
@@ -25,7 +25,7 @@ class Egl : public testing::Test {
 };
 
 TEST_F(Egl, DrawsThePicturesOfOsmesa) {
-    if (offscreen_provider() == "EGL") GTEST_SKIP() << "this is EGL's program: the other's test compares them";
+    if (context_provider() == "EGL") GTEST_SKIP() << "this is EGL's program: the other's test compares them";
     const auto run = [](const std::string& program, const std::string& arguments) {
         return run_shell(program, "LIBGL_ALWAYS_SOFTWARE=true \"$PROGRAM\" " + arguments);  // even if there is a GPU
     };
