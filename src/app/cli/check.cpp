@@ -26,12 +26,12 @@ struct CheckArguments {
 std::string colored(const std::string& text, Outcome outcome) {
     if (!result_in_color()) return text;
     switch (outcome) {
-        case Outcome::kNotAsked: return text;
+        case Outcome::kNotTested: return text;
         case Outcome::kPass:
-        case Outcome::kRuling: return "\x1b[32m" + text + "\x1b[0m";
-        case Outcome::kDeparts: return "\x1b[33m" + text + "\x1b[0m";
-        case Outcome::kNew:
-        case Outcome::kVanished: return "\x1b[1;31m" + text + "\x1b[0m";
+        case Outcome::kOurChoice: return "\x1b[32m" + text + "\x1b[0m";
+        case Outcome::kKnownBug: return "\x1b[33m" + text + "\x1b[0m";
+        case Outcome::kNewBug:
+        case Outcome::kFixedBug: return "\x1b[1;31m" + text + "\x1b[0m";
     }
     return text;
 }
@@ -78,13 +78,12 @@ std::string summary(const std::vector<Result>& results) {
     const auto fixed = [&](Outcome outcome) { return counts.fixed.at(static_cast<std::size_t>(outcome)); };
     return fmt::format(
         "\n{}\n{} case{}. The driver's fixed function: {} pass, {} with a known bug, {} our choice (the specification "
-        "is "
-        "silent),\n{} with a new bug, {} with a fixed bug, {} not tested.\n"
+        "is silent),\n{} with a new bug, {} with a fixed bug, {} not tested.\n"
         "The shaders are at most {:.1e} away from the reference in long double. Results that are not finite: {}.\n",
         counts.failing == 0 ? "Nothing unexpected."
                             : fmt::format("{} unexpected {}.", counts.failing, counts.failing == 1 ? "case" : "cases"),
-        results.size(), results.size() == 1 ? "" : "s", fixed(Outcome::kPass), fixed(Outcome::kDeparts),
-        fixed(Outcome::kRuling), fixed(Outcome::kNew), fixed(Outcome::kVanished), fixed(Outcome::kNotAsked),
+        results.size(), results.size() == 1 ? "" : "s", fixed(Outcome::kPass), fixed(Outcome::kKnownBug),
+        fixed(Outcome::kOurChoice), fixed(Outcome::kNewBug), fixed(Outcome::kFixedBug), fixed(Outcome::kNotTested),
         counts.from_long_double, counts.non_finite);
 }
 

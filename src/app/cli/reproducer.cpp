@@ -149,7 +149,7 @@ std::string how_to_run(const std::string& driver, const std::string& name) {
 std::string reproducer(const std::string& driver, const Case& of, const Result& result) {
     std::string found;
     for (const Finding& finding : result.findings)
-        if (finding.path == Path::kFixed && finding.outcome != Outcome::kRuling)
+        if (finding.path == Path::kFixed && finding.outcome != Outcome::kOurChoice)
             found += "// " + finding_text(of, finding) + "\n";
     if (found.empty() || !result.error.empty()) return "";
     std::string text = fmt::format(
