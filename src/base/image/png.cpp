@@ -1,4 +1,4 @@
-// PNG through Debian's stb library.
+// Reads and writes PNG with the stb library.
 #include "base/image/png.h"
 
 #include <stb/stb_image.h>
@@ -36,7 +36,7 @@ namespace {
 
 constexpr int kRgba = 4;
 
-// The decoder's words, which may quote the file, and that may hold anything.
+// The decoder's message. It may quote bytes of the file, so other characters become '?'.
 std::string cannot_be_read() {
     std::string reason = stbi_failure_reason();
     std::ranges::replace_if(
@@ -48,7 +48,7 @@ std::string cannot_be_read() {
 std::string packed_pixels(std::string_view bytes) {
     constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
     constexpr std::size_t kAroundData = 12;
-    if (!bytes.starts_with(kSignature)) throw std::runtime_error("it is no PNG; convert it to one");
+    if (!bytes.starts_with(kSignature)) throw std::runtime_error("this is not a PNG; convert it to one");
     std::string packed;
     for (std::string_view rest = bytes.substr(kSignature.size()); rest.size() >= kAroundData;) {
         std::size_t length = 0;
@@ -59,7 +59,7 @@ std::string packed_pixels(std::string_view bytes) {
         if (type == "IDAT") packed += rest.substr(8, length);
         rest.remove_prefix(length + kAroundData);
     }
-    throw std::runtime_error("the PNG is cut off; save it anew");
+    throw std::runtime_error("the PNG is cut off; save it again");
 }
 
 }  // namespace
@@ -68,23 +68,25 @@ PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
     const std::string packed = packed_pixels(bytes);
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
-    const auto refuse = [] { throw std::runtime_error(cannot_be_read() + "; save it anew"); };
+    const auto refuse = [] { throw std::runtime_error(cannot_be_read() + "; save it again"); };
     PngPixels image;
     int channels_in_file = 0;
     if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels_in_file) == 0) refuse();
     if (image.width > longest_side || image.height > longest_side) {
         const std::string limit = std::to_string(longest_side);
-        throw std::runtime_error("it has " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                                 " pixels, at most " + limit + " x " + limit + " are read; make it smaller");
+        throw std::runtime_error("the picture has " + std::to_string(image.width) + " x " +
+                                 std::to_string(image.height) + " pixels; the limit is " + limit + " x " + limit +
+                                 "; make it smaller");
     }
-    // The most that the pixels can unpack to: 16 bits a channel, a byte more a row, and eight times the rows for the
-    // passes of an interlaced image. The decoder itself would go on unpacking whatever there is.
+    // The most bytes that the pixels can unpack to: 16 bits per channel, one more byte per row, and the padding of the
+    // passes of an interlaced image. The decoder itself has no limit, so a small file could fill the memory.
     constexpr std::size_t kLargestPixel = 8, kRowBytes = 1, kPasses = 8;
     const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
     std::string unpacked(height * width * kLargestPixel + (height + kPasses) * kRowBytes * kPasses, '\0');
     if (stbi_zlib_decode_buffer(unpacked.data(), static_cast<int>(unpacked.size()), packed.data(),
                                 static_cast<int>(packed.size())) < 0) {
-        throw std::runtime_error("the PNG's pixels cannot be unpacked, or are more than its size says; save it anew");
+        throw std::runtime_error(
+            "the PNG's pixels cannot be unpacked, or there are more than its size allows; save it again");
     }
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> codes(
         stbi_load_from_memory(data, size, &image.width, &image.height, &channels_in_file, kRgba), stbi_image_free);

@@ -1,5 +1,5 @@
-// Which choices a study makes: every shading of every mesh by every renderer, and from the middle of these one thing changed
-// at a time.
+// Selects the choices of a study: every renderer with every shading and mesh, and then, at a medium mesh, one change at
+// a time.
 #include <algorithm>
 
 #include "judge/study/choice.h"
@@ -11,14 +11,14 @@ namespace {
 constexpr int kQuickSlices[] = {8, 16, 32, 64};
 constexpr int kFullSlices[] = {6, 8, 12, 16, 24, 32, 48, 64, 96, 128};
 constexpr int kMiddleSlices = 32;
-constexpr int kMostSamples = 4;  // along a pixel's side, of choices
+constexpr int kMostSamples = 4;  // samples of a choice along a pixel's side
 
 class Choices {
   public:
     void add(Choice choice) {
         if (std::ranges::find(all_, choice) == all_.end()) all_.push_back(choice);
     }
-    // The same of each number of slices.
+    // The same choice with each number of slices.
     void add(Choice choice, const std::vector<int>& slices) {
         for (const int n : slices) {
             choice.slices = n;

@@ -1,4 +1,4 @@
-// Names of drivers in parts, as drivers write them.
+// Splits the names of drivers, as drivers write them, into their parts.
 #include "render/context/driver_name.h"
 
 #include <gtest/gtest.h>
