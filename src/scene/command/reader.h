@@ -117,9 +117,8 @@ class Reader {
     // -- expressions: bitwise or, sum, product, unary, primary; C's precedence (read_expressions.cpp) --
     Value expression();
     Value number();  // an expression that must not be a pointer
-    template <class Operand, class... Operators>
-    Value left_to_right(const Operand& operand, Operators... operators);
     Value sum();
+    Value product();
     Value unary();
     Value primary();
     Value parenthesis();
