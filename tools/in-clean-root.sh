@@ -125,10 +125,10 @@ inside='
     cd /root/twinlight
     trap "exit 130" INT TERM
     trap "status=\$?; [ \$status = 0 ] || printf %s \"\$BASH_COMMAND\" >/failed-command" EXIT
-    eval "$1"'
+'
 unshare --mount --pid --fork --kill-child --propagation private bash -c "$enter" enter "$root" "$debs" \
     env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "TERM=${TERM:-dumb}" "${proxies[@]}" \
-    bash -c "$inside" inside "$command" 2>&1 | tee -i "$log"
+    bash -c "$inside$command" 2>&1 | tee -i "$log"
 status=${PIPESTATUS[0]}
 
 # ---- One line about the run ----
