@@ -53,6 +53,7 @@ $(if $(CI),valgrind            command -v valgrind)
 $(if $(CI),clang               command -v clang++)
 $(if $(CI),libclang-rt-dev     $(try_fuzzer))
 $(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-release)
+$(if $(CI),debootstrap         command -v debootstrap || ls /usr/sbin/debootstrap)
 endef
 export DEPENDENCIES
 
@@ -129,7 +130,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # What programs without a window link beside their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check headers tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -200,13 +201,19 @@ instructions: deps  ## count the instructions of tests/instructions anew, where 
 format:  ## clang-format every source
 	clang-format -i $(SOURCES_all) $(HEADERS)
 
-check:  ## format, clang-tidy, layers, and every test under the address and undefined-behaviour sanitizers
+check:  ## format, headers, clang-tidy, and every test under the address and undefined-behaviour sanitizers
 	@if command -v clang-format >/dev/null; then \
 	    clang-format --dry-run -Werror $(SOURCES_all) $(HEADERS); \
 	    else echo "format: skipped, clang-format is not installed"; fi
+	@$(MAKE) headers
 	@if command -v clang-tidy >/dev/null; then $(MAKE) tidy; \
 	    else echo "tidy: skipped, clang-tidy is not installed"; fi
 	@$(MAKE) test config=sanitize
+
+headers: deps  ## compile each header by itself: it must include what it uses
+	@$(MAKE) --keep-going $(HEADERS:%=header/%)
+header/%: %
+	@$(CXX) $(CXXFLAGS_all) -fsyntax-only -include $< -x c++ /dev/null
 
 tidy: $(patsubst %,tidy/%,$(SOURCES_all))
 tidy/%: % programs

@@ -5,6 +5,7 @@ set -uo pipefail
 usage() {
     cat <<END
 Usage: tools/in-clean-root.sh [options] RELEASE 'COMMAND'
+       tools/in-clean-root.sh [options] --try RELEASE
 Runs a command on a bare Debian or Ubuntu: the packages that every installation has, make and git, nothing else.
 It runs as root, in a clean clone of this repository's last commit. Uncommitted changes are not in it.
 
@@ -14,6 +15,7 @@ RELEASE      bookworm (Debian 12), trixie (Debian 13) or noble (Ubuntu 24.04)
 --mirror URL take packages from this mirror, not from the release's own
 --fresh      make the bare system again (do this from time to time: it is not upgraded)
 --keep       keep the root after the run, to look at what the command left behind
+--try        run no command: only make the bare system, to see whether this machine can
 
 The bare system, downloaded packages and the last run's log are kept in
 $cache.
@@ -29,7 +31,7 @@ say() { printf 'in-clean-root: %s\n' "$*" >&2; }
 wrong_use() { say "$*"; say "See tools/in-clean-root.sh --help"; exit 2; }
 cannot_run() { say "$*"; exit 77; }
 
-mirror= fresh= keep=
+mirror= fresh= keep= try=
 while [[ ${1-} == -* ]]; do
     case $1 in
         --help | -h) usage; exit 0 ;;
@@ -37,12 +39,17 @@ while [[ ${1-} == -* ]]; do
         --mirror=*) mirror=${1#*=} ;;
         --fresh) fresh=yes ;;
         --keep) keep=yes ;;
+        --try) try=yes ;;
         *) wrong_use "there is no option $1" ;;
     esac
     shift
 done
-[ $# -eq 2 ] || wrong_use "a release and a command are needed (quote the command)"
-release=$1 command=$2
+if [ -n "$try" ]; then
+    [ $# -eq 1 ] || wrong_use "--try needs a release and no command"
+else
+    [ $# -eq 2 ] || wrong_use "a release and a command are needed (quote the command)"
+fi
+release=$1 command=${2-}
 
 # The components that hold our packages, the distribution's keys, and how debootstrap makes it: a debootstrap that is older than
 # the release makes it as an earlier one.
@@ -66,7 +73,6 @@ for script in $scripts; do [ -e "/usr/share/debootstrap/scripts/$script" ] && br
 
 source=$(cd "$(dirname "$0")/.." && git rev-parse --show-toplevel) ||
     cannot_run "this is no git repository: clone it with git"
-[ -z "$(git -C "$source" status --porcelain)" ] || say "uncommitted changes are not part of the run"
 
 folder=$cache/$release
 base=$folder/base root=$folder/root debs=$folder/debs log=$folder/last-run.log
@@ -99,6 +105,8 @@ if [ ! -d "$base" ]; then
     mv "$base.partial" "$base"
 fi
 
+[ -z "$try" ] || exit 0
+
 # ---- A copy of it for this run ----
 
 rm -rf --one-file-system "$root"
@@ -106,6 +114,7 @@ trap '[ -n "$keep" ] || rm -rf --one-file-system "$root"' EXIT
 cp -a --reflink=auto "$base" "$root"
 apt-config dump 2>/dev/null | grep -E '^Acquire::(https?::Proxy|Check-)' >"$root/etc/apt/apt.conf.d/host"
 cp -L /etc/resolv.conf "$root/etc/resolv.conf" 2>/dev/null
+[ -z "$(git -C "$source" status --porcelain)" ] || say "uncommitted changes are not part of the run"
 git clone --quiet --no-hardlinks "$source" "$root/root/twinlight" || cannot_run "cannot clone $source"
 
 proxies=()
