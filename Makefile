@@ -2,6 +2,7 @@
 #
 #   config=release|debug|sanitize   release builds into build/, the others into build/<config>/; `make fuzz` into build/fuzz/
 #   GL=osmesa|egl                   what draws without a window: Mesa's OSMesa into build/, EGL's drivers into build/egl/
+#   units=rooms|files               compile a folder at a time (release: a third of the time), or each file by itself (the others)
 #   CI=true                         warnings are errors
 
 config ?= release
@@ -9,6 +10,8 @@ GL ?= osmesa
 CXX ?= g++
 $(if $(filter release debug sanitize fuzz,$(config)),,$(error config is release, debug or sanitize, not '$(config)'))
 $(if $(filter osmesa egl,$(GL)),,$(error GL is osmesa or egl, not '$(GL)'))
+units ?= $(if $(filter release,$(config)),rooms,files)
+$(if $(filter rooms files,$(units)),,$(error units is rooms or files, not '$(units)'))
 BUILD := $(if $(filter release,$(config)),build,build/$(config))
 # The programs; the objects in $(BUILD) are the same, whatever draws.
 PROGRAMS := $(BUILD)$(if $(filter egl,$(GL)),/egl)
@@ -124,7 +127,14 @@ FILES_shaders := $(wildcard src/render/programmable/shaders/*.glsl src/render/pr
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)
 FILES_pages := $(wildcard src/judge/report/pages/*) $(BUILD)/embedded/chart.js
-object = $(patsubst %.cpp,$(BUILD)/objects/%.o,$(1))
+
+# A room, a folder of sources, is one translation unit where units=rooms: its headers are read once. Files with flags of their own
+# are compiled alone, and so are those that a program links without the rest of their room.
+ALONE := $(if $(filter files,$(units)),%.cpp,$(SOURCES_osmesa) $(SOURCES_egl) src/lighting/points_avx%.cpp \
+    src/app/demo/main.cpp src/app/demo/window.cpp src/app/cli/progress.cpp $(SOURCES_bench_meshes))
+ROOMS := $(patsubst %/,%,$(sort $(dir $(filter-out $(ALONE),$(SOURCES_all)))))
+object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
+    $(patsubst %,$(BUILD)/objects/%room.o,$(dir $(filter-out $(ALONE),$(1)))))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # What programs without a window link beside their own objects.
@@ -168,27 +178,7 @@ fuzz: deps  ## look for crashes on random input (TIME=seconds a target, TARGET=s
 	    tests/fuzz/run.sh $$target $(TIME) || exit 1; done
 
 deps:  ## install what is missing (apt), and nothing else
-	@missing() { echo "$$DEPENDENCIES" | while read -r package ask; do \
-	    sh -c "$$ask" >/dev/null 2>&1 || printf ' %s' "$$package"; done; }; \
-	packages=$$(missing); \
-	[ -z "$$packages" ] && exit 0; \
-	if ! command -v apt-get >/dev/null; then \
-	    echo "These packages are missing (Debian's names):$$packages" >&2; \
-	    echo "Install them with this system's package manager, then run make again." >&2; exit 1; fi; \
-	if [ "$$(id -u)" = 0 ]; then sudo=; else sudo="sudo "; fi; \
-	line="$${sudo}apt-get update -qq; $${sudo}DEBIAN_FRONTEND=noninteractive"; \
-	line="$$line apt-get install -y --no-install-recommends$$packages"; \
-	echo "$$line"; \
-	if [ -n "$$sudo" ] && ! command -v sudo >/dev/null; then \
-	    echo "That needs root, and there is no sudo here: run it as root, then run make again." >&2; exit 1; fi; \
-	eval "$$line"; \
-	packages=$$(missing); \
-	[ -z "$$packages" ] && exit 0; \
-	echo "Still missing:$$packages" >&2; \
-	case "$$packages" in *osmesa*) \
-	    echo "If apt does not know libosmesa6-dev: Mesa has OSMesa up to 25.0, as in Debian 12 and 13; say GL=egl." >&2; \
-	esac; \
-	exit 1
+	@tools/deps.sh
 
 golden: deps  ## write golden pictures anew (CASE=scene for one): look at each before it is committed
 	@$(MAKE) test-binary
@@ -236,6 +226,20 @@ $(BUILD)/files: $(call changed,files)
 $(BUILD)/flags $(BUILD)/files:
 	@mkdir -p $(@D); printf '%s\n' '$(subst ','\'',$($(@F)))' >$@
 
+# A room's translation unit includes its sources; it is written when the list of them changes.
+room_sources = $(sort $(filter-out $(ALONE),$(wildcard $(1)/*.cpp)))
+room_written = $(patsubst "%",%,$(filter "%",$(file <$(BUILD)/objects/$(1)/room.cpp)))
+define room
+$(BUILD)/objects/$(1)/room.cpp: $(if $(subst |$(call room_written,$(1))|,,|$(call room_sources,$(1))|),force)
+	@mkdir -p $$(@D); printf '#include "%s"\n' $(call room_sources,$(1)) >$$@
+endef
+$(foreach name,$(ROOMS),$(eval $(call room,$(name))))
+
+# (g++ takes a source that is included for a header, and warns of what it uses of an anonymous namespace.)
+$(BUILD)/objects/%/room.o: $(BUILD)/objects/%/room.cpp $(BUILD)/flags
+	@echo "compile $*/*.cpp"
+	@$(CXX) $(CXXFLAGS_all) -Wno-subobject-linkage -iquote . -MMD -MP -c $< -o $@
+
 $(BUILD)/objects/%.o: %.cpp $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D)
@@ -270,19 +274,16 @@ $(BUILD)/write-seeds: $(call object,$(SOURCES_fuzz_seeds)) $(OBJECTS_fuzz)
 $(PROGRAMS)/shape-recorder: $(call object,$(SOURCES_recorder))
 	$(link) $(LIBS_window)
 
-# Files that travel inside the binaries: a table of {name, text} a folder, declared beside the code that reads it.
-embed = @mkdir -p $(@D); { echo '\#include "$(1)"'; echo 'namespace twinlight {'; echo 'const std::vector<EmbeddedFile> $(2) = {'; \
-    for file in $(3); do \
-        printf '{"%s", R"twinlight(' "$$(basename $$file)"; cat "$$file"; printf ')twinlight"},\n'; done; \
-    echo '};'; echo '}'; } > $@
+# Files that travel inside the programs: a table of {name, text} for each folder, declared in the header that is named.
+embed = @mkdir -p $(@D); tools/embed.sh $(1) $(2) $(3) >$@
 
-$(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files Makefile
+$(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files tools/embed.sh
 	$(call embed,scene/scenes/load.h,kSceneFiles,$(sort $(FILES_scenes)))
-$(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files Makefile
+$(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files tools/embed.sh
 	$(call embed,render/programmable/shader_assembly.h,kShaderFiles,$(sort $(FILES_shaders)))
-$(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files Makefile
+$(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files tools/embed.sh
 	$(call embed,judge/report/html.h,kPageFiles,$(sort $(FILES_pages)))
-$(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files Makefile
+$(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files tools/embed.sh
 	$(call embed,judge/check/case.h,kCaseFiles,$(sort $(FILES_cases)))
 
 $(BUILD)/embedded/chart.js: $(CHART)

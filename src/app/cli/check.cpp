@@ -17,7 +17,7 @@ namespace {
 
 using namespace check;
 
-struct Arguments {
+struct CheckArguments {
     std::vector<std::string> names;
     std::string reproducers, page;  // folders; empty: none
     bool json = false;
@@ -150,7 +150,7 @@ void write_reproducers(const std::string& folder, const std::string& driver, con
     }
 }
 
-int run(const Arguments& arguments) {
+int run_check(const CheckArguments& arguments) {
     const std::vector<Case> cases = load_cases(arguments.names);
     for (const std::string& folder : {arguments.reproducers, arguments.page})  // before the work, not after it
         if (!folder.empty()) make_folder(folder);
@@ -170,7 +170,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Subcommand add_check(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<CheckArguments>();
     CLI::App* check = app.add_subcommand("check", "Hold this machine's driver against the hard cases of lighting");
     check->add_option("CASE", arguments->names, "names of cases, or files of that form; all where none is given")
         ->type_name("");
@@ -195,7 +195,7 @@ Subcommand add_check(CLI::App& app) {
         "Exit status: 0 nothing unexpected; 1 NEW or VANISHED, a scene that is refused, a value of shaders or the\n"
         "reference that is not finite, or shaders more than 3e-5 from the reference in long double; 2 bad input or "
         "use.");
-    return {check, [arguments] { return run(*arguments); }};
+    return {check, [arguments] { return run_check(*arguments); }};
 }
 
 }  // namespace twinlight::cli

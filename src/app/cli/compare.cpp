@@ -15,7 +15,7 @@ namespace twinlight::cli {
 
 namespace {
 
-struct Arguments {
+struct CompareArguments {
     std::string scene;
     std::optional<Size> size;
     std::optional<int> frame;
@@ -25,7 +25,7 @@ struct Arguments {
     Shading per_pixel = Shading::kPhong;
 };
 
-const std::map<std::string, Shading> kPerPixel = {{"phong", Shading::kPhong}, {"exact", Shading::kExact}};
+const std::map<std::string, Shading> kPixelShadings = {{"phong", Shading::kPhong}, {"exact", Shading::kExact}};
 
 std::string colored(const std::string& text, compare::Verdict verdict) {
     if (!result_in_color()) return text;
@@ -75,7 +75,7 @@ std::string summary(const compare::Comparison& comparison, const std::string& fo
     return text + "Report: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
-int run(const Arguments& arguments) {
+int run_compare(const CompareArguments& arguments) {
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
     compare::Comparison comparison;
     {
@@ -98,7 +98,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Subcommand add_compare(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<CompareArguments>();
     CLI::App* compare = app.add_subcommand("compare", "Draw a scene with all renderers and report how they differ");
     add_scene_argument(*compare, arguments->scene);
     compare->add_option("-o", arguments->folder, "the report's folder, made if it is not there")
@@ -111,14 +111,14 @@ Subcommand add_compare(CLI::App& app) {
     add_precise_flag(*compare, arguments->precise);
     compare
         ->add_option_function<std::string>(
-            "--shading", [arguments](const std::string& name) { arguments->per_pixel = kPerPixel.at(name); },
+            "--shading", [arguments](const std::string& name) { arguments->per_pixel = kPixelShadings.at(name); },
             "how the pictures that are lit at every pixel are drawn; exact: curved shapes by their equations")
         ->type_name("phong|exact")
-        ->check(one_of(kPerPixel))
+        ->check(one_of(kPixelShadings))
         ->default_str("phong");
     compare->add_flag("--json", arguments->json, "print comparison.json's object instead of the table");
     compare->footer("Exit status: 0 within the tolerance or partial, 1 beyond it, 2 bad input or use.");
-    return {compare, [arguments] { return run(*arguments); }};
+    return {compare, [arguments] { return run_compare(*arguments); }};
 }
 
 }  // namespace twinlight::cli

@@ -16,7 +16,7 @@ namespace twinlight::cli {
 
 namespace {
 
-struct Arguments {
+struct ExplainArguments {
     std::string scene;
     std::optional<Shading> shading;
     std::optional<Size> size;
@@ -129,7 +129,7 @@ std::string json_text(const Scene& scene, const std::vector<ExplainedDraw>& draw
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-int run(const Arguments& arguments) {
+int run_explain(const ExplainArguments& arguments) {
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
     const PlanOptions options{{.shading = arguments.shading}, arguments.budget};
     if (!arguments.pixel.empty()) {
@@ -145,7 +145,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Subcommand add_explain(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<ExplainArguments>();
     CLI::App* explain = app.add_subcommand("explain", "Tell what is simulated of a scene, and why not the rest");
     add_scene_argument(*explain, arguments->scene);
     add_shading_option(*explain, arguments->shading);
@@ -156,7 +156,7 @@ Subcommand add_explain(CLI::App& app) {
         ->type_name("X,Y")
         ->check(not_empty());
     explain->add_flag("--json", arguments->json, "print one JSON object instead of the text");
-    return {explain, [arguments] { return run(*arguments); }};
+    return {explain, [arguments] { return run_explain(*arguments); }};
 }
 
 }  // namespace twinlight::cli

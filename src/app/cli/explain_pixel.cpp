@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include "app/cli/command_line.h"
@@ -90,14 +88,14 @@ std::string factors_of(const char* formula, const lighting::LightTerms<double>& 
 }
 
 // "ruling, of GL_LIGHT0: a zero normal. Here: ambient and emission only."
-std::string text_of(const PixelFragment::Decided& decided) {
+std::string ruling_text(const PixelFragment::Decided& decided) {
     const lighting::RulingText& text = lighting::text_of(decided.ruling);
     const std::vector<std::string> lights = names_of(decided.lights);
     return fmt::format("  ruling{}{}: {}. Here: {}.\n", lights.empty() ? "" : ", of ", fmt::join(lights, ", "),
                        text.state, text.answer);
 }
 
-std::string text_of(const PixelFragment& fragment, const Draw& draw) {
+std::string fragment_text(const PixelFragment& fragment, const Draw& draw) {
     std::string text =
         bold(fmt::format("draw {}, {}", fragment.draw + 1, draw.place.str())) +
         fmt::format(": {} face, depth {:.6f}{}\n", fragment.face == reference::Face::kFront ? "front" : "back",
@@ -125,7 +123,7 @@ std::string text_of(const PixelFragment& fragment, const Draw& draw) {
                 draw.fragment.srgb_coded ? "after clamp, texture, sum, fog, sRGB's curve"
                                          : "after clamp, texture, colour sum and fog",
                 vec3_cast<Vec>(fragment.color));
-    for (const PixelFragment::Decided& decided : fragment.rulings) text += text_of(decided);
+    for (const PixelFragment::Decided& decided : fragment.rulings) text += ruling_text(decided);
     return text;
 }
 
@@ -215,7 +213,7 @@ std::string explain_pixel(const Scene& scene, const PlanOptions& options, const 
                           : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
     bool variants = false;
     for (const PixelFragment& fragment : fragments) {
-        text += "\n" + text_of(fragment, *draws[fragment.draw]);
+        text += "\n" + fragment_text(fragment, *draws[fragment.draw]);
         variants = variants || has_variants(*draws[fragment.draw]);
     }
     text += "\n";

@@ -13,7 +13,7 @@ namespace twinlight::cli {
 
 namespace {
 
-struct Arguments {
+struct ExportArguments {
     std::string scene;
     std::string form;
     std::optional<Shading> shading;
@@ -46,7 +46,7 @@ const std::map<std::string, Export> kForms = {
     {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_of(scene)); }},
 };
 
-int run(const Arguments& arguments) {
+int run_export(const ExportArguments& arguments) {
     if (arguments.form != "glsl" && arguments.shading) {
         throw UsageError("--shading is for --as glsl; a program shades as its glShadeModel says");
     }
@@ -63,7 +63,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Subcommand add_export(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<ExportArguments>();
     CLI::App* exporting = app.add_subcommand(
         "export", "Print a scene as a freeglut program in C, the shaders that draw it, or its commands as a scene");
     add_scene_argument(*exporting, arguments->scene);
@@ -74,7 +74,7 @@ Subcommand add_export(CLI::App& app) {
     add_shading_option(*exporting, arguments->shading);
     add_frame_option(*exporting, arguments->frame);
     add_precise_flag(*exporting, arguments->precise);
-    return {exporting, [arguments] { return run(*arguments); }};
+    return {exporting, [arguments] { return run_export(*arguments); }};
 }
 
 }  // namespace twinlight::cli

@@ -20,7 +20,7 @@ namespace {
 using fuzz::Options;
 using fuzz::Summary;
 
-struct Arguments {
+struct FuzzArguments {
     Options options;
     std::string folder = "fuzz-failures";
     bool json = false;
@@ -35,13 +35,13 @@ std::string minutes(double seconds) {
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-std::string file_of(const Arguments& arguments, const fuzz::Failure& failure) {
+std::string file_of(const FuzzArguments& arguments, const fuzz::Failure& failure) {
     const std::string name = fmt::format("seed-{}-state-{}.gl", arguments.options.seed, failure.state);
     return (std::filesystem::path(arguments.folder) / name).string();
 }
 
 // Written as soon as it is found: a long run may end in any way.
-void write_failure(const Arguments& arguments, const fuzz::Failure& failure) {
+void write_failure(const FuzzArguments& arguments, const fuzz::Failure& failure) {
     std::error_code error;
     std::filesystem::create_directories(arguments.folder, error);
     if (error) throw FileError(arguments.folder + ": " + error.message());
@@ -57,7 +57,7 @@ void append_left_out(std::string& text, const char* what, const fuzz::LeftOutCou
     }
 }
 
-std::string summary_text(const Arguments& arguments, const Summary& summary, double seconds) {
+std::string summary_text(const FuzzArguments& arguments, const Summary& summary, double seconds) {
     const std::uint64_t states = summary.float_states + summary.picture_states;
     std::string text =
         fmt::format("{} states of seed {}{} in {}, {:.0f} a second: {} at float precision, {} as pictures\n",
@@ -99,7 +99,7 @@ nlohmann::ordered_json left_out_json(const fuzz::LeftOutCounts& counts) {
     return list;
 }
 
-std::string summary_json(const Arguments& arguments, const Summary& summary, double seconds) {
+std::string summary_json(const FuzzArguments& arguments, const Summary& summary, double seconds) {
     nlohmann::ordered_json json = {{"driver", summary.driver},
                                    {"seed", arguments.options.seed},
                                    {"first", arguments.options.first},
@@ -128,7 +128,7 @@ std::string summary_json(const Arguments& arguments, const Summary& summary, dou
     return json.dump(2) + "\n";
 }
 
-int run(const Arguments& arguments) {
+int run_fuzz(const FuzzArguments& arguments) {
     const Interrupt interrupt;
     const auto start = std::chrono::steady_clock::now();
     Summary summary;
@@ -165,7 +165,7 @@ std::string checked_departure(const std::string& text) {
 }  // namespace
 
 Subcommand add_fuzz(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<FuzzArguments>();
     Options& options = arguments->options;
     CLI::App* fuzz = app.add_subcommand("fuzz", "Hold random scenes three ways against each other");
     const auto most = static_cast<std::uint64_t>(1) << 31;
@@ -197,7 +197,7 @@ Subcommand add_fuzz(CLI::App& app) {
         "Each failure is shrunk to the smallest scene that still fails, and written as a scene file.\n"
         "Ctrl-C ends the run; what was found is kept. GALLIUM_DRIVER=softpipe asks Mesa's other driver.\n"
         "Exit status: 0 no unexplained difference, 1 a difference, 2 bad input or use.");
-    return {fuzz, [arguments] { return run(*arguments); }};
+    return {fuzz, [arguments] { return run_fuzz(*arguments); }};
 }
 
 }  // namespace twinlight::cli

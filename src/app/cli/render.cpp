@@ -18,7 +18,7 @@ namespace twinlight::cli {
 
 namespace {
 
-struct Arguments {
+struct RenderArguments {
     std::string scene;
     std::string renderer;
     std::optional<Shading> shading;
@@ -41,7 +41,7 @@ void warn_unsupported(const Frame& frame, Path path) {
         if (lacks(path, item)) fmt::print(stderr, "twinlight: note: {}\n", report::sentence_of(item, std::array{path}));
 }
 
-Image drawn(const Arguments& arguments, const Scene& scene) {
+Image drawn(const RenderArguments& arguments, const Scene& scene) {
     const RendererSet renderers(scene.frame.width, scene.frame.height);
     const PlanOptions plan{{.shading = arguments.shading}, arguments.budget};
     switch (kRenderers.at(arguments.renderer)) {
@@ -61,7 +61,7 @@ Image drawn(const Arguments& arguments, const Scene& scene) {
     return {};
 }
 
-int run(const Arguments& arguments) {
+int run_render(const RenderArguments& arguments) {
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kPhong) {
         throw UsageError(
             "the fixed function cannot shade by phong; use --with programmable or "
@@ -104,7 +104,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Subcommand add_render(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<RenderArguments>();
     CLI::App* render = app.add_subcommand("render", "Draw a scene with one renderer, as a PNG");
     add_scene_argument(*render, arguments->scene);
     render->add_option("--with", arguments->renderer, "the driver's own lighting, generated shaders, or the reference")
@@ -124,7 +124,7 @@ Subcommand add_render(CLI::App& app) {
         ->required()
         ->type_name("FILE")
         ->check(not_empty());
-    return {render, [arguments] { return run(*arguments); }};
+    return {render, [arguments] { return run_render(*arguments); }};
 }
 
 }  // namespace twinlight::cli

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "judge/compare/vertex_colors.h"
@@ -117,7 +116,7 @@ int main(int argc, char** argv) {{
 )c";
 
 // A literal of C.
-std::string quoted(const std::string& text) {
+std::string c_literal(const std::string& text) {
     std::string literal = "\"";
     for (const char c : text) literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
     return literal + "\"";
@@ -162,7 +161,7 @@ std::string reproducer(const std::string& driver, const Case& of, const Result& 
         "#include <stdlib.h>\n\n",
         of.what, of.why, of.text, driver, found, of.name, how_to_run(driver, of.name));
     text += print_c_function(with_pragmas_written_out(*of.scene));
-    text += fmt::format("\nstatic const char* kText = {};\n", quoted("OpenGL 2.1, section " + of.text));
+    text += fmt::format("\nstatic const char* kText = {};\n", c_literal("OpenGL 2.1, section " + of.text));
     std::string colors, error = "GL_NO_ERROR";
     for (const Expectation& expected : of.expectations) {
         if (expected.spot.shading) continue;  // not GL's
@@ -171,7 +170,7 @@ std::string reproducer(const std::string& driver, const Case& of, const Result& 
             continue;
         }
         const glm::dvec2 place = window_place(of, expected.spot);
-        colors += fmt::format("    {{{}, {:.9g}, {:.9g}, {}, {}}},\n", quoted(expected.spot.str()), place.x, place.y,
+        colors += fmt::format("    {{{}, {:.9g}, {:.9g}, {}, {}}},\n", c_literal(expected.spot.str()), place.x, place.y,
                               c_array(expected.value), c_array(expected.other));
     }
     if (colors.empty()) {

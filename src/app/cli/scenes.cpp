@@ -12,7 +12,7 @@ namespace twinlight::cli {
 
 namespace {
 
-struct Arguments {
+struct ScenesArguments {
     std::string name;
     bool json = false;
 };
@@ -52,7 +52,7 @@ std::string wrapped(const std::string& words, std::size_t indent) {
     return text;
 }
 
-int list(const Arguments& arguments) {
+int list(const ScenesArguments& arguments) {
     if (arguments.json) {
         Json json = {{"scenes", Json::array()}};
         for (const EmbeddedFile& file : kSceneFiles) {
@@ -71,7 +71,7 @@ int list(const Arguments& arguments) {
     return kFine;
 }
 
-int run(const Arguments& arguments) {
+int run_scenes(const ScenesArguments& arguments) {
     if (arguments.name.empty()) return list(arguments);
     std::vector<std::string> names;
     for (const EmbeddedFile& file : kSceneFiles) {
@@ -90,11 +90,11 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Subcommand add_scenes(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<ScenesArguments>();
     CLI::App* scenes = app.add_subcommand("scenes", "List the built-in scenes, or print one");
     scenes->add_option("NAME", arguments->name, "print this scene's text")->type_name("");
     scenes->add_flag("--json", arguments->json, "print one JSON object");
-    return {scenes, [arguments] { return run(*arguments); }};
+    return {scenes, [arguments] { return run_scenes(*arguments); }};
 }
 
 }  // namespace twinlight::cli

@@ -26,7 +26,7 @@ namespace {
 constexpr Size kSize{320, 240}, kQuickSize{240, 180};
 constexpr double kSeconds = 60, kQuickSeconds = 5;
 
-struct Arguments {
+struct StudyArguments {
     std::string scene;
     std::optional<Size> size;
     std::string folder;
@@ -72,13 +72,13 @@ std::string summary(const study::Study& study, const std::string& folder) {
     return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
-int write(const Arguments& arguments, const study::Study& study) {
+int write(const StudyArguments& arguments, const study::Study& study) {
     study::write_study(study, arguments.folder);
     write_result(arguments.json ? study_json(study) : summary(study, arguments.folder));
     return kFine;
 }
 
-int merge(const Arguments& arguments) {
+int merge(const StudyArguments& arguments) {
     if (arguments.merge.size() < 2) throw UsageError("--merge takes two files study.json or more");
     std::vector<study::NamedStudy> studies;
     for (const std::string& file : arguments.merge) studies.push_back({file, study::load_study(file)});
@@ -86,7 +86,7 @@ int merge(const Arguments& arguments) {
 }
 
 // The study in the folder, and what of it this one goes on with unless something else is said.
-std::optional<study::Study> earlier_study(Arguments& arguments) {
+std::optional<study::Study> earlier_study(StudyArguments& arguments) {
     if (!arguments.resume) return {};
     const std::string file = (std::filesystem::path(arguments.folder) / "study.json").string();
     study::Study study = study::load_study(file);
@@ -113,7 +113,7 @@ void check_resumable(const study::Study& earlier, const study::Study& now) {
                         one_line(difference)));
 }
 
-int run(Arguments arguments) {
+int run_study(StudyArguments arguments) {
     if (!arguments.merge.empty()) return merge(arguments);
     if (arguments.scene.empty()) throw UsageError("SCENE is missing, or --merge with files to lay over each other");
     const std::optional<study::Study> earlier = earlier_study(arguments);
@@ -178,7 +178,7 @@ int run(Arguments arguments) {
 }  // namespace
 
 Subcommand add_study(CLI::App& app) {
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<StudyArguments>();
     CLI::App* study = app.add_subcommand("study", "Show what accuracy costs in time");
     add_scene_argument(*study, arguments->scene)->required(false);
     study
@@ -215,7 +215,7 @@ Subcommand add_study(CLI::App& app) {
         "studied too: in study.json, the page and spectral.svg. Ctrl-C ends the study; what was measured is written,\n"
         "and --resume goes on with it.\n"
         "Exit status: 0 fine, 2 bad input or use.");
-    return {study, [arguments] { return run(*arguments); }};
+    return {study, [arguments] { return run_study(*arguments); }};
 }
 
 }  // namespace twinlight::cli

@@ -1,6 +1,5 @@
 // twinlight-demo [SCENE]: the options, the scene, the window.
 #include <CLI/CLI.hpp>
-#include <memory>
 #include <string>
 
 #include "app/demo/controls.h"

@@ -1,6 +1,5 @@
 #include "app/demo/view.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>

@@ -14,28 +14,13 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/image/descriptor.h"
+
 namespace twinlight {
 
 namespace {
 
 [[noreturn]] void fail(const std::string& path, int error) { throw FileError(path + ": " + std::strerror(error)); }
-
-class Descriptor {
-  public:
-    Descriptor(const std::string& path, int flags, mode_t mode = 0)
-        : fd_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    bool valid() const { return fd_ >= 0; }
-    int get() const { return fd_; }
-    // The error that closing met: a full disk may be told only here.
-    int close() { return fd_ < 0 || ::close(std::exchange(fd_, -1)) == 0 ? 0 : errno; }
-
-  private:
-    int fd_;
-};
 
 // Holds back the signals that end a program, so that none leaves the aside file behind.
 class SignalsHeld {
@@ -76,7 +61,7 @@ class PendingFile {
         const bool exists = ::stat(path.c_str(), &existing) == 0;
         if (exists && S_ISDIR(existing.st_mode)) fail(path, EISDIR);
         if (exists && !S_ISREG(existing.st_mode)) {
-            Descriptor device(path, O_WRONLY);
+            Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
             if (!device.valid()) fail(path, errno);
             if (const int error = write_and_close(device, bytes); error != 0) fail(path, error);
             return;
@@ -87,7 +72,8 @@ class PendingFile {
         // The process's number keeps two writers of one file apart.
         const std::string aside = target_ + "." + std::to_string(::getpid()) + ".part";
         constexpr mode_t kAsUmaskAllows = 0666;
-        Descriptor file(aside, O_WRONLY | O_CREAT | O_EXCL, exists ? existing.st_mode & 0777 : kAsUmaskAllows);
+        Descriptor file(::open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                               exists ? existing.st_mode & 0777 : kAsUmaskAllows));
         if (!file.valid()) fail(path, errno);
         aside_ = aside;
         if (const int error = write_and_close(file, bytes); error != 0) {
@@ -134,7 +120,7 @@ std::string read_rest(int descriptor, std::size_t max_bytes, const std::string& 
 }  // namespace
 
 std::string read_file(const std::string& path, std::size_t max_bytes) {
-    const Descriptor file(path, O_RDONLY);
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.valid()) fail(path, errno);
     return read_rest(file.get(), max_bytes, path);
 }

@@ -10,7 +10,7 @@
 
 namespace twinlight {
 
-// The Makefile's `embed` writes tables of them.
+// tools/embed.sh writes tables of them.
 struct EmbeddedFile {
     std::string_view name;  // without its folder
     std::string_view text;

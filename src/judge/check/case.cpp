@@ -83,21 +83,21 @@ class Head {
         while (*at) {
             char* end = nullptr;
             values.push_back(std::strtod(at, &end));
-            if (end == at) refuse(entry.line, twinlight::quoted(text) + " is not a list of numbers");
+            if (end == at) refuse(entry.line, twinlight::in_quotes(text) + " is not a list of numbers");
             // A driver may give what is none; right it never is.
             if (entry.key != "differs" && !std::isfinite(values.back()))
-                refuse(entry.line, twinlight::quoted(text) + " is not finite");
+                refuse(entry.line, twinlight::in_quotes(text) + " is not finite");
             at = end + std::strspn(end, " ");
         }
         if (values.size() != count)
-            refuse(entry.line, fmt::format("{} is not {} numbers", twinlight::quoted(text), count));
+            refuse(entry.line, fmt::format("{} is not {} numbers", twinlight::in_quotes(text), count));
         return values;
     }
 
     Seen seen(const Entry& entry, const Spot& spot, const std::string& text) const {
         if (spot.kind == Spot::Kind::kError) {
             const auto error = std::ranges::find(kErrors, text, &NamedError::name);
-            if (error == std::end(kErrors)) refuse(entry.line, twinlight::quoted(text) + " is none of GL's errors");
+            if (error == std::end(kErrors)) refuse(entry.line, twinlight::in_quotes(text) + " is none of GL's errors");
             return error->code;
         }
         const std::vector<double> v = numbers(entry, text, 4);
@@ -131,7 +131,7 @@ class Head {
         refuse(entry.line,
                fmt::format("{} is neither 'error' nor 'vertex N' nor 'pixel X,Y', 'pixel X,Y phong' or 'pixel X,Y "
                            "exact': N is from 0 to 2, X and Y are from 0 to {}",
-                           twinlight::quoted(text), kSide - 1));
+                           twinlight::in_quotes(text), kSide - 1));
     }
 
   private:
@@ -144,7 +144,7 @@ std::pair<std::string, std::string> split(const Head& head, const Entry& entry, 
                                           std::string_view at) {
     const std::size_t place = text.find(at);
     if (place == std::string::npos)
-        head.refuse(entry.line, fmt::format("{} lacks a '{}'", twinlight::quoted(text), trimmed(std::string(at))));
+        head.refuse(entry.line, fmt::format("{} lacks a '{}'", twinlight::in_quotes(text), trimmed(std::string(at))));
     return {trimmed(text.substr(0, place)), trimmed(text.substr(place + at.size()))};
 }
 
@@ -216,7 +216,7 @@ void take(Case& into, const Head& head, const Entry& entry) {
         if (causes.empty()) head.refuse(entry.line, "behind a tolerance's number stand its causes");
         into.tolerance_causes = causes;
     } else {
-        head.refuse(entry.line, "there is no key " + twinlight::quoted(entry.key) +
+        head.refuse(entry.line, "there is no key " + twinlight::in_quotes(entry.key) +
                                     "; the keys are what, why, text, derived, status, tolerance, expect and differs");
     }
 }

@@ -1,7 +1,6 @@
 // The same scene, said otherwise.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <optional>
 #include <span>

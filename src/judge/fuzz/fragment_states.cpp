@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "judge/fuzz/random_states.h"
 #include "scene/command/text.h"

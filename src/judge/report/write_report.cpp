@@ -1,7 +1,6 @@
 // The report's files.
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include "base/image/file.h"
 #include "base/image/png.h"

@@ -1,7 +1,6 @@
 // Several machines' studies of one scene, laid over each other.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 #include "judge/study/study.h"

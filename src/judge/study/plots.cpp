@@ -149,12 +149,13 @@ std::string plot_svg(std::string_view title, glm::dvec2 panel_size, const std::v
 // ---- A study ----
 
 // A colour for each, or of several machines for each machine; the shading is the mark.
-constexpr Method kMethods[] = {Method::kFixed, Method::kUniforms, Method::kConstants, Method::kReference,
-                               Method::kPrecise};
+constexpr Method kColoredMethods[] = {Method::kFixed, Method::kUniforms, Method::kConstants, Method::kReference,
+                                      Method::kPrecise};
 
 std::size_t color_number(const Study& study, const Point& point) {
     if (study.series.size() > 1) return point.series;
-    return static_cast<std::size_t>(std::ranges::find(kMethods, point.choice.method) - std::begin(kMethods));
+    return static_cast<std::size_t>(std::ranges::find(kColoredMethods, point.choice.method) -
+                                    std::begin(kColoredMethods));
 }
 
 Mark mark_of(Shading shading) {
@@ -175,7 +176,7 @@ std::vector<PlotSeries> legend_of(const Study& study) {
     if (study.series.size() > 1)
         for (const Series& series : study.series) add_color(series.name);
     else
-        for (const Method method : kMethods) add_color(axes()[0].value({.method = method}).words);
+        for (const Method method : kColoredMethods) add_color(axes()[0].value({.method = method}).words);
     rows.emplace_back();
     for (const Shading shading : {Shading::kFlat, Shading::kGouraud, Shading::kPhong, Shading::kExact})
         rows.push_back({.mark = mark_of(shading), .color = "#444", .words = name_of(shading)});

@@ -1,8 +1,6 @@
 #include "judge/study/scene_of_choice.h"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
 namespace twinlight::study {
 

@@ -1,10 +1,7 @@
 #include "judge/study/spectral.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "base/math/srgb.h"
 #include "scene/spectrum/samples.h"

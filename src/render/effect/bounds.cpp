@@ -16,9 +16,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFar = 1e100;  // beyond it squares overflow
-// What rounding to double may take from a sum of products, relative to the sum of their magnitudes: ten thousand times it.
-constexpr double kRounding = 1e-12;
 // By how much every angle is taken for smaller, in radians: more than double's rounding, and what float arithmetic needs
 // to see the same at a cone's border.
 constexpr double kAngleMargin = 1e-6;
@@ -57,7 +54,7 @@ struct Stretch {
 Stretch stretch_of(const glm::dmat3& a) {
     double scale = 0;
     for (int column = 0; column < 3; ++column) scale = std::max(scale, largest_component(a[column]));
-    if (!(scale > 1 / kFar && scale < kFar)) return {};
+    if (!(scale > 1 / kLargestLength && scale < kLargestLength)) return {};
     const glm::dmat3 m = a / scale;
     const glm::dmat3 square = glm::transpose(m) * m;
     double largest = 0, smallest = kInfinity, trace = 0;
@@ -69,10 +66,10 @@ Stretch stretch_of(const glm::dmat3& a) {
         trace += square[i][i];
     }
     const double determinant = glm::determinant(m);
-    smallest = std::max(smallest, 4 * determinant * determinant / (trace * trace) - kRounding);
-    if (!(smallest > kRounding)) return {.largest = scale * std::sqrt(largest) * (1 + kRounding)};
-    return {.largest = scale * std::sqrt(largest) * (1 + kRounding),
-            .smallest = scale * std::sqrt(smallest) * (1 - kRounding)};
+    smallest = std::max(smallest, 4 * determinant * determinant / (trace * trace) - kBoundsRounding);
+    if (!(smallest > kBoundsRounding)) return {.largest = scale * std::sqrt(largest) * (1 + kBoundsRounding)};
+    return {.largest = scale * std::sqrt(largest) * (1 + kBoundsRounding),
+            .smallest = scale * std::sqrt(smallest) * (1 - kBoundsRounding)};
 }
 
 void find_sphere(const Draw& draw, const VertexFacts& vertices, const Stretch& stretch, DrawBounds& bounds) {
@@ -80,10 +77,11 @@ void find_sphere(const Draw& draw, const VertexFacts& vertices, const Stretch& s
     if (!keeps_w(m) || !vertices.has_sphere || stretch.largest == kInfinity) return;
     const glm::dvec3 turned = glm::dmat3(m) * vertices.center_object, moved(m[3]);
     bounds.center_eye = turned + moved;
-    bounds.radius_eye = stretch.largest * vertices.radius_object +
-                        kRounding * (stretch.largest * (vertices.radius_object + glm::length(vertices.center_object)) +
-                                     glm::length(moved));
-    bounds.has_sphere = largest_component(bounds.center_eye) < kFar && bounds.radius_eye < kFar;
+    bounds.radius_eye =
+        stretch.largest * vertices.radius_object +
+        kBoundsRounding *
+            (stretch.largest * (vertices.radius_object + glm::length(vertices.center_object)) + glm::length(moved));
+    bounds.has_sphere = largest_component(bounds.center_eye) < kLargestLength && bounds.radius_eye < kLargestLength;
 }
 
 // 2.11.3: normals are taken by the transposed inverse. What stretches by at most k takes two directions at an angle a to
@@ -92,7 +90,7 @@ void find_normals(const Draw& draw, const VertexFacts& vertices, const LightingS
                   bool phong, DrawBounds& bounds) {
     bounds.unit_normals = phong || lighting.normalize;
     bounds.has_zero_normal = vertices.has_zero_normal;
-    bounds.longest_normal_eye = 1 + kRounding;
+    bounds.longest_normal_eye = 1 + kBoundsRounding;
     bounds.normals_eye = {.axis_dir = vertices.normal_axis_dir_object, .half_angle = kPi};
     bounds.unequal_normals = kInfinity;
     if (vertices.longest_normal == 0) {
@@ -105,7 +103,7 @@ void find_normals(const Draw& draw, const VertexFacts& vertices, const LightingS
     }
     // The inverse's third row is the normal matrix's third column: 1 / the rescale factor lies between 1 / stretch.
     if (!bounds.unit_normals)
-        bounds.longest_normal_eye = vertices.longest_normal * (1 + kRounding) *
+        bounds.longest_normal_eye = vertices.longest_normal * (1 + kBoundsRounding) *
                                     (lighting.rescale_normal ? stretch.ratio() : 1 / stretch.smallest);
     bounds.normal_scale = vertices.longest_normal / stretch.largest;
     if (vertices.shortest_normal > 0)
@@ -123,7 +121,7 @@ void find_normals(const Draw& draw, const VertexFacts& vertices, const LightingS
 Cone directions_to(const glm::dvec3& point, const glm::dvec3& center, double radius) {
     const glm::dvec3 way = point - center;
     const double distance = glm::length(way);
-    if (!(distance * (1 - kRounding) > radius)) return {.half_angle = kPi};
+    if (!(distance * (1 - kBoundsRounding) > radius)) return {.half_angle = kPi};
     return {.axis_dir = way / distance, .half_angle = std::asin(std::min(radius / distance, 1.0))};
 }
 
@@ -139,12 +137,12 @@ struct LightPlace {
 LightPlace place_of(const DrawBounds& bounds, const LightSource& light) {
     LightPlace place;
     place.position_eye = glm::dvec3(light.position_eye) / light.position_eye.w;
-    if (!bounds.has_sphere || !(largest_component(place.position_eye) < kFar)) return place;
+    if (!bounds.has_sphere || !(largest_component(place.position_eye) < kLargestLength)) return place;
     const double distance = glm::length(place.position_eye - bounds.center_eye);
     place.padded_radius =
-        bounds.radius_eye + kRounding * (glm::length(place.position_eye) + glm::length(bounds.center_eye));
-    place.nearest = std::max(distance * (1 - kRounding) - place.padded_radius, 0.0);
-    place.farthest = distance * (1 + kRounding) + place.padded_radius;
+        bounds.radius_eye + kBoundsRounding * (glm::length(place.position_eye) + glm::length(bounds.center_eye));
+    place.nearest = std::max(distance * (1 - kBoundsRounding) - place.padded_radius, 0.0);
+    place.farthest = distance * (1 + kBoundsRounding) + place.padded_radius;
     place.known = true;
     return place;
 }
@@ -154,7 +152,8 @@ double largest_spot(const LightSource& light, double cosine) {
     if (light.smooth_cone) {
         const double outer = std::cos(light.smooth_cone->outer_deg * kPi / 180);
         const double span = std::cos(light.smooth_cone->inner_deg * kPi / 180) - outer;
-        return span > kRounding ? std::clamp((cosine - outer) / span * kUp + kRounding / span, 0.0, 1.0) : 1;
+        return span > kBoundsRounding ? std::clamp((cosine - outer) / span * kUp + kBoundsRounding / span, 0.0, 1.0)
+                                      : 1;
     }
     return largest_power(std::max(cosine, 0.0), {light.spot_exponent, light.spot_exponent});
 }
@@ -175,9 +174,10 @@ void find_spot(const LightSource& light, const Cone& to_light, LightFactors& fac
     // A smooth cone whose inner one is wider is a step at the outer one too.
     factors.cone_misses_by = std::max(nearest - cutoff, 0.0);
     factors.cone_holds_all = !light.smooth_cone && farthest <= cutoff;
-    factors.reach = factors.cone_misses_by > 0
-                        ? 0
-                        : product(factors.reach, largest_spot(light, std::min(std::cos(nearest) + kRounding, 1.0)));
+    factors.reach =
+        factors.cone_misses_by > 0
+            ? 0
+            : product(factors.reach, largest_spot(light, std::min(std::cos(nearest) + kBoundsRounding, 1.0)));
 }
 
 // The cosine of n and h, or of r and VPe, at most; h lies between the directions to the light and to the viewer. Where those
@@ -193,13 +193,13 @@ double largest_highlight_cosine(const DrawBounds& bounds, const Cone& normals, c
         if (bounds.has_zero_normal) return 1;  // r is -VP there
         const glm::dvec3 n = normals.axis_dir, vp = to_light.axis_dir;
         const double angle = angle_between(2 * glm::dot(n, vp) * n - vp, to_viewer.axis_dir);
-        return cos_of_gap(std::max(angle - 2 * normals.half_angle - spread - kAngleMargin, 0.0)) + kRounding;
+        return cos_of_gap(std::max(angle - 2 * normals.half_angle - spread - kAngleMargin, 0.0)) + kBoundsRounding;
     }
     const double apart = angle_between(to_light.axis_dir, to_viewer.axis_dir) + spread;
     if (to_light.half_angle >= kPi / 2 || to_viewer.half_angle >= kPi / 2 || apart > kPi - 1e-3) return length;
     const Cone half{.axis_dir = unit(to_light.axis_dir + to_viewer.axis_dir),
                     .half_angle = spread / (2 * std::cos(apart / 2))};
-    return length * (cos_of_gap(gap(normals, half)) + kRounding);
+    return length * (cos_of_gap(gap(normals, half)) + kBoundsRounding);
 }
 
 void find_angles(const DrawBounds& bounds, const Cone& to_light, const std::array<FaceRange, 2>& faces, int face_count,
@@ -257,7 +257,7 @@ double largest_attenuation(const LightSource& light, double nearest, double fart
     if (k0 <= 0 && k1 <= 0 && k2 <= 0) return 0;  // RULING: where the denominator is not positive, 0
     const auto denominator = [&](double d) { return k0 + product(d, k1 + product(k2, d)); };
     if (k0 >= 0 && k1 >= 0 && k2 >= 0) {
-        const double smallest = denominator(nearest) * (1 - kRounding);
+        const double smallest = denominator(nearest) * (1 - kBoundsRounding);
         return smallest > 0 ? 1 / smallest : kInfinity;
     }
     // GL refuses negative factors. A denominator that may come near to 0 from above bounds nothing.
@@ -265,7 +265,7 @@ double largest_attenuation(const LightSource& light, double nearest, double fart
     double smallest = std::min(denominator(nearest), denominator(farthest));
     const double turn = k2 == 0 ? -1 : -k1 / (2 * k2);
     if (turn > nearest && turn < farthest) smallest = std::min(smallest, denominator(turn));
-    smallest -= kRounding * (std::abs(k0) + farthest * (std::abs(k1) + std::abs(k2) * farthest));
+    smallest -= kBoundsRounding * (std::abs(k0) + farthest * (std::abs(k1) + std::abs(k2) * farthest));
     return smallest > 0 ? 1 / smallest * kUp : kInfinity;
 }
 

@@ -406,13 +406,13 @@ class Planner {
     // 2.11.3: where the modelview matrix turns and scales alike in all directions, and all normals are unit vectors, they are
     // unit in eye coordinates once they are multiplied by GL_RESCALE_NORMAL's factor, if that is not 1 anyway.
     void plan_normalize(const DrawBounds& bounds) {
-        constexpr double kRounding = 1e-11;  // of double, and what the bounds add for it
+        constexpr double kOffByRounding = 10 * kBoundsRounding;  // of the lengths, and of the bounds
         const double shortest = vertices_.shortest_normal, longest = vertices_.longest_normal;
         if (longest == 0) return;
         const double off = bounds.unequal_normals + std::max(std::abs(shortest - 1), std::abs(longest - 1));
-        if (off > kRounding && !is_within_budget(off)) return;
+        if (off > kOffByRounding && !is_within_budget(off)) return;
         facts().normalize = state().normalize = false;
-        state().rescale_normal = std::abs(bounds.normal_scale - 1) > kRounding;
+        state().rescale_normal = std::abs(bounds.normal_scale - 1) > kOffByRounding;
         leave_out("GL_NORMALIZE",
                   state().rescale_normal
                       ? "the normals are unit vectors and the scale is uniform: GL_RESCALE_NORMAL's factor "

@@ -12,9 +12,7 @@
 namespace twinlight {
 namespace {
 
-constexpr double kUp = 1 + 1e-12;  // what rounding may take from a sum of some thousand numbers
-
-glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
+constexpr double kSumUp = 1 + 1e-12;  // what rounding may take from a sum of some thousand numbers
 
 // To a sum: the product times any factor of [0, largest].
 void add_term(ColorRange& sum, const ColorRange& product_range, double largest) {
@@ -96,7 +94,7 @@ class LightsPlanner {
             (what_.primary || is_specular_separate()) && reaches && meets(specular_of(light), &FaceRange::specular);
 
         // The Draw's bounds, the cheap one first: what is fainter than its share is out whatever the angles are.
-        const double share = plan_.budget / static_cast<double>(enabled_) / kUp;
+        const double share = plan_.budget / static_cast<double>(enabled_) / kSumUp;
         LightFactors factors;
         bool within_share = false;
         const auto find_range = [&] {
@@ -105,7 +103,7 @@ class LightsPlanner {
             LightBound& entry = plan_.light_bounds[number];
             // Of terms with different signs the larger counts, unless they go to different colours.
             const glm::dvec3 &low = candidate.range.low, &high = candidate.range.high;
-            entry.bound = kUp * (is_specular_separate() ? high - low : glm::max(high, -low));
+            entry.bound = kSumUp * (is_specular_separate() ? high - low : glm::max(high, -low));
             return entry.largest();
         };
         const bool any = effects.diffuse || effects.specular || (ambient && reaches && !is_constant(effects));
@@ -122,7 +120,7 @@ class LightsPlanner {
         }
         // An ambient term that nothing weakens on its way belongs to the scene's.
         const bool folded = ambient && (is_unattenuated() || (reaches && is_constant(effects)));
-        if (folded) plan_.constant_ambient += (is_unattenuated() ? 1 : constant_reach) * rgb(light.ambient);
+        if (folded) plan_.constant_ambient += (is_unattenuated() ? 1 : constant_reach) * glm::dvec3(light.ambient);
         decide(candidate, factors, folded, within_share);
     }
 
@@ -184,7 +182,7 @@ class LightsPlanner {
             if (largest <= plan_.budget) order.emplace_back(largest, candidate.entry);
         }
         std::sort(order.begin(), order.end());
-        const auto error = [](const glm::dvec3& sum) { return kUp * std::max({sum.r, sum.g, sum.b}); };
+        const auto error = [](const glm::dvec3& sum) { return kSumUp * std::max({sum.r, sum.g, sum.b}); };
         for (const auto& [largest, number] : order) {
             LightBound& entry = plan_.light_bounds[number];
             if (error(faint_ + entry.bound) > plan_.budget) break;

@@ -9,9 +9,6 @@
 namespace twinlight {
 namespace {
 
-// What rounding may take from bounds found in double precision.
-constexpr double kRounding = 1e-12;
-
 bool has_inverse(const glm::dmat4& m) { return std::isnormal(glm::determinant(m)); }
 
 // Where its middle lies on its axis.
@@ -61,7 +58,7 @@ void find_normals(const Surface& surface, VertexFacts& facts) {
     } else if (const auto* frustum = std::get_if<FrustumSurface>(&surface.equation)) {
         const double narrows = frustum->base - frustum->top;
         along_axis = narrows / std::hypot(frustum->height, narrows);
-        facts.normal_half_angle = std::acos(std::max(std::abs(along_axis) - kRounding, 0.0));
+        facts.normal_half_angle = std::acos(std::max(std::abs(along_axis) - kBoundsRounding, 0.0));
     }
     if (surface.inside) along_axis = -along_axis;
     facts.normal_axis_dir_object = {0, 0, along_axis < 0 ? -1 : 1};
@@ -74,7 +71,7 @@ VertexFacts facts_of(const Surface& surface, const Draw& draw) {
     const bool is_torus = std::holds_alternative<TorusSurface>(surface.equation);
     facts.has_sphere = true;
     facts.radius_object =
-        (is_sphere || is_torus ? reach.across : std::hypot(reach.across, reach.along)) * (1 + kRounding);
+        (is_sphere || is_torus ? reach.across : std::hypot(reach.across, reach.along)) * (1 + kBoundsRounding);
     facts.position_reach = {reach.across, reach.across, reach.along, 1};
     find_normals(surface, facts);
     const Vertex& vertex = draw.vertices.front();

@@ -10,20 +10,15 @@
 namespace twinlight {
 namespace {
 
-// Beyond these, squares overflow or underflow; nothing is said of what lies there.
-constexpr double kFar = 1e100, kNear = 1e-100;
-// What rounding may take from a sphere or cone found in double precision.
-constexpr double kRounding = 1e-12;
-
 bool is_far(const glm::dvec3& v) {
     const glm::dvec3 size = glm::abs(v);
-    return !(size.x <= kFar && size.y <= kFar && size.z <= kFar);
+    return !(size.x <= kLargestLength && size.y <= kLargestLength && size.z <= kLargestLength);
 }
 
 // From the middle of the box around the positions.
 void find_sphere(const Draw& draw, VertexFacts& facts) {
     const bool negative = draw.vertices.front().position_object.w < 0;
-    glm::dvec3 low(kFar), high(-kFar);
+    glm::dvec3 low(kLargestLength), high(-kLargestLength);
     for (const Vertex& v : draw.vertices) {
         const glm::dvec4& p = v.position_object;
         const glm::dvec3 divided = p.w == 1 ? glm::dvec3(p) : glm::dvec3(p) / p.w;
@@ -41,12 +36,12 @@ void find_sphere(const Draw& draw, VertexFacts& facts) {
         square = std::max(square, glm::dot(from_center, from_center));
     }
     facts.radius_object =
-        std::sqrt(square) + kRounding * (std::sqrt(square) + glm::length(facts.center_object)) + kNear;
+        std::sqrt(square) + kBoundsRounding * (std::sqrt(square) + glm::length(facts.center_object)) + kSmallestLength;
 }
 
 // Around the sum of the unit normals.
 void find_normal_cone(const Draw& draw, VertexFacts& facts) {
-    double shortest = kFar, longest = 0;
+    double shortest = kLargestLength, longest = 0;
     glm::dvec3 sum(0);
     bool ordinary = true;
     for (const Vertex& v : draw.vertices) {
@@ -57,7 +52,7 @@ void find_normal_cone(const Draw& draw, VertexFacts& facts) {
             continue;
         }
         const double length = glm::length(n);
-        ordinary = ordinary && length > kNear && length < kFar;
+        ordinary = ordinary && length > kSmallestLength && length < kLargestLength;
         shortest = std::min(shortest, length);
         longest = std::max(longest, length);
         sum += n / length;
@@ -75,7 +70,7 @@ void find_normal_cone(const Draw& draw, VertexFacts& facts) {
         if (n != glm::dvec3(0)) cosine = std::min(cosine, glm::dot(n, facts.normal_axis_dir_object) / glm::length(n));
     }
     // An arc cosine near 1 loses half of the digits.
-    facts.normal_half_angle = std::acos(std::max(cosine - kRounding, -1.0));
+    facts.normal_half_angle = std::acos(std::max(cosine - kBoundsRounding, -1.0));
 }
 
 void find_colors(const Draw& draw, VertexFacts& facts) {

@@ -12,6 +12,12 @@
 
 namespace twinlight {
 
+// What rounding may take from bounds found in double precision, relative to the sum of the magnitudes that are added: ten
+// thousand times its unit.
+inline constexpr double kBoundsRounding = 1e-12;
+// Beyond these, squares overflow or underflow.
+inline constexpr double kLargestLength = 1e100, kSmallestLength = 1e-100;
+
 struct VertexFacts {
     bool w_is_1 = true;
     bool q_is_1 = true;            // of the texture coordinates

@@ -1,11 +1,8 @@
 #include "render/fixed/replay.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <deque>
 #include <optional>
-#include <stdexcept>
 #include <variant>
 
 #include "render/context/context.h"

@@ -24,11 +24,6 @@ namespace {
 // includes equality (2.14.1), so the shader compares with a border that is lower by as much.
 constexpr double kCosineRounding = 4.0 / (1 << 23);
 
-float to_float(double x) {
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(x, -kLargest, kLargest));
-}
-
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
 
 // The power of two not above x; 1 where there is none.
@@ -39,7 +34,7 @@ double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std
 // unit of length (but for attenuation, whose factors are converted), nor unit normals on theirs. So what is
 // far from 1 is measured in another unit: a power of two, so that nothing is rounded.
 
-bool ordinary(double size) { return size > 1e-12 && size < 1e12; }
+bool needs_no_unit(double size) { return size > 1e-12 && size < 1e12; }
 
 double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, const Plan& plan) {
     double size = 0;
@@ -315,7 +310,7 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         add(vertex.position_object - glm::dvec4(origin_object * vertex.position_object.w, 0), 4);
         if (effects.needs_normal()) {
             const double size = largest_component(vertex.normal_object);
-            const bool rescaled = normals_made_unit && !ordinary(size);
+            const bool rescaled = normals_made_unit && !needs_no_unit(size);
             add(rescaled ? vertex.normal_object / power_of_two(size) : vertex.normal_object, 3);
             values.push_back(0);
         }

@@ -4,6 +4,8 @@
 // vectors of directional lights, the products of the material's and the lights' colours, the matrix of the normals.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,6 +17,12 @@ namespace twinlight::programmable {
 
 // By the uniform's name: its floats, matrices by columns, the elements of an array one after the other.
 using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
+
+// The nearest float; what is too large for one becomes its largest.
+inline float to_float(double x) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(x, -kLargest, kLargest));
+}
 
 // Every uniform that the program made from this code has, but for the texture's sampler.
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code);

@@ -90,14 +90,14 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(const Draw& draw) {
 }
 
 std::shared_ptr<const UploadedMesh> KeptMeshes::mesh(Known& known, const Draw& draw, const EffectSet& effects,
-                                                     bool patches, const glm::dvec3& origin_object) {
-    const MeshForm form = mesh_form(draw, effects, patches, origin_object);
+                                                     const glm::dvec3& origin_object) {
+    const MeshForm form = mesh_form(draw, effects, origin_object);
     const auto found = std::ranges::find(known.meshes, form, [](const auto& entry) { return entry.first; });
     if (found != known.meshes.end()) {
         ++counters_.hits;
         return found->second;
     }
-    const auto mesh = std::make_shared<const UploadedMesh>(draw, effects, patches, origin_object);
+    const auto mesh = std::make_shared<const UploadedMesh>(draw, effects, false, origin_object);
     ++counters_.made;
     const std::size_t bytes = mesh->bytes() + kObjectBytes;
     if (known.bytes == 0 || !make_room(bytes)) return mesh;

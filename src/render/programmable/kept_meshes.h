@@ -46,7 +46,7 @@ class KeptMeshes {
     // What is known of the Draw's vertices, or found out now.
     std::shared_ptr<Known> known(const Draw& draw);
     // Their buffers for a program of these effects.
-    std::shared_ptr<const UploadedMesh> mesh(Known& known, const Draw& draw, const EffectSet& effects, bool patches,
+    std::shared_ptr<const UploadedMesh> mesh(Known& known, const Draw& draw, const EffectSet& effects,
                                              const glm::dvec3& origin_object);
     void end_frame();
 

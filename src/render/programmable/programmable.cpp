@@ -1,8 +1,6 @@
 #include "render/programmable/programmable.h"
 
 #include <list>
-#include <stdexcept>
-#include <type_traits>
 #include <variant>
 
 #include "render/context/context.h"
@@ -80,7 +78,7 @@ struct UploadedFrame::Impl {
         planned.plan = known ? plan_effects(draw, options, known->facts) : plan_effects(draw, options);
         items.emplace_back(
             PreparedDraw(draw, planned.plan, options, [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                return known ? kept->mesh(*known, draw, effects, options.patches, origin_object)
+                return known ? kept->mesh(*known, draw, effects, origin_object)
                              : std::make_shared<const UploadedMesh>(draw, effects, options.patches, origin_object);
             }));
         plans.push_back(std::move(planned));

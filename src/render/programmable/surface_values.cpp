@@ -75,11 +75,6 @@ std::optional<Rectangle> window_rectangle(const Viewport& viewport, const std::v
 
 // ---- The numbers ----
 
-float to_float(double x) {
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(x, -kLargest, kLargest));
-}
-
 class SurfaceUniforms {
   public:
     SurfaceUniforms(const SurfaceDraw& surface, Uniforms uniforms)

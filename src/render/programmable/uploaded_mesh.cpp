@@ -8,11 +8,10 @@
 
 namespace twinlight::programmable {
 
-MeshForm mesh_form(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object) {
+MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const glm::dvec3& origin_object) {
     return {.attributes = attributes(effects),
             .unit_normals = makes_normals_unit(effects),
             .borders = draw.draws_borders(),
-            .patches = patches,
             .origin_object = origin_object};
 }
 

@@ -15,13 +15,12 @@ namespace twinlight::programmable {
 struct MeshForm {
     std::vector<Attribute> attributes;
     bool unit_normals = false;
-    bool borders = false;  // edge flags count
-    bool patches = false;
+    bool borders = false;         // edge flags count
     glm::dvec3 origin_object{0};  // that positions are relative to (draw_values.h)
 
     friend bool operator==(const MeshForm&, const MeshForm&) = default;
 };
-MeshForm mesh_form(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
+MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const glm::dvec3& origin_object);
 
 // Dies before its context does.
 class UploadedMesh {

@@ -10,11 +10,11 @@ namespace {
 // direction.
 constexpr double kShortestEdge = 1e-9;
 
-int floor_int(double x) { return static_cast<int>(std::floor(std::clamp(x, -1e9, 1e9))); }
-int ceil_int(double x) { return static_cast<int>(std::ceil(std::clamp(x, -1e9, 1e9))); }
+int floor_to_pixel(double x) { return static_cast<int>(std::floor(std::clamp(x, -1e9, 1e9))); }
+int ceil_to_pixel(double x) { return static_cast<int>(std::ceil(std::clamp(x, -1e9, 1e9))); }
 
 // The pixel column of a coordinate that is a little smaller than x: 3.4.1 moves every line by (-e, -e^2).
-int pixel_below(double x) { return ceil_int(x) - 1; }
+int pixel_below(double x) { return ceil_to_pixel(x) - 1; }
 
 // Whether a point, moved by (-e, -e^2), lies in the diamond of its pixel.
 bool in_diamond(const glm::dvec2& p, int x, int y) {
@@ -31,14 +31,15 @@ PixelRect bounds(const std::vector<Corner>& polygon, const PixelRect& within, do
         low = {std::min(low.x, corner.position_window.x), std::min(low.y, corner.position_window.y)};
         high = {std::max(high.x, corner.position_window.x), std::max(high.y, corner.position_window.y)};
     }
-    return {std::max(within.x0, floor_int(low.x - margin)), std::max(within.y0, floor_int(low.y - margin)),
-            std::min(within.x1, floor_int(high.x + margin) + 1), std::min(within.y1, floor_int(high.y + margin) + 1)};
+    return {std::max(within.x0, floor_to_pixel(low.x - margin)), std::max(within.y0, floor_to_pixel(low.y - margin)),
+            std::min(within.x1, floor_to_pixel(high.x + margin) + 1),
+            std::min(within.y1, floor_to_pixel(high.y + margin) + 1)};
 }
 
 PixelRect bounds(const SurfaceRays& rays, const PixelRect& within) {
     const glm::dvec2 low = rays.low_window(), high = rays.high_window();
-    return {std::max(within.x0, floor_int(low.x)), std::max(within.y0, floor_int(low.y)),
-            std::min(within.x1, floor_int(high.x) + 1), std::min(within.y1, floor_int(high.y) + 1)};
+    return {std::max(within.x0, floor_to_pixel(low.x)), std::max(within.y0, floor_to_pixel(low.y)),
+            std::min(within.x1, floor_to_pixel(high.x) + 1), std::min(within.y1, floor_to_pixel(high.y) + 1)};
 }
 
 Edge::Edge(const Corner& from, const Corner& to) : origin_(from.edge_to_next) {
@@ -80,7 +81,7 @@ std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_given, const
         const double at = from_window[minor] + (step + 0.5 - from_window[major]) * slope;
         // On a border the shift by (-e, -e^2) decides; along a rising line -e weighs more than -e^2.
         const bool rising = major == 0 && slope > 0;
-        const int across = rising ? floor_int(at) : pixel_below(at);
+        const int across = rising ? floor_to_pixel(at) : pixel_below(at);
         return major == 0 ? std::pair(step, across) : std::pair(across, step);
     };
 
@@ -88,7 +89,7 @@ std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_given, const
     const double high = std::max(from_window[major], to_window[major]);
     const int first_visible = major == 0 ? within.x0 : within.y0, end_visible = major == 0 ? within.x1 : within.y1;
     std::vector<std::pair<int, int>> pixels;
-    for (int step = std::max(first_visible, ceil_int(low - 0.5)); step < end_visible && step + 0.5 < high; ++step)
+    for (int step = std::max(first_visible, ceil_to_pixel(low - 0.5)); step < end_visible && step + 0.5 < high; ++step)
         pixels.push_back(pixel_at(step));
     if (d[major] < 0) std::reverse(pixels.begin(), pixels.end());
 
@@ -113,8 +114,8 @@ std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_given, const
 
 PixelRect point_square(const glm::dvec2& position_window, int size, const PixelRect& within) {
     const double to_centre = size % 2 == 0 ? 0.5 : 0;
-    const int x = floor_int(position_window.x + to_centre) - size / 2;
-    const int y = floor_int(position_window.y + to_centre) - size / 2;
+    const int x = floor_to_pixel(position_window.x + to_centre) - size / 2;
+    const int y = floor_to_pixel(position_window.y + to_centre) - size / 2;
     return {std::max(x, within.x0), std::max(y, within.y0), std::min(x + size, within.x1),
             std::min(y + size, within.y1)};
 }

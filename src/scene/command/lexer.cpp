@@ -16,22 +16,21 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' |
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     constexpr std::size_t kLongest = 40;
     std::string shown = "'";
     for (char c : text.substr(0, kLongest)) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte >= 0x20 && byte < 0x7F) {
+        if (byte >= 0x20 && byte < 0x7F)
             shown += c;
-        } else {
+        else
             shown += fmt::format("\\x{:02x}", byte);
-        }
     }
     return shown + (text.size() > kLongest ? "...'" : "'");
 }
 
-void fail(const Place& place, const std::string& message) {
-    throw SceneError(fmt::format("{}: {}", place.str(), message));
+void fail_with(const Place& place, fmt::string_view message, fmt::format_args values) {
+    throw SceneError(fmt::format("{}: {}", place.str(), fmt::vformat(message, values)));
 }
 
 Lexer::Lexer(std::string_view text, const std::string& file) : text_(text) {
@@ -94,10 +93,8 @@ void Lexer::directive() {
         return;
     }
     const bool asks_for_prototypes = name == "define" && line.ends_with("GL_GLEXT_PROTOTYPES");
-    if (name != "include" && name != "pragma" && !asks_for_prototypes) {
-        fail(start,
-             fmt::format("#{} is not part of a scene; only #include (passed over) and #pragma twinlight are", name));
-    }
+    if (name != "include" && name != "pragma" && !asks_for_prototypes)
+        fail(start, "#{} is not part of a scene; only #include (passed over) and #pragma twinlight are", name);
     while (position_ < line_end) advance();
 }
 
@@ -108,14 +105,12 @@ void Lexer::string() {
     while (position_ < text_.size() && text_[position_] != '"') {
         const auto byte = static_cast<unsigned char>(text_[position_]);
         if (byte == '\n') break;
-        if (byte < 0x20 || byte == 0x7F || byte == '\\') {
-            fail(place_, fmt::format("a string cannot hold {}", quoted(text_.substr(position_, 1))));
-        }
+        if (byte < 0x20 || byte == 0x7F || byte == '\\')
+            fail(place_, "a string cannot hold {}", in_quotes(text_.substr(position_, 1)));
         advance();
     }
-    if (position_ >= text_.size() || text_[position_] != '"') {
+    if (position_ >= text_.size() || text_[position_] != '"')
         fail(start, "this string is not closed on its line; end it with \"");
-    }
     advance();
 }
 
@@ -160,8 +155,8 @@ Token Lexer::next() {
     } else if (std::string_view("(){}[],;=+-*/|&").find(c) != std::string_view::npos) {
         advance();
     } else {
-        fail(place_, fmt::format("{} has no place in a scene; expected C statements such as glEnable(GL_LIGHTING);",
-                                 quoted(text_.substr(position_, 1))));
+        fail(place_, "{} has no place in a scene; expected C statements such as glEnable(GL_LIGHTING);",
+             in_quotes(text_.substr(position_, 1)));
     }
     token.text = text_.substr(start, position_ - start);
     return token;

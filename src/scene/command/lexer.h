@@ -1,7 +1,8 @@
 // The tokens of the C dialect.
 #pragma once
 
-#include <memory>
+#include <fmt/core.h>
+
 #include <string>
 #include <string_view>
 
@@ -48,8 +49,13 @@ class Lexer {
 };
 
 // What may be shown of untrusted text: printable, one line, not too long; in quotes.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
-[[noreturn]] void fail(const Place& place, const std::string& message);  // throws SceneError
+// Throws SceneError. The message is formatted by fmt.
+[[noreturn]] void fail_with(const Place& place, fmt::string_view message, fmt::format_args values);
+template <class... Values>
+[[noreturn]] void fail(const Place& place, fmt::format_string<Values...> message, Values&&... values) {
+    fail_with(place, message, fmt::make_format_args(values...));
+}
 
 }  // namespace twinlight

@@ -54,6 +54,20 @@ Kind c_type(Kind kind) {
     return kind;
 }
 
+std::optional<Kind> kind_of_type(Enum type) {
+    switch (type) {
+        case kGL_BYTE: return Kind::kByte;
+        case kGL_UNSIGNED_BYTE: return Kind::kUbyte;
+        case kGL_SHORT: return Kind::kShort;
+        case kGL_UNSIGNED_SHORT: return Kind::kUshort;
+        case kGL_INT: return Kind::kInt;
+        case kGL_UNSIGNED_INT: return Kind::kUint;
+        case kGL_FLOAT: return Kind::kFloat;
+        case kGL_DOUBLE: return Kind::kDouble;
+        default: return std::nullopt;
+    }
+}
+
 namespace {
 
 constexpr WholeRange range_of(Kind kind) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <tuple>
 
@@ -22,6 +23,8 @@ using CType = std::tuple_element_t<static_cast<std::size_t>(kind), CTypes>;
 std::size_t size_of(Kind kind);           // in bytes
 std::string_view c_type_name(Kind kind);  // "GLfloat"
 Kind c_type(Kind kind);                   // one kind for those that are the same C type (GLint and GLsizei, ...)
+// The kind of GL_BYTE to GL_DOUBLE, the types of arrays, pixels and names; nothing for other names.
+std::optional<Kind> kind_of_type(Enum type);
 inline bool is_real(Kind kind) { return kind == Kind::kFloat || kind == Kind::kDouble; }
 
 // The values that a kind of whole numbers can have; {0, 0} for real numbers, which have no such range.

@@ -17,7 +17,7 @@ std::size_t Object::length() const {
 }
 
 std::string shown(const Token& token) {
-    return token.kind == TokenKind::kEnd ? std::string(token.text) : quoted(token.text);
+    return token.kind == TokenKind::kEnd ? std::string(token.text) : in_quotes(token.text);
 }
 
 std::vector<Command> Reader::read() {
@@ -33,11 +33,10 @@ void Reader::advance() {
         primed_ = true;
         token_ = lexer_.next();
     }
-    if (token_.kind == TokenKind::kEnd) {
+    if (token_.kind == TokenKind::kEnd)
         ahead_ = token_;
-    } else {
+    else
         ahead_ = lexer_.next();
-    }
 }
 
 bool Reader::accept(std::string_view text) {
@@ -48,7 +47,7 @@ bool Reader::accept(std::string_view text) {
 
 void Reader::expect(std::string_view text, std::string_view where) {
     if (accept(text)) return;
-    fail(token_.place, fmt::format("expected '{}' {}, found {}", text, where, shown(token_)));
+    fail(token_.place, "expected '{}' {}, found {}", text, where, shown(token_));
 }
 
 // ---- Statements ----
@@ -57,16 +56,12 @@ void Reader::statement() {
     forget_literals();
     if (accept(";")) return;
     if (token_.kind == TokenKind::kPragma) return pragma();
-    if (token_.kind != TokenKind::kName) {
-        fail(token_.place, fmt::format("expected a statement such as glEnable(GL_LIGHTING); found {}", shown(token_)));
-    }
+    if (token_.kind != TokenKind::kName)
+        fail(token_.place, "expected a statement such as glEnable(GL_LIGHTING); found {}", shown(token_));
     if (token_.is("void") || (token_.is("static") && ahead_.is("void"))) return program();
-    for (std::string_view word : {"for", "while", "do", "if", "else", "switch", "return", "struct", "char"}) {
-        if (token_.is(word)) {
-            fail(token_.place,
-                 fmt::format("'{}' is not part of a scene: write the calls out one after the other", word));
-        }
-    }
+    for (std::string_view word : {"for", "while", "do", "if", "else", "switch", "return", "struct", "char"})
+        if (token_.is(word))
+            fail(token_.place, "'{}' is not part of a scene: write the calls out one after the other", word);
     if (token_.is("const") || token_.is("static") || at_type()) return declaration();
     if (ahead_.is("=") || ahead_.is("[")) return assignment();
     const std::string name(token_.text);
@@ -89,15 +84,15 @@ void Reader::program() {
     expect(")", fmt::format("after {}(: the function around a scene has no parameters", name.text));
     expect("{", fmt::format("after {}(void)", name.text));
     while (!token_.is("}")) {
-        if (token_.kind == TokenKind::kEnd) fail(first.place, "this function is never closed; end it with }");
+        if (token_.kind == TokenKind::kEnd) fail(first.place, "this function is never closed; end it with }}");
         statement();
     }
     program_read_ = name.is("draw_scene");
     if (program_read_) return;
     advance();
     if (token_.kind == TokenKind::kEnd) return;
-    fail(token_.place, fmt::format("nothing may follow {}, which is the scene: write what other functions call into it",
-                                   quoted(name.text)));
+    fail(token_.place, "nothing may follow {}, which is the scene: write what other functions call into it",
+         in_quotes(name.text));
 }
 
 void Reader::declaration() {
@@ -111,21 +106,20 @@ void Reader::declaration() {
         if (kind == Kind::kQuadric) expect("*", "after GLUquadric: scenes have pointers to quadrics only");
         const Token name = token_;
         if (name.kind != TokenKind::kName) {
-            fail(name.place, fmt::format("expected a variable's name, found {}{}", shown(name),
-                                         name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : ""));
+            fail(name.place, "expected a variable's name, found {}{}", shown(name),
+                 name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : "");
         }
         advance();
         if (token_.is("(")) {
-            fail(name.place, fmt::format("functions are not part of a scene: write what {} calls one after the other",
-                                         quoted(name.text)));
+            fail(name.place, "functions are not part of a scene: write what {} calls one after the other",
+                 in_quotes(name.text));
         }
-        if (variables_.contains(name.text)) {
-            fail(name.place,
-                 fmt::format("{} is declared already, at {}", quoted(name.text), variables_.at(name.text).place.str()));
-        }
+        if (variables_.contains(name.text))
+            fail(name.place, "{} is declared already, at {}", in_quotes(name.text),
+                 variables_.at(name.text).place.str());
         Object object{.kind = kind,
                       .dimensions = dimensions_in_brackets(),
-                      .shown = quoted(name.text),
+                      .shown = in_quotes(name.text),
                       .place = name.place,
                       .known = is_static,
                       .unknown_because = "it was declared without a value"};
@@ -155,14 +149,10 @@ void Reader::initialise(Object& object, const Token& name) {
             const std::size_t row = object.length();
             object.dimensions[0] = (values.size() + row - 1) / row;
         }
-        if (values.size() > object.length()) {
-            fail(name.place,
-                 fmt::format("{} has {} values, but its length is {}", object.shown, values.size(), object.length()));
-        }
+        if (values.size() > object.length())
+            fail(name.place, "{} has {} values, but its length is {}", object.shown, values.size(), object.length());
     }
-    if (object.length() == 0) {
-        fail(name.place, fmt::format("{} needs a length or values: GLfloat {}[4];", object.shown, name.text));
-    }
+    if (object.length() == 0) fail(name.place, "{} needs a length or values: GLfloat {}[4];", object.shown, name.text);
     allocate(object, name.place);
     if (has_values) fill(object, values);
 }
@@ -171,8 +161,8 @@ void Reader::initialise(Object& object, const Token& name) {
 void Reader::assignment() {
     const Token name = token_;
     const auto refuse = [&] {
-        fail(name.place, fmt::format("assignments are not part of a scene: give {} its value where it is declared",
-                                     quoted(name.text)));
+        fail(name.place, "assignments are not part of a scene: give {} its value where it is declared",
+             in_quotes(name.text));
     };
     advance();
     const std::optional<Lvalue> target = lvalue(name);
@@ -187,11 +177,9 @@ void Reader::assign_result(const Lvalue& target) {
     const Token name = token_;
     const Command& command = call();
     const Signature& sig = command.sig();
-    if (sig.c_arguments() == sig.parameters.size()) fail(name.place, fmt::format("{} returns nothing", sig.name));
-    if (sig.parameters.back().kind == Kind::kQuadric) {
-        fail(name.place,
-             fmt::format("{} returns a quadric: declare {} as a GLUquadric*", sig.name, target.object->shown));
-    }
+    if (sig.c_arguments() == sig.parameters.size()) fail(name.place, "{} returns nothing", sig.name);
+    if (sig.parameters.back().kind == Kind::kQuadric)
+        fail(name.place, "{} returns a quadric: declare {} as a GLUquadric*", sig.name, target.object->shown);
     const double value = converted(integer(static_cast<std::int64_t>(command.arguments.back())), target.object->kind,
                                    name.place, fmt::format("what {} returns", sig.name));
     const std::span<std::byte> bytes = writable(*target.object).bytes;
@@ -205,13 +193,12 @@ const Command& Reader::call() {
     const std::optional<CommandId> id = find_command_or_extension(name.text);
     if (!id) {
         std::vector<std::string_view> names;
-        for (const Signature& sig : signatures()) {
+        for (const Signature& sig : signatures())
             if (sig.family != Family::kPragma) names.push_back(sig.name);
-        }
         const auto near = nearest(name.text, names);
-        fail(name.place, fmt::format("unknown command {}{}", quoted(name.text),
-                                     near ? fmt::format("; did you mean {}?", *near)
-                                          : "; docs/scene-language.md lists the commands of a scene"));
+        fail(
+            name.place, "unknown command {}{}", in_quotes(name.text),
+            near ? fmt::format("; did you mean {}?", *near) : "; docs/scene-language.md lists the commands of a scene");
     }
     advance();
     Command command{*id, {}, name.place};
@@ -230,13 +217,11 @@ void Reader::pragma() {
     const std::optional<CommandId> id = name.kind == TokenKind::kName ? find_pragma(name.text) : std::nullopt;
     if (!id) {
         std::vector<std::string_view> names{"returns"};
-        for (const Signature& sig : signatures()) {
+        for (const Signature& sig : signatures())
             if (sig.family == Family::kPragma) names.push_back(sig.name);
-        }
         const auto near = nearest(name.text, names);
-        fail(name.place, fmt::format("unknown pragma {}; {}", shown(name),
-                                     near ? fmt::format("did you mean {}?", *near)
-                                          : fmt::format("Twinlight knows {}", fmt::join(names, ", "))));
+        fail(name.place, "unknown pragma {}; {}", shown(name),
+             near ? fmt::format("did you mean {}?", *near) : fmt::format("Twinlight knows {}", fmt::join(names, ", ")));
     }
     advance();
     Command command{*id, {}, place};
@@ -267,9 +252,7 @@ Dimensions Reader::dimensions_in_brackets() {
     while (token_.is("[")) {
         const Place place = token_.place;
         advance();
-        if (dimensions.size() == kMaxDimensions) {
-            fail(place, fmt::format("an array has at most {} dimensions", kMaxDimensions));
-        }
+        if (dimensions.size() == kMaxDimensions) fail(place, "an array has at most {} dimensions", kMaxDimensions);
         if (dimensions.empty() && accept("]")) {
             dimensions.push_back(0);
             continue;
@@ -278,9 +261,8 @@ Dimensions Reader::dimensions_in_brackets() {
         const Value length = number();
         expect("]", "after the array's length");
         if (!length.is_integer() || length.integer < 1 ||
-            length.integer > static_cast<std::int64_t>(kMaxArrayLength / total)) {
-            fail(length_place, fmt::format("an array's length is a whole number from 1 to {}", kMaxArrayLength));
-        }
+            length.integer > static_cast<std::int64_t>(kMaxArrayLength / total))
+            fail(length_place, "an array's length is a whole number from 1 to {}", kMaxArrayLength);
         dimensions.push_back(static_cast<std::size_t>(length.integer));
         total *= dimensions.back();
     }
@@ -298,10 +280,8 @@ void Reader::arrays_values(Kind kind, std::span<const std::size_t> dimensions, s
     expect("{", "at the start of the array's values");
     while (!token_.is("}")) {
         const Place place = token_.place;
-        if (position >= end) {
-            fail(place, is_open ? fmt::format("an array has at most {} values", kMaxArrayLength)
-                                : fmt::format("this row has more than {} values", end - start));
-        }
+        if (position >= end && is_open) fail(place, "an array has at most {} values", kMaxArrayLength);
+        if (position >= end) fail(place, "this row has more than {} values", end - start);
         if (token_.is("{")) {
             if (dimensions.size() == 1) fail(place, "these braces are one level too deep: expected a value");
             if ((position - start) % row != 0) fail(place, "this row starts in the middle of another");
@@ -319,9 +299,8 @@ void Reader::arrays_values(Kind kind, std::span<const std::size_t> dimensions, s
 }
 
 void Reader::hold(std::size_t bytes, const Place& place) {
-    if (bytes > kMaxMemoryBytes - bytes_) {
-        fail(place, fmt::format("all arrays of a scene hold {} MiB at the most together", kMaxMemoryBytes >> 20));
-    }
+    if (bytes > kMaxMemoryBytes - bytes_)
+        fail(place, "all arrays of a scene hold {} MiB at the most together", kMaxMemoryBytes >> 20);
     bytes_ += bytes;
 }
 
@@ -349,9 +328,8 @@ Memory& Reader::writable(Object& object) {
 
 // Compound literals live as long as their statement, and as the commands that point into them.
 void Reader::forget_literals() {
-    for (const Object& literal : literals_) {
+    for (const Object& literal : literals_)
         if (literal.memory.use_count() == 1) bytes_ -= literal.memory->bytes.size();
-    }
     literals_.clear();
 }
 

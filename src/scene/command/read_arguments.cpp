@@ -11,8 +11,7 @@ namespace twinlight {
 void Reader::arguments(Command& command, const Signature& sig) {
     const std::size_t wanted = sig.c_arguments();
     const auto wrong_count = [&](const Place& place, std::string_view found) {
-        fail(place, fmt::format("{} takes {} argument{}: {}; {}", sig.name, wanted, wanted == 1 ? "" : "s", sig.usage(),
-                                found));
+        fail(place, "{} takes {} argument{}: {}; {}", sig.name, wanted, wanted == 1 ? "" : "s", sig.usage(), found);
     };
     std::size_t given = 0;
     for (; given < wanted; ++given) {
@@ -27,11 +26,10 @@ void Reader::arguments(Command& command, const Signature& sig) {
     }
     if (token_.is(",")) wrong_count(token_.place, "more are given");
     expect(")", fmt::format("after the arguments of {}", sig.name));
-    if (wanted < sig.parameters.size()) {
+    if (wanted < sig.parameters.size())
         command.arguments.push_back(result(command, sig.parameters.back()));
-    } else if (returns_) {
-        fail(returns_place_, fmt::format("the next call is {}, which returns nothing", sig.name));
-    }
+    else if (returns_)
+        fail(returns_place_, "the next call is {}, which returns nothing", sig.name);
 }
 
 void Reader::argument(Command& command, std::size_t i) {
@@ -69,8 +67,8 @@ double Reader::word_argument(const Parameter& parameter) {
         std::vector<std::string_view> names;
         for (const NamedValue& known : words()) names.push_back(known.name);
         const auto near = nearest(token_.text, names);
-        fail(token_.place, fmt::format("expected a word for {}, found {}{}", parameter.name, shown(token_),
-                                       near ? fmt::format("; did you mean {}?", *near) : ""));
+        fail(token_.place, "expected a word for {}, found {}{}", parameter.name, shown(token_),
+             near ? fmt::format("; did you mean {}?", *near) : "");
     }
     advance();
     return *word;
@@ -81,15 +79,14 @@ void Reader::pointer_argument(Command& command, const Parameter& parameter) {
     const Token start = token_;
     const Value given = expression();
     if (!given.is_pointer() && !(given.is_integer() && given.integer == 0)) {
-        fail(start.place, fmt::format("the argument {} of {} is a pointer: an array, NULL, or an offset into a buffer "
-                                      "object such as (const void*)12",
-                                      parameter.name, command.name()));
+        fail(start.place,
+             "the argument {} of {} is a pointer: an array, NULL, or an offset into a buffer "
+             "object such as (const void*)12",
+             parameter.name, command.name());
     }
     if (given.object) {
-        if (!given.object->known) {
-            fail(start.place,
-                 fmt::format("{} has no value here: {}", given.object->shown, given.object->unknown_because));
-        }
+        if (!given.object->known)
+            fail(start.place, "{} has no value here: {}", given.object->shown, given.object->unknown_because);
         command.memory = given.object->memory;
     }
     command.arguments.push_back(static_cast<double>(given.offset));
@@ -98,10 +95,8 @@ void Reader::pointer_argument(Command& command, const Parameter& parameter) {
 // A picture's file in the scene's folder, "brick.png", read once however often it is named.
 void Reader::image_argument(Command& command) {
     const Token name = token_;
-    if (name.kind != TokenKind::kString) {
-        fail(name.place,
-             fmt::format("expected the name of a picture in quotes, such as \"brick.png\", found {}", shown(name)));
-    }
+    if (name.kind != TokenKind::kString)
+        fail(name.place, "expected the name of a picture in quotes, such as \"brick.png\", found {}", shown(name));
     advance();
     const std::string file(name.text.substr(1, name.text.size() - 2));
     auto found = images_.find(file);
@@ -116,7 +111,7 @@ void Reader::image_argument(Command& command) {
             auto memory = std::make_shared<const Memory>(Memory{Kind::kUbyte, std::move(image.rgba), file});
             found = images_.emplace(file, LoadedImage{image.width, image.height, std::move(memory)}).first;
         } catch (const std::runtime_error& error) {
-            fail(name.place, fmt::format("{}: {}", quoted(file), error.what()));
+            fail(name.place, "{}: {}", in_quotes(file), error.what());
         }
     }
     command.arguments.push_back(found->second.width);
@@ -128,9 +123,8 @@ namespace {
 
 // "glLightfv with GL_POSITION": for messages.
 std::string with_pname(std::string_view name, std::optional<Enum> pname) {
-    for (const NamedValue& row : gl_names()) {
+    for (const NamedValue& row : gl_names())
         if (pname && row.value == *pname) return fmt::format("{} with {}", name, row.name);
-    }
     return std::string(name);
 }
 
@@ -165,9 +159,9 @@ void Reader::written_argument(Command& command, const Parameter& parameter) {
                          (given.is_pointer() ? given.offset : given.integer) == 0;
     if (!given.object && !is_null) {
         fail(start.place,
-             fmt::format("the argument {} of {} is an array that it writes to, or NULL; a scene reads nothing "
-                         "back into buffer objects",
-                         parameter.name, command.name()));
+             "the argument {} of {} is an array that it writes to, or NULL; a scene reads nothing "
+             "back into buffer objects",
+             parameter.name, command.name());
     }
     if (given.object) forget_values(*given.object, command);
     command.arguments.push_back(given.object ? static_cast<double>(given.object->memory->bytes.size()) -
@@ -181,15 +175,14 @@ void Reader::array_argument(Command& command, std::size_t i) {
     const Token start = token_;
     const Value given = expression();
     if (!given.object) {
-        fail(start.place,
-             fmt::format("expected an array such as (GLfloat[]){{1, 0, 0, 1}} or the name of one, found {}",
-                         shown(start)));
+        fail(start.place, "expected an array such as (GLfloat[]){{1, 0, 0, 1}} or the name of one, found {}",
+             shown(start));
     }
     Object& object = *given.object;
     const Kind kind = given.kind.value_or(parameter.kind);
     if (c_type(kind) != c_type(parameter.kind)) {
-        fail(start.place, fmt::format("{} takes an array of {}, but {} is one of {}", name,
-                                      c_type_name(c_type(parameter.kind)), object.shown, c_type_name(c_type(kind))));
+        fail(start.place, "{} takes an array of {}, but {} is one of {}", name, c_type_name(c_type(parameter.kind)),
+             object.shown, c_type_name(c_type(kind)));
     }
     const std::size_t size = size_of(kind);
     const std::size_t available = (object.memory->bytes.size() - static_cast<std::size_t>(given.offset)) / size;
@@ -199,21 +192,18 @@ void Reader::array_argument(Command& command, std::size_t i) {
     const std::size_t length = length_of(command, i, pname).value_or(available);
     const bool is_written = parameter.is_output() || parameter.extent == Extent::kNewNames;
     if (available < length) {
-        fail(start.place,
-             fmt::format("{} {} {} value{}, but {} has {}", with_pname(name, pname), is_written ? "writes" : "reads",
-                         length, length == 1 ? "" : "s", object.shown, available));
+        fail(start.place, "{} {} {} value{}, but {} has {}", with_pname(name, pname), is_written ? "writes" : "reads",
+             length, length == 1 ? "" : "s", object.shown, available);
     }
     if (parameter.is_output()) return forget_values(object, command);
     constexpr std::size_t kShort = 16;  // what the text itself has room for
     if (length > kShort) hold(length * sizeof(double), start.place);
     if (parameter.extent == Extent::kNewNames) return give_names(command, *named_objects(parameter), given, length);
-    if (!object.known && length > 0) {
-        fail(start.place, fmt::format("{} has no value here: {}", object.shown, object.unknown_because));
-    }
+    if (!object.known && length > 0)
+        fail(start.place, "{} has no value here: {}", object.shown, object.unknown_because);
     const std::span<const std::byte> bytes = object.memory->bytes;
-    for (std::size_t n = 0; n < length; ++n) {
+    for (std::size_t n = 0; n < length; ++n)
         command.arguments.push_back(load(bytes.subspan(static_cast<std::size_t>(given.offset) + n * size), kind));
-    }
 }
 
 // The names of `count` new objects, recorded and written to the array. A compound literal may say them itself: where it

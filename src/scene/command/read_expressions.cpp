@@ -59,9 +59,8 @@ std::size_t product_of(std::span<const std::size_t> lengths) {
 }  // namespace
 
 std::optional<Kind> find_type(std::string_view name) {
-    for (const NamedType& type : kTypes) {
+    for (const NamedType& type : kTypes)
         if (type.name == name) return type.kind;
-    }
     return std::nullopt;
 }
 
@@ -89,9 +88,8 @@ Kind Reader::type_name() {
         return is_unsigned ? Kind::kUint : Kind::kInt;
     }
     const std::optional<Kind> kind = find_type(token_.text);
-    if (token_.kind != TokenKind::kName || !kind) {
-        fail(token_.place, fmt::format("expected a type such as GLfloat, found {}", shown(token_)));
-    }
+    if (token_.kind != TokenKind::kName || !kind)
+        fail(token_.place, "expected a type such as GLfloat, found {}", shown(token_));
     advance();
     while (accept("const")) {
     }
@@ -120,10 +118,8 @@ Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) {
     }
     if (a.is_pointer() && b.is_integer() && (o == '+' || o == '-')) return moved(op, a, b);
     if (b.is_pointer() && a.is_integer() && o == '+') return moved(op, b, a);
-    if (a.is_pointer() || b.is_pointer()) {
-        fail(op.place,
-             fmt::format("'{}' cannot join an array and this; a whole number is added to an array's name", o));
-    }
+    if (a.is_pointer() || b.is_pointer())
+        fail(op.place, "'{}' cannot join an array and this; a whole number is added to an array's name", o);
     if (o == '|') fail(op.place, "'|' joins whole numbers, such as GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
     const bool is_float = a.type != Value::Type::kDouble && b.type != Value::Type::kDouble;
     const double x = a.number(), y = b.number();
@@ -139,24 +135,26 @@ Value Reader::moved(const Token& op, Value pointer, const Value& by) {
                                           : __builtin_add_overflow(pointer.offset, bytes, &pointer.offset));
     const auto last = pointer.object ? static_cast<std::int64_t>(pointer.object->memory->bytes.size())
                                      : static_cast<std::int64_t>(whole_range(Kind::kSizeiptr).largest);
-    if (overflow || pointer.offset < 0 || pointer.offset > last) {
-        fail(op.place, pointer.object ? fmt::format("this place lies outside {}, which has {} values",
-                                                    pointer.object->shown, pointer.object->length())
-                                      : std::string("this offset is too large, or below 0"));
+    if (!overflow && pointer.offset >= 0 && pointer.offset <= last) return pointer;
+    if (!pointer.object) fail(op.place, "this offset is too large, or below 0");
+    fail(op.place, "this place lies outside {}, which has {} values", pointer.object->shown, pointer.object->length());
+}
+
+// Operands with one of the operators between each two.
+template <class Operand, class... Operators>
+Value Reader::left_to_right(const Operand& operand, Operators... operators) {
+    Value value = operand();
+    while ((token_.is(operators) || ...)) {
+        const Token op = token_;
+        advance();
+        value = arithmetic(op, value, operand());
     }
-    return pointer;
+    return value;
 }
 
 Value Reader::expression() {
-    if (++nesting_ > kMaxNesting) {
-        fail(token_.place, fmt::format("this expression is nested deeper than {}", kMaxNesting));
-    }
-    Value value = sum();
-    while (token_.is("|")) {
-        const Token op = token_;
-        advance();
-        value = arithmetic(op, value, sum());
-    }
+    if (++nesting_ > kMaxNesting) fail(token_.place, "this expression is nested deeper than {}", kMaxNesting);
+    const Value value = left_to_right([this] { return sum(); }, "|");
     --nesting_;
     return value;
 }
@@ -165,31 +163,13 @@ Value Reader::number() {
     const Token start = token_;
     const Value value = expression();
     if (!value.is_pointer()) return value;
-    fail(start.place,
-         value.object
-             ? fmt::format("{} is an array, and a single number is needed here; choose an element{}",
-                           value.object->shown, value.object->is_literal ? "" : fmt::format(": {}[0]", start.text))
-             : "a pointer stands here, and a number is needed");
+    if (!value.object) fail(start.place, "a pointer stands here, and a number is needed");
+    fail(start.place, "{} is an array, and a single number is needed here; choose an element{}", value.object->shown,
+         value.object->is_literal ? "" : fmt::format(": {}[0]", start.text));
 }
 
 Value Reader::sum() {
-    Value value = product();
-    while (token_.is("+") || token_.is("-")) {
-        const Token op = token_;
-        advance();
-        value = arithmetic(op, value, product());
-    }
-    return value;
-}
-
-Value Reader::product() {
-    Value value = unary();
-    while (token_.is("*") || token_.is("/")) {
-        const Token op = token_;
-        advance();
-        value = arithmetic(op, value, unary());
-    }
-    return value;
+    return left_to_right([this] { return left_to_right([this] { return unary(); }, "*", "/"); }, "+", "-");
 }
 
 Value Reader::unary() {
@@ -227,14 +207,12 @@ Value Reader::primary() {
     if (token.kind == TokenKind::kNumber) return literal(token);
     if (token.is("sizeof")) return size_of_operand();
     if (token.kind == TokenKind::kName) return named_value(token);
-    fail(token.place, fmt::format("expected a number or a GL name, found {}", shown(token)));
+    fail(token.place, "expected a number or a GL name, found {}", shown(token));
 }
 
 // (1 + 2), (GLfloat)1, (const void*)12, (GLfloat[]){1, 0, 0, 1}
 Value Reader::parenthesis() {
-    if (++nesting_ > kMaxNesting) {
-        fail(token_.place, fmt::format("this expression is nested deeper than {}", kMaxNesting));
-    }
+    if (++nesting_ > kMaxNesting) fail(token_.place, "this expression is nested deeper than {}", kMaxNesting);
     const Place place = token_.place;
     advance();
     Value value;
@@ -298,9 +276,8 @@ Value Reader::compound_literal(Kind kind, const Place& place) {
         const std::size_t row = product_of(std::span(object.dimensions).subspan(1));
         object.dimensions[0] = (values.size() + row - 1) / row;
     }
-    if (values.size() > object.length()) {
-        fail(place, fmt::format("this array has {} values, but its length is {}", values.size(), object.length()));
-    }
+    if (values.size() > object.length())
+        fail(place, "this array has {} values, but its length is {}", values.size(), object.length());
     allocate(object, place);
     fill(object, values);
     return value_of({&object, 0, object.dimensions}, place);
@@ -311,7 +288,7 @@ Value Reader::literal(const Token& token) {
     const bool hex = digits.starts_with("0x") || digits.starts_with("0X");
     const auto is_suffix = [](char c) { return std::string_view("uUlL").find(c) != std::string_view::npos; };
     const bool has_point = !hex && digits.find_first_of(".eE") != std::string_view::npos;
-    const auto bad = [&] { fail(token.place, fmt::format("{} is not a number", quoted(token.text))); };
+    const auto bad = [&] { fail(token.place, "{} is not a number", in_quotes(token.text)); };
     if (has_point) {
         const bool is_float = digits.ends_with('f') || digits.ends_with('F');
         if (is_float || digits.ends_with('l') || digits.ends_with('L')) digits.remove_suffix(1);
@@ -321,7 +298,7 @@ Value Reader::literal(const Token& token) {
         if (error == std::errc::result_out_of_range) {
             // Too small is 0 or a denormal, as in C; too large is an error.
             value = std::strtod(std::string(digits).c_str(), nullptr);
-            if (std::isinf(value)) fail(token.place, fmt::format("{} is too large for a double", quoted(token.text)));
+            if (std::isinf(value)) fail(token.place, "{} is too large for a double", in_quotes(token.text));
         }
         return real(value, is_float);
     }
@@ -333,9 +310,8 @@ Value Reader::literal(const Token& token) {
                                               hex     ? 16
                                               : octal ? 8
                                                       : 10);
-    if (error == std::errc::result_out_of_range) {
-        fail(token.place, fmt::format("{} is too large; write it with a point for a double", quoted(token.text)));
-    }
+    if (error == std::errc::result_out_of_range)
+        fail(token.place, "{} is too large; write it with a point for a double", in_quotes(token.text));
     if (significant.empty() || end != significant.data() + significant.size()) bad();
     return integer(value);
 }
@@ -381,8 +357,8 @@ std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
         expect("]", "after the index");
         const std::size_t length = result.dimensions.front();
         if (!index.is_integer() || index.integer < 0 || index.integer >= static_cast<std::int64_t>(length)) {
-            fail(place, fmt::format("this index lies outside {}, which has {} {}", object.shown, length,
-                                    result.dimensions.size() > 1 ? "rows" : "values"));
+            fail(place, "this index lies outside {}, which has {} {}", object.shown, length,
+                 result.dimensions.size() > 1 ? "rows" : "values");
         }
         result.dimensions.erase(result.dimensions.begin());
         result.offset += static_cast<std::size_t>(index.integer) * product_of(result.dimensions) * size_of(object.kind);
@@ -400,10 +376,8 @@ Value Reader::value_of(const Lvalue& lvalue, const Place& place) {
                 .kind = object.kind,
                 .step = size_of(object.kind) * product_of(std::span(lvalue.dimensions).subspan(1))};
     }
-    if (object.kind == Kind::kQuadric) {
-        fail(place, fmt::format("{} is a quadric, and a number is needed here", object.shown));
-    }
-    if (!object.known) fail(place, fmt::format("{} has no value here: {}", object.shown, object.unknown_because));
+    if (object.kind == Kind::kQuadric) fail(place, "{} is a quadric, and a number is needed here", object.shown);
+    if (!object.known) fail(place, "{} has no value here: {}", object.shown, object.unknown_because);
     const double value = load(std::span(object.memory->bytes).subspan(lvalue.offset), object.kind);
     if (is_real(object.kind)) return real(value, object.kind == Kind::kFloat);
     return integer(static_cast<std::int64_t>(value));
@@ -435,10 +409,10 @@ void Reader::unknown_name(const Token& name) {
     std::vector<std::string_view> names = visible_names();
     for (const NamedValue& row : gl_names()) names.push_back(row.name);
     const auto near = nearest(name.text, names);
-    fail(name.place, fmt::format("unknown name {}{}", quoted(name.text),
-                                 near             ? fmt::format("; did you mean {}?", *near)
-                                 : token_.is("(") ? "; a call cannot stand inside an expression"
-                                                  : ""));
+    fail(name.place, "unknown name {}{}", in_quotes(name.text),
+         near             ? fmt::format("; did you mean {}?", *near)
+         : token_.is("(") ? "; a call cannot stand inside an expression"
+                          : "");
 }
 
 std::vector<std::string_view> Reader::visible_names() const {
@@ -455,21 +429,15 @@ double Reader::converted(const Value& number, Kind kind, const Place& place, std
     if (is_real(kind)) {
         if (!std::isfinite(value) || kind == Kind::kDouble) return value;
         const auto rounded = static_cast<float>(value);
-        if (std::isinf(rounded)) {
-            fail(place, fmt::format("{} is {}, which does not fit into a GLfloat", what, value));
-        }
+        if (std::isinf(rounded)) fail(place, "{} is {}, which does not fit into a GLfloat", what, value);
         return static_cast<double>(rounded);
     }
-    if (kind == Kind::kEnum && !number.is_integer()) {
-        fail(place, fmt::format("{} must be a GL name such as GL_LIGHT0, not the number {}", what, value));
-    }
-    if (!(value == std::trunc(value))) {
-        fail(place, fmt::format("{} must be a whole number, not {}", what, value));
-    }
+    if (kind == Kind::kEnum && !number.is_integer())
+        fail(place, "{} must be a GL name such as GL_LIGHT0, not the number {}", what, value);
+    if (!(value == std::trunc(value))) fail(place, "{} must be a whole number, not {}", what, value);
     const WholeRange range = whole_range(kind);
-    if (value < range.smallest || value > range.largest) {
-        fail(place, fmt::format("{} is {}; it must be from {} to {}", what, value, range.smallest, range.largest));
-    }
+    if (value < range.smallest || value > range.largest)
+        fail(place, "{} is {}; it must be from {} to {}", what, value, range.smallest, range.largest);
     return value;
 }
 

@@ -30,14 +30,13 @@ double Reader::quadric_value() {
     const auto found = variables_.find(token.text);
     if (token.kind != TokenKind::kName || found == variables_.end() || found->second.kind != Kind::kQuadric) {
         const auto near = nearest(token.text, visible_names());
-        fail(token.place,
-             fmt::format("expected gluNewQuadric() or the name of a GLUquadric*, found {}{}", shown(token),
-                         near && found == variables_.end() ? fmt::format("; did you mean {}?", *near) : ""));
+        fail(token.place, "expected gluNewQuadric() or the name of a GLUquadric*, found {}{}", shown(token),
+             near && found == variables_.end() ? fmt::format("; did you mean {}?", *near) : "");
     }
     const Object& object = found->second;
     if (!object.known) {
-        fail(token.place, fmt::format("{} has no value here: {}; write {} = gluNewQuadric();", object.shown,
-                                      object.unknown_because, token.text));
+        fail(token.place, "{} has no value here: {}; write {} = gluNewQuadric();", object.shown, object.unknown_because,
+             token.text);
     }
     return load(object.memory->bytes, Kind::kQuadric);
 }
@@ -45,9 +44,7 @@ double Reader::quadric_value() {
 double Reader::quadric_argument(const Command& command) {
     const Place place = token_.place;
     const double quadric = quadric_value();
-    if (quadric == 0) {
-        fail(place, fmt::format("{} is given no quadric; make one by gluNewQuadric()", command.name()));
-    }
+    if (quadric == 0) fail(place, "{} is given no quadric; make one by gluNewQuadric()", command.name());
     return quadric;
 }
 

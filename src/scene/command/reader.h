@@ -117,8 +117,9 @@ class Reader {
     // -- expressions: bitwise or, sum, product, unary, primary; C's precedence (read_expressions.cpp) --
     Value expression();
     Value number();  // an expression that is no pointer
+    template <class Operand, class... Operators>
+    Value left_to_right(const Operand& operand, Operators... operators);
     Value sum();
-    Value product();
     Value unary();
     Value primary();
     Value parenthesis();

@@ -1,6 +1,5 @@
 #include "scene/scenes/images.h"
 
-#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <string>

@@ -4,7 +4,6 @@
 // A solid is one GL_TRIANGLES, two triangles a cell of the grid; seen from outside they turn clockwise, which glFrontFace
 // has to be told where it matters. Wires are a GL_LINE_STRIP for each row and column of each grid.
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "base/math/directions.h"

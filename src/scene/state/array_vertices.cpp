@@ -1,5 +1,4 @@
 // The vertices of glDrawArrays, glDrawElements and glArrayElement (2.8), element by element from the arrays.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <unordered_map>
@@ -11,23 +10,7 @@ namespace twinlight {
 
 namespace {
 
-GlError refused(Enum code, const Command& c, std::string message) { return {code, c.place, std::move(message), false}; }
-GlError undefined(Enum code, const Command& c, std::string message) {
-    return {code, c.place, std::move(message), true};
-}
-
-Kind kind_of(Enum type) {
-    switch (type) {
-        case kGL_BYTE: return Kind::kByte;
-        case kGL_UNSIGNED_BYTE: return Kind::kUbyte;
-        case kGL_SHORT: return Kind::kShort;
-        case kGL_UNSIGNED_SHORT: return Kind::kUshort;
-        case kGL_INT: return Kind::kInt;
-        case kGL_UNSIGNED_INT: return Kind::kUint;
-        case kGL_DOUBLE: return Kind::kDouble;
-        default: return Kind::kFloat;
-    }
-}
+Kind kind_of(Enum type) { return *kind_of_type(type); }  // of a legal array
 
 std::uint64_t element_bytes(const ArrayPointer& array) {
     return static_cast<std::uint64_t>(array.size) * size_of(kind_of(array.type));
@@ -98,21 +81,20 @@ std::optional<GlError> VertexArrays::check_memory(const Command& draw, std::uint
         const ArrayPointer& array = *one.array;
         const auto available = bytes(array);
         if (!available) {
-            return undefined(kGL_INVALID_OPERATION, draw,
-                             fmt::format("{} reads an array that leads nowhere: {} was given {}", draw.name(), one.name,
-                                         array.buffer != 0 ? "an array while a buffer object is bound; give an offset"
-                                                           : "NULL, or its buffer object was deleted"));
+            return undefined(kGL_INVALID_OPERATION, draw, "{} reads an array that leads nowhere: {} was given {}",
+                             draw.name(), one.name,
+                             array.buffer != 0 ? "an array while a buffer object is bound; give an offset"
+                                               : "NULL, or its buffer object was deleted");
         }
         // In double, where nothing overflows (strides are below 2^31, indices below 2^32, offsets below 2^53) and what a
         // memory may have is exact.
         const auto stride = static_cast<double>(step(array)), size = static_cast<double>(available->size());
         const double needed = static_cast<double>(largest) * stride + static_cast<double>(element_bytes(array));
         if (array.offset + static_cast<double>(smallest) * stride >= 0 && array.offset + needed <= size) continue;
-        return undefined(
-            kGL_INVALID_OPERATION, draw,
-            fmt::format("{} reads element {} of the array that {} was given, {} bytes from its start on, but "
-                        "it has {} bytes from there; mind the count, the indices and the stride",
-                        draw.name(), largest, one.name, needed, size - array.offset));
+        return undefined(kGL_INVALID_OPERATION, draw,
+                         "{} reads element {} of the array that {} was given, {} bytes from its start on, but "
+                         "it has {} bytes from there; mind the count, the indices and the stride",
+                         draw.name(), largest, one.name, needed, size - array.offset);
     }
     return std::nullopt;
 }
@@ -121,17 +103,15 @@ std::optional<GlError> VertexArrays::check_elements(const Command& draw) const {
     const Drawing d(draw);
     if (d.type != kGL_UNSIGNED_BYTE && d.type != kGL_UNSIGNED_SHORT && d.type != kGL_UNSIGNED_INT) {
         return refused(kGL_INVALID_ENUM, draw,
-                       fmt::format("{} is given the type {}; expected GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or "
-                                   "GL_UNSIGNED_INT",
-                                   draw.name(), enum_name(d.type)));
+                       "{} is given the type {}; expected GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT",
+                       draw.name(), enum_name(d.type));
     }
     const auto available = index_bytes(draw);
     const double needed = d.count * static_cast<double>(size_of(kind_of(d.type)));
     if (d.count > 0 && (!available || d.offset < 0 || d.offset + needed > static_cast<double>(available->size()))) {
-        return undefined(
-            kGL_INVALID_OPERATION, draw,
-            fmt::format("{} reads {} bytes of indices, but there are {}; mind the count and the type", draw.name(),
-                        needed, available ? std::max(0.0, static_cast<double>(available->size()) - d.offset) : 0.0));
+        return undefined(kGL_INVALID_OPERATION, draw,
+                         "{} reads {} bytes of indices, but there are {}; mind the count and the type", draw.name(),
+                         needed, available ? std::max(0.0, static_cast<double>(available->size()) - d.offset) : 0.0);
     }
     return std::nullopt;
 }
@@ -140,38 +120,31 @@ std::optional<GlError> VertexArrays::check(const Command& draw) const {
     for (const Named& one : enabled_arrays(client_)) {
         const BufferObject* object = one.array->buffer == 0 ? nullptr : buffer(one.array->buffer);
         if (object && object->mapped) {
-            return refused(kGL_INVALID_OPERATION, draw,
-                           fmt::format("{} draws from a mapped buffer; a glUnmapBuffer is missing", draw.name()));
+            return refused(kGL_INVALID_OPERATION, draw, "{} draws from a mapped buffer; a glUnmapBuffer is missing",
+                           draw.name());
         }
     }
     if (draw.id == CommandId::glArrayElement) {
-        if (draw.number(0) < 0) {
-            return undefined(kGL_INVALID_VALUE, draw, fmt::format("glArrayElement is given {}", draw.number(0)));
-        }
+        if (draw.number(0) < 0) return undefined(kGL_INVALID_VALUE, draw, "glArrayElement is given {}", draw.number(0));
         const auto index = static_cast<std::uint64_t>(draw.number(0));
         return check_memory(draw, index, index);
     }
     if (draw.id == CommandId::glDrawRangeElements && draw.number(2) < draw.number(1)) {
-        return refused(kGL_INVALID_VALUE, draw,
-                       fmt::format("the range of {} ends at {}, before its start {}", draw.name(), draw.number(2),
-                                   draw.number(1)));
+        return refused(kGL_INVALID_VALUE, draw, "the range of {} ends at {}, before its start {}", draw.name(),
+                       draw.number(2), draw.number(1));
     }
     const Drawing d(draw);
-    if (d.count < 0)
-        return refused(kGL_INVALID_VALUE, draw, fmt::format("the count of {} is {}", draw.name(), d.count));
+    if (d.count < 0) return refused(kGL_INVALID_VALUE, draw, "the count of {} is {}", draw.name(), d.count);
     if (d.mode > kGL_POLYGON) {
-        return refused(kGL_INVALID_ENUM, draw,
-                       fmt::format("{} is given {}; expected a primitive type, GL_POINTS to GL_POLYGON", draw.name(),
-                                   enum_name(d.mode)));
+        return refused(kGL_INVALID_ENUM, draw, "{} is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
+                       draw.name(), enum_name(d.mode));
     }
     if (d.count > kMaxDrawVertices) {
-        return undefined(kGL_OUT_OF_MEMORY, draw,
-                         fmt::format("{} draws {} vertices; {} are the most", draw.name(), d.count, kMaxDrawVertices));
+        return undefined(kGL_OUT_OF_MEMORY, draw, "{} draws {} vertices; {} are the most", draw.name(), d.count,
+                         kMaxDrawVertices);
     }
     if (draw.id == CommandId::glDrawArrays) {
-        if (d.first < 0) {
-            return undefined(kGL_INVALID_VALUE, draw, fmt::format("{} starts at {}", draw.name(), d.first));
-        }
+        if (d.first < 0) return undefined(kGL_INVALID_VALUE, draw, "{} starts at {}", draw.name(), d.first);
         if (d.count == 0) return std::nullopt;
         const auto first = static_cast<std::uint64_t>(d.first), count = static_cast<std::uint64_t>(d.count);
         return check_memory(draw, first, first + count - 1);

@@ -9,8 +9,6 @@ namespace twinlight {
 
 namespace {
 
-GlError refused(Enum code, const Command& c, std::string message) { return {code, c.place, std::move(message), false}; }
-
 // The types and sizes that each pointer command takes (table 2.4).
 struct Allowed {
     int smallest, largest;  // size
@@ -105,9 +103,9 @@ std::optional<GlError> VertexArrays::enable(const Command& c) {
     bool* on = enabled(c.enumerant(0));
     if (!on) {
         return refused(kGL_INVALID_ENUM, c,
-                       fmt::format("{} is given {}; expected GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, "
-                                   "GL_TEXTURE_COORD_ARRAY or GL_EDGE_FLAG_ARRAY",
-                                   c.name(), enum_name(c.enumerant(0))));
+                       "{} is given {}; expected GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, "
+                       "GL_TEXTURE_COORD_ARRAY or GL_EDGE_FLAG_ARRAY",
+                       c.name(), enum_name(c.enumerant(0)));
     }
     *on = c.id == CommandId::glEnableClientState;
     return std::nullopt;
@@ -130,18 +128,16 @@ std::optional<GlError> VertexArrays::set_pointer(const Command& c) {
     const double size = has_size ? c.number(next++) : allowed.smallest;
     const Enum type = has_type ? c.enumerant(next++) : allowed.types[0];
     const double stride = c.number(next++), offset = c.number(next);
-    if (stride < 0) return refused(kGL_INVALID_VALUE, c, fmt::format("the stride of {} is {}", c.name(), stride));
+    if (stride < 0) return refused(kGL_INVALID_VALUE, c, "the stride of {} is {}", c.name(), stride);
     if (std::find(allowed.types.begin(), allowed.types.end(), type) == allowed.types.end()) {
         std::vector<std::string> names;
         for (Enum one : allowed.types) names.push_back(enum_name(one));
-        return refused(
-            kGL_INVALID_ENUM, c,
-            fmt::format("{} is given the type {}; expected {}", c.name(), enum_name(type), fmt::join(names, ", ")));
+        return refused(kGL_INVALID_ENUM, c, "{} is given the type {}; expected {}", c.name(), enum_name(type),
+                       fmt::join(names, ", "));
     }
     if (size < allowed.smallest || size > allowed.largest) {
-        return refused(kGL_INVALID_VALUE, c,
-                       fmt::format("{} is given the size {}; it must be in [{}, {}]", c.name(), size, allowed.smallest,
-                                   allowed.largest));
+        return refused(kGL_INVALID_VALUE, c, "{} is given the size {}; it must be in [{}, {}]", c.name(), size,
+                       allowed.smallest, allowed.largest);
     }
     ArrayPointer& array = c.id == CommandId::glNormalPointer     ? client_.normal
                           : c.id == CommandId::glColorPointer    ? client_.color
@@ -155,11 +151,10 @@ std::optional<GlError> VertexArrays::set_pointer(const Command& c) {
 std::optional<GlError> VertexArrays::interleaved(const Command& c) {
     const Enum format = c.enumerant(0);
     const double stride = c.number(1), offset = c.number(2);
-    if (stride < 0) return refused(kGL_INVALID_VALUE, c, fmt::format("the stride of {} is {}", c.name(), stride));
+    if (stride < 0) return refused(kGL_INVALID_VALUE, c, "the stride of {} is {}", c.name(), stride);
     if (format < kGL_V2F || format > kGL_T4F_C4F_N3F_V4F) {
-        return refused(kGL_INVALID_ENUM, c,
-                       fmt::format("{} is given the format {}; expected GL_V2F to GL_T4F_C4F_N3F_V4F", c.name(),
-                                   enum_name(format)));
+        return refused(kGL_INVALID_ENUM, c, "{} is given the format {}; expected GL_V2F to GL_T4F_C4F_N3F_V4F",
+                       c.name(), enum_name(format));
     }
     const Interleaved& row = kInterleaved[format - kGL_V2F];
     const int step = stride > 0 ? static_cast<int>(stride) : row.stride * 4;
@@ -178,9 +173,8 @@ std::optional<GlError> VertexArrays::interleaved(const Command& c) {
 
 std::optional<GlError> wrong_texture_unit(const Command& c) {
     if (c.enumerant(0) - kGL_TEXTURE0 < kMaxTextureUnits) return std::nullopt;
-    return refused(kGL_INVALID_ENUM, c,
-                   fmt::format("{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(),
-                               enum_name(c.enumerant(0)), kMaxTextureUnits - 1));
+    return refused(kGL_INVALID_ENUM, c, "{} is given {}; expected GL_TEXTURE0 to GL_TEXTURE{}", c.name(),
+                   enum_name(c.enumerant(0)), kMaxTextureUnits - 1);
 }
 
 std::optional<GlError> VertexArrays::active_texture(const Command& c) {
@@ -194,17 +188,15 @@ std::optional<GlError> VertexArrays::active_texture(const Command& c) {
 std::optional<GlError> VertexArrays::push(const Command& c) {
     if (stack_.size() >= kClientAttributeStackDepth) {
         return refused(kGL_STACK_OVERFLOW, c,
-                       fmt::format("the client's attribute stack holds {} levels; a glPopClientAttrib is missing",
-                                   kClientAttributeStackDepth));
+                       "the client's attribute stack holds {} levels; a glPopClientAttrib is missing",
+                       kClientAttributeStackDepth);
     }
     stack_.push_back({client_, c.enumerant(0)});
     return std::nullopt;
 }
 
 std::optional<GlError> VertexArrays::pop(const Command& c) {
-    if (stack_.empty()) {
-        return refused(kGL_STACK_UNDERFLOW, c, "glPopClientAttrib without a glPushClientAttrib");
-    }
+    if (stack_.empty()) return refused(kGL_STACK_UNDERFLOW, c, "glPopClientAttrib without a glPushClientAttrib");
     if ((stack_.back().mask & kGL_CLIENT_VERTEX_ARRAY_BIT) != 0) client_ = std::move(stack_.back().client);
     stack_.pop_back();
     return std::nullopt;

@@ -80,19 +80,9 @@ class VertexArrays {
   private:
     using Result = std::optional<GlError>;
 
-    Result enable(const Command& c);
-    Result set_pointer(const Command& c);
-    Result interleaved(const Command& c);
-    Result active_texture(const Command& c);
-    Result push(const Command& c);
-    Result pop(const Command& c);
-    Result generate(const Command& c);
-    Result remove(const Command& c);
-    Result bind(const Command& c);
-    Result data(const Command& c);
-    Result sub_data(const Command& c);
-    Result map(const Command& c);
-    Result unmap(const Command& c);
+    using Change = Result(const Command&);
+    Change enable, set_pointer, interleaved, active_texture, push, pop;
+    Change generate, remove, bind, data, sub_data, map, unmap;
 
     std::uint32_t* binding(Enum target);
     BufferObject* bound(const Command& c, Result& error);  // of the target; null, and the error, where none is bound

@@ -1,5 +1,4 @@
 // glPushAttrib and glPopAttrib (6.1.14): which bit saves what, after tables 6.5 to 6.35.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -46,9 +45,8 @@ auto parameters(auto& texture) {
 void restore_enables(Attributes& now, const Attributes& saved) {
     capabilities(now) = capabilities(saved);
     for (std::size_t i = 0; i < kMaxLights; ++i) now.lighting.lights[i].enabled = saved.lighting.lights[i].enabled;
-    for (std::size_t i = 0; i < saved.clip_planes.size(); ++i) {
+    for (std::size_t i = 0; i < saved.clip_planes.size(); ++i)
         now.clip_planes[i].enabled = saved.clip_planes[i].enabled;
-    }
     for (std::size_t i = 0; i < saved.units.size(); ++i) {
         now.units[i].enabled_1d = saved.units[i].enabled_1d;
         now.units[i].enabled_2d = saved.units[i].enabled_2d;
@@ -115,9 +113,8 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
 
 void State::push_attrib(const Command& c) {
     if (attribute_stack_.size() >= kAttributeStackDepth) {
-        return raise(
-            kGL_STACK_OVERFLOW, c,
-            fmt::format("the attribute stack holds {} levels; a glPopAttrib is missing", kAttributeStackDepth));
+        return raise(kGL_STACK_OVERFLOW, c, "the attribute stack holds {} levels; a glPopAttrib is missing",
+                     kAttributeStackDepth);
     }
     SavedAttributes saved{a_, c.enumerant(0), {}, {}, c.place};
     parameters(saved.texture_1d) = parameters(bound_texture(kGL_TEXTURE_1D));
@@ -126,9 +123,7 @@ void State::push_attrib(const Command& c) {
 }
 
 void State::pop_attrib(const Command& c) {
-    if (attribute_stack_.empty()) {
-        return raise(kGL_STACK_UNDERFLOW, c, "glPopAttrib without a glPushAttrib");
-    }
+    if (attribute_stack_.empty()) return raise(kGL_STACK_UNDERFLOW, c, "glPopAttrib without a glPushAttrib");
     const SavedAttributes saved = std::move(attribute_stack_.back());
     attribute_stack_.pop_back();
     restore(a_, saved.attributes, saved.mask);

@@ -1,5 +1,4 @@
 // Buffer objects (2.9).
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -8,11 +7,6 @@
 namespace twinlight {
 
 namespace {
-
-GlError refused(Enum code, const Command& c, std::string message) { return {code, c.place, std::move(message), false}; }
-GlError undefined(Enum code, const Command& c, std::string message) {
-    return {code, c.place, std::move(message), true};
-}
 
 constexpr Enum kUsages[] = {kGL_STREAM_DRAW, kGL_STREAM_READ,  kGL_STREAM_COPY,  kGL_STATIC_DRAW, kGL_STATIC_READ,
                             kGL_STATIC_COPY, kGL_DYNAMIC_DRAW, kGL_DYNAMIC_READ, kGL_DYNAMIC_COPY};
@@ -23,10 +17,16 @@ std::optional<std::span<const std::byte>> source(const Command& c, double offset
     return std::span(c.memory->bytes).subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
+GlError wrong_target(const Command& c) {
+    return refused(kGL_INVALID_ENUM, c,
+                   "{} is given the target {}; expected GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER", c.name(),
+                   enum_name(c.enumerant(0)));
+}
+
 GlError beyond_memory(const Command& c, double offset, double size) {
     const double available = c.memory ? static_cast<double>(c.memory->bytes.size()) - offset : 0;
-    return undefined(kGL_INVALID_OPERATION, c,
-                     fmt::format("{} reads {} bytes, but the memory it is given has {}", c.name(), size, available));
+    return undefined(kGL_INVALID_OPERATION, c, "{} reads {} bytes, but the memory it is given has {}", c.name(), size,
+                     available);
 }
 
 }  // namespace
@@ -47,27 +47,22 @@ std::uint32_t* VertexArrays::binding(Enum target) {
 }
 
 std::optional<GlError> VertexArrays::generate(const Command& c) {
-    if (c.number(0) < 0) {
-        return refused(kGL_INVALID_VALUE, c, fmt::format("glGenBuffers is asked for {} buffers", c.number(0)));
-    }
+    if (c.number(0) < 0) return refused(kGL_INVALID_VALUE, c, "glGenBuffers is asked for {} buffers", c.number(0));
     for (double name : c.array()) buffers_.try_emplace(static_cast<std::uint32_t>(name), nullptr);
     return std::nullopt;
 }
 
 // What was bound is bound no more, in the arrays' pointers too; 0 and names that are not in use are passed over.
 std::optional<GlError> VertexArrays::remove(const Command& c) {
-    if (c.number(0) < 0) {
-        return refused(kGL_INVALID_VALUE, c, fmt::format("glDeleteBuffers is given {} buffers", c.number(0)));
-    }
+    if (c.number(0) < 0) return refused(kGL_INVALID_VALUE, c, "glDeleteBuffers is given {} buffers", c.number(0));
     for (double value : c.array()) {
         const auto name = static_cast<std::uint32_t>(value);
         const auto found = buffers_.find(name);
         if (name == 0 || found == buffers_.end()) continue;
         if (found->second) buffer_bytes_ -= found->second->bytes.size();
         buffers_.erase(found);
-        for (std::uint32_t* bound : {&client_.array_buffer, &client_.element_buffer, &pixel_pack_, &pixel_unpack_}) {
+        for (std::uint32_t* bound : {&client_.array_buffer, &client_.element_buffer, &pixel_pack_, &pixel_unpack_})
             if (*bound == name) *bound = 0;
-        }
         // An array that lay in it leads nowhere.
         const auto leave = [name](ArrayPointer& array) {
             if (array.buffer != name) return;
@@ -84,11 +79,7 @@ std::optional<GlError> VertexArrays::remove(const Command& c) {
 // A name that was never generated may be bound as well.
 std::optional<GlError> VertexArrays::bind(const Command& c) {
     std::uint32_t* bound = binding(c.enumerant(0));
-    if (!bound) {
-        return refused(kGL_INVALID_ENUM, c,
-                       fmt::format("{} is given the target {}; expected GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER",
-                                   c.name(), enum_name(c.enumerant(0))));
-    }
+    if (!bound) return wrong_target(c);
     *bound = c.enumerant(1);
     if (*bound == 0) return std::nullopt;
     std::shared_ptr<BufferObject>& buffer = buffers_[*bound];
@@ -98,19 +89,11 @@ std::optional<GlError> VertexArrays::bind(const Command& c) {
 
 BufferObject* VertexArrays::bound(const Command& c, Result& error) {
     const std::uint32_t* name = binding(c.enumerant(0));
-    if (!name) {
-        error = refused(kGL_INVALID_ENUM, c,
-                        fmt::format("{} is given the target {}; expected GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER",
-                                    c.name(), enum_name(c.enumerant(0))));
-        return nullptr;
-    }
-    if (*name == 0) {
-        error = refused(kGL_INVALID_OPERATION, c,
-                        fmt::format("{}: no buffer is bound to {}; a glBindBuffer is missing", c.name(),
-                                    enum_name(c.enumerant(0))));
-        return nullptr;
-    }
-    return buffers_.at(*name).get();
+    if (name && *name != 0) return buffers_.at(*name).get();
+    error = !name ? wrong_target(c)
+                  : refused(kGL_INVALID_OPERATION, c, "{}: no buffer is bound to {}; a glBindBuffer is missing",
+                            c.name(), enum_name(c.enumerant(0)));
+    return nullptr;
 }
 
 // glBufferData(target, size, data, usage)
@@ -120,16 +103,16 @@ std::optional<GlError> VertexArrays::data(const Command& c) {
     if (!buffer) return error;
     const double size = c.number(1), offset = c.number(2);
     const Enum usage = c.enumerant(3);
-    if (size < 0) return refused(kGL_INVALID_VALUE, c, fmt::format("the size of glBufferData is {}", size));
+    if (size < 0) return refused(kGL_INVALID_VALUE, c, "the size of glBufferData is {}", size);
     if (std::find(std::begin(kUsages), std::end(kUsages), usage) == std::end(kUsages)) {
         return refused(kGL_INVALID_ENUM, c,
-                       fmt::format("glBufferData is given the usage {}; expected GL_STATIC_DRAW, GL_DYNAMIC_DRAW, "
-                                   "GL_STREAM_DRAW, ...",
-                                   enum_name(usage)));
+                       "glBufferData is given the usage {}; expected GL_STATIC_DRAW, GL_DYNAMIC_DRAW, "
+                       "GL_STREAM_DRAW, ...",
+                       enum_name(usage));
     }
     if (size > static_cast<double>(kMaxBufferBytes - (buffer_bytes_ - buffer->bytes.size()))) {
-        return undefined(kGL_OUT_OF_MEMORY, c,
-                         fmt::format("all buffer objects hold {} MiB at the most together", kMaxBufferBytes >> 20));
+        return undefined(kGL_OUT_OF_MEMORY, c, "all buffer objects hold {} MiB at the most together",
+                         kMaxBufferBytes >> 20);
     }
     const bool is_null = !c.memory && offset == 0;
     const auto given = source(c, offset, size);
@@ -151,13 +134,11 @@ std::optional<GlError> VertexArrays::sub_data(const Command& c) {
     if (!buffer) return error;
     const double at = c.number(1), size = c.number(2), offset = c.number(3);
     if (at < 0 || size < 0 || at + size > static_cast<double>(buffer->bytes.size())) {
-        return refused(kGL_INVALID_VALUE, c,
-                       fmt::format("glBufferSubData writes {} bytes from {} on, but the buffer holds {}", size, at,
-                                   buffer->bytes.size()));
+        return refused(kGL_INVALID_VALUE, c, "glBufferSubData writes {} bytes from {} on, but the buffer holds {}",
+                       size, at, buffer->bytes.size());
     }
-    if (buffer->mapped) {
+    if (buffer->mapped)
         return refused(kGL_INVALID_OPERATION, c, "glBufferSubData on a mapped buffer; a glUnmapBuffer is missing");
-    }
     if (size == 0) return std::nullopt;
     const auto given = source(c, offset, size);
     if (!given) return beyond_memory(c, offset, size);
@@ -171,15 +152,14 @@ std::optional<GlError> VertexArrays::map(const Command& c) {
     const Enum access = c.enumerant(1);
     if (access != kGL_READ_ONLY && access != kGL_WRITE_ONLY && access != kGL_READ_WRITE) {
         return refused(kGL_INVALID_ENUM, c,
-                       fmt::format("glMapBuffer is given {}; expected GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE",
-                                   enum_name(access)));
+                       "glMapBuffer is given {}; expected GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE",
+                       enum_name(access));
     }
     Result error;
     BufferObject* buffer = bound(c, error);
     if (!buffer) return error;
-    if (buffer->mapped) {
+    if (buffer->mapped)
         return refused(kGL_INVALID_OPERATION, c, "this buffer is mapped already; a glUnmapBuffer is missing");
-    }
     buffer->mapped = true;
     return std::nullopt;
 }

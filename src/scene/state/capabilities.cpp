@@ -1,8 +1,6 @@
 // glEnable and glDisable: which capabilities there are, and which of them State follows.
 #include "scene/state/capabilities.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "scene/state/state.h"
@@ -71,9 +69,8 @@ template <class A>
 auto* followed(A& a, Enum cap) {
     using Flag = decltype(&a.lighting.enabled);
     if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMaxLights) return &a.lighting.lights[cap - kGL_LIGHT0].enabled;
-    if (cap >= kGL_CLIP_PLANE0 && cap < kGL_CLIP_PLANE0 + kMaxClipPlanes) {
+    if (cap >= kGL_CLIP_PLANE0 && cap < kGL_CLIP_PLANE0 + kMaxClipPlanes)
         return &a.clip_planes[cap - kGL_CLIP_PLANE0].enabled;
-    }
     switch (cap) {
         case kGL_LIGHTING: return &a.lighting.enabled;
         case kGL_COLOR_MATERIAL: return &a.lighting.color_material.enabled;
@@ -99,9 +96,8 @@ auto* followed(A& a, Enum cap) {
 
 std::optional<bool> State::capability(Enum cap) const {
     if (const bool* on = followed(a_, cap)) return *on;
-    for (const DriverOnlyCapability& row : driver_only_capabilities()) {
+    for (const DriverOnlyCapability& row : driver_only_capabilities())
         if (row.cap == cap) return a_.driver_only.contains({cap, row.of_unit() ? a_.active_unit : 0});
-    }
     return std::nullopt;
 }
 
@@ -116,19 +112,18 @@ void State::set_capability(const Command& c, bool enabled) {
     if (!known_capability(c)) return;
     const DriverOnlyCapability& row = driver_only_capability(cap);
     const std::pair key(cap, row.of_unit() ? a_.active_unit : 0);
-    if (enabled) {
+    if (enabled)
         a_.driver_only.emplace(key, c.place);
-    } else {
+    else
         a_.driver_only.erase(key);
-    }
 }
 
 bool State::known_capability(const Command& c) {
     const Enum cap = c.enumerant(0);
     if (capability(cap)) return true;
     raise(kGL_INVALID_ENUM, c,
-          fmt::format("{} is given {}, which is no capability; expected GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, ...",
-                      c.name(), enum_name(cap)));
+          "{} is given {}, which is no capability; expected GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, ...", c.name(),
+          enum_name(cap));
     return false;
 }
 

@@ -1,8 +1,6 @@
 // Drawing from vertex arrays (2.8): what the arrays hold becomes Draws; for the arrays themselves see arrays.h.
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -18,9 +16,8 @@ void State::client_arrays(const Command& c) {
         saved_pixel_stores_.pop_back();
     } else if (c.id == CommandId::glEnableClientState) {
         const Enum array = c.enumerant(0);
-        if (array == kGL_SECONDARY_COLOR_ARRAY || array == kGL_FOG_COORD_ARRAY) {
+        if (array == kGL_SECONDARY_COLOR_ARRAY || array == kGL_FOG_COORD_ARRAY)
             outside(fmt::format("{}({})", c.name(), enum_name(array)), c.place);
-        }
     }
 }
 

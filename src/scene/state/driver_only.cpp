@@ -55,9 +55,7 @@ void State::driver_only_secondary_color(const Command& c) {
     a_.secondary_color.reset();
     if (is_black) return;
     a_.secondary_color = c.place;
-    if (open_ && adds_secondary_color(*open_)) {
-        note_unsupported("glSecondaryColor", c.place);
-    }
+    if (open_ && adds_secondary_color(*open_)) note_unsupported("glSecondaryColor", c.place);
 }
 
 // 3.3, table 6.12.
@@ -71,11 +69,10 @@ void State::driver_only_point_parameter(const Command& c) {
                             : pname == kGL_POINT_SPRITE_COORD_ORIGIN
                                 ? values->front() == kGL_UPPER_LEFT
                                 : pname == kGL_POINT_FADE_THRESHOLD_SIZE;  // of multisampling only
-    if (is_initial) {
+    if (is_initial)
         a_.point_parameters.erase(pname);
-    } else {
+    else
         a_.point_parameters[pname] = c.place;
-    }
 }
 
 void State::note_driver_only_values(const Draw& draw) {
@@ -83,9 +80,8 @@ void State::note_driver_only_values(const Draw& draw) {
     if (a_.secondary_color && adds_secondary_color(draw)) note("glSecondaryColor", *a_.secondary_color);
     if (a_.fog_coordinates && draw.fog.enabled) note("glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)", *a_.fog_coordinates);
     if (!draw.draws_points()) return;
-    for (const auto& [pname, place] : a_.point_parameters) {
+    for (const auto& [pname, place] : a_.point_parameters)
         note(fmt::format("glPointParameter({})", enum_name(pname)), place);
-    }
 }
 
 // 3.6.3: scales and biases what every glTexImage gives.
@@ -106,18 +102,15 @@ void State::driver_only_pixel_transfer(const Command& c) {
 // 3.7. Without pixels it moves the raster position, and nothing is drawn.
 void State::driver_only_bitmap(const Command& c) {
     const int width = static_cast<int>(c.number(0)), height = static_cast<int>(c.number(1));
-    if (width < 0 || height < 0) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("glBitmap is given the size {} x {}", width, height));
-    }
+    if (width < 0 || height < 0)
+        return raise(kGL_INVALID_VALUE, c, "glBitmap is given the size {} x {}", width, height);
     const std::size_t needed = bitmap_bytes(width, height, pixel_store_);
     if (needed == 0) return;
     const double there = c.memory ? static_cast<double>(c.memory->bytes.size()) - c.number(6) : 0;
     if (!arrays_.pixel_unpack_buffer() && static_cast<double>(needed) > there) {
-        return raise(
-            kGL_INVALID_OPERATION, c,
-            fmt::format("glBitmap reads {} bytes, but the memory it is given has {}; mind GL_UNPACK_ALIGNMENT, "
-                        "{} here",
-                        needed, there, pixel_store_.unpack_alignment));
+        return raise(kGL_INVALID_OPERATION, c,
+                     "glBitmap reads {} bytes, but the memory it is given has {}; mind GL_UNPACK_ALIGNMENT, {} here",
+                     needed, there, pixel_store_.unpack_alignment);
     }
     driver_only_drawing(c);
 }
@@ -127,9 +120,8 @@ void State::driver_only_stipple(const Command& c) {
     constexpr int kSide = 32;
     const std::size_t needed = bitmap_bytes(kSide, kSide, pixel_store_);
     if (needed > c.array().size()) {
-        raise(kGL_INVALID_OPERATION, c,
-              fmt::format("glPolygonStipple reads {} bytes with this glPixelStore, but it is given {}", needed,
-                          c.array().size()));
+        raise(kGL_INVALID_OPERATION, c, "glPolygonStipple reads {} bytes with this glPixelStore, but it is given {}",
+              needed, c.array().size());
     }
 }
 
@@ -146,8 +138,8 @@ void State::driver_only_copy_image(const Command& c) {
                       width <= kMaxTextureSize >> level && height <= kMaxTextureSize >> level;
     const auto count = static_cast<std::size_t>(std::max(0, width)) * static_cast<std::size_t>(std::max(0, height));
     if (!fits) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("{} is given the level {} and the size {} x {}", c.name(), level, width, height));
+        return raise(kGL_INVALID_VALUE, c, "{} is given the level {} and the size {} x {}", c.name(), level, width,
+                     height);
     }
     if (!format) return;  // of depth, say
     if (!has_texels(c, static_cast<double>(count))) return;

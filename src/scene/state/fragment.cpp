@@ -1,5 +1,4 @@
 // Fog (3.10), the per-fragment operations (4.1) and clearing (4.2.3).
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -16,10 +15,8 @@ glm::dvec4 four(const Command& c) { return {c.number(0), c.number(1), c.number(2
 }  // namespace
 
 void State::scissor(const Command& c) {
-    if (c.number(2) < 0 || c.number(3) < 0) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("glScissor is given the size {} x {}", c.number(2), c.number(3)));
-    }
+    if (c.number(2) < 0 || c.number(3) < 0)
+        return raise(kGL_INVALID_VALUE, c, "glScissor is given the size {} x {}", c.number(2), c.number(3));
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     a_.fragment.scissor.box = {whole(0), whole(1), whole(2), whole(3)};
 }
@@ -34,14 +31,13 @@ void State::alpha_func(const Command& c) {
 
 // Tables 4.1 and 4.2: SRC_ALPHA_SATURATE is a source factor only (in 2.1; drivers of GL 3 and later allow both).
 void State::blend_func(const Command& c) {
-    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+    for (std::size_t i = 0; i < c.arguments.size(); ++i)
         if (!known(c, c.enumerant(i),
                    {kGL_ZERO, kGL_ONE, kGL_SRC_COLOR, kGL_ONE_MINUS_SRC_COLOR, kGL_DST_COLOR, kGL_ONE_MINUS_DST_COLOR,
                     kGL_SRC_ALPHA, kGL_ONE_MINUS_SRC_ALPHA, kGL_DST_ALPHA, kGL_ONE_MINUS_DST_ALPHA, kGL_CONSTANT_COLOR,
                     kGL_ONE_MINUS_CONSTANT_COLOR, kGL_CONSTANT_ALPHA, kGL_ONE_MINUS_CONSTANT_ALPHA,
                     kGL_SRC_ALPHA_SATURATE}))
             return;
-    }
     FragmentState& f = a_.fragment;
     f.blend_src = c.enumerant(0);
     f.blend_dst = c.enumerant(1);
@@ -51,11 +47,10 @@ void State::blend_func(const Command& c) {
 }
 
 void State::blend_equation(const Command& c) {
-    for (double mode : c.arguments) {
+    for (double mode : c.arguments)
         if (!known(c, static_cast<Enum>(mode),
                    {kGL_FUNC_ADD, kGL_FUNC_SUBTRACT, kGL_FUNC_REVERSE_SUBTRACT, kGL_MIN, kGL_MAX}))
             return;
-    }
     a_.fragment.blend_equation = c.enumerant(0);
     a_.fragment.blend_equation_alpha = c.enumerant(c.arguments.size() - 1);
 }
@@ -98,11 +93,10 @@ void State::clear(const Command& c) {
     constexpr Enum kBits = kGL_COLOR_BUFFER_BIT | kGL_DEPTH_BUFFER_BIT | kGL_STENCIL_BUFFER_BIT | kGL_ACCUM_BUFFER_BIT;
     const Enum mask = c.enumerant(0);
     if ((mask & ~kBits) != 0) {
-        return raise(
-            kGL_INVALID_VALUE, c,
-            fmt::format("glClear is given the bits {:#x}, which name no buffer; expected GL_COLOR_BUFFER_BIT | "
-                        "GL_DEPTH_BUFFER_BIT",
-                        mask & ~kBits));
+        return raise(kGL_INVALID_VALUE, c,
+                     "glClear is given the bits {:#x}, which name no buffer; expected GL_COLOR_BUFFER_BIT | "
+                     "GL_DEPTH_BUFFER_BIT",
+                     mask & ~kBits);
     }
     Clear clear = a_.clear;
     clear.color = (mask & kGL_COLOR_BUFFER_BIT) != 0 && a_.draws_color;

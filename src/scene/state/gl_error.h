@@ -1,7 +1,10 @@
 // An error as GL raises it (2.5), with the place of the command and what to do about it.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <string>
+#include <utility>
 
 #include "scene/command/command.h"
 
@@ -15,6 +18,17 @@ struct GlError {
     // driver must see the command.
     bool is_undefined = false;
 };
+
+// The error of a command. The message is formatted by fmt.
+template <class... Values>
+GlError refused(Enum code, const Command& command, fmt::format_string<Values...> message, Values&&... values) {
+    return {code, command.place, fmt::format(message, std::forward<Values>(values)...)};
+}
+// The same, where is_undefined.
+template <class... Values>
+GlError undefined(Enum code, const Command& command, fmt::format_string<Values...> message, Values&&... values) {
+    return {code, command.place, fmt::format(message, std::forward<Values>(values)...), true};
+}
 
 // How signed integers become colours and normals: (2c+1)/(2^b-1) up to GL 4.1, max(c/(2^(b-1)-1), -1) from 4.2 on
 // (GL 2.1 table 2.9; GL 4.2 section 2.3.4.1).

@@ -80,8 +80,7 @@ auto numbers_of(Source& source, Enum pname) {
 
 LightSource* State::light_source(const Command& c, Enum light) {
     if (light >= kGL_LIGHT0 && light < kGL_LIGHT0 + kMaxLights) return &a_.lighting.lights[light - kGL_LIGHT0];
-    raise(kGL_INVALID_ENUM, c,
-          fmt::format("{} is given {}; expected a light, GL_LIGHT0 to GL_LIGHT7", c.name(), enum_name(light)));
+    raise(kGL_INVALID_ENUM, c, "{} is given {}; expected a light, GL_LIGHT0 to GL_LIGHT7", c.name(), enum_name(light));
     return nullptr;
 }
 
@@ -92,25 +91,21 @@ std::optional<std::vector<double>> State::parameter_values(const Command& c, Own
     const bool is_vector = last.extent != Extent::kValue;
     if (!info) {
         std::vector<std::string> names;
-        for (const ParameterInfo& row : parameter_infos()) {
+        for (const ParameterInfo& row : parameter_infos())
             if (row.owner == owner) names.push_back(enum_name(row.pname));
-        }
-        raise(kGL_INVALID_ENUM, c,
-              fmt::format("{} is given {}; expected {}", c.name(), enum_name(pname), fmt::join(names, ", ")));
+        raise(kGL_INVALID_ENUM, c, "{} is given {}; expected {}", c.name(), enum_name(pname), fmt::join(names, ", "));
         return std::nullopt;
     }
     if (!is_vector && info->count > 1) {
-        raise(kGL_INVALID_ENUM, c,
-              fmt::format("{} sets one value, and {} has {}; use {}v", c.name(), enum_name(pname), info->count,
-                          c.name()));
+        raise(kGL_INVALID_ENUM, c, "{} sets one value, and {} has {}; use {}v", c.name(), enum_name(pname), info->count,
+              c.name());
         return std::nullopt;
     }
     const std::size_t first = c.sig().parameters.size() - 1;
     std::vector<double> values(c.arguments.begin() + static_cast<std::ptrdiff_t>(first), c.arguments.end());
     values.resize(static_cast<std::size_t>(info->count), 0.0);
-    if (info->meaning == Meaning::kColor) {
+    if (info->meaning == Meaning::kColor)
         for (double& v : values) v = to_real(v, last.kind);
-    }
     if (owner == Owner::kPixelStore) values[0] = std::round(values[0]);  // 3.6.1
     const bool is_cutoff = pname == kGL_SPOT_CUTOFF;
     const double value = values[0];
@@ -121,7 +116,7 @@ std::optional<std::vector<double>> State::parameter_values(const Command& c, Own
                                   : std::isinf(info->largest)
                                       ? "0 or more"
                                       : fmt::format("in [{}, {}]", info->smallest, info->largest);
-        raise(kGL_INVALID_VALUE, c, fmt::format("{} is {}; it must be {}", enum_name(pname), value, range));
+        raise(kGL_INVALID_VALUE, c, "{} is {}; it must be {}", enum_name(pname), value, range);
         return std::nullopt;
     }
     return values;
@@ -136,13 +131,12 @@ void State::light(const Command& c) {
 
 void State::set_light(LightSource& source, Enum pname, const std::vector<double>& values) const {
     // 2.14.1: transformed by the modelview matrix in force at the call; a direction by its upper left 3x3.
-    if (pname == kGL_POSITION) {
+    if (pname == kGL_POSITION)
         source.position_eye = modelview() * vec4(values);
-    } else if (pname == kGL_SPOT_DIRECTION) {
+    else if (pname == kGL_SPOT_DIRECTION)
         source.spot_direction_eye = glm::dmat3(modelview()) * glm::dvec3(values[0], values[1], values[2]);
-    } else {
+    else
         std::ranges::copy(values, numbers_of(source, pname).begin());
-    }
     if (pname == kGL_DIFFUSE) source.diffuse_illuminant = {};
     if (pname == kGL_SPECULAR) source.specular_illuminant = {};
 }
@@ -228,9 +222,8 @@ void State::track_color() {
     if (!a_.lighting.color_material.enabled) return;
     for (Enum one_face : {kGL_FRONT, kGL_BACK}) {
         Material& material = one_face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
-        for (Enum property : properties(a_.lighting.color_material.mode)) {
+        for (Enum property : properties(a_.lighting.color_material.mode))
             if (covers(a_.lighting.color_material.face, one_face)) set_color(material, property, a_.current.color);
-        }
     }
 }
 
@@ -246,9 +239,8 @@ std::vector<double> State::get_material(Enum face, Enum pname) const {
     if (face != kGL_FRONT && face != kGL_BACK) return {};
     Material material = face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
     if (pname == kGL_SHININESS) return {material.shininess};
-    if (pname == kGL_COLOR_INDEXES) {
+    if (pname == kGL_COLOR_INDEXES)
         return {material.color_indexes.x, material.color_indexes.y, material.color_indexes.z};
-    }
     const glm::dvec4* color = color_of(material, pname);
     return color ? std::vector<double>{color->r, color->g, color->b, color->a} : std::vector<double>{};
 }
@@ -256,50 +248,41 @@ std::vector<double> State::get_material(Enum face, Enum pname) const {
 void State::get_light(const Command& c) {
     const auto self = static_cast<const State*>(this);
     if (!light_source(c, c.enumerant(0))) return;
-    if (self->get_light(c.enumerant(0), c.enumerant(1)).empty()) {
-        raise(kGL_INVALID_ENUM, c,
-              fmt::format("{} is given {}, which lights do not have", c.name(), enum_name(c.enumerant(1))));
-    }
+    if (self->get_light(c.enumerant(0), c.enumerant(1)).empty())
+        raise(kGL_INVALID_ENUM, c, "{} is given {}, which lights do not have", c.name(), enum_name(c.enumerant(1)));
 }
 
 void State::get_material(const Command& c) {
     const auto self = static_cast<const State*>(this);
     if (!known(c, c.enumerant(0), {kGL_FRONT, kGL_BACK})) return;
     if (self->get_material(c.enumerant(0), c.enumerant(1)).empty()) {
-        raise(kGL_INVALID_ENUM, c,
-              fmt::format("{} is given {}, which cannot be asked of a material", c.name(), enum_name(c.enumerant(1))));
+        raise(kGL_INVALID_ENUM, c, "{} is given {}, which cannot be asked of a material", c.name(),
+              enum_name(c.enumerant(1)));
     }
 }
 
 // ---- The lecture's variants: pragmas ----
 
 void State::specular_model(const Command& c) {
-    if (c.word(0) == Word::half_vector || c.word(0) == Word::reflection) {
+    if (c.word(0) == Word::half_vector || c.word(0) == Word::reflection)
         a_.lighting.light_model.specular = c.word(0);
-    } else {
-        raise(kGL_INVALID_ENUM, c,
-              fmt::format("specular({}); expected half_vector or reflection", word_name(c.word(0))));
-    }
+    else
+        raise(kGL_INVALID_ENUM, c, "specular({}); expected half_vector or reflection", word_name(c.word(0)));
 }
 
 void State::ambient_model(const Command& c) {
-    if (c.word(0) == Word::attenuated || c.word(0) == Word::unattenuated) {
+    if (c.word(0) == Word::attenuated || c.word(0) == Word::unattenuated)
         a_.lighting.light_model.light_ambient = c.word(0);
-    } else {
-        raise(kGL_INVALID_ENUM, c,
-              fmt::format("ambient({}); expected attenuated or unattenuated", word_name(c.word(0))));
-    }
+    else
+        raise(kGL_INVALID_ENUM, c, "ambient({}); expected attenuated or unattenuated", word_name(c.word(0)));
 }
 
 void State::spot_cone(const Command& c) {
     LightSource* source = light_source(c, c.enumerant(0));
     if (!source) return;
-    for (double degrees : {c.number(1), c.number(2)}) {
-        if (degrees < 0 || degrees > 180) {
-            return raise(kGL_INVALID_VALUE, c,
-                         fmt::format("the cone's half angle is {} degrees; it must be in [0, 180]", degrees));
-        }
-    }
+    for (double degrees : {c.number(1), c.number(2)})
+        if (degrees < 0 || degrees > 180)
+            return raise(kGL_INVALID_VALUE, c, "the cone's half angle is {} degrees; it must be in [0, 180]", degrees);
     source->smooth_cone = LightSource::SmoothCone{c.number(1), c.number(2)};
 }
 
@@ -308,15 +291,14 @@ void State::extra_light(const Command& c) {
     const double number = c.number(0);
     if (!(number >= kMaxLights && number < kMaxExtraLights)) {
         return raise(kGL_INVALID_ENUM, c,
-                     fmt::format("light({}); expected a number from {} to {}: GL_LIGHT0 to GL_LIGHT7 are glLight's",
-                                 number, kMaxLights, kMaxExtraLights - 1));
+                     "light({}); expected a number from {} to {}: GL_LIGHT0 to GL_LIGHT7 are glLight's", number,
+                     kMaxLights, kMaxExtraLights - 1);
     }
     const Enum pname = c.enumerant(1);
     const ParameterInfo* info = find_parameter(Owner::kLight, pname);
     if (info && c.arguments.size() != 2 + static_cast<std::size_t>(info->count)) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("{} has {} value{}, here {}", enum_name(pname), info->count,
-                                 info->count == 1 ? "" : "s", c.arguments.size() - 2));
+        return raise(kGL_INVALID_VALUE, c, "{} has {} value{}, here {}", enum_name(pname), info->count,
+                     info->count == 1 ? "" : "s", c.arguments.size() - 2);
     }
     const auto values = parameter_values(c, Owner::kLight, pname);
     if (!values) return;

@@ -1,14 +1,12 @@
 // glNewList, glCallList and what belongs to them (5.4).
 #include "scene/state/lists.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "scene/command/command_set.h"
+#include "scene/command/memory.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -33,50 +31,26 @@ bool reads_pixels(const Command& c) {
     return std::ranges::any_of(c.sig().parameters, names_pixels);
 }
 
-template <class T>
-T value_at(const std::byte* at) {
-    T value;
-    std::memcpy(&value, at, sizeof value);
-    return value;
-}
-
 }  // namespace
 
 std::uint32_t list_name(std::span<const std::byte> bytes, Enum type) {
-    const std::byte* at = bytes.data();
-    const auto byte = [at](int i) { return std::to_integer<std::uint32_t>(at[i]); };
-    switch (type) {
-        case kGL_BYTE: return static_cast<std::uint32_t>(value_at<std::int8_t>(at));
-        case kGL_UNSIGNED_BYTE: return byte(0);
-        case kGL_SHORT: return static_cast<std::uint32_t>(value_at<std::int16_t>(at));
-        case kGL_UNSIGNED_SHORT: return value_at<std::uint16_t>(at);
-        case kGL_FLOAT: {
-            const auto real = value_at<float>(at);
-            if (std::isnan(real)) return 0;
-            return static_cast<std::uint32_t>(
-                static_cast<std::int64_t>(std::clamp(real, -2147483648.0F, 4294967040.0F)));
-        }
-        case kGL_2_BYTES: return byte(0) << 8 | byte(1);
-        case kGL_3_BYTES: return byte(0) << 16 | byte(1) << 8 | byte(2);
-        case kGL_4_BYTES: return byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
-        default: return value_at<std::uint32_t>(at);
+    if (const std::optional<Kind> kind = kind_of_type(type)) {
+        const double value = load(bytes, *kind);
+        if (std::isnan(value)) return 0;
+        constexpr double kLargestFloat = 4294967040;  // below 2^32
+        return static_cast<std::uint32_t>(
+            static_cast<std::int64_t>(is_real(*kind) ? std::clamp(value, -2147483648.0, kLargestFloat) : value));
     }
+    std::uint32_t name = 0;  // of GL_2_BYTES and its like: the highest byte first
+    for (const std::byte byte : bytes.first(static_cast<std::size_t>(list_name_bytes(type))))
+        name = name << 8 | std::to_integer<std::uint32_t>(byte);
+    return name;
 }
 
 int list_name_bytes(Enum type) {
-    switch (type) {
-        case kGL_BYTE:
-        case kGL_UNSIGNED_BYTE: return 1;
-        case kGL_SHORT:
-        case kGL_UNSIGNED_SHORT:
-        case kGL_2_BYTES: return 2;
-        case kGL_3_BYTES: return 3;
-        case kGL_INT:
-        case kGL_UNSIGNED_INT:
-        case kGL_FLOAT:
-        case kGL_4_BYTES: return 4;
-        default: return 0;
-    }
+    if (type >= kGL_2_BYTES && type <= kGL_4_BYTES) return 2 + static_cast<int>(type - kGL_2_BYTES);
+    const std::optional<Kind> kind = type == kGL_DOUBLE ? std::nullopt : kind_of_type(type);
+    return kind ? static_cast<int>(size_of(*kind)) : 0;
 }
 
 std::size_t ListedCommand::bytes() const {
@@ -122,8 +96,7 @@ bool State::compile(const Command& c) {
     lists_.open->sends_vertices |= kSendsVertices.contains(c.id);
     bytes += listed.bytes();
     if (bytes > kMaxListedBytes - lists_.bytes - lists_.open->bytes) {
-        raise(kGL_OUT_OF_MEMORY, c,
-              fmt::format("all display lists hold {} MiB at the most together", kMaxListedBytes >> 20));
+        raise(kGL_OUT_OF_MEMORY, c, "all display lists hold {} MiB at the most together", kMaxListedBytes >> 20);
         return true;
     }
     lists_.open->bytes += bytes;
@@ -142,9 +115,8 @@ std::size_t State::compile_calls(const Command& c) {
         const std::byte* at = c.memory->bytes.data() + static_cast<std::size_t>(offset);
         for (double i = 0; i < count; ++i, at += size)
             names.push_back(list_name({at, static_cast<std::size_t>(size)}, c.enumerant(1)));
-        if (std::ranges::find(names, 0U) != names.end()) {
+        if (std::ranges::find(names, 0U) != names.end())
             note_unsupported("glCallLists with a name 0, in a list", c.place, MissingFrom::kFixedFunction);
-        }
     }
     std::vector<std::uint32_t>& calls = lists_.open->calls;
     for (std::uint32_t name : names) {
@@ -175,11 +147,9 @@ bool State::walk_calls(const Command& c, const DisplayList& list) {
         if (found == lists_.named.end()) continue;
         if (!has_time(c, 1 + static_cast<double>(found->second->commands.size()))) return false;
         if (levels.size() >= kMaxListDepth) {
-            raise(
-                kGL_OUT_OF_MEMORY, c,
-                fmt::format("this list sends vertices and calls lists that stand deeper than {} in each other, or in a "
-                            "circle",
-                            kMaxListDepth));
+            raise(kGL_OUT_OF_MEMORY, c,
+                  "this list sends vertices and calls lists that stand deeper than {} in each other, or in a circle",
+                  kMaxListDepth);
             return false;
         }
         levels.push_back({found->second, found->second.get()});
@@ -189,20 +159,18 @@ bool State::walk_calls(const Command& c, const DisplayList& list) {
 
 void State::gen_lists(const Command& c) {
     // The names are those of empty lists from now on. No command can tell such a list from none, so none is kept.
-    if (c.number(0) < 0) raise(kGL_INVALID_VALUE, c, fmt::format("glGenLists is asked for {} lists", c.number(0)));
+    if (c.number(0) < 0) raise(kGL_INVALID_VALUE, c, "glGenLists is asked for {} lists", c.number(0));
 }
 
 void State::new_list(const Command& c) {
     const std::uint32_t name = c.enumerant(0);
     if (name == 0) return raise(kGL_INVALID_VALUE, c, "glNewList is given the name 0; names begin at 1");
     if (!known(c, c.enumerant(1), {kGL_COMPILE, kGL_COMPILE_AND_EXECUTE})) return;
-    if (lists_.named.size() >= kMaxLists && !lists_.named.contains(name)) {
-        return raise(kGL_OUT_OF_MEMORY, c, fmt::format("there are {} lists at the most", kMaxLists));
-    }
+    if (lists_.named.size() >= kMaxLists && !lists_.named.contains(name))
+        return raise(kGL_OUT_OF_MEMORY, c, "there are {} lists at the most", kMaxLists);
     if (lists_.open_name != 0) {
-        return raise(
-            kGL_INVALID_OPERATION, c,
-            fmt::format("glNewList inside glNewList; the first, at {}, has no glEndList yet", lists_.opened.str()));
+        return raise(kGL_INVALID_OPERATION, c, "glNewList inside glNewList; the first, at {}, has no glEndList yet",
+                     lists_.opened.str());
     }
     lists_.open_name = name;
     lists_.open_mode = c.enumerant(1);
@@ -220,9 +188,7 @@ void State::end_list(const Command& c) {
 }
 
 void State::delete_lists(const Command& c) {
-    if (c.number(1) < 0) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("glDeleteLists is given the range {}", c.number(1)));
-    }
+    if (c.number(1) < 0) return raise(kGL_INVALID_VALUE, c, "glDeleteLists is given the range {}", c.number(1));
     const double first = c.number(0), end = first + c.number(1);
     auto it = lists_.named.lower_bound(c.enumerant(0));
     while (it != lists_.named.end() && it->first < end) {
@@ -240,17 +206,16 @@ void State::call_lists(const Command& c) {
     const Enum type = c.enumerant(1);
     const int size = list_name_bytes(type);
     if (size == 0) {
-        return raise(
-            kGL_INVALID_ENUM, c,
-            fmt::format("glCallLists is given the type {}; expected GL_UNSIGNED_BYTE, GL_INT, ...", enum_name(type)));
+        return raise(kGL_INVALID_ENUM, c, "glCallLists is given the type {}; expected GL_UNSIGNED_BYTE, GL_INT, ...",
+                     enum_name(type));
     }
-    if (count < 0) return raise(kGL_INVALID_VALUE, c, fmt::format("glCallLists is given {} names", count));
+    if (count < 0) return raise(kGL_INVALID_VALUE, c, "glCallLists is given {} names", count);
     if (count == 0 || !c.memory) return;
     const double offset = c.number(2), bytes = static_cast<double>(c.memory->bytes.size());
     if (offset < 0 || offset + count * size > bytes) {
         return raise(kGL_INVALID_OPERATION, c,
-                     fmt::format("glCallLists reads {} names of {} bytes, but the memory it is given has {} bytes",
-                                 count, size, std::max(0.0, bytes - offset)));
+                     "glCallLists reads {} names of {} bytes, but the memory it is given has {} bytes", count, size,
+                     std::max(0.0, bytes - offset));
     }
     const std::byte* names = c.memory->bytes.data() + static_cast<std::size_t>(offset);
     const std::uint32_t base = a_.list_base;

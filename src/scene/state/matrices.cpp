@@ -1,5 +1,4 @@
 // The matrix commands (2.11.2), GLU's (gluPerspective, gluLookAt, gluOrtho2D) and the viewport (2.11.1).
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,17 +71,16 @@ void State::load_identity(const Command&) { stack().back().matrix = glm::dmat4(1
 
 void State::push_matrix(const Command& c) {
     if (stack().size() >= stack_limit()) {
-        return raise(kGL_STACK_OVERFLOW, c,
-                     fmt::format("the {} stack holds {} matrices; a glPopMatrix is missing", enum_name(a_.matrix_mode),
-                                 stack_limit()));
+        return raise(kGL_STACK_OVERFLOW, c, "the {} stack holds {} matrices; a glPopMatrix is missing",
+                     enum_name(a_.matrix_mode), stack_limit());
     }
     stack().push_back({stack().back().matrix, c.place});
 }
 
 void State::pop_matrix(const Command& c) {
     if (stack().size() == 1) {
-        return raise(kGL_STACK_UNDERFLOW, c,
-                     fmt::format("glPopMatrix without a glPushMatrix on the {} stack", enum_name(a_.matrix_mode)));
+        return raise(kGL_STACK_UNDERFLOW, c, "glPopMatrix without a glPushMatrix on the {} stack",
+                     enum_name(a_.matrix_mode));
     }
     stack().pop_back();
 }
@@ -102,9 +100,8 @@ void State::mult_transpose_matrix(const Command& c) { multiply(glm::transpose(gl
 void State::clip_plane(const Command& c) {
     const Enum plane = c.enumerant(0);
     if (plane < kGL_CLIP_PLANE0 || plane >= kGL_CLIP_PLANE0 + kMaxClipPlanes) {
-        return raise(
-            kGL_INVALID_ENUM, c,
-            fmt::format("glClipPlane is given {}; expected GL_CLIP_PLANE0 to GL_CLIP_PLANE0 + 7", enum_name(plane)));
+        return raise(kGL_INVALID_ENUM, c, "glClipPlane is given {}; expected GL_CLIP_PLANE0 to GL_CLIP_PLANE0 + 7",
+                     enum_name(plane));
     }
     const glm::dvec4 equation(c.number(1), c.number(2), c.number(3), c.number(4));
     const bool singular = glm::determinant(modelview()) == 0;
@@ -137,9 +134,8 @@ void State::frustum(const Command& c) {
 
 void State::ortho(const Command& c) {
     const double l = c.number(0), r = c.number(1), b = c.number(2), t = c.number(3), n = c.number(4), f = c.number(5);
-    if (l == r || b == t || n == f) {
+    if (l == r || b == t || n == f)
         return raise(kGL_INVALID_VALUE, c, "glOrtho needs left != right, bottom != top, near != far");
-    }
     multiply(ortho_matrix(l, r, b, t, n, f));
 }
 
@@ -181,9 +177,8 @@ void State::look_at(const Command& c) {
 
 void State::viewport(const Command& c) {
     const double width = c.number(2), height = c.number(3);
-    if (width < 0 || height < 0) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("glViewport is given the size {} x {}", width, height));
-    }
+    if (width < 0 || height < 0)
+        return raise(kGL_INVALID_VALUE, c, "glViewport is given the size {} x {}", width, height);
     const auto position = [](double v) {
         return static_cast<int>(std::clamp(v, kMinViewportPosition, kMaxViewportPosition));
     };

@@ -1,6 +1,5 @@
 // gluBuild1DMipmaps and gluBuild2DMipmaps: GLU's own arithmetic (libglu 9.0.2, libutil/mipmap.c), which works in the
 // type of the pixels.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,11 +49,9 @@ Pixels scaled(const Pixels& image, int width, int height) {
         for (int x = 0; x < width; ++x) {
             const double x0 = x * step_x, x1 = x0 + step_x, y0 = y * step_y, y1 = y0 + step_y;
             glm::dvec4 sum(0);
-            for (int v = static_cast<int>(y0); v < std::min<double>(image.height, y1); ++v) {
-                for (int u = static_cast<int>(x0); u < std::min<double>(image.width, x1); ++u) {
+            for (int v = static_cast<int>(y0); v < std::min<double>(image.height, y1); ++v)
+                for (int u = static_cast<int>(x0); u < std::min<double>(image.width, x1); ++u)
                     sum += image.at(u, v) * (overlap(x0, x1, u) * overlap(y0, y1, v));
-                }
-            }
             result.rgba.push_back(result.held(sum / (step_x * step_y), 0));
         }
     }
@@ -112,7 +109,7 @@ void State::build_mipmaps(const Command& c) {
     const bool fits =
         source.width >= 1 && source.height >= 1 && source.width <= kMaxTextureSize && source.height <= kMaxTextureSize;
     if (c.enumerant(0) != target || !format || !fits || !pixel_bytes(source.format, source.type)) return;
-    if (!c.memory) return raise(kGL_INVALID_OPERATION, c, fmt::format("{} is given no pixels", c.name()));
+    if (!c.memory) return raise(kGL_INVALID_OPERATION, c, "{} is given no pixels", c.name());
     const int width = nearest_power(source.width), height = nearest_power(source.height);
     // The arithmetic holds its images in four times the memory.
     const double largest =

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <glm/common.hpp>
 #include <limits>
 
 namespace twinlight {
@@ -37,9 +35,8 @@ constexpr Packed kPacked[] = {
 };
 
 const Packed* find_packed(Enum type) {
-    for (const Packed& row : kPacked) {
+    for (const Packed& row : kPacked)
         if (row.type == type) return &row;
-    }
     return nullptr;
 }
 

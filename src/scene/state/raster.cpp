@@ -1,5 +1,4 @@
 // Facing, depth, polygon offset, widths, hints (2.11.1, 3.3 to 3.5, 4.1.6, 5.6).
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -25,9 +24,8 @@ void State::polygon_mode(const Command& c) {
 
 void State::depth_func(const Command& c) {
     if (known(c, c.enumerant(0),
-              {kGL_NEVER, kGL_LESS, kGL_EQUAL, kGL_LEQUAL, kGL_GREATER, kGL_NOTEQUAL, kGL_GEQUAL, kGL_ALWAYS})) {
+              {kGL_NEVER, kGL_LESS, kGL_EQUAL, kGL_LEQUAL, kGL_GREATER, kGL_NOTEQUAL, kGL_GEQUAL, kGL_ALWAYS}))
         a_.raster.depth_func = c.enumerant(0);
-    }
 }
 
 void State::depth_mask(const Command& c) { a_.raster.depth_mask = c.number(0) != 0; }
@@ -43,16 +41,12 @@ void State::polygon_offset(const Command& c) {
 }
 
 void State::line_width(const Command& c) {
-    if (c.number(0) <= 0) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("the line width is {}; it must be above 0", c.number(0)));
-    }
+    if (c.number(0) <= 0) return raise(kGL_INVALID_VALUE, c, "the line width is {}; it must be above 0", c.number(0));
     a_.raster.line_width = c.number(0);
 }
 
 void State::point_size(const Command& c) {
-    if (c.number(0) <= 0) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("the point size is {}; it must be above 0", c.number(0)));
-    }
+    if (c.number(0) <= 0) return raise(kGL_INVALID_VALUE, c, "the point size is {}; it must be above 0", c.number(0));
     a_.raster.point_size = c.number(0);
 }
 
@@ -64,9 +58,8 @@ void State::hint(const Command& c) {
         hint->second = c.enumerant(1);
         return;
     }
-    raise(kGL_INVALID_ENUM, c,
-          fmt::format("glHint is given {}; expected GL_PERSPECTIVE_CORRECTION_HINT, GL_FOG_HINT, ...",
-                      enum_name(c.enumerant(0))));
+    raise(kGL_INVALID_ENUM, c, "glHint is given {}; expected GL_PERSPECTIVE_CORRECTION_HINT, GL_FOG_HINT, ...",
+          enum_name(c.enumerant(0)));
 }
 
 void State::flush(const Command&) {}

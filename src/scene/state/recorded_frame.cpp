@@ -141,9 +141,8 @@ bool Player::take_end() {
 void Player::command(const Command& command) {
     const std::size_t before = state_.items().size();
     state_.apply(command);
-    if (const auto& error = state_.exhausted()) {
+    if (const auto& error = state_.exhausted())
         throw SceneError(fmt::format("{}: {}; this recording cannot be drawn", error->place.str(), error->message));
-    }
     if (command.id == CommandId::glViewport) reach(state_.raster().viewport);
     if (state_.items().size() == before) return;
     changed_ = true;
@@ -159,11 +158,10 @@ void Player::command(const Command& command) {
     }
     // What no later picture shows is not kept.
     const bool earlier_frame = choice_.number && frame_ < *choice_.number;
-    if (earlier_frame && frame_end_ == FrameEnd::kSwap) {
+    if (earlier_frame && frame_end_ == FrameEnd::kSwap)
         state_.drop_picture();
-    } else {
+    else
         state_.drop_hidden();
-    }
 }
 
 // Whether the frame that ends here is the one.
@@ -209,9 +207,8 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
         }
         if (!found) {
             const int frames = player.frames();
-            if (!choice.number || frames == 0) {
+            if (!choice.number || frames == 0)
                 throw SceneError(recording->name + ": this recording draws nothing" + player.also());
-            }
             throw SceneError(
                 fmt::format("{}: there is no frame {}; the recording has {}", recording->name, *choice.number,
                             frames == 1 ? "one, frame 0" : fmt::format("{}, 0 to {}", frames, frames - 1)));

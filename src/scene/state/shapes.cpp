@@ -1,5 +1,4 @@
 // Shapes become Draws, a part each; GLU's quadrics say how theirs are sent (GLU 1.3 chapter 6).
-#include <fmt/format.h>
 
 #include <stdexcept>
 
@@ -21,7 +20,7 @@ void State::shape(const Command& c) {
     try {
         send_shape(c, shape_parts(c), shape_surfaces(c));
     } catch (const std::invalid_argument& error) {
-        raise(code_of(error, kGL_INVALID_VALUE), c, error.what());
+        raise(code_of(error, kGL_INVALID_VALUE), c, "{}", error.what());
     }
 }
 
@@ -66,10 +65,8 @@ void State::delete_quadric(const Command& c) {
 
 void State::set_quadric(const Command& c) {
     Quadric* q = quadric(c);
-    if (q && !set(*q, c)) {
-        raise(kGLU_INVALID_ENUM, c,
-              fmt::format("{} is given {}; expected {}", c.name(), enum_name(c.enumerant(1)), choices(c.id)));
-    }
+    if (q && !set(*q, c))
+        raise(kGLU_INVALID_ENUM, c, "{} is given {}; expected {}", c.name(), enum_name(c.enumerant(1)), choices(c.id));
 }
 
 void State::quadric_shape(const Command& c) {
@@ -78,7 +75,7 @@ void State::quadric_shape(const Command& c) {
     try {
         send_shape(c, quadric_parts(*q, c), quadric_surfaces(*q, c));
     } catch (const std::invalid_argument& error) {
-        raise(code_of(error, kGLU_INVALID_VALUE), c, error.what());
+        raise(code_of(error, kGLU_INVALID_VALUE), c, "{}", error.what());
     }
 }
 
@@ -89,7 +86,7 @@ bool State::can_send(const Command& c) {
         quadric_parts(*q, c);
         return true;
     } catch (const std::invalid_argument& error) {
-        raise(code_of(error, kGLU_INVALID_VALUE), c, error.what());
+        raise(code_of(error, kGLU_INVALID_VALUE), c, "{}", error.what());
         return false;
     }
 }
@@ -98,11 +95,11 @@ Quadric* State::quadric(const Command& c) {
     const auto found = quadrics_.find(c.number(0));
     if (found != quadrics_.end()) return &found->second;
     const auto deleted = deleted_quadrics_.find(c.number(0));
-    raise(kGL_INVALID_VALUE, c,
-          deleted == deleted_quadrics_.end()
-              ? fmt::format("{} is given no quadric; make one by gluNewQuadric()", c.name())
-              : fmt::format("{} is given the quadric that gluDeleteQuadric has deleted at {}", c.name(),
-                            deleted->second.str()));
+    if (deleted == deleted_quadrics_.end())
+        raise(kGL_INVALID_VALUE, c, "{} is given no quadric; make one by gluNewQuadric()", c.name());
+    else
+        raise(kGL_INVALID_VALUE, c, "{} is given the quadric that gluDeleteQuadric has deleted at {}", c.name(),
+              deleted->second.str());
     return nullptr;
 }
 

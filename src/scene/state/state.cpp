@@ -9,7 +9,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
 
 #include "scene/command/command_set.h"
 #include "scene/command/text.h"
@@ -40,11 +39,10 @@ void count(std::vector<Unsupported>& list, std::string_view name, const Place& p
         name = "more commands";
         found = find();
     }
-    if (found != list.end()) {
+    if (found != list.end())
         found->count += found->count < std::numeric_limits<int>::max() ? 1 : 0;
-    } else {
+    else
         list.push_back({std::string(name), 1, place, missing_from});
-    }
 }
 
 }  // namespace
@@ -66,30 +64,23 @@ void State::carry_out(const Command& command) {
     // RULING: GL leaves NaN and infinity open (2.1.1); here they are refused, so that no later value is either. A vertex may
     // be given them, for programs do so: sanitize() says what becomes of it.
     const auto is_finite = [](double v) { return std::isfinite(v); };
-    if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite)) {
-        return raise(kGL_INVALID_VALUE, command, fmt::format("{} is given a value that is not finite", command.name()));
-    }
+    if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite))
+        return raise(kGL_INVALID_VALUE, command, "{} is given a value that is not finite", command.name());
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
-}
-
-void State::raise(Enum code, const Command& command, std::string message) {
-    raise({code, command.place, std::move(message), false});
 }
 
 void State::raise(GlError error) {
     ++error_count_;
     if (error.code == kGL_OUT_OF_MEMORY && !exhausted_) exhausted_ = error;
     if (errors_.size() >= kMaxErrorsKept) return;
-    if (lists_.nesting > 0) {
+    if (lists_.nesting > 0)
         error.message += fmt::format("; this stands in the list that is called at {}", lists_.called.str());
-    }
     errors_.push_back(std::move(error));
 }
 
 void State::raise_inside(const Command& command) {
-    raise(kGL_INVALID_OPERATION, command,
-          fmt::format("{} cannot stand between glBegin and glEnd; the glBegin is at {}", command.name(),
-                      open_->place.str()));
+    raise(kGL_INVALID_OPERATION, command, "{} cannot stand between glBegin and glEnd; the glBegin is at {}",
+          command.name(), open_->place.str());
 }
 
 bool State::has_room(const Command& command, std::size_t bytes) {
@@ -97,8 +88,7 @@ bool State::has_room(const Command& command, std::size_t bytes) {
         item_bytes_ += bytes;
         return true;
     }
-    raise(kGL_OUT_OF_MEMORY, command,
-          fmt::format("one picture's vertices and state fill {} MiB at the most", kMaxFrameBytes >> 20));
+    raise(kGL_OUT_OF_MEMORY, command, "one picture's vertices and state fill {} MiB at the most", kMaxFrameBytes >> 20);
     return false;
 }
 
@@ -106,9 +96,8 @@ bool State::has_time(const Command& command, double work) {
     work_ += work;
     if (work_ <= static_cast<double>(kMaxFrameWork)) return true;
     raise(kGL_OUT_OF_MEMORY, command,
-          fmt::format("one picture's display lists, images and shapes come to {} commands, texels and vertices at the "
-                      "most",
-                      kMaxFrameWork));
+          "one picture's display lists, images and shapes come to {} commands, texels and vertices at the most",
+          kMaxFrameWork);
     return false;
 }
 
@@ -116,8 +105,8 @@ bool State::known(const Command& command, Enum value, std::initializer_list<Enum
     if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return true;
     std::vector<std::string> names;
     for (Enum e : allowed) names.push_back(enum_name(e));
-    raise(kGL_INVALID_ENUM, command,
-          fmt::format("{} is given {}; expected {}", command.name(), enum_name(value), fmt::join(names, ", ")));
+    raise(kGL_INVALID_ENUM, command, "{} is given {}; expected {}", command.name(), enum_name(value),
+          fmt::join(names, ", "));
     return false;
 }
 
@@ -125,13 +114,12 @@ bool State::known(const Command& command, Enum value, std::initializer_list<Enum
 
 void State::begin(const Command& c) {
     if (open_) {
-        return raise(kGL_INVALID_OPERATION, c,
-                     fmt::format("glBegin inside glBegin; the first, at {}, has no glEnd yet", open_->place.str()));
+        return raise(kGL_INVALID_OPERATION, c, "glBegin inside glBegin; the first, at {}, has no glEnd yet",
+                     open_->place.str());
     }
     if (c.enumerant(0) > kGL_POLYGON) {
-        return raise(kGL_INVALID_ENUM, c,
-                     fmt::format("glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
-                                 enum_name(c.enumerant(0))));
+        return raise(kGL_INVALID_ENUM, c, "glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
+                     enum_name(c.enumerant(0)));
     }
     if (!has_room(c, bytes_of_draw())) return;
     open_ = new_draw(c.enumerant(0), c.place);
@@ -139,11 +127,10 @@ void State::begin(const Command& c) {
 
 void State::end(const Command& c) {
     if (!open_) return raise(kGL_INVALID_OPERATION, c, "glEnd without a glBegin");
-    if (open_->vertices.empty()) {
+    if (open_->vertices.empty())
         item_bytes_ -= std::min(item_bytes_, bytes_of_draw());
-    } else {
+    else
         show(std::move(*open_));
-    }
     open_.reset();
     a_.current.material = 0;  // what is drawn next has materials of its own
 }
@@ -152,9 +139,7 @@ void State::vertex(const Command& c) {
     if (!open_) return;  // 2.7: undefined outside Begin and End, no error; here it does nothing, as in the driver
     if (!has_room(c, sizeof(Vertex))) return;
     a_.current.position_object = {0, 0, 0, 1};
-    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
-        a_.current.position_object[static_cast<int>(i)] = c.number(i);
-    }
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.position_object[static_cast<int>(i)] = c.number(i);
     sanitize(a_.current);
     open_->vertices.push_back(a_.current);
 }
@@ -168,18 +153,15 @@ void State::normal(const Command& c) {
 void State::color(const Command& c) {
     const Kind kind = c.sig().parameters[0].kind;
     a_.current.color.a = 1;
-    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+    for (std::size_t i = 0; i < c.arguments.size(); ++i)
         a_.current.color[static_cast<int>(i)] = to_real(c.number(i), kind);
-    }
     sanitize(a_.current);
     track_color();
 }
 
 void State::tex_coord(const Command& c) {
     a_.current.tex_coord = {0, 0, 0, 1};
-    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
-        a_.current.tex_coord[static_cast<int>(i)] = c.number(i);
-    }
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.tex_coord[static_cast<int>(i)] = c.number(i);
     sanitize(a_.current);
 }
 
@@ -198,9 +180,7 @@ void State::multi_tex_coord(const Command& c) {
     if (auto error = wrong_texture_unit(c)) return raise(std::move(*error));
     if (c.enumerant(0) != kGL_TEXTURE0) return;
     a_.current.tex_coord = {0, 0, 0, 1};
-    for (std::size_t i = 1; i < c.arguments.size(); ++i) {
-        a_.current.tex_coord[static_cast<int>(i) - 1] = c.number(i);
-    }
+    for (std::size_t i = 1; i < c.arguments.size(); ++i) a_.current.tex_coord[static_cast<int>(i) - 1] = c.number(i);
     sanitize(a_.current);
 }
 
@@ -221,9 +201,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
                     .env_color = a_.units[0].env_color,
                     .lod_bias = a_.units[0].lod_bias,
                     .texture_matrix = texture_[0].back().matrix};
-    if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) {
-        note_unsupported("glTexEnv(GL_COMBINE)", place);
-    }
+    if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) note_unsupported("glTexEnv(GL_COMBINE)", place);
     for (std::size_t i = 1; i < a_.units.size(); ++i) {
         if (!complete_texture(a_.units[i])) continue;
         note_unsupported(fmt::format("texture unit {}", i), place);
@@ -231,9 +209,8 @@ Draw State::new_draw(Enum mode, const Place& place) {
     draw.fog = a_.fog;
     draw.fragment = a_.fragment;
     if (!a_.draws_color) draw.fragment.color_mask.fill(false);
-    for (std::size_t i = 0; i < a_.clip_planes.size(); ++i) {
+    for (std::size_t i = 0; i < a_.clip_planes.size(); ++i)
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
-    }
     for (const auto& [capability, where] : a_.driver_only) {
         const DriverOnlyCapability& row = driver_only_capability(capability.first);
         // Textures of further units are named above.
@@ -283,18 +260,14 @@ void State::outside(std::string_view function, const Place& place) {
 }
 
 std::optional<GlError> State::unfinished() const {
-    if (lists_.open_name != 0) {
-        return GlError{kGL_INVALID_OPERATION, lists_.opened, "this glNewList has no glEndList"};
-    }
+    if (lists_.open_name != 0) return GlError{kGL_INVALID_OPERATION, lists_.opened, "this glNewList has no glEndList"};
     if (open_) return GlError{kGL_INVALID_OPERATION, open_->place, "this glBegin has no glEnd"};
     std::vector<const MatrixStack*> stacks{&modelview_, &projection_};
     for (const MatrixStack& one : texture_) stacks.push_back(&one);
-    for (const MatrixStack* s : stacks) {
+    for (const MatrixStack* s : stacks)
         if (s->size() > 1) return GlError{kGL_STACK_OVERFLOW, s->back().pushed, "this glPushMatrix has no glPopMatrix"};
-    }
-    if (!attribute_stack_.empty()) {
+    if (!attribute_stack_.empty())
         return GlError{kGL_STACK_OVERFLOW, attribute_stack_.back().pushed, "this glPushAttrib has no glPopAttrib"};
-    }
     return std::nullopt;
 }
 
@@ -332,9 +305,8 @@ Frame make_frame(const CommandList& commands, const StateOptions& options) {
         state.apply(command);
         if (!state.errors().empty()) refuse(state.errors().front());
     }
-    if (const auto error = state.unfinished()) {
+    if (const auto error = state.unfinished())
         throw SceneError(fmt::format("{}: {}", error->place.str(), error->message));
-    }
     Frame frame = state.take_frame();
     const bool draws = std::any_of(frame.items.begin(), frame.items.end(),
                                    [](const auto& item) { return std::holds_alternative<Draw>(item); });

@@ -96,119 +96,32 @@ class State {
     };
     using MatrixStack = std::vector<StackedMatrix>;
 
-    // One function an effect of commands.def.
-    void light(const Command&);
-    void material(const Command&);
-    void light_model(const Command&);
-    void color_material(const Command&);
-    void shade_model(const Command&);
-    void get_light(const Command&);
-    void get_material(const Command&);
-    void begin(const Command&);
-    void end(const Command&);
-    void normal(const Command&);
-    void color(const Command&);
-    void vertex(const Command&);
-    void tex_coord(const Command&);
-    void multi_tex_coord(const Command&);
-    void matrix_mode(const Command&);
-    void load_identity(const Command&);
-    void push_matrix(const Command&);
-    void pop_matrix(const Command&);
-    void load_matrix(const Command&);
-    void mult_matrix(const Command&);
-    void rotate(const Command&);
-    void scale(const Command&);
-    void translate(const Command&);
-    void frustum(const Command&);
-    void ortho(const Command&);
-    void perspective(const Command&);
-    void ortho_2d(const Command&);
-    void look_at(const Command&);
-    void viewport(const Command&);
-    void enable(const Command&);
-    void disable(const Command&);
-    void front_face(const Command&);
-    void cull_face(const Command&);
-    void polygon_mode(const Command&);
-    void depth_func(const Command&);
-    void depth_mask(const Command&);
-    void clear_depth(const Command&);
-    void clear_color(const Command&);
-    void clear(const Command&);
-    void flush(const Command&);
-    void shape(const Command&);
-    void new_quadric(const Command&);
-    void delete_quadric(const Command&);
-    void set_quadric(const Command&);
-    void quadric_shape(const Command&);
-    void clip_plane(const Command&);
-    void depth_range(const Command&);
-    void polygon_offset(const Command&);
-    void line_width(const Command&);
-    void point_size(const Command&);
-    void edge_flag(const Command&);
-    void hint(const Command&);
-    void scissor(const Command&);
-    void alpha_func(const Command&);
-    void blend_func(const Command&);
-    void blend_color(const Command&);
-    void color_mask(const Command&);
-    void fog(const Command&);
-    void pixel_store(const Command&);
-    void bind_texture(const Command&);
-    void active_texture(const Command&);
-    void tex_image(const Command&);
-    void tex_sub_image(const Command&);
-    void build_mipmaps(const Command&);
-    void tex_parameter(const Command&);
-    void tex_env(const Command&);
-    void gen_lists(const Command&);
-    void new_list(const Command&);
-    void end_list(const Command&);
-    void delete_lists(const Command&);
-    void list_base(const Command&);
-    void call_list(const Command&);
-    void call_lists(const Command&);
-    void push_attrib(const Command&);
-    void pop_attrib(const Command&);
-    void load_transpose_matrix(const Command&);
-    void mult_transpose_matrix(const Command&);
-    void blend_equation(const Command&);
-    void draw_buffer(const Command&);
-    void driver_only_state(const Command&);
-    void driver_only_drawing(const Command&);
-    void driver_only_vertex(const Command&);
-    void driver_only_attribute(const Command&);
-    void driver_only_query(const Command&);
-    void driver_only_secondary_color(const Command&);
-    void driver_only_point_parameter(const Command&);
-    void driver_only_pixel_transfer(const Command&);
-    void driver_only_bitmap(const Command&);
-    void driver_only_stipple(const Command&);
-    void driver_only_copy_image(const Command&);
-    void render_mode(const Command&);
-    void hit_buffer(const Command&);
-    void is_enabled(const Command&);
-    void query_clip_plane(const Command&);
-    void query_tex_env(const Command&);
-    void query_tex_parameter(const Command&);
-    void gen_textures(const Command&);
-    void delete_textures(const Command&);
-    void prioritize_textures(const Command&);
-    void rect(const Command&);
-    void client_arrays(const Command&);
-    void array_element(const Command&);
-    void draw_arrays(const Command&);
-    void texture_file(const Command&);
-    void specular_model(const Command&);
-    void ambient_model(const Command&);
-    void spot_cone(const Command&);
-    void spectrum(const Command&);
-    void reflectance(const Command&);
-    void illuminant(const Command&);
-    void transfer(const Command&);
-    void extra_light(const Command&);
+    // One function an effect of commands.def; a list for each file of them.
+    using Effect = void(const Command&);
+    Effect push_attrib, pop_attrib;
+    Effect enable, disable;
+    Effect client_arrays, array_element, draw_arrays;
+    Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_vertex, driver_only_attribute,
+        driver_only_query, driver_only_secondary_color, driver_only_point_parameter, driver_only_pixel_transfer,
+        driver_only_bitmap, driver_only_stipple, driver_only_copy_image;
+    Effect clear_depth, clear_color, clear, scissor, alpha_func, blend_func, blend_color, color_mask, fog,
+        blend_equation;
+    Effect light, material, light_model, color_material, shade_model, get_light, get_material, specular_model,
+        ambient_model, spot_cone, extra_light;
+    Effect gen_lists, new_list, end_list, delete_lists, list_base, call_list, call_lists;
+    Effect matrix_mode, load_identity, push_matrix, pop_matrix, load_matrix, mult_matrix, rotate, scale, translate,
+        frustum, ortho, perspective, ortho_2d, look_at, viewport, clip_plane, load_transpose_matrix,
+        mult_transpose_matrix;
+    Effect build_mipmaps, texture_file;
+    Effect front_face, cull_face, polygon_mode, depth_func, depth_mask, flush, depth_range, polygon_offset, line_width,
+        point_size, edge_flag, hint;
+    Effect render_mode, hit_buffer, is_enabled, query_clip_plane;
+    Effect shape, new_quadric, delete_quadric, set_quadric, quadric_shape;
+    Effect spectrum, reflectance, illuminant, transfer;
+    Effect begin, end, normal, color, vertex, tex_coord, multi_tex_coord, rect;
+    Effect pixel_store, tex_image, tex_sub_image;
+    Effect bind_texture, active_texture, tex_parameter, tex_env, query_tex_env, query_tex_parameter, gen_textures,
+        delete_textures, prioritize_textures;
     // glMaterial; the colour is that of the reflectance where there is one.
     void set_material(const Command&, const Spectrum* reflectance);
     void set_light(LightSource& source, Enum pname, const std::vector<double>& values) const;
@@ -227,8 +140,11 @@ class State {
     void execute_list(const Command& command, std::uint32_t name);
     void execute_listed(const ListedCommand& listed);
     void raise_inside(const Command& command);  // of a command that stands between Begin and End
-    void raise(Enum code, const Command& command, std::string message);
     void raise(GlError error);
+    template <class... Values>
+    void raise(Enum code, const Command& command, fmt::format_string<Values...> message, Values&&... values) {
+        raise(refused(code, command, message, std::forward<Values>(values)...));
+    }
     // Whether `value` is one of `allowed`; raises GL_INVALID_ENUM if not.
     bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);
     LightSource* light_source(const Command& command, Enum light);  // null, and GL_INVALID_ENUM, for no light

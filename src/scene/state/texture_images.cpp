@@ -42,9 +42,8 @@ void State::pixel_store(const Command& c) {
     if (!values) return;
     const int value = static_cast<int>(std::clamp(std::round(values->front()), -0x1p31, 0x1p31 - 1));
     const bool is_alignment = pname == kGL_UNPACK_ALIGNMENT || pname == kGL_PACK_ALIGNMENT;
-    if (is_alignment && value != 1 && value != 2 && value != 4 && value != 8) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("{} is {}; it must be 1, 2, 4 or 8", enum_name(pname), value));
-    }
+    if (is_alignment && value != 1 && value != 2 && value != 4 && value != 8)
+        return raise(kGL_INVALID_VALUE, c, "{} is {}; it must be 1, 2, 4 or 8", enum_name(pname), value);
     for (const PixelStoreRow& row : kPixelStoreRows) {
         if (row.pname != pname) continue;
         std::visit([&]<class T>(T PixelStore::*at) { pixel_store_.*at = static_cast<T>(value); }, row.member);
@@ -59,18 +58,18 @@ bool State::check_pixel_type(const Command& c, const PixelSource& source) {
         return false;
     }
     if (!components_of(source.format)) {
-        raise(kGL_INVALID_ENUM, c,
-              fmt::format("{} is given the format {}; expected GL_RGB, GL_RGBA, GL_LUMINANCE, ...", c.name(),
-                          enum_name(source.format)));
+        raise(kGL_INVALID_ENUM, c, "{} is given the format {}; expected GL_RGB, GL_RGBA, GL_LUMINANCE, ...", c.name(),
+              enum_name(source.format));
         return false;
     }
     if (pixel_bytes(source.format, source.type)) return true;
     const bool is_type = pixel_bytes(kGL_RGB, source.type) || pixel_bytes(kGL_RGBA, source.type);
-    raise(is_type ? kGL_INVALID_OPERATION : kGL_INVALID_ENUM, c,
-          is_type ? fmt::format("the type {} does not go with the format {}", enum_name(source.type),
-                                enum_name(source.format))
-                  : fmt::format("{} is given the type {}; expected GL_UNSIGNED_BYTE, GL_FLOAT, ...", c.name(),
-                                enum_name(source.type)));
+    if (is_type)
+        raise(kGL_INVALID_OPERATION, c, "the type {} does not go with the format {}", enum_name(source.type),
+              enum_name(source.format));
+    else
+        raise(kGL_INVALID_ENUM, c, "{} is given the type {}; expected GL_UNSIGNED_BYTE, GL_FLOAT, ...", c.name(),
+              enum_name(source.type));
     return false;
 }
 
@@ -80,9 +79,8 @@ std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& sour
     const BufferObject* buffer = lists_.nesting > 0 ? nullptr : arrays_.pixel_unpack_buffer();
     if (!c.memory && !buffer) return PixelRows{source, pixel_store_, {}};
     if (buffer && (c.memory || buffer->mapped)) {
-        raise(kGL_INVALID_OPERATION, c,
-              fmt::format("{} reads the buffer that is bound to GL_PIXEL_UNPACK_BUFFER, {}", c.name(),
-                          c.memory ? "but is given an address" : "which is mapped; a glUnmapBuffer is missing"));
+        raise(kGL_INVALID_OPERATION, c, "{} reads the buffer that is bound to GL_PIXEL_UNPACK_BUFFER, {}", c.name(),
+              c.memory ? "but is given an address" : "which is mapped; a glUnmapBuffer is missing");
         return std::nullopt;
     }
     const std::vector<std::byte>& bytes = buffer ? buffer->bytes : c.memory->bytes;
@@ -90,8 +88,8 @@ std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& sour
     const std::size_t needed = bytes_read(source, pixel_store_), size = bytes.size();
     if (offset < 0 || offset > static_cast<double>(size) || needed > size - static_cast<std::size_t>(offset)) {
         raise(kGL_INVALID_OPERATION, c,
-              fmt::format("{} reads {} bytes, but the memory it is given has {}; mind GL_UNPACK_ALIGNMENT, {} here",
-                          c.name(), needed, static_cast<double>(size) - offset, pixel_store_.unpack_alignment));
+              "{} reads {} bytes, but the memory it is given has {}; mind GL_UNPACK_ALIGNMENT, {} here", c.name(),
+              needed, static_cast<double>(size) - offset, pixel_store_.unpack_alignment);
         return std::nullopt;
     }
     return PixelRows{source, pixel_store_, std::span(bytes).subspan(static_cast<std::size_t>(offset))};
@@ -106,9 +104,8 @@ std::size_t texels_of(const Texture& texture) {
 bool State::has_texels(const Command& c, double count, std::size_t replaced) {
     if (!has_time(c, count)) return false;
     if (static_cast<double>(textures_.texels - replaced) + count <= static_cast<double>(kMaxTexels)) return true;
-    raise(kGL_OUT_OF_MEMORY, c,
-          fmt::format("{} is given {} texels more; all textures have {} at the most together", c.name(), count,
-                      kMaxTexels));
+    raise(kGL_OUT_OF_MEMORY, c, "{} is given {} texels more; all textures have {} at the most together", c.name(),
+          count, kMaxTexels);
     return false;
 }
 
@@ -126,26 +123,21 @@ void State::tex_image(const Command& c) {
     if (two && is_driver_only_image(a.target)) return;
     if (!known(c, a.target, {target, proxy})) return;
     const PixelSource& source = a.source;
-    if (a.level < 0 || a.level >= kMaxTextureLevels) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("the level is {}; it must be in [0, {}]", a.level, kMaxTextureLevels - 1));
-    }
-    if (a.border != 0 && a.border != 1) {
-        return raise(kGL_INVALID_VALUE, c, fmt::format("the border is {}; it must be 0 or 1", a.border));
-    }
+    if (a.level < 0 || a.level >= kMaxTextureLevels)
+        return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", a.level, kMaxTextureLevels - 1);
+    if (a.border != 0 && a.border != 1)
+        return raise(kGL_INVALID_VALUE, c, "the border is {}; it must be 0 or 1", a.border);
     const int largest = kMaxTextureSize >> a.level;
     for (int side : two ? std::vector<int>{source.width, source.height} : std::vector<int>{source.width}) {
         if (side < 0 || side > largest + 2 * a.border || side < 2 * a.border) {
-            return raise(kGL_INVALID_VALUE, c,
-                         fmt::format("the image is {} x {}; each side of level {} must be in [0, {}]", source.width,
-                                     source.height, a.level, largest));
+            return raise(kGL_INVALID_VALUE, c, "the image is {} x {}; each side of level {} must be in [0, {}]",
+                         source.width, source.height, a.level, largest);
         }
     }
     const std::optional<InternalFormat> format = internal_format(a.internal_format);
     if (!format) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("{} is given the internal format {}; expected 1 to 4, GL_RGB, GL_RGBA8, ...", c.name(),
-                                 enum_name(static_cast<Enum>(std::max(a.internal_format, 0.0)))));
+        return raise(kGL_INVALID_VALUE, c, "{} is given the internal format {}; expected 1 to 4, GL_RGB, GL_RGBA8, ...",
+                     c.name(), enum_name(static_cast<Enum>(std::max(a.internal_format, 0.0))));
     }
     if (!check_pixel_type(c, source) || a.target == proxy) return;
     const auto level = static_cast<std::size_t>(a.level);
@@ -155,9 +147,7 @@ void State::tex_image(const Command& c) {
     const auto rows = pixels(c, source);
     if (!rows) return;
     // RULING: borders are cut off, as drivers do; what samples them is named.
-    if (a.border == 1) {
-        note_lasting(fmt::format("{} with a border", c.name()), c.place);
-    }
+    if (a.border == 1) note_lasting(fmt::format("{} with a border", c.name()), c.place);
     const int dx = a.border, dy = two ? a.border : 0;
     TextureImage image{
         source.width - 2 * dx, source.height - 2 * dy, format->base_format, static_cast<Enum>(a.internal_format), {}};
@@ -165,9 +155,8 @@ void State::tex_image(const Command& c) {
     std::vector<glm::dvec4> row;
     for (int y = 0; y < image.height; ++y) {
         rows->unpack(y + dy, row);
-        for (int x = 0; x < image.width; ++x) {
+        for (int x = 0; x < image.width; ++x)
             image.texels.push_back(stored(row[static_cast<std::size_t>(x + dx)], *format));
-        }
     }
     Texture* texture = writable_texture(c, target);
     if (!texture) return;
@@ -190,31 +179,27 @@ void State::tex_sub_image(const Command& c) {
                              .format = c.enumerant(two ? 6 : 4),
                              .type = c.enumerant(two ? 7 : 5)};
     if (level < 0 || level >= kMaxTextureLevels || source.width < 0 || source.height < 0) {
-        return raise(
-            kGL_INVALID_VALUE, c,
-            fmt::format("{} is given the level {} and the size {} x {}", c.name(), level, source.width, source.height));
+        return raise(kGL_INVALID_VALUE, c, "{} is given the level {} and the size {} x {}", c.name(), level,
+                     source.width, source.height);
     }
     if (!check_pixel_type(c, source)) return;
     const Texture& bound = bound_texture(target);
     if (bound.levels.size() <= static_cast<std::size_t>(level) ||
         bound.levels[static_cast<std::size_t>(level)].texels.empty()) {
-        return raise(
-            kGL_INVALID_OPERATION, c,
-            fmt::format("level {} has no image yet; give it one by {}", level, two ? "glTexImage2D" : "glTexImage1D"));
+        return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one by {}", level,
+                     two ? "glTexImage2D" : "glTexImage1D");
     }
     const TextureImage& old = bound.levels[static_cast<std::size_t>(level)];
     if (x0 < 0 || y0 < 0 || x0 > old.width - source.width || y0 > old.height - source.height) {
-        return raise(kGL_INVALID_VALUE, c,
-                     fmt::format("{} x {} texels at ({}, {}) lie outside the image of {} x {}", source.width,
-                                 source.height, x0, y0, old.width, old.height));
+        return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) lie outside the image of {} x {}", source.width,
+                     source.height, x0, y0, old.width, old.height);
     }
     const auto rows = pixels(c, source);
     if (!rows || source.width == 0 || source.height == 0) return;
     const bool mipmaps = level == 0 && bound.generate_mipmap;
-    if (!has_time(c, static_cast<double>(mipmaps ? texels_of(bound) : 0) +
-                         static_cast<double>(source.width) * source.height)) {
+    if (!has_time(
+            c, static_cast<double>(mipmaps ? texels_of(bound) : 0) + static_cast<double>(source.width) * source.height))
         return;
-    }
     Texture* texture = writable_texture(c, target);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);
@@ -236,9 +221,8 @@ void State::generate_mipmaps(Texture& texture) const {
     if (!texture.generate_mipmap || texture.levels[0].texels.empty()) return;
     const InternalFormat format = *internal_format(texture.levels[0].internal_format);
     texture.levels.resize(1);
-    while (texture.levels.back().width > 1 || texture.levels.back().height > 1) {
+    while (texture.levels.back().width > 1 || texture.levels.back().height > 1)
         texture.levels.push_back(half(texture.levels.back(), format));
-    }
 }
 
 }  // namespace twinlight

@@ -40,9 +40,8 @@ void State::bind_texture(const Command& c) {
         std::shared_ptr<Texture>& texture = textures_.named[name];
         if (!texture) texture = std::make_shared<Texture>(Texture{.target = target});
         if (texture->target != target) {
-            return raise(kGL_INVALID_OPERATION, c,
-                         fmt::format("texture {} was bound to {} first and cannot be bound to {}", name,
-                                     enum_name(texture->target), enum_name(target)));
+            return raise(kGL_INVALID_OPERATION, c, "texture {} was bound to {} first and cannot be bound to {}", name,
+                         enum_name(texture->target), enum_name(target));
         }
     }
     if (driver_only) return;
@@ -86,19 +85,17 @@ void State::query_tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
     if (is_driver_only_texture(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
     if (pname == kGL_TEXTURE_RESIDENT || driver_only_parameter(pname) || find_parameter(Owner::kTexture, pname)) return;
-    raise(kGL_INVALID_ENUM, c,
-          fmt::format("{} is given {}; expected GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, ...", c.name(),
-                      enum_name(pname)));
+    raise(kGL_INVALID_ENUM, c, "{} is given {}; expected GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, ...", c.name(),
+          enum_name(pname));
 }
 
 void State::query_tex_env(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
     if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
-    if (target == kGL_TEXTURE_ENV) {
+    if (target == kGL_TEXTURE_ENV)
         known(c, pname, {kGL_TEXTURE_ENV_MODE, kGL_TEXTURE_ENV_COLOR});
-    } else {
+    else
         known(c, pname, {kGL_TEXTURE_LOD_BIAS});
-    }
 }
 
 void State::tex_parameter(const Command& c) {
@@ -148,9 +145,8 @@ void State::tex_env(const Command& c) {
     switch (pname) {
         case kGL_TEXTURE_ENV_MODE: {
             const auto mode = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
-            if (known(c, mode, {kGL_MODULATE, kGL_DECAL, kGL_REPLACE, kGL_BLEND, kGL_ADD, kGL_COMBINE})) {
+            if (known(c, mode, {kGL_MODULATE, kGL_DECAL, kGL_REPLACE, kGL_BLEND, kGL_ADD, kGL_COMBINE}))
                 unit().env_mode = mode;
-            }
             break;
         }
         case kGL_TEXTURE_ENV_COLOR:
@@ -186,8 +182,7 @@ std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bi
 
 bool State::counts(const Command& c, const char* what) {
     if (c.number(0) >= 0) return true;
-    raise(kGL_INVALID_VALUE, c,
-          fmt::format("{} is given {} {}; a number cannot be below 0", c.name(), c.number(0), what));
+    raise(kGL_INVALID_VALUE, c, "{} is given {} {}; a number cannot be below 0", c.name(), c.number(0), what);
     return false;
 }
 

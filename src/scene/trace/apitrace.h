@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "scene/trace/descriptor.h"
+#include "base/image/descriptor.h"
 #include "scene/trace/temporary_folder.h"
 
 namespace twinlight::trace {

@@ -57,7 +57,7 @@ class Reading {
     bool wrong_character(std::string_view expected) {
         if (lexer_.at_end()) return wrong(std::string(kEndsInside));
         const char c = lexer_.peek();
-        return wrong(fmt::format("expected {}, found {}", expected, quoted({&c, 1})));
+        return wrong(fmt::format("expected {}, found {}", expected, in_quotes({&c, 1})));
     }
 
     // "x = 1", or "1" where the dump was made without names.

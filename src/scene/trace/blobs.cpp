@@ -1,27 +1,25 @@
 #include "scene/trace/blobs.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 
+#include "base/image/descriptor.h"
 #include "scene/command/lexer.h"
-#include "scene/trace/descriptor.h"
 
 namespace twinlight::trace {
 
 std::shared_ptr<const Memory> BlobFolder::read(const std::string& name, const Place& place) const {
     if (name.empty() || name.starts_with('.') || name.find('/') != std::string::npos ||
-        name.find('\0') != std::string::npos) {
-        fail(place, fmt::format("the blob {} is not a file's name; blobs are read only from the dump's own folder",
-                                quoted(name)));
-    }
+        name.find('\0') != std::string::npos)
+        fail(place, "the blob {} is not a file's name; blobs are read only from the dump's own folder",
+             in_quotes(name));
     const auto refuse = [&](const std::string& why) {
-        fail(place, fmt::format("the blob {} cannot be read: {}; apitrace dump --blobs writes it beside the dump",
-                                quoted(name), why));
+        fail(place, "the blob {} cannot be read: {}; apitrace dump --blobs writes it beside the dump", in_quotes(name),
+             why);
     };
     // Not through a link, which could lead anywhere; not waiting for a pipe's other end.
     const Descriptor file(::open((path_ + "/" + name).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
@@ -30,13 +28,11 @@ std::shared_ptr<const Memory> BlobFolder::read(const std::string& name, const Pl
     if (::fstat(file.get(), &status) != 0) refuse(std::strerror(errno));
     if (!S_ISREG(status.st_mode)) refuse("it is not a file");
     const auto size = static_cast<std::size_t>(status.st_size);
-    if (size > kMaxBlobBytes) {
-        fail(place, fmt::format("the blob {} has {} bytes; at most {} are read", quoted(name), size, kMaxBlobBytes));
-    }
+    if (size > kMaxBlobBytes)
+        fail(place, "the blob {} has {} bytes; at most {} are read", in_quotes(name), size, kMaxBlobBytes);
     if (size > most_held_ - *held_) {
-        fail(place,
-             fmt::format("the blob {} has {} bytes, beside {} of blobs that are still in use; {} are held at most",
-                         quoted(name), size, *held_, most_held_));
+        fail(place, "the blob {} has {} bytes, beside {} of blobs that are still in use; {} are held at most",
+             in_quotes(name), size, *held_, most_held_);
     }
     const std::shared_ptr<Memory> memory(new Memory, [held = held_, size](const Memory* gone) {
         *held -= size;

@@ -15,8 +15,10 @@ namespace {
 
 using Form = Argument::Form;
 
-[[noreturn]] void refuse(const Command& command, const Parameter& parameter, const std::string& what) {
-    fail(command.place, fmt::format("{} of {} {}", parameter.name, command.name(), what));
+template <class... Values>
+[[noreturn]] void refuse(const Command& command, const Parameter& parameter, fmt::format_string<Values...> what,
+                         Values&&... values) {
+    fail(command.place, "{} of {} {}", parameter.name, command.name(), fmt::format(what, values...));
 }
 
 // The value as the C type of the parameter holds it.
@@ -26,11 +28,10 @@ double typed(const Command& command, const Parameter& parameter, double value) {
     // A wrong enumerant may be printed as the signed number that it looks like.
     const bool wraps = parameter.kind == Kind::kEnum || parameter.kind == Kind::kBitfield;
     if (wraps && value < 0 && value >= -2147483648.0) value += 4294967296.0;
-    if (value != std::trunc(value)) refuse(command, parameter, fmt::format("must be a whole number, not {}", value));
+    if (value != std::trunc(value)) refuse(command, parameter, "must be a whole number, not {}", value);
     const auto [smallest, largest] = whole_range(parameter.kind);
-    if (value < smallest || value > largest) {
-        refuse(command, parameter, fmt::format("is {}; it must be from {} to {}", value, smallest, largest));
-    }
+    if (value < smallest || value > largest)
+        refuse(command, parameter, "is {}; it must be from {} to {}", value, smallest, largest);
     return value;
 }
 
@@ -50,14 +51,12 @@ void add_array(const Argument& argument, const Arguments& arguments, const Param
     if (needed && count < *needed) {
         // A row whose length stands in the table may still serve a pname of fewer values (glTexGenfv).
         const bool has_pname = &parameter != command.sig().parameters.data() && (&parameter - 1)->name == "pname";
-        if (parameter.extent != Extent::kArray || !has_pname || count == 0) {
-            refuse(command, parameter, fmt::format("has {} values, but {} are needed", count, *needed));
-        }
+        if (parameter.extent != Extent::kArray || !has_pname || count == 0)
+            refuse(command, parameter, "has {} values, but {} are needed", count, *needed);
     }
     count = std::min(count, needed.value_or(count));
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i)
         command.arguments.push_back(typed(command, parameter, arguments.numbers[argument.first + i]));
-    }
     if (needed) command.arguments.resize(command.arguments.size() + *needed - count);
 }
 
@@ -87,8 +86,8 @@ void convert(const Arguments& arguments, const Arguments& result, const BlobFold
     command.memory.reset();
     const std::size_t expected = sig.c_arguments();
     if (arguments.list.size() != expected) {
-        fail(command.place, fmt::format("{} takes {} arguments, {}; this call has {}", sig.name, expected, sig.usage(),
-                                        arguments.list.size()));
+        fail(command.place, "{} takes {} arguments, {}; this call has {}", sig.name, expected, sig.usage(),
+             arguments.list.size());
     }
     for (std::size_t i = 0; i < expected; ++i) {
         const Parameter& parameter = sig.parameters[i];

@@ -1,8 +1,6 @@
 // What a dump tells of a call, as a Command.
 #pragma once
 
-#include <string>
-
 #include "scene/command/command.h"
 #include "scene/trace/arguments.h"
 #include "scene/trace/blobs.h"

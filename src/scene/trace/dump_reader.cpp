@@ -63,11 +63,13 @@ std::optional<ContextName> DumpReader::first_to_draw() {
     return std::nullopt;
 }
 
-void DumpReader::fail_here(const std::string& message) const { fail({command_.place.file, lexer_.line(), 1}, message); }
+void DumpReader::fail_here(const std::string& message) const {
+    fail({command_.place.file, lexer_.line(), 1}, "{}", message);
+}
 
 bool DumpReader::cut_off_or(const std::string& message) {
     const Place here{command_.place.file, lexer_.line(), 1};
-    if (lexer_.skip_line()) fail(here, message);
+    if (lexer_.skip_line()) fail(here, "{}", message);
     const std::string text = fmt::format("the recording ends inside call {}", command_.place.line);
     step({Step::Kind::kCutOff, command_, text});
     return false;
@@ -110,7 +112,7 @@ bool DumpReader::next_call() {
     if (c == '\x1b') fail_here("this dump has colours in it; make it with 'apitrace dump --color=never'");
     return cut_off_or(
         fmt::format("expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found {}",
-                    quoted(function_name_.empty() ? std::string(1, c) : function_name_)));
+                    in_quotes(function_name_.empty() ? std::string(1, c) : function_name_)));
 }
 
 bool DumpReader::read_call() {
@@ -223,9 +225,8 @@ void DumpReader::copy_memory() {
     if (!is_copy) return outside(function_name_);
     const double to = arguments_.numbers[0];
     const Mapping* found = nullptr;
-    for (const Mapping& mapping : mappings_) {
+    for (const Mapping& mapping : mappings_)
         if (mapping.address <= to && (!found || mapping.address > found->address)) found = &mapping;
-    }
     if (!found || !buffer_sub_data_) return outside("memcpy to a mapped buffer");
     Arguments call;
     call.numbers = {static_cast<double>(found->target), found->offset + to - found->address, arguments_.numbers.back()};

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/trace/descriptor.h"
+#include "base/image/descriptor.h"
 #include "scene/trace/dump_lexer.h"
 
 namespace twinlight::trace {

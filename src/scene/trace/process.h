@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "scene/trace/descriptor.h"
-
 namespace twinlight::trace {
 
 struct Start {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "scene/trace/descriptor.h"
+#include "base/image/descriptor.h"
 
 namespace twinlight::trace {
 

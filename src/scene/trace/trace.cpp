@@ -1,7 +1,6 @@
 #include "scene/trace/trace.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>

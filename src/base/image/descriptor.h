@@ -3,9 +3,10 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <utility>
 
-namespace twinlight::trace {
+namespace twinlight {
 
 class Descriptor {
   public:
@@ -21,12 +22,11 @@ class Descriptor {
 
     bool valid() const { return fd_ >= 0; }
     int get() const { return fd_; }
-    void close() {
-        if (fd_ >= 0) ::close(std::exchange(fd_, -1));
-    }
+    // The error that closing met: a full disk may be told only here.
+    int close() { return fd_ < 0 || ::close(std::exchange(fd_, -1)) == 0 ? 0 : errno; }
 
   private:
     int fd_ = -1;
 };
 
-}  // namespace twinlight::trace
+}  // namespace twinlight

@@ -1,0 +1,35 @@
+#!/bin/sh
+# Installs what is missing, with apt; `make deps` runs it. $DEPENDENCIES has a line for each package: its name in Debian, then
+# a command that succeeds where the package is installed.
+set -eu
+
+missing() {
+    echo "$DEPENDENCIES" | while read -r package installed; do
+        [ -z "$package" ] || sh -c "$installed" >/dev/null 2>&1 || printf ' %s' "$package"
+    done
+}
+
+packages=$(missing)
+[ -n "$packages" ] || exit 0
+if ! command -v apt-get >/dev/null; then
+    echo "These packages are missing (Debian's names):$packages" >&2
+    echo "Install them with this system's package manager, then run make again." >&2
+    exit 1
+fi
+sudo=
+[ "$(id -u)" = 0 ] || sudo="sudo "
+line="${sudo}apt-get update -qq; ${sudo}env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends$packages"
+echo "$line"
+if [ -n "$sudo" ] && ! command -v sudo >/dev/null; then
+    echo "That needs root, and there is no sudo here: run it as root, then run make again." >&2
+    exit 1
+fi
+eval "$line" || true
+
+packages=$(missing)
+[ -n "$packages" ] || exit 0
+echo "Still missing:$packages" >&2
+case $packages in
+*osmesa*) echo "If apt does not know libosmesa6-dev: Mesa dropped OSMesa after 25.0 (Debian 12 and 13 have it); use GL=egl." >&2 ;;
+esac
+exit 1

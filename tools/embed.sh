@@ -1,0 +1,12 @@
+#!/bin/sh
+# embed.sh HEADER TABLE FILE...: prints the C++ that defines TABLE, a std::vector<EmbeddedFile> declared in HEADER, from the files.
+set -eu
+header=$1 table=$2
+shift 2
+printf '#include "%s"\nnamespace twinlight {\nconst std::vector<EmbeddedFile> %s = {\n' "$header" "$table"
+for file; do
+    printf '{"%s", R"twinlight(' "${file##*/}"
+    cat "$file"
+    printf ')twinlight"},\n'
+done
+printf '};\n}\n'
