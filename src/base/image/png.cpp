@@ -1,6 +1,7 @@
 // PNG through Debian's stb library.
 #include "base/image/png.h"
 
+#include <fmt/format.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
@@ -44,15 +45,22 @@ std::string cannot_be_read() {
     return "the PNG cannot be read: " + reason;
 }
 
+constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
+
+// PNG's integers (section 7.1): 4 bytes, the highest first.
+std::uint32_t integer(std::string_view bytes) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+    return value;
+}
+
 // The compressed pixels: the data of all IDAT chunks (PNG, section 5.3: length, type, data, check sum).
 std::string packed_pixels(std::string_view bytes) {
-    constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
     constexpr std::size_t kAroundData = 12;
     if (!bytes.starts_with(kSignature)) throw std::runtime_error("it is no PNG; convert it to one");
     std::string packed;
     for (std::string_view rest = bytes.substr(kSignature.size()); rest.size() >= kAroundData;) {
-        std::size_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(rest[i]);
+        const std::size_t length = integer(rest);
         if (length > rest.size() - kAroundData) break;
         const std::string_view type = rest.substr(4, 4);
         if (type == "IEND") return packed;
@@ -62,6 +70,19 @@ std::string packed_pixels(std::string_view bytes) {
     throw std::runtime_error("the PNG is cut off; save it anew");
 }
 
+// Its first chunk says (section 11.2.2). stbi_info() would read on, and forgets what is wrong with the chunks after it.
+struct Size {
+    std::uint32_t width, height;
+};
+Size size_of(std::string_view bytes) {
+    constexpr std::string_view kHeader("\0\0\0\xDIHDR", 8);  // its length, 13, and its name
+    std::string_view rest = bytes.substr(kSignature.size());
+    if (!rest.starts_with(kHeader) || rest.size() < kHeader.size() + 13)
+        throw std::runtime_error("the PNG cannot be read: it does not start with its size; save it anew");
+    rest.remove_prefix(kHeader.size());
+    return {integer(rest), integer(rest.substr(4))};
+}
+
 }  // namespace
 
 PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
@@ -69,27 +90,26 @@ PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
     const auto refuse = [] { throw std::runtime_error(cannot_be_read() + "; save it anew"); };
-    PngPixels image;
-    int channels_in_file = 0;
-    if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels_in_file) == 0) refuse();
-    if (image.width > longest_side || image.height > longest_side) {
-        const std::string limit = std::to_string(longest_side);
-        throw std::runtime_error("it has " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                                 " pixels, at most " + limit + " x " + limit + " are read; make it smaller");
+    const auto [width, height] = size_of(bytes);
+    const auto limit = static_cast<std::uint32_t>(longest_side);
+    if (width > limit || height > limit) {
+        throw std::runtime_error(fmt::format("it has {} x {} pixels, at most {} x {} are read; make it smaller", width,
+                                             height, limit, limit));
     }
     // The most that the pixels can unpack to: 16 bits a channel, a byte more a row, and eight times the rows for the
     // passes of an interlaced image. The decoder itself would go on unpacking whatever there is.
     constexpr std::size_t kLargestPixel = 8, kRowBytes = 1, kPasses = 8;
-    const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
-    std::string unpacked(height * width * kLargestPixel + (height + kPasses) * kRowBytes * kPasses, '\0');
+    std::string unpacked(std::size_t{height} * width * kLargestPixel + (height + kPasses) * kRowBytes * kPasses, '\0');
     if (stbi_zlib_decode_buffer(unpacked.data(), static_cast<int>(unpacked.size()), packed.data(),
                                 static_cast<int>(packed.size())) < 0) {
         throw std::runtime_error("the PNG's pixels cannot be unpacked, or are more than its size says; save it anew");
     }
+    PngPixels image;
+    int channels_in_file = 0;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> codes(
         stbi_load_from_memory(data, size, &image.width, &image.height, &channels_in_file, kRgba), stbi_image_free);
     if (!codes) refuse();
-    image.rgba.assign(codes.get(), codes.get() + width * height * kRgba);
+    image.rgba.assign(codes.get(), codes.get() + std::size_t{height} * width * kRgba);
     return image;
 }
 
