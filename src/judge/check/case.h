@@ -58,10 +58,12 @@ struct Expectation {
 
 // What a driver's fixed function is known to give instead.
 struct Differs {
-    std::string driver;  // a pattern of the shell, anywhere in driver_name()
+    std::string driver;  // "Mesa 22.3|Mesa 25.0": shell patterns; any of them, anywhere in driver_name()
     Spot spot;
     Seen value;        // may be NaN
     std::string name;  // in golden/known_differences
+
+    bool is_of(const std::string& driver_name) const;
 };
 
 // What a case's commands come to, and the first error that they raise.

@@ -1,7 +1,6 @@
 #include "judge/check/suite.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,10 +98,8 @@ void judge_fixed(const Case& of, const Frame& frame, const std::string& driver, 
         if (expected.spot.shading) continue;
         const std::optional<Seen> value =
             expected.spot.kind == Spot::Kind::kError ? std::optional<Seen>(error) : shown(expected);
-        const auto listed = std::ranges::find_if(of.differs, [&](const Differs& differs) {
-            return differs.spot == expected.spot &&
-                   ::fnmatch(("*" + differs.driver + "*").c_str(), driver.c_str(), 0) == 0;
-        });
+        const auto listed = std::ranges::find_if(
+            of.differs, [&](const Differs& differs) { return differs.spot == expected.spot && differs.is_of(driver); });
         const bool agrees = agree(value, of_floats(of, expected));
         Outcome outcome = Outcome::kPass;
         std::string name;
