@@ -2,7 +2,7 @@
 #
 #   config=release|debug|sanitize   release builds into build/, the others into build/<config>/; `make fuzz` into build/fuzz/
 #   GL=osmesa|egl                   what draws without a window: Mesa's OSMesa into build/, EGL's drivers into build/egl/
-#   units=rooms|files               compile a folder at a time (release: a third of the time), or each file by itself (the others)
+#   units=rooms|files               compile a folder at a time (release: less than half the time), or each file alone (the others)
 #   CI=true                         warnings are errors
 
 config ?= release
@@ -130,11 +130,11 @@ FILES_pages := $(wildcard src/judge/report/pages/*) $(BUILD)/embedded/chart.js
 
 # A room, a folder of sources, is one translation unit where units=rooms: its headers are read once. Files with flags of their own
 # are compiled alone, and so are those that a program links without the rest of their room.
-ALONE := $(if $(filter files,$(units)),%.cpp,$(SOURCES_osmesa) $(SOURCES_egl) src/lighting/points_avx%.cpp \
+ALONE := $(if $(filter files,$(units)),%.cpp,src/render/context/%.cpp src/lighting/points_avx%.cpp \
     src/app/demo/main.cpp src/app/demo/window.cpp src/app/cli/progress.cpp $(SOURCES_bench_meshes))
 ROOMS := $(patsubst %/,%,$(sort $(dir $(filter-out $(ALONE),$(SOURCES_all)))))
 object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
-    $(patsubst %,$(BUILD)/objects/%room.o,$(dir $(filter-out $(ALONE),$(1)))))
+    $(patsubst %,$(BUILD)/objects/%.room.o,$(patsubst %/,%,$(dir $(filter-out $(ALONE),$(1))))))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # What programs without a window link beside their own objects.
@@ -228,15 +228,15 @@ $(BUILD)/flags $(BUILD)/files:
 
 # A room's translation unit includes its sources; it is written when the list of them changes.
 room_sources = $(sort $(filter-out $(ALONE),$(wildcard $(1)/*.cpp)))
-room_written = $(patsubst "%",%,$(filter "%",$(file <$(BUILD)/objects/$(1)/room.cpp)))
+room_written = $(patsubst "%",%,$(filter "%",$(file <$(BUILD)/objects/$(1).room.cpp)))
 define room
-$(BUILD)/objects/$(1)/room.cpp: $(if $(subst |$(call room_written,$(1))|,,|$(call room_sources,$(1))|),force)
+$(BUILD)/objects/$(1).room.cpp: $(if $(subst |$(call room_written,$(1))|,,|$(call room_sources,$(1))|),force)
 	@mkdir -p $$(@D); printf '#include "%s"\n' $(call room_sources,$(1)) >$$@
 endef
 $(foreach name,$(ROOMS),$(eval $(call room,$(name))))
 
 # (g++ takes a source that is included for a header, and warns of what it uses of an anonymous namespace.)
-$(BUILD)/objects/%/room.o: $(BUILD)/objects/%/room.cpp $(BUILD)/flags
+$(BUILD)/objects/%.room.o: $(BUILD)/objects/%.room.cpp $(BUILD)/flags
 	@echo "compile $*/*.cpp"
 	@$(CXX) $(CXXFLAGS_all) -Wno-subobject-linkage -iquote . -MMD -MP -c $< -o $@
 

@@ -1,4 +1,4 @@
-// The equation's colour with its parts: the terms of each light, and the magnitude that errors are compared with.
+// The equation's colour with its parts: the terms of each light, and the magnitude that errors are divided by.
 #pragma once
 
 #include "lighting/equation.h"
@@ -7,11 +7,12 @@ namespace twinlight::lighting {
 
 template <class Real>
 struct MeasuredLit : Lit<Real> {
-    // The sum of the sizes of c_pri's terms: where terms cancel, an error relative to the rest would mean nothing.
+    // The sum of the absolute values of c_pri's terms. If terms cancel, c_pri itself is too small to measure an error
+    // by.
     Vec3<Real> magnitude;
 };
 
-// `breakdown`, where it is not null, takes one LightTerms a light.
+// `breakdown` is null, or has room for one LightTerms per light.
 template <class Real>
 MeasuredLit<Real> measured_light(const Model<Real>& model, const Material<Real>& material,
                                  const SurfacePoint<Real>& surface, std::span<const Light<Real>> lights,

@@ -1,10 +1,11 @@
-// The lighting equation of GL 2.1, section 2.14.1 (GL 4.6 compatibility profile, section 12.2.1), written once:
+// The lighting equation: GL 2.1, section 2.14.1 (the same in the GL 4.6 compatibility profile, section 12.2.1).
 //
 //   c_pri = e_cm + a_cm a_cs
 //         + sum_i att_i spot_i [ a_cm a_cli + (n . VP_i) d_cm d_cli + f_i (n . h_i)^s_rm s_cm s_cli ]
 //
-// a . b means max(a . b, 0) here: positive_dot(); dot() is not clamped. The last term of the bracket goes to c_sec instead where that is separate (c_es). All
-// positions and directions are in eye coordinates. The specification's letters, and what they are called here:
+// Here a . b means max(a . b, 0), as in the specification: positive_dot(). The function dot() does not clamp. With
+// separate specular color (c_es) the last term of the bracket goes to c_sec instead of c_pri. All positions and
+// directions are in eye coordinates. The specification's letters and their names in this code:
 //
 //   V        SurfacePoint::position_eye       n        SurfacePoint::normal_eye
 //   e_cm     Material::emission               a_cs     Model::ambient
@@ -20,13 +21,13 @@
 //   att_i    attenuation()                    h_i      Light::half_dir_eye, cosine_to_half()
 //   spot_i   spot()                           f_i      highlight()
 //
-// Real is the number type: float, double, long double, a batch of SIMD lanes (lanes.h) or a number that knows which rulings
-// it comes from (marked.h). So select(mask, a, b) chooses between values; `if` and `?:` test only facts that hold for
-// every lane (bool members).
+// Real is the number type: float, double, long double, a batch of SIMD lanes (lanes.h), or a double that records
+// rulings (marked.h). One batch holds several points, so select(mask, a, b) chooses between values; `if` and `?:` test
+// only facts that are the same for all points (bool members).
 //
-// RULING (the specification leaves these open): no answer is ever NaN or infinite. A value is the limit of the equation
-// where there is one; otherwise the term contributes 0. The functions of real.h do this, and take the ruling's name.
-// ruled(...) returns its last argument; only marked.h keeps the ruling with it.
+// A RULING is our choice where the specification is silent (rulings.h). The general one: no result is NaN or infinite.
+// Where the equation has a limit, the result is that limit; otherwise the term contributes 0. The functions of real.h
+// ensure this. ruled(ruling, ..., value) returns `value`; only marked.h also records the ruling.
 #pragma once
 
 #include <span>
@@ -39,7 +40,7 @@ namespace twinlight::lighting {
 template <class Real>
 struct SurfacePoint {
     Vec3<Real> position_eye;  // divided by its w
-    Vec3<Real> normal_eye;    // as it is: the equation does not normalise it
+    Vec3<Real> normal_eye;    // of any length: the equation does not normalise it
 };
 
 template <class Real>
@@ -49,21 +50,21 @@ struct Material {
     Real shininess{0};
 };
 
-// light_setup.h sets its position and its cone.
+// place() and aim() of light_setup.h set the position and the cone.
 template <class Real>
 struct Light {
     Vec3<Real> ambient{}, diffuse{}, specular{};
-    bool has_ambient = true, has_specular = true;  // false only where the product with the material is known to be 0
-    Vec3<Real> position_eye{0, 0, 1};              // divided by its w; a unit vector towards a directional light
+    bool has_ambient = true, has_specular = true;  // false only if the product with the material is 0
+    Vec3<Real> position_eye{0, 0, 1};              // divided by its w; directional: the unit vector to the light
     bool directional = true;                       // w is 0
-    Vec3<Real> half_dir_eye{0, 0, 1};   // h_i of a directional light for the infinite viewer; 0 where they are opposite
+    Vec3<Real> half_dir_eye{0, 0, 1};   // h_i of a directional light and an infinite viewer; 0 if they are opposite
     Vec3<Real> spot_dir_eye{0, 0, -1};  // unit(spot direction)
     Real spot_exponent{0};
     bool is_spot = false;  // the cutoff is not 180 degrees
     Real cos_cutoff{-1};
     Real constant_attenuation{1}, linear_attenuation{0}, quadratic_attenuation{0};  // not negative
 
-    // Not GL: the lecture's cone, instead of spot_i.
+    // Not in GL: the lecture's cone with a soft border replaces spot_i.
     bool has_smooth_cone = false;
     Real cos_inner{1}, cos_outer{1};
 };
@@ -74,9 +75,9 @@ struct Model {
     bool local_viewer = false;
     bool separate_specular = false;
 
-    // Not GL: the lecture's variants.
-    bool reflection = false;            // specular (r . VP_e)^s, without f_i, instead of f_i (n . h)^s
-    bool ambient_unattenuated = false;  // a_cm a_cli outside att_i and spot_i
+    // Not in GL: the lecture's variants.
+    bool reflection = false;            // the highlight is (r . VP_e)^s instead of f_i (n . h)^s
+    bool ambient_unattenuated = false;  // a_cm a_cli is not multiplied by att_i and spot_i
 };
 
 // What one light adds, term by term.
@@ -85,7 +86,7 @@ struct LightTerms {
     Real attenuation{1}, spot{1};
     Real n_dot_vp{0};                       // n . VP
     Real highlight{0};                      // f_i (n . h)^s
-    Vec3<Real> ambient, diffuse, specular;  // each whole, att_i and spot_i included
+    Vec3<Real> ambient, diffuse, specular;  // whole terms: att_i and spot_i included
 };
 
 template <class Real>
@@ -97,7 +98,7 @@ struct Lit {
 
 // ---- The factors ----
 
-// VP and d. Nothing asks for the d of a directional light.
+// VP and d. A directional light has no d: its length here is never used.
 template <class Real>
 UnitAndLength<Real> toward_light(const Light<Real>& light, Vec3<Real> position_eye) {
     const auto [dir, length] = light.directional ? UnitAndLength<Real>{light.position_eye, Limits<Real>::largest}
@@ -112,8 +113,9 @@ Vec3<Real> toward_viewer(const Model<Real>& model, Vec3<Real> position_eye) {
     return unit(-position_eye, Ruling::kVertexAtEye);
 }
 
-// att_i. RULING: where the denominator is not positive, 0 (k = 0, 0, 0; a light with k_0 = 0 at the vertex).
-// Horner's form: k_2 d^2 itself may overflow where k_2 is 0.
+// att_i = 1 / (k_0 + k_1 d + k_2 d^2); 1 for a directional light.
+// RULING: 0 if the denominator is not positive (k = 0, 0, 0; or k_0 = 0 and the light is at the vertex).
+// Horner's form avoids the overflow of d^2 when k_2 is 0.
 template <class Real>
 Real attenuation(const Light<Real>& light, Real d) {
     if (light.directional) return Real(1);
@@ -123,7 +125,8 @@ Real attenuation(const Light<Real>& light, Real d) {
 }
 
 // The lecture's cone: clamp((cos t - cos outer) / (cos inner - cos outer), 0, 1).
-// RULING: equal cones (and an inner one that is wider) are a step that includes its border, as GL's cutoff.
+// RULING: if the cones are equal, or the inner one is wider, the cone is a step that includes its border, like GL's
+// cutoff.
 template <class Real>
 Real smooth_cone(const Light<Real>& light, Real cos_angle) {
     const Real span = light.cos_inner - light.cos_outer;
@@ -132,9 +135,10 @@ Real smooth_cone(const Light<Real>& light, Real cos_angle) {
     return select(span > Real(0), slope, ruled(Ruling::kEqualCones, step));
 }
 
-// spot_i; of directional lights too. The cone includes its border: what rounding can take from a cosine of two unit vectors
-// (some units in the last place) is given back. RULING: a cone of 90 degrees ends there. The specification compares a
-// cosine that is clamped to 0, so that 0^0 = 1 would be lit behind it.
+// spot_i = (PV . s_dli)^s_rli inside the cone, 0 outside, where PV = -VP. Applies to directional lights too.
+// The cone includes its border, so the comparison allows for the rounding of a cosine (4 epsilon).
+// RULING: a cone of 90 degrees is dark behind the light. The specification compares a cosine that is clamped to 0, so
+// the points behind would count as inside, and exponent 0 would light them (0^0 = 1).
 template <class Real>
 Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
     if (!light.is_spot && !light.has_smooth_cone) return Real(1);
@@ -143,19 +147,20 @@ Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
     const Real rounding = Real(4) * Limits<Real>::epsilon;
     const Real falloff = power(larger(cos_angle, Real(0)), light.spot_exponent);
     const Real within = ruled(Ruling::kSpotBorder, cos_angle <= light.cos_cutoff + rounding, falloff);
-    const Real by_the_letter = select(light.cos_cutoff <= Real(0), falloff, Real(0));
-    const Real outside = ruled(Ruling::kBehindSpot, by_the_letter > Real(0), Real(0));
+    const Real as_specified = select(light.cos_cutoff <= Real(0), falloff, Real(0));
+    const Real outside = ruled(Ruling::kBehindSpot, as_specified > Real(0), Real(0));
     return select(cos_angle >= light.cos_cutoff - rounding, within, outside);
 }
 
-// n . h for h = unit(a + b), without h itself. RULING: where a + b is 0, 0.
+// n . h for h = unit(a + b), computed without h. RULING: 0 if a + b is 0.
 template <class Real>
 Real cosine_to_half(Vec3<Real> n, Vec3<Real> a, Vec3<Real> b) {
     return over_length(dot(n, a) + dot(n, b), length(a + b), Ruling::kOppositeHalfVector);
 }
 
-// f_i (n . h_i)^s_rm; h_i lies in the middle between VP and VP_e.
-// The lecture's variant (r . VP_e)^s_rm reflects VP about n and has no f_i: a light behind the surface may shine through.
+// f_i (n . h_i)^s_rm. h_i is halfway between VP and VP_e; f_i is 1 if n . VP > 0, otherwise 0.
+// The lecture's variant is (r . VP_e)^s_rm, where r is VP reflected about n. It has no f_i, so a light behind the
+// surface may shine through.
 template <class Real>
 Real highlight(const Model<Real>& model, const Light<Real>& light, Real shininess, Vec3<Real> n, Vec3<Real> vp_dir,
                Vec3<Real> vpe_dir) {
@@ -193,7 +198,7 @@ LightTerms<Real> light_terms(const Model<Real>& model, const AnyMaterial& materi
     return t;
 }
 
-// The three products of light_terms(), for printing.
+// The three products of light_terms() as text, for `explain --pixel`.
 struct Formulas {
     const char* ambient = "att spot a_cm a_cli";
     const char* diffuse = "att spot n.VP d_cm d_cli";
@@ -212,8 +217,8 @@ struct IgnoreTerms {
     void operator()(const Terms& /*terms*/) const {}
 };
 
-// c_pri and c_sec, before the clamp of 2.14.6. visit(terms) gets the LightTerms of each light. AnyMaterial has the members of
-// Material<Real>.
+// c_pri and c_sec, not yet clamped (2.14.6). Calls visit(LightTerms) for each light. AnyMaterial: a type with the
+// members of Material<Real>.
 template <class Real, class AnyMaterial, class Visit = IgnoreTerms>
 Lit<Real> light_surface(const Model<Real>& model, const AnyMaterial& material, const SurfacePoint<Real>& surface,
                         std::span<const Light<Real>> lights, Visit&& visit = {}) {

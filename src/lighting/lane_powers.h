@@ -1,5 +1,6 @@
-// Powers of lanes: base^exponent for bases that are not negative. 0^0 is 1 (2.1.1).
-// Not xsimd's pow(): measured, it is up to 57 epsilon off (these: 1), and takes 1.1 to 2.6 times as long as the library in doubles.
+// Powers of SIMD lanes: base^exponent for bases that are not negative. 0^0 is 1 (2.1.1).
+// xsimd's pow() is not used: its measured error is up to 57 epsilon (these: 1), and in doubles it takes 1.1 to 2.6
+// times as long as the C library's.
 #pragma once
 
 #include <cmath>
@@ -13,25 +14,25 @@
 namespace twinlight::lighting {
 
 enum class PowerBy : std::uint8_t {
-    kLibrary,  // any exponents
-    // Where all lanes have the same exponent:
+    kLibrary,  // for any exponents
+    // Only if all lanes have the same exponent:
     kTable,
-    // Where is_short_product(exponent) too:
+    // Only if is_short_product(exponent) holds too:
     kExactProducts,
     kRoundedProducts,
 };
 
-// a b + c and a b - c, rounded once, where the processor does so. (xsimd 8 rounds twice with AVX-512, and its fms() for NEON
-// is c - a b.)
+// a b + c and a b - c with a single rounding, if the processor has the instruction. Not xsimd's functions: version 8
+// rounds twice with AVX-512, and its fms() for NEON is c - a b.
 template <class Arch>
 struct FusedProduct {
-    static constexpr bool kThere = false;
+    static constexpr bool kAvailable = false;
 };
 
 #if defined(__AVX512F__) || defined(__FMA__) || defined(__aarch64__)
 template <>
 struct FusedProduct<xsimd::default_arch> {
-    static constexpr bool kThere = true;
+    static constexpr bool kAvailable = true;
     using D = xsimd::batch<double, xsimd::default_arch>;
     using F = xsimd::batch<float, xsimd::default_arch>;
 #if defined(__AVX512F__)
@@ -54,7 +55,8 @@ struct FusedProduct<xsimd::default_arch> {
 #endif
 
 #if defined(__x86_64__) && defined(__GLIBC__)
-// libmvec's, by the names of the x86 vector function ABI; at most 4 units in the last place off, says glibc's manual.
+// libmvec's functions under their names in the x86 vector function ABI. Error: at most 4 units in the last place
+// (glibc's manual).
 #if defined(__AVX512F__)
 extern "C" __m512d _ZGVeN8vv_pow(__m512d, __m512d);
 extern "C" __m512 _ZGVeN16vv_powf(__m512, __m512);
@@ -87,13 +89,13 @@ xsimd::batch<Scalar, Arch> library_power(xsimd::batch<Scalar, Arch> base, xsimd:
 }
 #endif
 
-// Whether products are quicker than pow(), and the exponent is whole: GL's own end at 128.
+// Whether the exponent is a whole number small enough that products are faster than pow(). GL's exponents end at 128.
 inline constexpr double kMostProducts = 1024;
 [[gnu::always_inline]] inline bool is_short_product(double exponent) {
     return exponent >= 0 && exponent <= kMostProducts && exponent == static_cast<double>(static_cast<int>(exponent));
 }
 
-// Products from the exponent's highest bit down: square, and times the base where the bit is set.
+// Goes through the exponent's bits from the highest down: squares, and multiplies by the base if the bit is set.
 template <class Scalar, class Arch>
 xsimd::batch<Scalar, Arch> rounded_product(xsimd::batch<Scalar, Arch> base, unsigned exponent) {
     xsimd::batch<Scalar, Arch> product = base;
@@ -104,21 +106,21 @@ xsimd::batch<Scalar, Arch> rounded_product(xsimd::batch<Scalar, Arch> base, unsi
     return product;
 }
 
-// high + low is the product to twice as many digits (Dekker, "A floating-point technique for extending the available
-// precision", 1971, with fused products); only the last one rounds.
+// Keeps each product as high + low, with twice as many digits (Dekker, "A floating-point technique for extending the
+// available precision", 1971, with fused products). Only the last product is rounded.
 template <class Scalar, class Arch>
 xsimd::batch<Scalar, Arch> exact_product(xsimd::batch<Scalar, Arch> base, unsigned exponent) {
     using Batch = xsimd::batch<Scalar, Arch>;
     using Fused = FusedProduct<Arch>;
     if (exponent <= 2) return exponent == 1 ? base : base * base;
-    // Every other power begins with the square of the base, below which there is nothing.
+    // All higher powers start with the square of the base.
     Batch high = base * base, low = Fused::difference(base, base, high);
     const auto square = [&] {
         const Batch product = high * high;
         low = Fused::sum(high + high, low, Fused::difference(high, high, product));
         high = product;
     };
-    // The odd factor of the exponent; then the squarings that are left.
+    // First the odd factor of the exponent, then the remaining squarings.
     int squarings = __builtin_ctz(exponent);
     const unsigned odd = exponent >> squarings;
     if (odd == 1) --squarings;
@@ -135,7 +137,7 @@ xsimd::batch<Scalar, Arch> exact_product(xsimd::batch<Scalar, Arch> base, unsign
     return Fused::sum(high + high, low, high * high);
 }
 
-// Where exponents are equal: to the first one's.
+// base^exponent. All methods but kLibrary use the first lane's exponent for all lanes.
 template <PowerBy kBy, class Scalar, class Arch>
 xsimd::batch<Scalar, Arch> power_of(xsimd::batch<Scalar, Arch> base, xsimd::batch<Scalar, Arch> exponent) {
     const xsimd::batch<Scalar, Arch> one(Scalar(1));

@@ -1,6 +1,6 @@
-// Lanes: a number type of several doubles or floats that one instruction works on, for the templates of equation.h.
-//
-// Its arithmetic is IEEE's, lane by lane, and nothing is contracted: only powers may round differently from the scalar ones.
+// Lanes: a number type that holds several doubles or floats and computes them with one instruction, for the templates
+// of equation.h. Each lane follows IEEE arithmetic without contraction, so only powers may round differently from
+// scalar ones.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ namespace twinlight::lighting {
 
 enum class Range : std::uint8_t {
     kAny,    // the rulings of real.h hold
-    kPlain,  // no guards: where they are needed the result is NaN or infinite, and is computed again with kAny
+    kPlain,  // no guards: if one is needed, the result is NaN or infinite, and the caller repeats the work with kAny
 };
 
-// Scalar: float or double. Arch: one of xsimd's instruction sets, which this file's includer is compiled for.
+// Scalar: float or double. Arch: the xsimd instruction set that the including file is compiled for.
 template <class Scalar, class Arch, Range kRange, PowerBy kPower>
 struct Lanes {
     using Batch = xsimd::batch<Scalar, Arch>;
@@ -29,7 +29,7 @@ struct Lanes {
     Lanes() : batch(Scalar(0)) {}
     Lanes(Scalar all) : batch(all) {}
     explicit Lanes(Batch lanes) : batch(lanes) {}
-    // Copied as one batch: as bytes, gcc 12 takes it in pieces and waits for them to be put together.
+    // Copied as one batch. The default copy is slow with gcc 12, which copies the bytes in pieces.
     Lanes(const Lanes& other) : batch(other.batch) {}
     Lanes& operator=(const Lanes& other) {
         batch = other.batch;
@@ -52,11 +52,11 @@ struct Lanes {
     friend Lanes sqrt(Lanes a) { return Lanes(xsimd::sqrt(a.batch)); }
     friend Lanes power(Lanes base, Lanes exponent) { return Lanes(power_of<kPower>(base.batch, exponent.batch)); }
 
-    // NaN is never the larger one (real.h); but without guards it must not be lost.
+    // NaN is never the larger value (real.h). Without guards it must survive, so the operands are swapped.
     friend Lanes larger(Lanes a, Lanes b) {
         if constexpr (kRange == Range::kPlain) std::swap(a, b);
 #if defined(__x86_64__)
-        return Lanes(xsimd::max(a.batch, b.batch));  // the second of the two, where one is NaN
+        return Lanes(xsimd::max(a.batch, b.batch));  // returns b if one of them is NaN
 #else
         return select(a > b, a, b);
 #endif
@@ -73,20 +73,20 @@ Lanes<Scalar, Arch, Range::kPlain, kPower> finite_or_zero(Lanes<Scalar, Arch, Ra
     return x;
 }
 
-// A quotient by 0 is NaN or infinite, and stays so unless a choice discards it, as it would discard the guarded one.
-// larger(x, 0) makes negative ones 0, guarded or not.
+// No guard: a division by 0 gives NaN or infinity. It reaches the result unless a select() discards it, and that would
+// discard the guarded value too. Negative values need no guard: larger(x, 0) has already made them 0.
 template <class Scalar, class Arch, PowerBy kPower>
 Lanes<Scalar, Arch, Range::kPlain, kPower> positive_or_one(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
     return x;
 }
-// Of an x that is not negative: of 0 it is infinite.
+// x must not be negative; 0 gives infinity.
 template <class Scalar, class Arch, PowerBy kPower>
 Lanes<Scalar, Arch, Range::kPlain, kPower> inverse_or_zero(Lanes<Scalar, Arch, Range::kPlain, kPower> x,
                                                            Ruling /*ruling*/) {
     return Lanes<Scalar, Arch, Range::kPlain, kPower>(Scalar(1)) / x;
 }
 
-// The same numbers as real.h gives for lengths whose squares neither overflow nor underflow; NaN for others.
+// The same results as in real.h for lengths whose squares neither overflow nor underflow; NaN for others.
 template <class Scalar, class Arch, PowerBy kPower>
 UnitAndLength<Lanes<Scalar, Arch, Range::kPlain, kPower>> unit_and_length(
     Vec3<Lanes<Scalar, Arch, Range::kPlain, kPower>> v) {
@@ -94,7 +94,7 @@ UnitAndLength<Lanes<Scalar, Arch, Range::kPlain, kPower>> unit_and_length(
     using L = Limits<Scalar>;
     const Real square = dot(v, v), length = sqrt(square);
     const auto in_range = (square.batch > (4 * L::small) * (4 * L::small)) & (square.batch < L::big * L::big / 16);
-    // Not 1 / select(...), which would keep the root waiting for the comparisons.
+    // Faster than 1 / select(...), where the division would wait for the comparisons.
     const Real inverse = select(in_range, Real(1) / length, Real(std::numeric_limits<Scalar>::quiet_NaN()));
     return {v * inverse, length};
 }

@@ -1,4 +1,4 @@
-// Where a light is and where it shines: positions, spot directions and angles as the equation takes them. Not for batches.
+// Sets a light's position, spot direction and cone in the form that the equation needs. Not for batches.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace twinlight::lighting {
 
-// The cosine of GL_SPOT_CUTOFF, rounded down: 2.14.1 lights the border, and spot() over long double, which gives back four
-// of its own last places, would not give back a double's.
+// The cosine of GL_SPOT_CUTOFF, rounded down, because the border is lit (2.14.1). Rounded up, spot() with long double
+// would lose the border: its 4 epsilon are smaller than the rounding of a double.
 inline double cos_cutoff(double cutoff_deg) {
     if (cutoff_deg == 90) return 0;
     const long double exact = std::cos(cutoff_deg * std::numbers::pi_v<long double> / 180);
@@ -18,7 +18,7 @@ inline double cos_cutoff(double cutoff_deg) {
     return nearest <= exact ? nearest : std::nextafter(nearest, -1.0);
 }
 
-// The light to (position_eye, w).
+// Moves the light to the homogeneous position (position_eye, w); it is directional if w is 0 (2.14.1).
 template <class Real>
 void place(Light<Real>& light, Vec3<Real> position_eye, Real w) {
     light.directional = w == Real(0);
@@ -27,7 +27,7 @@ void place(Light<Real>& light, Vec3<Real> position_eye, Real w) {
         light.half_dir_eye = unit(light.position_eye + Vec3<Real>{0, 0, 1}, Ruling::kOppositeHalfVector);
 }
 
-// RULING: a spot direction of length 0 has a cosine of 0 with everything.
+// RULING: the cosine of a spot direction of length 0 with every direction is 0.
 template <class Real>
 void aim(Light<Real>& light, Vec3<Real> spot_direction_eye, double cutoff_deg) {
     light.spot_dir_eye = unit(spot_direction_eye, Ruling::kZeroSpotDirection);
@@ -35,7 +35,7 @@ void aim(Light<Real>& light, Vec3<Real> spot_direction_eye, double cutoff_deg) {
     light.cos_cutoff = cos_cutoff(cutoff_deg);
 }
 
-// The lecture's cone.
+// Gives the light the lecture's cone: full light inside inner_deg, none outside outer_deg. Not in GL.
 template <class Real>
 void soften(Light<Real>& light, double inner_deg, double outer_deg) {
     light.has_smooth_cone = true;

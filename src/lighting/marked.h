@@ -1,5 +1,6 @@
-// Marked: a double that knows which rulings it comes from. Over it, the templates of equation.h and real.h find the rulings
-// that decided a colour. A ruling's value that an exact 0 multiplies away decided nothing.
+// Marked: a double that records which rulings affected its value. With it, the templates of equation.h and real.h find
+// the rulings that a colour depends on. A product with an exact 0 drops the rulings of the other factor: they changed
+// nothing.
 #pragma once
 
 #include <cmath>
@@ -13,11 +14,12 @@ struct Marked {
     RulingSet rulings{};
 
     constexpr Marked() = default;
-    constexpr Marked(double number, RulingSet from = {}) : value(number), rulings(from) {}  // NOLINT: a number is one
+    constexpr Marked(double number, RulingSet from = {})
+        : value(number), rulings(from) {}  // NOLINT: converts implicitly
     explicit operator double() const { return value; }
 
     constexpr bool is_plain_zero() const { return value == 0 && rulings.empty(); }
-    // Whether it is so, and the rulings without which it might not be.
+    // The result of a comparison, and the rulings that it depends on.
     struct Mask {
         bool holds = false;
         RulingSet rulings{};
@@ -41,7 +43,7 @@ struct Marked {
     friend constexpr Mask operator>=(Marked a, Marked b) { return b <= a; }
     friend constexpr bool operator==(Marked a, Marked b) {
         return a.value == b.value;
-    }  // exponents and w, which none decides
+    }  // used only for exponents and w, which no ruling affects
 
     friend Marked select(Mask mask, Marked a, Marked b) {
         const Marked chosen = mask.holds ? a : b;
@@ -54,7 +56,7 @@ struct Marked {
 };
 
 inline RulingSet rulings_of(const Vec3<Marked>& v) { return v.x.rulings | v.y.rulings | v.z.rulings; }
-// Each component of these rulings too.
+// v with these rulings added to each component.
 inline Vec3<Marked> marked(const Vec3<Marked>& v, RulingSet by) {
     return {{v.x.value, v.x.rulings | by}, {v.y.value, v.y.rulings | by}, {v.z.value, v.z.rulings | by}};
 }

@@ -18,7 +18,7 @@ void light_points_avx512(const Model<double>& model, const std::vector<Light<dou
 
 namespace {
 
-// No instruction set has more lanes.
+// The most lanes of any instruction set: 16 floats in AVX-512.
 constexpr std::size_t kMostLanes = 16;
 
 template <class Visit>
@@ -31,16 +31,16 @@ void for_each_column(Points& points, const Visit& visit) {
     visit(m.shininess);
 }
 
-// With the last point so often that there are as many as lanes.
+// Repeats the last point until there are kMostLanes points.
 Points padded(Points points) {
-    const bool is_one = points.size() == 1;  // not any more once the first column is longer
+    const bool is_one = points.size() == 1;  // read before the first column grows
     for_each_column(points, [&](Column& column) {
         if (column.size() != 1 || is_one) column.resize(kMostLanes, column.back());
     });
     return points;
 }
 
-// One point after the other, which is how it must be where no SIMD instruction has the number type.
+// Point by point, for a number type without SIMD instructions.
 template <class Real>
 void light_each(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                 Lit<Column>& lit) {
@@ -65,13 +65,13 @@ void Points::add(const SurfacePoint<double>& point) {
     push_back(surface.normal_eye, point.normal_eye);
 }
 
-void Points::add(const Material<double>& of_point) {
-    push_back(material.emission, of_point.emission);
-    push_back(material.ambient, of_point.ambient);
-    push_back(material.diffuse, of_point.diffuse);
-    push_back(material.specular, of_point.specular);
-    material.diffuse_alpha.push_back(of_point.diffuse_alpha);
-    material.shininess.push_back(of_point.shininess);
+void Points::add(const Material<double>& point_material) {
+    push_back(material.emission, point_material.emission);
+    push_back(material.ambient, point_material.ambient);
+    push_back(material.diffuse, point_material.diffuse);
+    push_back(material.specular, point_material.specular);
+    material.diffuse_alpha.push_back(point_material.diffuse_alpha);
+    material.shininess.push_back(point_material.shininess);
 }
 
 PowerBy power_by(Powers powers, const std::vector<Light<double>>& lights, const Points& points) {
@@ -91,7 +91,7 @@ const std::vector<InstructionSet>& instruction_sets() {
     static const std::vector<InstructionSet> sets = [] {
         std::vector<InstructionSet> there;
 #if defined(__x86_64__)
-        // The first two ask the operating system as well, whether it keeps the wide registers.
+        // __builtin_cpu_supports also checks that the operating system saves the wide registers.
         if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
             __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
             there.push_back({"AVX-512", light_points_avx512});
@@ -108,7 +108,7 @@ const std::vector<InstructionSet>& instruction_sets() {
 
 namespace {
 
-// RULING (divided() of real.h): what floats cannot hold is very far away in its direction.
+// RULING (as divided() in real.h): a position that floats cannot hold is moved to the farthest one in its direction.
 Vec3<double> within_floats(Vec3<double> v) {
     constexpr double kFar = Limits<float>::big;
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
@@ -173,7 +173,7 @@ const double* power_table(double exponent) {
         double exponent = 0;
         std::array<double, kPowerTableSteps + 2> entries{};
     };
-    thread_local std::array<Kept, 16> kept;  // as many as a Draw has exponents: its lights' and its material's
+    thread_local std::array<Kept, 16> kept;  // a Draw has at most 9 exponents: 8 lights and a material
     thread_local std::size_t oldest = 0;
     const auto* found = std::find_if(kept.begin(), kept.end(), [&](const Kept& k) { return k.exponent == exponent; });
     if (found != kept.end()) return found->entries.data();

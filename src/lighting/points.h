@@ -1,7 +1,8 @@
-// The lighting equation for many points at once, on the widest SIMD instructions that the processor has.
+// Lights many points at once with the widest SIMD instructions of the processor.
 //
-// The same templates as for one point (equation.h), over batches of doubles. The results are light_surface<double>'s, except
-// for the rounding of powers: within 4 units in the last place of the sum of the terms' magnitudes.
+// It uses the templates of equation.h with batches of doubles or floats. In doubles the results equal those of
+// light_surface<double>, except for the rounding of powers: at most 4 units in the last place of the sum of the terms'
+// magnitudes.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +14,9 @@
 
 namespace twinlight::lighting {
 
-// A number for each point, or one for all of them. They begin where a line of the cache does.
+// One number for each point, or a single one for all points. Aligned to cache lines.
 using Column = std::vector<double, xsimd::aligned_allocator<double, 64>>;
-// Its number for any point.
+// Reads the number of any point from a column of either kind.
 class Each {
   public:
     explicit Each(const Column& column) : first_(column.data()), step_(column.size() == 1 ? 0 : 1) {}
@@ -32,32 +33,33 @@ inline Vec3<double> at(const Vec3<Each>& columns, std::size_t point) {
 
 struct Points {
     SurfacePoint<Column> surface;
-    Material<Column> material;        // whose columns are all of one length
-    bool makes_unit_normals = false;  // the normals are made unit vectors first
+    Material<Column> material;        // all its columns have one length: size() or 1
+    bool makes_unit_normals = false;  // normalise the normals first
 
     Points() { clear(); }
-    void clear();  // all points, and the material
+    void clear();  // removes all points and the material
     bool has_one_material() const { return material.shininess.size() == 1; }
     std::size_t size() const { return surface.position_eye.x.size(); }
     void add(const SurfacePoint<double>& point);
-    void add(const Material<double>& of_point);  // one for each point, or one
+    void add(const Material<double>& point_material);  // call once for each point, or once in total
 };
 
-// c_pri, c_sec and the alpha of each point, in the place of what `lit` has; magnitudes are left out. c_sec is one for all
-// where it is not separate, alpha where the material is. Long doubles are lit one by one, with pow().
+// Replaces the contents of `lit` by c_pri, c_sec and alpha of each point. c_sec has a single entry if it is not
+// separate, alpha if there is one material. Long doubles are computed point by point, with pow().
 void light_points(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                   const Arithmetic& arithmetic, Lit<Column>& lit);
 
 // ---- The instruction sets ----
 
-// Into columns that have their length; of c_sec, where it is separate. Alphas are left out.
+// Writes c_pri, and c_sec if it is separate, into columns that already have their length. Does not write alpha.
 using LightPoints = void (*)(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                              const Arithmetic& arithmetic, Lit<Column>& lit);
 struct InstructionSet {
     const char* name;  // "AVX-512"
     LightPoints light_points;
 };
-// Those that this processor has, the widest first; the last one all processors of its kind have.
+// The instruction sets of this processor, the widest first. The last one exists on every processor of this
+// architecture.
 const std::vector<InstructionSet>& instruction_sets();
 
 }  // namespace twinlight::lighting

@@ -1,7 +1,9 @@
-// light_points over one number type: what each file that is compiled for an instruction set instantiates.
+// light_points for one number type. Each file that is compiled for an instruction set (points_avx2.cpp, ...)
+// instantiates it.
 //
-// This file and its includes hold only templates over that type. Anything else might be compiled for a wide set and
-// chosen by the linker for all processors (tests/unit/lighting/points_test.cpp looks at the symbols).
+// This file and its includes must contain only templates over that type. Other functions would be compiled for the wide
+// instruction set, and the linker might use them on all processors (tests/unit/lighting/points_test.cpp checks the
+// symbols).
 #pragma once
 
 #include <optional>
@@ -19,7 +21,7 @@ inline constexpr std::size_t kPointsIn = 1;
 template <class Scalar, class Arch, Range kRange, PowerBy kPower>
 inline constexpr std::size_t kPointsIn<Lanes<Scalar, Arch, kRange, kPower>> = xsimd::batch<Scalar, Arch>::size;
 
-// The points from `first` on.
+// Loads as many points as a Real holds, from `first` on.
 template <class Real>
 [[gnu::always_inline]] inline Real load(const double* column, std::size_t first) {
     const double* from = column + first;
@@ -69,17 +71,17 @@ template <class Real>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline bool is_sound(const Lit<Real>& /*lit*/) {
+[[gnu::always_inline]] inline bool is_finite(const Lit<Real>& /*lit*/) {
     return true;
 }
 template <class Scalar, class Arch, PowerBy kPower>
-[[gnu::always_inline]] inline bool is_sound(const Lit<Lanes<Scalar, Arch, Range::kPlain, kPower>>& lit) {
+[[gnu::always_inline]] inline bool is_finite(const Lit<Lanes<Scalar, Arch, Range::kPlain, kPower>>& lit) {
     const auto [red, green, blue] = lit.primary;
     const auto sum = (red + green) + (blue + (lit.secondary.x + lit.secondary.y + lit.secondary.z));
     return xsimd::all(abs(sum).batch <= Limits<Scalar>::largest);
 }
 
-// A material whose colours are multiplied into the lights' and the model's already.
+// Stands for a material whose colours are already multiplied into those of the lights and the model.
 struct White {
     template <class Real>
     friend Vec3<Real> operator*(White /*white*/, Vec3<Real> color) {
@@ -93,7 +95,7 @@ struct WhiteMaterial {
     Real diffuse_alpha{1}, shininess{0};
 };
 
-// One lighting state. The points must outlive it.
+// The equation for one lighting state. The points must outlive it.
 template <class Real>
 class Kernel {
   public:
@@ -104,8 +106,8 @@ class Kernel {
         if (points.has_one_material()) multiply_in(load<double>(points.material, 0), lights);
     }
 
-    // False, and nothing stored, where a lane needs what the guards of real.h are for and Real has none.
-    // flatten: what is a Real is to stay in registers from end to end.
+    // Lights the points from `first` on. Returns false, and stores nothing, if a lane needs a guard of real.h that Real
+    // lacks. flatten keeps all Reals in registers.
     [[gnu::flatten]] bool light(std::size_t first, Lit<Column>& columns) const {
         const Vec3<Real> normal = load<Real>(points_.surface.normal_eye, first);
         const SurfacePoint<Real> surface{load<Real>(points_.surface.position_eye, first),
@@ -113,13 +115,13 @@ class Kernel {
         const Lit<Real> lit = points_.has_one_material()
                                   ? light_surface<Real>(model_, material_, surface, lights_)
                                   : light_surface<Real>(model_, load<Real>(points_.material, first), surface, lights_);
-        if (!is_sound(lit)) return false;
+        if (!is_finite(lit)) return false;
         store(lit.primary, columns.primary, first);
         if (model_.separate_specular) store(lit.secondary, columns.secondary, first);
         return true;
     }
-    // All points, which are as many as a Real holds at least; the last ones may be lit twice. again(first) where light() says
-    // false.
+    // Lights all points. There must be at least as many as a Real holds; some of the last ones may be lit twice. Where
+    // light() returns false, it calls again(first).
     template <class Again>
     [[gnu::flatten]] void light_all(Lit<Column>& columns, const Again& again) const {
         const std::size_t count = points_.size(), last = count - kPointsIn<Real>;
@@ -147,17 +149,17 @@ class Kernel {
     const Points& points_;
     Model<Real> model_;
     std::vector<Light<Real>> lights_;
-    WhiteMaterial<Real> material_;  // where all points have one
+    WhiteMaterial<Real> material_;  // used if all points share one material
 };
 
-// There are as many points as lanes at least.
+// There must be at least as many points as lanes.
 template <class Scalar, class Arch, PowerBy kPower>
 void light_lanes(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                  Lit<Column>& lit) {
     using Plain = Lanes<Scalar, Arch, Range::kPlain, kPower>;
     using Guarded = Lanes<Scalar, Arch, Range::kAny, PowerBy::kLibrary>;
     std::optional<Kernel<Guarded>> guarded;  // most states never need it
-    // noinline: light_all is flattened, and this is not to be a part of it.
+    // noinline, because light_all is flattened and should not include this rare case.
     const auto again = [&](std::size_t first) __attribute__((noinline)) {
         if (!guarded) guarded.emplace(model, lights, points);
         guarded->light(first, lit);
@@ -165,14 +167,14 @@ void light_lanes(const Model<double>& model, const std::vector<Light<double>>& l
     Kernel<Plain>(model, lights, points).light_all(lit, again);
 }
 
-// How these exponents may be taken, as far as `power` leaves it open.
+// The fastest method for these exponents that `powers` allows.
 PowerBy power_by(Powers powers, const std::vector<Light<double>>& lights, const Points& points);
 
 template <class Scalar, class Arch>
 void light_points_in(const Model<double>& model, const std::vector<Light<double>>& lights, const Points& points,
                      Powers powers, Lit<Column>& lit) {
-    // Without fused products the library is as quick.
-    constexpr PowerBy kExact = FusedProduct<Arch>::kThere ? PowerBy::kExactProducts : PowerBy::kLibrary;
+    // Without fused products the library is as fast.
+    constexpr PowerBy kExact = FusedProduct<Arch>::kAvailable ? PowerBy::kExactProducts : PowerBy::kLibrary;
     switch (power_by(powers, lights, points)) {
         case PowerBy::kLibrary: return light_lanes<Scalar, Arch, PowerBy::kLibrary>(model, lights, points, lit);
         case PowerBy::kExactProducts: return light_lanes<Scalar, Arch, kExact>(model, lights, points, lit);

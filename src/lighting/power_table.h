@@ -1,4 +1,4 @@
-// x^s on [0, 1] from a table: the lecture's way out where pow() is dear.
+// x^s on [0, 1] from a table: the lecture's method where pow() is slow.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,12 @@
 namespace twinlight::lighting {
 
 inline constexpr std::size_t kPowerTableSteps = 256;
-// Entry i: (i / kPowerTableSteps)^s; one more at the end.
 
-// The kPowerTableSteps + 2 entries of this exponent. The last few tables are kept, for the thread that asks.
+// The table of an exponent s: kPowerTableSteps + 2 entries, entry i is (i / kPowerTableSteps)^s. Each thread keeps its
+// last 16 tables; a new one overwrites the oldest.
 const double* power_table(double exponent);
 
-// Linearly between the two nearest entries; of bases above 1 as at 1. Bases are not negative.
+// Interpolates linearly between the two nearest entries. Bases must not be negative; those above 1 count as 1.
 template <class Scalar, class Arch>
 xsimd::batch<Scalar, Arch> between_entries(xsimd::batch<Scalar, Arch> base, const double* table) {
     constexpr std::size_t kCount = xsimd::batch<Scalar, Arch>::size;

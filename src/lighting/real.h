@@ -1,7 +1,8 @@
-// What an equation over any number type needs: choices without branches, and arithmetic that stays finite.
+// Functions for equations over any number type: choices without branches, and arithmetic that stays finite.
 //
-// Real may be float, double, long double, a batch of SIMD lanes or a number that knows its rulings (marked.h). Such types
-// bring their own select(), abs(), sqrt() and power() or pow(), found by argument-dependent lookup, and specialise Limits.
+// Real may be float, double, long double, a batch of SIMD lanes (lanes.h) or a double that records rulings (marked.h).
+// The last two define their own select(), abs(), sqrt() and power() or pow(), found by argument-dependent lookup, and
+// specialise Limits.
 #pragma once
 
 #include <cmath>
@@ -19,13 +20,14 @@ constexpr Real power_of_two(int exponent) {
     return result;
 }
 
-// Batches specialise it: std::numeric_limits does not know them.
+// Specialised for batches, which std::numeric_limits does not know.
 template <class Real>
 struct Limits {
     static_assert(std::numeric_limits<Real>::is_specialized);
     static constexpr Real largest = std::numeric_limits<Real>::max();
     static constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-    // Between small and big, squares neither overflow nor lose digits; scale_up brings all smaller numbers there.
+    // Squares of numbers between small and big neither overflow nor lose digits. scale_up moves smaller numbers into
+    // that range, scale_down larger ones.
     static constexpr Real big = power_of_two<Real>(std::numeric_limits<Real>::max_exponent / 2 - 2);
     static constexpr Real small = Real(1) / big;
     static constexpr Real scale_up = power_of_two<Real>(std::numeric_limits<Real>::max_exponent / 4 * 3);
@@ -37,7 +39,8 @@ Real select(bool mask, Real a, Real b) {
     return mask ? a : b;
 }
 
-// `value`, which comes from a ruling; with `where`: only where that holds. Only numbers that know their rulings keep it.
+// Returns `value`. Marked numbers (marked.h) also record that it results from `ruling`, in the second form only if
+// `where` holds.
 template <class Value>
 Value ruled(Ruling /*ruling*/, Value value) {
     return value;
@@ -64,7 +67,7 @@ Real clamp01(Real x) {
     return select(x > Real(0), select(x < Real(1), x, Real(1)), Real(0));
 }
 
-// RULING: NaN, or a number beyond the largest Real, contributes 0.
+// RULING: NaN and infinity contribute 0.
 template <class Real>
 Real finite_or_zero(Real x) {
     using std::abs;
@@ -88,19 +91,19 @@ Real power(Real base, Real exponent) {
     return select(exponent == Real(0), Real(1), pow(base, exponent));
 }
 
-// A divisor: x, or 1 where x is not positive.
+// A safe divisor: x, or 1 if x is not positive.
 template <class Real>
 Real positive_or_one(Real x) {
     return select(x > Real(0), x, Real(1));
 }
 
-// a / length; `ruling` answers a where the length is 0.
+// a / length; by `ruling`, a itself if the length is 0.
 template <class Real>
 Real over_length(Real a, Real length, Ruling ruling) {
     return ruled(ruling, length <= Real(0), a / positive_or_one(length));
 }
 
-// 1 / x; 0 where that is beyond the largest Real, and, by `ruling`, where x is not positive.
+// 1 / x; 0 if that is infinite or, by `ruling`, if x is not positive.
 template <class Real>
 Real inverse_or_zero(Real x, Ruling ruling) {
     return select(x > Real(0), finite_or_zero(Real(1) / x), ruled(ruling, Real(0)));
@@ -112,9 +115,9 @@ struct UnitAndLength {
     Real length;
 };
 
-// v / |v| and |v|. RULING: the zero vector, and one with an infinite component, has the direction 0.
-// Vectors whose squares would overflow or underflow are scaled by a power of two first, which is exact. kSquares is the ruling
-// where floats would fail, as they do in shaders and drivers.
+// v / |v| and |v|. RULING: the direction of the zero vector, or of one with an infinite component, is 0.
+// If squares would overflow or underflow, v is first scaled by a power of two, which is exact. Where the squares of
+// floats would fail, as they do in shaders and drivers, the result is marked with kSquares.
 template <class Real>
 UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
     using L = Limits<Real>;
@@ -131,7 +134,7 @@ UnitAndLength<Real> unit_and_length(Vec3<Real> v) {
             select(full_length <= L::largest, full_length, L::largest)};
 }
 
-// A direction; `ruling` answers where it is 0.
+// dir, which results from `ruling` if it is 0.
 template <class Real>
 Vec3<Real> ruled_zero(Ruling ruling, Vec3<Real> dir) {
     return ruled(ruling, dot(dir, dir) <= Real(0), dir);
@@ -146,8 +149,8 @@ Vec3<Real> unit(Vec3<Real> v, Ruling where_zero) {
     return ruled_zero(where_zero, unit(v));
 }
 
-// (v, w) divided by w. RULING: a point at infinity (w = 0, or a quotient whose square Real cannot hold) is very far away in
-// that direction, which is the limit. Not for batches.
+// (v, w) divided by w. RULING: a point at infinity (w = 0, or a quotient whose square overflows) becomes a point very
+// far away in the same direction, which is the limit. Not for batches.
 template <class Real>
 Vec3<Real> divided(Vec3<Real> v, Real w) {
     const Vec3<Real> quotient = v / w, size = magnitudes(quotient);

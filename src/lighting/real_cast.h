@@ -1,4 +1,4 @@
-// The equation's structs in another number type.
+// Converts the equation's structs to another number type.
 #pragma once
 
 #include "lighting/equation.h"

@@ -1,4 +1,4 @@
-// Which picture of a scene is wanted: what every renderer is asked.
+// Look: the options that every renderer takes.
 #pragma once
 
 #include <cstdint>
@@ -6,10 +6,11 @@
 
 namespace twinlight {
 
-// kPhong: every pixel of the mesh lit. kExact: every pixel of the surface that the mesh stands for; of the mesh where there is none.
+// kPhong lights every pixel of the mesh. kExact lights every pixel of the exact surface that the mesh approximates, or
+// of the mesh where there is no exact surface.
 enum class Shading : std::uint8_t { kFlat, kGouraud, kPhong, kExact };
 
-// What the shadings are called: by options, in reports, in studies.
+// The names of the shadings in options, reports and studies.
 struct ShadingName {
     Shading value;
     const char* key;
@@ -29,8 +30,8 @@ inline const char* name_of(Shading shading) {
 }
 
 struct Look {
-    std::optional<Shading> shading{};  // nothing: flat or gouraud, as each Draw's glShadeModel says
-    bool lecture_variants = true;      // false: GL's own model, the pragmas' variants off
+    std::optional<Shading> shading{};  // empty: flat or gouraud, by each Draw's glShadeModel
+    bool lecture_variants = true;      // false: GL's own model; ignores the pragmas' variants
 };
 
 }  // namespace twinlight

@@ -1,4 +1,4 @@
-// The three ways to draw a scene, and what each of them lacks.
+// The three renderers of a scene, and which features each of them lacks.
 #pragma once
 
 #include <array>

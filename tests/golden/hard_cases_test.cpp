@@ -1,4 +1,5 @@
-// The hard cases of golden/hard: every renderer on every one of them, and the fixed function's departures exactly as listed.
+// The hard cases of golden/hard: every renderer runs each of them, and the fixed function shows exactly the listed
+// bugs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ std::string words_of(const std::vector<Finding>& findings) {
 
 TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
     const std::vector<Case> cases = load_cases();
-    EXPECT_GE(cases.size(), 240u);  // none is lost on the way into the program
+    EXPECT_GE(cases.size(), 240u);  // all files are embedded
     Suite suite;
     const bool is_listed = compare::is_listed(current_driver());
     const std::vector<Result> results = suite.run(cases);
@@ -39,10 +40,10 @@ TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
         SCOPED_TRACE(cases[i].name + "\n" + words_of(results[i].findings));
         EXPECT_EQ(results[i].error, "");
         EXPECT_EQ(results[i].non_finite, 0);
-        EXPECT_LE(results[i].from_long_double, 3e-5);  // whatever tolerance the case itself has
+        EXPECT_LE(results[i].from_long_double, 3e-5);  // also where the case has a larger tolerance
         for (const Path path : {Path::kProgrammable, Path::kReference})
             EXPECT_EQ(results[i].outcomes[static_cast<std::size_t>(path)], Outcome::kPass);
-        // Of another driver than the listed one nobody has looked at the departures.
+        // The bugs of other drivers are not listed.
         EXPECT_TRUE(!is_listed || !is_failure(results[i].outcomes[0]));
     }
 }
@@ -82,7 +83,7 @@ TEST(HardCasesOfTheReference, AreCleanUnderValgrind) {
     EXPECT_NE(result.out.find("[  PASSED  ] 1 test"), std::string::npos) << result.out;
 }
 
-// A driver is chosen when a process makes its first context.
+// A new process, because a process chooses its driver with its first context.
 TEST(HardCases, HoldOnSoftpipe) {
     ASSERT_EQ(::setenv("GALLIUM_DRIVER", "softpipe", 1), 0);
     const ProgramResult result = run_program("twinlight", {"check"});
@@ -100,7 +101,7 @@ TEST(HardCases, NameDeparturesOfTheList) {
             EXPECT_TRUE(listed.contains(differs.name)) << of.name << ": " << differs.name;
 }
 
-// docs/hard-cases.md has a row for each case that the listed driver departs from, and for no other: "| `case` | ...".
+// docs/hard-cases.md has a row for each case with a known bug, and no other rows: "| `case` | ...".
 TEST(HardCases, StandInTheDocumentWhereADriverDeparts) {
     std::set<std::string> told, departing;
     std::ifstream file("docs/hard-cases.md");
@@ -114,9 +115,9 @@ TEST(HardCases, StandInTheDocumentWhereADriverDeparts) {
     EXPECT_EQ(told, departing);
 }
 
-// ---- What the suite finds ----
+// ---- What the suite reports ----
 
-// A point that emits 0.5, with these lines at the end of its head: the sixth and on.
+// A case of a point that emits 0.5; `expectation` follows the first five lines of its head.
 std::string small_case(const std::string& expectation) {
     return "// what: w\n// why: w\n// text: 2.14.1\n// status: defined\n// derived: d\n" + expectation +
            "glMatrixMode(GL_PROJECTION); glTranslatef(-0.75, -0.75, 0); glMatrixMode(GL_MODELVIEW);\n"
@@ -172,7 +173,7 @@ TEST(HardCases, FailFarFromLongDouble) {
     EXPECT_TRUE(result.fails());
 }
 
-// A command with an error changes nothing (2.5); which error, driver and Twinlight are both asked.
+// A command with an error changes nothing (2.5). The driver and Twinlight must both raise the expected error.
 TEST(HardCases, ExpectErrors) {
     const auto with = [](const std::string& error) {
         const std::vector<Case> cases = {read_case(small_case("// expect: vertex 0: 0.5 0.5 0.5 1\n// expect: error: " +
@@ -186,7 +187,7 @@ TEST(HardCases, ExpectErrors) {
     for (const Finding& finding : wrong.findings) EXPECT_EQ(text_of(finding.value), "GL_INVALID_ENUM");
 }
 
-// Of a list the one command is ignored that raises the error.
+// In a display list only the command that raises the error is ignored.
 TEST(HardCases, CarryOutAListButForItsErrors) {
     const std::string list =
         "glNewList(1, GL_COMPILE); glShadeModel(GL_LINES);\n"
@@ -196,7 +197,8 @@ TEST(HardCases, CarryOutAListButForItsErrors) {
     EXPECT_EQ(words_of(Suite().run(std::vector{read_case(text, "small.gl", "small")}).front().findings), "");
 }
 
-// Of a driver that lacks what the scene asks for; a ruling leaves no room for it either.
+// A driver that lacks a feature of the scene raises an error. It fails the case, also where the specification is
+// silent.
 TEST(HardCases, FailWhereADriverRaisesAnErrorUnasked) {
     const TemporaryFolder folder;
     std::string text = small_case("// expect: vertex 0: 0.5 0.5 0.5 1\n");
@@ -216,7 +218,7 @@ TEST(HardCases, FailWhereADriverRaisesAnErrorUnasked) {
     }
 }
 
-// To show colours beyond [0, 1] the suite itself asks for glClampColor, which a driver may lack.
+// The suite itself calls glClampColor to read colours beyond [0, 1]; a driver may lack it.
 TEST(HardCases, ChargeTheSceneAlone) {
     const ProgramResult lacking =
         run_shell("twinlight",
@@ -264,7 +266,7 @@ TEST(HardCases, AreRefusedWithTheLineWhereTheHeadIsWrong) {
     EXPECT_NE(refusal("").find("lacks 'expect'"), std::string::npos);
     const std::pair<const char*, const char*> wrong[] = {
         {"// expects: vertex 0: 0 0 0 1\n", "no key 'expects'"},
-        {"// expect: vertex 7: 0 0 0 1\n", "nor 'vertex N'"},
+        {"// expect: vertex 7: 0 0 0 1\n", "is not a place"},
         {"// expect: pixel 64,0: 0 0 0 1\n", "from 0 to 63"},
         {"// expect: pixel 99999999999,0: 0 0 0 1\n", "from 0 to 63"},
         {"// expect: pixel -1,0: 0 0 0 1\n", "from 0 to 63"},
@@ -273,19 +275,19 @@ TEST(HardCases, AreRefusedWithTheLineWhereTheHeadIsWrong) {
         {"// expect: vertex 0: 0|1|2 0 0 1\n", "not a list of numbers"},
         {"// expect: vertex 0: nan 0 0 1\n", "is not finite"},
         {"// expect: vertex 0: 0 0 1e999 1\n", "is not finite"},
-        {"// expect:\n", "says nothing"},
+        {"// expect:\n", "is empty"},
         {"// tolerance: -1, none\n", "at least 0"},
         {"// tolerance: inf, all\n", "is not finite"},
-        {"// expect: error: GL_INVALID_VALUE\n", "a colour has to be expected"},
-        {"// status: ruling\n", "stands here twice"},
-        {"// expect: vertex 0: 0 0 1\n", "is not 4 numbers"},
+        {"// expect: error: GL_INVALID_VALUE\n", "must expect a colour"},
+        {"// status: ruling\n", "is given twice"},
+        {"// expect: vertex 0: 0 0 1\n", "must be 4 numbers"},
         {"// expect: vertex 0: 0 0 0 one\n", "not a list of numbers"},
         {"// tolerance: 1e-3\n", "lacks a ','"},
         {"// differs: Mesa: vertex 0: 0 0 0 1\n", "lacks a ';'"},
-        {"// expect: error: GL_INVALID\n", "none of GL's errors"},
-        {"// expect: error: GL_NO_ERROR|GL_INVALID_ENUM\n", "takes one"},
-        {"// what: again\n", "stands here twice"},
-        {"//what\n", "a head's line is"},
+        {"// expect: error: GL_INVALID\n", "not the name of an OpenGL error"},
+        {"// expect: error: GL_NO_ERROR|GL_INVALID_ENUM\n", "names two errors"},
+        {"// what: again\n", "is given twice"},
+        {"//what\n", "a line of the head must be"},
         {"// tolerance: 1, \x1b[2J\n", "control character"},
     };
     for (const auto& [line, why] : wrong) {
@@ -293,9 +295,9 @@ TEST(HardCases, AreRefusedWithTheLineWhereTheHeadIsWrong) {
         EXPECT_TRUE(told.starts_with("small.gl:6:") && told.find(why) != std::string::npos) << line << told;
     }
     const std::pair<const char*, const char*> wrong_beside[] = {
-        {"// expect: pixel 1,1: 0 0 0 1\n", "not about both"},
+        {"// expect: pixel 1,1: 0 0 0 1\n", "not of both"},
         {"// expect: vertex 0: 1 0 0 1\n", "expected twice"},
-        {"// differs: Mesa: vertex 1: 0 0 0 1; name\n", "nothing is expected"},
+        {"// differs: Mesa: vertex 1: 0 0 0 1; name\n", "but no 'expect' does"},
     };
     for (const auto& [line, why] : wrong_beside) {
         const std::string told = refusal(expectation + line);

@@ -1,7 +1,7 @@
-// The scenes in which exact surfaces by shaders are held against the reference's, and how.
+// The scenes that compare exact surfaces of the shaders with those of the reference, and the comparison.
 //
-// Near a silhouette, or wherever what is seen changes at once, the pixel shows what a ray a little beside its centre would: such
-// a pixel, where a thousandth of a pixel decides in the reference, counts apart, and must show one of these.
+// Where the visible surface changes within a thousandth of a pixel (near a silhouette, for example), a pixel may show
+// what a ray slightly beside its centre shows. Such pixels are counted separately and must match one of these rays.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ inline double apart(const Rgba& a, const Rgba& b) {
     return most;
 }
 
-// All that is drawn moved by that part of a pixel.
+// The frame, moved by a part of a pixel.
 inline Frame shifted(Frame frame, double x, double y) {
     for (auto& item : frame.items)
         if (Draw* draw = std::get_if<Draw>(&item)) {
@@ -52,7 +52,7 @@ inline Frame shifted(Frame frame, double x, double y) {
     return frame;
 }
 
-// The reference's picture, and what it is for rays a little beside.
+// The reference's picture, and its pictures for rays slightly beside the centres.
 class Truth {
   public:
     explicit Truth(const Frame& frame) {
@@ -95,7 +95,7 @@ inline const std::vector<std::string>& shapes() {
         "glutSolidCone(0.8, 1.2, 12, 4);",
         "glutSolidCylinder(0.5, 1.1, 12, 4);",
         "glRotatef(40, 1, 0, 0); glutSolidTorus(0.3, 0.6, 9, 12);",
-        "glutSolidTorus(0.6, 0.4, 9, 12);",  // its tube meets itself
+        "glutSolidTorus(0.6, 0.4, 9, 12);",  // the tube intersects itself
         "\n#pragma twinlight shape(cylinder, 0.6, 1.1, 12)\n",
         kQuadric + "glRotatef(-60, 1, 0, 0); gluCylinder(q, 0.8, 0.3, 1.1, 12, 4);",
         kQuadric + "glRotatef(-30, 1, 0, 0); gluDisk(q, 0.2, 0.9, 12, 4);",
@@ -167,11 +167,11 @@ inline const StateCase kStates[] = {
 
 // ---- Tolerances ----
 
-// What is drawn is rounded, the reference's picture is not; floats add little to that.
+// The shader's picture is rounded to 8 bits, the reference's is not; floats add little.
 inline constexpr double kOpaque = (0.5 + 0.02) * kCode;
-// Each of at most four points of a ray is rounded when it is blended, too.
+// Blending rounds each of at most four points of a ray again.
 inline constexpr double kBlended = kOpaque + 4 * 0.5 * kCode;
-// llvmpipe's filters have weights of 8 bits: a 256th of what lies between two texels, once a dimension and once between levels.
+// llvmpipe's filters have weights of 8 bits: an error of 1/256 for each dimension, and one between levels.
 inline constexpr double kFiltered = kOpaque + 3 * 0.5 * kCode;
 
 }  // namespace twinlight

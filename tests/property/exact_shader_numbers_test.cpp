@@ -1,4 +1,4 @@
-// Exact surfaces by shaders, in numbers: what the planner is told of them, their depths, and how exact floats are.
+// Exact surfaces drawn by shaders: the bounds that the planner uses, their depths, and their errors in floats.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,9 +16,9 @@
 namespace twinlight {
 namespace {
 
-// ---- What the planner is told of a surface ----
+// ---- The planner's bounds of a surface ----
 
-// The vertices of a fine mesh lie on the surface, so what holds for all of its points must hold for them.
+// The vertices of a fine mesh lie on the surface, so a bound for the whole surface must hold for them.
 TEST(SurfaceFacts, HoldForTheVerticesOfTheMesh) {
     int vertices = 0;
     for (const std::string& shape : shapes()) {
@@ -52,7 +52,7 @@ TEST(SurfaceFacts, HoldForTheVerticesOfTheMesh) {
     EXPECT_GT(vertices, 500);
 }
 
-// A light that the plan leaves out as faint: the picture is off by no more than the plan says.
+// The plan skips a faint light: the picture changes by no more than the plan's error bound.
 TEST(SurfaceFacts, LeaveNoPictureOffByMoreThanThePlansBound) {
     const auto context = make_offscreen_context(kSide, kSide);
     programmable::Renderer renderer;
@@ -74,14 +74,14 @@ TEST(SurfaceFacts, LeaveNoPictureOffByMoreThanThePlansBound) {
     EXPECT_GT(left_out, 5);
 }
 
-// The depth buffer's, at some pixels of every shape.
+// Depths in the depth buffer, at some pixels of every shape.
 TEST(ExactShaderDepths, AreTheReferences) {
     const auto context = make_offscreen_context(kSide, kSide);
     programmable::Renderer renderer;
     constexpr double kStep = 1.0 / (1 << 24);
-    // Half a step of rounding, and a few floats' of a sum that is as large as 1 where depths are small.
+    // Half a step of rounding, and a few float errors of a sum that can be 1 where depths are small.
     constexpr double kDepth = 6 * kStep;
-    // Three times the slope, which grows without a bound towards a silhouette, and its error with its square.
+    // Three times the slope, which grows without bound towards a silhouette; the error grows with its square.
     constexpr double kOffsetDepth = 40 * kStep;
     double worst = 0;
     int compared = 0;
@@ -115,7 +115,7 @@ TEST(ExactShaderDepths, AreTheReferences) {
     EXPECT_GT(compared, 500);
 }
 
-// In floats, far below what 8 bits show: the surface's shader against the finest mesh of the study.
+// In floats, because the errors are far below 1/255: exact surfaces in the shader against the finest mesh of the study.
 TEST(ExactShaderFloats, AreOrdersOfMagnitudeNearerThanAFineMesh) {
     constexpr int kWide = 256;
     const auto context = make_offscreen_context(kWide, kWide, ColorBuffer::kFloat);

@@ -1,4 +1,5 @@
-// Exact surfaces by shaders against the reference's: every shape in many states, pixel by pixel; and the built-in scenes.
+// Compares exact surfaces drawn by shaders with those of the reference, pixel by pixel: every shape in many states, and
+// the built-in scenes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace {
 
 struct Found {
     int drawn = 0, edges = 0, edges_off = 0, interiors_off = 0;
-    double worst = 0;  // of interiors
+    double worst = 0;  // away from silhouettes
     std::size_t worst_pixel = 0;
 };
 
@@ -47,7 +48,7 @@ std::string texels() {
 
 class ExactShader : public ::testing::Test {
   protected:
-    // With uniforms, and every third with constants as well.
+    // With uniforms; every third scene with constants too.
     void expect_exact(const std::string& name, const Frame& frame, double tolerance) {
         const Truth truth(frame);
         const bool is_third = ++cases_ % 3 == 0;
@@ -69,7 +70,7 @@ class ExactShader : public ::testing::Test {
         }
     }
 
-    // Every third of the shapes, others in the next state.
+    // Every third shape; the next state has others.
     void expect_shapes(const StateCase& state, std::size_t number, double tolerance) {
         for (std::size_t i = number % 3; i < shapes().size(); i += 3)
             expect_exact(std::string(state.name) + ": " + shapes()[i],
@@ -102,7 +103,7 @@ TEST_F(ExactShader, OfMatricesWithoutInverseIsEmpty) {
     for (const Rgba& pixel : image.pixels) EXPECT_EQ(apart(pixel, {}), 0);
 }
 
-// Texture coordinates of the surfaces' own, and how they change: the levels of detail are those of the tangent plane.
+// Surfaces have their own texture coordinates; the level of detail comes from the tangent plane.
 TEST_F(ExactShader, HasTheTexturesOfQuadrics) {
     const std::string matrix = "glMatrixMode(GL_TEXTURE); ", back = "glMatrixMode(GL_MODELVIEW); ";
     const std::string mipmaps =
@@ -135,15 +136,15 @@ TEST_F(ExactShader, HasTheTexturesOfQuadrics) {
     EXPECT_EQ(edges_off_, 0);
 }
 
-// 3.8.8 leaves open how a scale factor is made of the derivatives: the largest of them, their length or their sum. Half a level
-// lies between.
+// 3.8.8 does not say how the scale factor follows from the derivatives: their largest, their length or their sum. These
+// differ by half a level.
 Frame at_other_levels(Frame frame, double bias) {
     for (auto& item : frame.items)
         if (Draw* draw = std::get_if<Draw>(&item)) draw->texture.lod_bias += bias;
     return frame;
 }
 
-// How far a colour lies outside of what is between two others.
+// How far a colour lies outside the range between two others.
 double beyond(const Rgba& color, const Rgba& a, const Rgba& b) {
     double most = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -153,7 +154,7 @@ double beyond(const Rgba& color, const Rgba& a, const Rgba& b) {
     return most;
 }
 
-// What is off is of meshes, and so in phong shading, too.
+// The difference comes from meshes, so phong shading has it too.
 TEST(ExactShaderScenes, DifferFromTheReferenceInMeshesAlone) {
     constexpr int kWidth = 320, kHeight = 240;
     const auto context = make_offscreen_context(kWidth, kHeight);

@@ -1,5 +1,5 @@
-// The fuzzer: a few thousand random states three ways, each departure found where it is not left out, and failures
-// shrunk to what they need.
+// The fuzzer: it finds no unexplained difference in a few thousand random scenes, finds each known bug that is not
+// skipped, and reduces failing scenes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -34,8 +34,8 @@ TEST(Fuzz, FindsNoUnexplainedDifference) {
                    summary.vertices.at(pair), summary.worst_float.at(pair).value, summary.pixels.at(pair),
                    summary.differing_pixels.at(pair));
         EXPECT_FALSE(summary.too_many_differ(pair));
-        // What is left out, or left open by the allowed difference, must not grow until nothing is compared. Feedback does
-        // not return the secondary colour: states that have one are no pair of fixed ~ programmable.
+        // Most vertices must be compared, not skipped. Feedback does not return the secondary colour, so states with
+        // one are not compared between fixed and programmable.
         const double share = pair == static_cast<std::size_t>(RendererPair::kFixedProgrammable) ? 0.2 : 0.6;
         EXPECT_GT(static_cast<double>(summary.vertices.at(pair)),
                   share * 3 * static_cast<double>(summary.float_states));
@@ -45,7 +45,7 @@ TEST(Fuzz, FindsNoUnexplainedDifference) {
     }
 }
 
-// An allowed difference that grew until nothing is compared would find nothing.
+// Too large an allowed difference would hide everything.
 TEST(Fuzz, LeavesLittleOfAPictureOpen) {
     constexpr double kInteriorShare = 0.85, kMeanCodes = 0.15;
     double pixels = 0, interior = 0, codes = 0;
@@ -72,20 +72,20 @@ TEST(Fuzz, GivesTheSameSceneForTheSameState) {
         const CommandList scene = random_scene({.seed = 3}, state);
         EXPECT_EQ(scene.commands, random_scene({.count = 7, .seed = 3, .first = state}, state).commands);
         EXPECT_NE(scene.commands, random_scene({.seed = 4}, state).commands);
-        // As a file it is the same scene.
+        // Read from its file it is the same scene.
         EXPECT_EQ(read_scene(print_scene(scene), "scene.gl", "scene").commands, scene.commands);
     }
 }
 
-// Each name that the fuzzer leaves out for a driver is one that it finds when told to.
+// The fuzzer finds each known bug that it skips on a driver, if --lift asks for it.
 TEST(Fuzz, FindsEachDepartureThatIsLifted) {
     const Driver driver = this_driver();
     if (!compare::is_listed(driver)) GTEST_SKIP() << "another driver may have mended some";
-    if (driver.name == "softpipe") GTEST_SKIP() << "what it alone does otherwise hides most of the rest";
+    if (driver.name == "softpipe") GTEST_SKIP() << "its own known bugs hide most of the others";
     for (const compare::Departure& departure : compare::departures()) {
         if (!departure.is_known_on(driver)) continue;
         SCOPED_TRACE(departure.name);
-        // Of vertices of a few structures, for not each may show it; or of pictures.
+        // In vertices of several structures, because not every structure shows it; or in pictures.
         Options options{.count = 64, .seed = 1, .pictures = false, .lifted = std::string(departure.name)};
         options.most_failures = 1;
         options.shrinks = false;
@@ -130,7 +130,7 @@ TEST(Shrink, KeepsWhatTheFailureNeedsAndNothingElse) {
         "glBegin(GL_POINTS); glVertex3f(0.5, 1.25, 7); glEnd(); glRotatef(34.56, 0, 1, 0);",
         "scene.gl", "scene");
     int questions = 0;
-    // As a driver would: a light's cutoff above 30 and a vertex, in scenes whose brackets match.
+    // A made-up bug: fails for a light's cutoff above 30 and a vertex, in scenes with matching brackets.
     const auto still_fails = [&](const CommandList& candidate) {
         ++questions;
         const std::map<std::string_view, std::string_view> brackets{{"glPushMatrix", "glPopMatrix"},

@@ -1,4 +1,4 @@
-// Recordings whose commands would do harm: read beyond their memory, ask for more than there is, never end.
+// Recordings with harmful commands: they read outside their memory, need too much memory, or never end.
 #include "hostile_traces.h"
 
 namespace twinlight {
@@ -30,7 +30,7 @@ TEST_F(HostileCommands, GiveBlobsOfWrongSizes) {
                        "glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 8, 8, GL_RGB, GL_UNSIGNED_SHORT, {blob})\n"
                        "glEnable(GL_TEXTURE_2D)\n"),
                   kPicture);
-        // Formats that State does not follow.
+        // Formats that State does not support.
         for (const char* format :
              {"GL_DEPTH_COMPONENT, GL_FLOAT", "GL_COLOR_INDEX, GL_BITMAP", "6401, GL_UNSIGNED_BYTE", "0x8227, GL_FLOAT",
               "0x84F9, 0x84FA", "0x8D99, GL_INT", "0x1901, GL_BITMAP"}) {
@@ -76,7 +76,7 @@ TEST_F(HostileCommands, GiveNoMemoryWhereItIsNeeded) {
     }
 }
 
-// A driver has rules of its own on what it reads: commands of later versions that it takes, and some that it refuses.
+// Drivers accept commands of later GL versions, and refuse others, by their own rules.
 TEST_F(HostileCommands, LeadTheDriverElsewhereThanState) {
     const std::string good =
         "2 glEnableClientState(GL_VERTEX_ARRAY)\nglVertexPointer(3, GL_FLOAT, 0, blob(\"zeros.bin\"))\n";
@@ -92,10 +92,10 @@ TEST_F(HostileCommands, LeadTheDriverElsewhereThanState) {
                          "glDrawArrays(GL_POINTS, 0, 200)\n"),
               kPicture);
     EXPECT_EQ(before_triangle(tiny + "glDrawArrays(0xA, 0, 4000000)\n"), kPicture);
-    // A stride beyond the driver's largest: it keeps the pointer it had.
+    // A stride larger than the driver allows: the old pointer stays.
     write("wide.bin", std::string(300 * 4096, '\0'));
     EXPECT_EQ(before_triangle(tiny + "glVertexPointer(3, GL_FLOAT, 4096, blob(\"wide.bin\"))\n" + draw), kPicture);
-    // Between glBegin and glEnd it takes no pointers, switches and buffers.
+    // Pointers, switches and buffers are refused between glBegin and glEnd.
     EXPECT_EQ(before_triangle(
                   tiny + "glBegin(GL_POINTS)\nglVertexPointer(3, GL_FLOAT, 0, blob(\"zeros.bin\"))\nglEnd()\n" + draw),
               kPicture);
@@ -114,19 +114,19 @@ TEST_F(HostileCommands, LeadTheDriverElsewhereThanState) {
                   "2 glBegin(GL_POINTS)\nglBindBuffer(GL_PIXEL_UNPACK_BUFFER, 1)\nglEnd()\nglTexImage2D(GL_TEXTURE_2D, "
                   "0, 3, 8, 8, 0, GL_RGB, GL_FLOAT, 0x1234)\n"),
               kPicture);
-    // Targets that State does not have, which lead to buffers that it has.
+    // Buffer targets that State does not support.
     EXPECT_EQ(before_triangle(
                   "2 glBindBuffer(0x8F37, 5)\nglBufferData(0x8F37, 100000000, blob(\"tiny.bin\"), GL_STATIC_DRAW)\n"
                   "glBufferSubData(0x8F37, 0, 100000000, blob(\"tiny.bin\"))\n"),
               kPicture);
-    // A range that goes on where the array does not.
+    // A range beyond the end of the array.
     write("same.bin", std::string(4096, '\0'));
     EXPECT_EQ(before_triangle(
                   "2 glEnableClientState(GL_VERTEX_ARRAY)\nglVertexPointer(3, GL_FLOAT, 0, blob(\"triangle.bin\"))\n"
                   "glDrawRangeElements(GL_POINTS, 0, 4095, 4096, GL_UNSIGNED_BYTE, blob(\"same.bin\"))\n"
                   "glDrawRangeElements(GL_POINTS, 0, 4294967295, 4096, GL_UNSIGNED_BYTE, blob(\"same.bin\"))\n"),
               kPicture);
-    // A texture's name that has another owner when the attributes come back.
+    // A texture name with a different owner when the attributes are restored.
     EXPECT_EQ(
         before_triangle(
             "2 glBindTexture(GL_TEXTURE_2D, 5)\nglPushAttrib(GL_TEXTURE_BIT)\nglDeleteTextures(1, {5})\n"
@@ -157,7 +157,7 @@ TEST_F(HostileCommands, HaveIndicesAndStridesBeyondAllMemory) {
                       kPicture);
         }
     }
-    // Rows of 2^34 bytes, 2^30 of them: 2^64 in all, which is 0 where numbers wrap round.
+    // 2^30 rows of 2^34 bytes: 2^64 in all, which wraps to 0.
     for (const char* rows : {"1073741823", "1073741824", "2147483647"}) {
         EXPECT_EQ(
             before_triangle(fmt::format("2 glPixelStorei(GL_UNPACK_ROW_LENGTH, 1073741824)\nglPixelStorei("
@@ -170,7 +170,7 @@ TEST_F(HostileCommands, HaveIndicesAndStridesBeyondAllMemory) {
 
 TEST_F(HostileCommands, HaveAbsurdCounts) {
     const std::string most = "2147483647";
-    // GL's own errors, and what is nothing to do: the picture is there.
+    // GL errors, and commands that do nothing: the picture is drawn.
     for (const std::string& call : std::vector<std::string>{
              "glGenLists(" + most + ") = 1",
              "glGenLists(" + most + ") = 4294967295",
@@ -205,7 +205,7 @@ TEST_F(HostileCommands, HaveAbsurdCounts) {
              "NULL)"}) {
         EXPECT_EQ(before_triangle("2 " + call + "\n"), kPicture) << call;
     }
-    // What no machine has, and lists that are shorter than they say.
+    // More memory than any machine has, and lists shorter than they claim.
     for (const std::string& call : std::vector<std::string>{
              "glDrawArrays(GL_POINTS, 0, " + most + ")", "glDeleteTextures(" + most + ", {1})",
              "glGenTextures(" + most + ", {1})", "glGenBuffers(" + most + ", {1})",
@@ -276,16 +276,15 @@ TEST_F(HostileCommands, HaveListsThatComeToTwoToTheFortieth) {
              std::string(), std::string("glRotatef(1, 0, 0, 1)\n"), kTriangle, std::string("glMatrixMode(GL_FRONT)\n"),
              std::string("glTexImage2D(GL_TEXTURE_2D, 0, 3, 4096, 4096, 0, GL_RGB, GL_FLOAT, NULL)\n")}) {
         const std::string told = before_triangle(bomb(inside));
-        EXPECT_TRUE(told.find("call 202") != std::string::npos || told.find("at the most") != std::string::npos)
-            << told;
+        EXPECT_TRUE(told.find("call 202") != std::string::npos || told.find("at most") != std::string::npos) << told;
     }
     const std::string self_twice =
         "2 glNewList(1, GL_COMPILE)\nglCallList(1)\nglCallList(1)\nglEndList()\nglCallList(1)\n";
-    EXPECT_NE(before_triangle(self_twice).find("at the most"), std::string::npos);
-    // A million names a call, of lists that are not there.
+    EXPECT_NE(before_triangle(self_twice).find("at most"), std::string::npos);
+    // A million names per call, of lists that do not exist.
     EXPECT_EQ(before_triangle("2 glCallLists(1048576, GL_UNSIGNED_BYTE, blob(\"names.bin\"))\n"), kPicture);
     EXPECT_NE(before_triangle("2 " + times(60, "glCallLists(1048576, GL_UNSIGNED_BYTE, blob(\"names.bin\"))\n"))
-                  .find("at the most"),
+                  .find("at most"),
               std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// What the tests of hostile recordings share: a folder with blobs, and what a recording comes to.
+// Shared by the tests of malicious recordings: a folder with blobs, and the result of a recording.
 #pragma once
 
 #include <fmt/format.h>
@@ -63,7 +63,7 @@ class HostileTraces : public testing::Test {
 
     void write(const std::string& name, const std::string& bytes) { write_file_atomically(folder_ / name, bytes); }
 
-    // What a recording comes to: kPicture, or what is told. `renderers`: drawn as well.
+    // The result of a recording: kPicture, or the error message. `renderers`: draws it too.
     std::string outcome(const std::string& text, bool renderers = true) {
         write("dump.txt", text);
         try {
@@ -85,7 +85,7 @@ class HostileTraces : public testing::Test {
             return said;
         }
     }
-    // With a triangle after it, in a frame of its own.
+    // Followed by a triangle in a separate frame.
     std::string before_triangle(const std::string& text) { return outcome(kViewport + text + kTriangle + kSwap); }
 
     static std::unique_ptr<OffscreenContext>& context() {

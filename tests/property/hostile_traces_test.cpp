@@ -1,5 +1,5 @@
-// Recordings that somebody wrote to do harm. Each ends in a picture, where GL's rules allow one, or in one clear line: it
-// takes seconds and the memory of its state, and nobody reads beyond what it is given (make config=sanitize tells).
+// Malicious recordings. Each ends with a picture, if GL's rules allow one, or with one clear line. None takes more than
+// seconds, or more memory than its state, and none reads out of bounds (make config=sanitize checks that).
 #include "hostile_traces.h"
 
 #include <sys/stat.h>
@@ -28,13 +28,13 @@ TEST_F(HostileTraces, MayEndAnywhere) {
         kSwap;
     int pictures = 0;
     for (std::size_t length = 0; length < dump.size(); ++length) {
-        // A text of nothing that says that it is a dump is read as C.
+        // Text that does not look like a dump is read as C.
         const std::string told = outcome(dump.substr(0, length), false);
         pictures += told == kPicture ? 1 : 0;
         if (told == kPicture) continue;
         EXPECT_TRUE(told.find("draws nothing") != std::string::npos || length < 110) << length << ": " << told;
     }
-    EXPECT_GE(pictures, static_cast<int>(kSwap.size()) - 1);  // the draw is whole
+    EXPECT_GE(pictures, static_cast<int>(kSwap.size()) - 1);  // the draw is complete
 }
 
 TEST_F(HostileTraces, MayBeAnyBytes) {
@@ -67,7 +67,7 @@ TEST_F(HostileTraces, MayHaveLinesOfAnyLength) {
               kPicture);
 }
 
-// What real programs recorded, with one thing wrong at a time.
+// Recordings of real programs, with one error at a time.
 TEST_F(HostileTraces, AreRealOnesWithMistakes) {
     const std::vector<std::string> replacements = {
         "2147483647", "-2147483648", "4294967295",         "1e300", "-1e-300",         "inf", "nan", "NULL",
@@ -115,7 +115,7 @@ TEST_F(HostileTraces, AreRealOnesWithMistakes) {
                     break;
                 }
             }
-            // Shapes of real programs take the reference its time, so it draws few of these.
+            // The reference is slow for the shapes of real programs, so it draws only a few.
             const std::string found = outcome(wrong, i == 1 || i == 3);
             (found == kPicture ? pictures : told) += 1;
         }
@@ -193,7 +193,7 @@ TEST_F(HostileFiles, StayWithinTheMemoryOfWhatTheyKeep) {
         times(12, "glVertexPointer(3, GL_FLOAT, 0, blob(\"large.bin\"))\nglPushClientAttrib(2)\n");
     write("pointers.txt", kViewport + pointers + kTriangle);
     expect_one_line(compare("pointers.txt", 3000));
-    // Passed over one after the other.
+    // Skipped one after the other.
     write("streams.txt",
           kViewport + times(6, "glVertexPointer(3, GL_FLOAT, 0, blob(\"large.bin\"))\n") + kTriangle + kSwap);
     const ProgramResult streams = compare("streams.txt", 2500);

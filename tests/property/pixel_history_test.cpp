@@ -1,4 +1,4 @@
-// What `twinlight explain --pixel` says of a pixel is of the picture: its fragments end in the picture's colour, exactly.
+// The fragments that `twinlight explain --pixel` lists end with exactly the colour of the picture.
 #include "render/reference/pixel_history.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr StateOptions kSize{.width = 64, .height = 64};
 
-// How many pixels have a fragment that is blended, one that fails, and several that pass.
+// Numbers of pixels with a blended fragment, with a failing one, and with several that pass.
 struct Seen {
     int blended = 0, failing = 0, several = 0;
 };
@@ -27,7 +27,7 @@ Rgba rounded(const glm::dvec4& color) {
             static_cast<float>(color.a)};
 }
 
-// The Draw is counted among the frame's Draws.
+// The index of the Draw counts only Draws of the frame.
 bool is_cleared_after(const Frame& frame, std::size_t draw) {
     std::size_t draws = 0;
     for (const auto& item : frame.items) {
@@ -37,7 +37,7 @@ bool is_cleared_after(const Frame& frame, std::size_t draw) {
     return false;
 }
 
-// At pixels of the picture that the seed chooses.
+// At random pixels of the picture.
 void expect_the_pictures(const Frame& frame, const Options& options, std::mt19937& random, int pixels, Seen& seen) {
     const Image picture = render(frame, options);
     for (int i = 0; i < pixels; ++i) {
@@ -85,7 +85,7 @@ TEST(PixelHistory, EndsInThePicturesColorInTheBuiltInScenes) {
     EXPECT_GT(seen.several, 50);
 }
 
-// Of the fuzzer: alpha test, blending, masks, scissors, polygon modes, textures and fog, in all combinations.
+// Scenes of the fuzzer: alpha test, blending, masks, scissors, polygon modes, textures and fog, in all combinations.
 TEST(PixelHistory, EndsInThePicturesColorInRandomScenes) {
     std::mt19937 random(16);
     Seen seen;

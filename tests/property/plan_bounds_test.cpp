@@ -1,8 +1,8 @@
-// Tries to break the planner's bounds: over random Draws, what a Plan leaves out must not change a lit colour by more than
-// its error_bound, at any vertex, and in phong shading at any point of the triangle between three of them.
+// Tries to break the planner's bounds: in random Draws, the lights and effects that a Plan skips must not change a lit
+// colour by more than its error_bound, at any vertex, and with phong shading at any point of a triangle.
 //
-// TWINLIGHT_PLAN_SCENES=1000000 tries so many. All is in double precision: the reference with the Draw as it is, and with what
-// the Plan has left of it.
+// TWINLIGHT_PLAN_SCENES=1000000 tries that many. All in double precision: the reference draws the whole Draw, and the
+// Draw without what the Plan skips.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@
 namespace twinlight {
 namespace {
 
-// What the two sums' own rounding may differ by, relative to the magnitudes of their terms: some hundred double operations, a
+// The rounding error of the two sums, relative to the magnitudes of their terms: about a hundred double operations, a
 // few of them (powers) with an error of up to 128 ulp.
 constexpr double kSumRounding = 1e-12;
 
@@ -91,7 +91,7 @@ class RandomScene {
                 .shininess = exponent()};
     }
 
-    // Three to twelve vertices in a ball of any size, normals about an axis or any, anywhere about the eye.
+    // Three to twelve vertices in a ball of any size, anywhere around the eye, with normals near an axis or random.
     void place(Draw& draw) {
         draw.eye_from_object = glm::translate(glm::dmat4(1), vector(5));
         draw.eye_from_object = glm::rotate(draw.eye_from_object, random_.uniform(0, 6), glm::normalize(vector(1)));
@@ -121,7 +121,7 @@ class RandomScene {
         }
     }
 
-    // Near to what it may light, often; bright or faint.
+    // Often near the vertices; bright or faint.
     LightSource light(const Draw& draw) {
         LightSource light;
         light.enabled = chance(0.95);
@@ -155,7 +155,7 @@ class RandomScene {
     fuzz::Random random_;
 };
 
-// What the Plan has left of the Draw.
+// The Draw without what the Plan skips.
 Draw planned(const Draw& draw, const Plan& plan) {
     Draw rest = draw;
     LightingState& lighting = rest.lighting;
@@ -177,7 +177,7 @@ Draw planned(const Draw& draw, const Plan& plan) {
 
 using reference::StageVertex;
 
-// A point of the triangle of the first three vertices from `first` on, as phong shading lights it.
+// A random point of the triangle of three vertices from `first` on, as phong shading lights it.
 reference::Colors between(const reference::DrawLighting& lighting, const std::vector<StageVertex>& vertices,
                           std::size_t first, const glm::dvec3& weights, reference::Face face) {
     StageVertex pixel;
@@ -196,7 +196,7 @@ reference::Colors between(const reference::DrawLighting& lighting, const std::ve
 
 struct Tally {
     int scenes = 0, colors = 0, lights = 0, by_fate[10] = {};
-    double tightest = 0;  // the largest part of a bound of the budget that was used up
+    double tightest = 0;  // the largest ratio of error to bound
 };
 
 class Check {
@@ -267,7 +267,7 @@ TEST(PlanBounds, HoldOverRandomScenes) {
         tally.by_fate[static_cast<int>(LightFate::kDisabled)], tally.by_fate[static_cast<int>(LightFate::kConeMisses)],
         tally.by_fate[static_cast<int>(LightFate::kBehind)], tally.by_fate[static_cast<int>(LightFate::kFaint)],
         tally.tightest);
-    // A bound that nothing comes near to is too large to be of use, and the scenes too dull to try it.
+    // If no error comes near its bound, the bounds are too loose or the scenes too simple.
     EXPECT_GT(tally.tightest, 0.9);
     for (const LightFate fate : {LightFate::kConeMisses, LightFate::kBehind, LightFate::kFaint})
         EXPECT_GT(tally.by_fate[static_cast<int>(fate)], static_cast<int>(count) / 100);

@@ -1,8 +1,8 @@
-// --precise against the driver's fixed function on llvmpipe: vertices in floats, bit by bit, over the fuzzer's random states,
-// and whole pictures of built-in scenes.
+// --precise against the driver's fixed function on llvmpipe: vertices in floats, bit by bit, over the fuzzer's random
+// states, and whole pictures of built-in scenes.
 //
-// A state is resolved first (resolved_state.h): what glRotate and its kin multiply up, the driver multiplies in floats, before
-// any lighting is done.
+// States are resolved first (resolved_state.h), because the driver multiplies glRotate and similar matrices in floats,
+// before any lighting.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -44,9 +44,9 @@ constexpr programmable::Options kPrecise = {
 using Floats = std::array<float, 4>;
 constexpr Floats kNothing{};
 
-// What either path gives of a vertex, before the clamp. The fixed function is asked for the back where it has one.
+// The result for a vertex before the clamp. The fixed function also returns the back colour, where it has one.
 struct LitVertex {
-    Floats position = kNothing;  // of shaders in clip coordinates, of the fixed function in the window
+    Floats position = kNothing;  // shaders: clip coordinates; fixed function: window coordinates
     Floats front = kNothing, front_secondary = kNothing, back = kNothing;
 };
 using Triangle = std::array<LitVertex, 3>;
@@ -65,7 +65,7 @@ Floats window(const Floats& clip) {
 
 using Change = std::function<void(Command&)>;
 
-// Carries out the commands, each as it is changed.
+// Executes the commands; `change` may change each of them first.
 void execute(const CommandList& scene, const Change& change, const std::function<void()>& begin) {
     fixed::Driver driver(kWindow, kWindow);
     begin();
@@ -75,7 +75,7 @@ void execute(const CommandList& scene, const Change& change, const std::function
     }
 }
 
-// Feedback returns the face that shows (5.3): what the commands say is asked for first, then the other.
+// Feedback returns only the visible face (5.3). `other_face` swaps front and back, to get the other one.
 void ask_feedback(Triangle& triangle, const CommandList& scene, const Triangle& shaders, bool other_face) {
     std::array<GLfloat, 64> buffer{};
     glFeedbackBuffer(static_cast<GLsizei>(buffer.size()), GL_3D_COLOR, buffer.data());
@@ -105,7 +105,8 @@ void ask_feedback(Triangle& triangle, const CommandList& scene, const Triangle& 
     }
 }
 
-// Feedback does not return the secondary colour: a fragment shader behind the fixed function does, of points side by side.
+// Feedback does not return the secondary colour. A fragment shader after the fixed function does, for points next to
+// each other.
 class SecondaryColors {
   public:
     SecondaryColors() {
@@ -120,7 +121,7 @@ class SecondaryColors {
     }
 
     void ask(Triangle& triangle, const CommandList& scene, const Draw& draw) const {
-        constexpr double kReach = 16;  // of eye coordinates: w stays 1, and nothing is interpolated
+        constexpr double kReach = 16;  // in eye coordinates: w stays 1, and nothing is interpolated
         bool is_projection = false;
         const auto change = [&](Command& command) {
             if (command.id == Id::glMatrixMode) is_projection = command.enumerant(0) == kGL_PROJECTION;
@@ -140,7 +141,7 @@ class SecondaryColors {
         for (const GLenum of : {GL_CLAMP_FRAGMENT_COLOR, GL_CLAMP_READ_COLOR}) glClampColor(of, GL_FIXED_ONLY);
         for (std::size_t v = 0; v < 3; ++v) {
             const glm::dvec4 at = draw.eye_from_object * draw.vertices[v].position_object / kReach * 0.5 + 0.5;
-            // On the border of two pixels either may have it.
+            // A point on the border of two pixels may be in either.
             for (const int x : {static_cast<int>(at.x * kWindow - 0.01), static_cast<int>(at.x * kWindow + 0.01)}) {
                 for (const int y : {static_cast<int>(at.y * kWindow - 0.01), static_cast<int>(at.y * kWindow + 0.01)}) {
                     const Rgba& pixel = image.at(x, kWindow - 1 - y);
@@ -151,12 +152,12 @@ class SecondaryColors {
     }
 
   private:
-    GLuint program_ = 0;  // goes with its context
+    GLuint program_ = 0;  // deleted with its context
 };
 
 // ---- Shaders ----
 
-// The outputs of the vertex program, by transform feedback.
+// The outputs of the vertex program, read by transform feedback.
 class VertexPrograms {
   public:
     Triangle lit(Draw draw, const programmable::Options& options) {
@@ -184,7 +185,7 @@ class VertexPrograms {
   private:
     using Outputs = std::vector<std::pair<const char*, Floats LitVertex::*>>;
 
-    // The current program, again.
+    // The current program, linked again.
     static void link_with(const Outputs& outputs) {
         GLint name = 0;
         glGetIntegerv(GL_CURRENT_PROGRAM, &name);
@@ -241,7 +242,7 @@ struct Found {
 
 bool same(float a, float b) { return a == b || std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
 
-// Tells the first few that differ; of control what must differ, nothing.
+// Reports the first few differences, but not those of the control, which must differ.
 void compare(Counts& counts, const Floats& fixed, const Floats& shaders, const std::string& where, bool tells = true) {
     for (std::size_t c = 0; c < 4; ++c) {
         ++counts.floats;
@@ -279,7 +280,7 @@ class Comparison {
         const bool is_control = found.states % kControlEvery == 1;
         const Triangle ordinary =
             is_control ? programs_.lit(draw, {{{.shading = {}, .lecture_variants = false}, 0}}) : Triangle{};
-        // What rounding decides is not left out: the same floats decide alike.
+        // States that rounding decides are included: equal floats decide equally.
         const compare::DeparturesOfScene departures(
             *commands, current_driver(), {"light at the horizon of a vertex", "vertex near the edge of a spot's cone"});
         for (std::size_t v = 0; v < 3; ++v) {
@@ -313,7 +314,7 @@ TEST(Precise, GivesTheFixedFunctionsFloatsOverRandomStates) {
         GTEST_SKIP() << "the order of operations is of Mesa on llvmpipe: " << driver_name();
     const char* more = std::getenv("TWINLIGHT_PRECISE_STATES");
     const int states = more ? std::atoi(more) : 1200;
-    constexpr std::uint64_t kOfAStructure = 40;  // a program takes the driver as long as many states
+    constexpr std::uint64_t kOfAStructure = 40;  // making a program takes the driver as long as many states
     Comparison comparison;
     const Found& found = comparison.found;
     for (int i = 0; i < states && found.colors.differing + found.positions.differing == 0; ++i) {
@@ -331,15 +332,15 @@ TEST(Precise, GivesTheFixedFunctionsFloatsOverRandomStates) {
     EXPECT_EQ(found.colors.differing + found.positions.differing, 0);
     EXPECT_GT(found.colors.floats, 8L * found.states);
     EXPECT_GT(found.in_object_space, 0);
-    EXPECT_GT(found.of_the_ordinary_program.differing, 0);  // or bits are not what is compared
+    EXPECT_GT(found.of_the_ordinary_program.differing, 0);  // otherwise the test does not compare bits
 }
 
-// Lit vertices are not all that these show: sums of a fragment are the compiler's to order.
+// These scenes also show sums in fragments, whose order the compiler chooses.
 bool sums_in_fragments(const Draw& draw) {
     return draw.fog.enabled || (draw.texture.texture && draw.texture.env_mode == kGL_BLEND);
 }
 
-// The fixed function is told the Frame's state, whose matrices it loads.
+// The fixed function gets the Frame's state and loads its matrices.
 TEST(Precise, DrawsBuiltInScenesInTheFixedFunctionsFloats) {
     constexpr int kWidth = 640, kHeight = 480;
     const auto context = make_offscreen_context(kWidth, kHeight, ColorBuffer::kFloat);
@@ -378,7 +379,7 @@ TEST(Precise, IsOfVerticesAndOfUniforms) {
     EXPECT_THROW(programmable::UploadedFrame(frame, baked), std::invalid_argument);
 }
 
-// Where the fixed function's answer is no number (2.1.1: none is asked for), it has the ordinary program's.
+// Where the fixed function gives NaN (2.1.1 allows it), --precise uses the ordinary program.
 TEST(Precise, HasAnAnswerWhereALightIsAtTheVertex) {
     const auto context = make_offscreen_context(1, 1, ColorBuffer::kFloat);
     if (!compare::is_listed(current_driver())) GTEST_SKIP() << "GLSL 4.00 is asked for: " << driver_name();
@@ -392,7 +393,7 @@ glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();)",
                                                                       "scene.gl", "scene"));
     programmable::Renderer renderer;
     const Image image = renderer.render(make_frame(*scene, {.width = 1, .height = 1}), kPrecise).image;
-    EXPECT_FLOAT_EQ(image.at(0, 0)[0], 0.2F * 0.2F + 0.2F / 2);  // of the scene's ambient light, and of the light's
+    EXPECT_FLOAT_EQ(image.at(0, 0)[0], 0.2F * 0.2F + 0.2F / 2);  // the ambient light of the scene, and of the light
 }
 
 }  // namespace

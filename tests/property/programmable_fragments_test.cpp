@@ -1,11 +1,10 @@
-// The shader path's pictures against the fixed function's, pixel by pixel, over random states of all that makes a
-// fragment's colour and decides its fate: textures and their environments, the colour sum, fog, the per-fragment
-// operations, clip planes, materials of vertices, wide lines and points, polygons drawn as their edges.
+// Compares pictures of the shaders with those of the fixed function, pixel by pixel, over random states of everything
+// that decides a fragment's colour and whether it is drawn: textures and their environments, the colour sum, fog, the
+// per-fragment operations, clip planes, materials of vertices, wide lines and points, polygons drawn as their edges.
 //
-// What rounding decides is found by asking the fixed function again, with its picture moved by one step of the
-// rasteriser's grid to each side, and with levels of detail a little off: a pixel may have any value between the answers,
-// and the codes more
-// that SceneText::codes names.
+// To find what rounding decides, the fixed function draws again with the picture moved by one step of the rasteriser's
+// grid in each direction, and with slightly different levels of detail. A pixel may have any value between these
+// results, and differ by the number of 1/255 steps that SceneText::codes returns.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +26,7 @@ namespace twinlight {
 namespace {
 
 constexpr int kWidth = 96, kHeight = 72;
-constexpr double kGridStep = 1.0 / 256;   // of a pixel: llvmpipe and softpipe have 8 bits below one
+constexpr double kGridStep = 1.0 / 256;   // of a pixel: llvmpipe and softpipe have 8 fractional bits
 constexpr double kLevelStep = 1.0 / 256;  // of a texture's level of detail: llvmpipe's log2 is not exact
 
 constexpr std::array kFormats{kGL_ALPHA, kGL_LUMINANCE, kGL_LUMINANCE_ALPHA, kGL_INTENSITY, kGL_RGB, kGL_RGBA};
@@ -71,14 +70,14 @@ class SceneText {
                text_;
     }
 
-    // Whether Phong's shading is Gouraud's, as the colour is a linear function of what is interpolated: each primitive has
-    // one normal, and the light is directional.
+    // Whether Phong's shading is Gouraud's, as the colour is a linear function of what is interpolated: each primitive
+    // has one normal, and the light is directional.
     bool is_linear() const { return lit_ && !flat_ && !(separate_ && vertex_materials_); }
 
-    // By how many codes of 8 bits a right picture may be beyond the fixed function's.
+    // By how many steps of 1/255 a right picture may differ from the fixed function's.
     int codes() const {
         const int rounding = 1;               // to 8 bits, on either side of a half
-        const int weights = linear_ ? 3 : 0;  // 8 bits for the place between two texels, in s, in t and between levels
+        const int weights = linear_ ? 3 : 0;  // 8 bits for a position between texels, in s, in t and between levels
         return rounding + weights;
     }
 
@@ -121,7 +120,7 @@ class SceneText {
     }
 
     void clip_planes() {
-        for (int i = 0; i < planes_; ++i) {  // past the middle of what is drawn
+        for (int i = 0; i < planes_; ++i) {  // through the middle of the shapes
             const glm::dvec3 normal(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
             add("glClipPlane(GL_CLIP_PLANE{0}, (GLdouble[]){{{1:.4f}, {2:.4f}, {3:.4f}, {4:.4f}}});\n"
                 "glEnable(GL_CLIP_PLANE{0});\n",
@@ -202,7 +201,7 @@ class SceneText {
         return on;
     }
 
-    // The operations that a driver may build into its programs: once a scene.
+    // Operations that a driver may compile into its programs: set once per scene.
     void operations() {
         const auto comparison = [&] {
             return one_of({"GL_LESS", "GL_LEQUAL", "GL_GREATER", "GL_GEQUAL", "GL_NOTEQUAL", "GL_ALWAYS"});
@@ -288,7 +287,7 @@ Scene scene_of(const std::string& text) {
     return {std::move(commands), std::move(frame)};
 }
 
-// What the fixed function may show: between these, channel by channel.
+// The range that the fixed function may show, channel by channel.
 struct Bounds {
     Image least, greatest, itself;
 };
@@ -312,10 +311,10 @@ Bounds fixed_bounds(const SceneText& scene) {
     return bounds;
 }
 
-// Pixels: all; drawn on; of another code than the fixed function's; of which its answers are more than kOpen codes apart.
+// Counts of pixels: all; drawn on; different from the fixed function; with a range of more than kOpen steps of 1/255.
 struct Count {
     std::size_t pixels = 0, drawn = 0, different = 0, open = 0;
-    int worst = 0;  // code beyond the bounds
+    int worst = 0;  // steps of 1/255 beyond the bounds
 };
 
 constexpr int kOpen = 8;
@@ -353,7 +352,7 @@ class Comparison {
               renderer_.render(frame, {{{.shading = Shading::kPhong}}}).image, total_phong_);
     }
 
-    // The scenes are worth drawing, and what is left to rounding is little.
+    // The scenes draw enough, and rounding decides only few pixels.
     void expect_worth() const {
         for (const Count& total : {total_, total_phong_}) {
             fmt::print("{} pixels, {} drawn on, {} different, {} open, the worst {} codes beyond\n", total.pixels,

@@ -1,5 +1,5 @@
-// The shader path's colours, vertex by vertex in floats, against the reference over seeded random states, the
-// lecture's variants among them.
+// Compares the shaders' colours with the reference, vertex by vertex in floats, over random states with fixed seeds,
+// including the lecture's variants.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace twinlight {
 namespace {
 
 constexpr int kStates = 60;
-constexpr int kVertices = 32;  // of a state: a pixel each
+constexpr int kVertices = 32;  // per state; each is one pixel
 // Relative to the sum of the magnitudes of a colour's terms, or to 1 where that is less: some forty float operations,
 // and a relative error of an ulp or two in n.h, 128 times as large in its 128th power.
 constexpr double kUlp = 0x1p-23;
@@ -100,7 +100,7 @@ class RandomDraw {
     fuzz::Random random_;
 };
 
-// One pixel a vertex, from left to right.
+// One pixel for each vertex, from left to right.
 Frame one_pixel_a_vertex(const Draw& draw) {
     Frame frame;
     frame.width = kVertices;
@@ -119,7 +119,7 @@ void compare_states(const programmable::Options& options) {
     double worst = 0;
     for (std::uint64_t seed = 0; seed < kStates; ++seed) {
         Draw draw = RandomDraw(seed).draw();
-        // Phong shading makes the normal unit in any case.
+        // Phong shading always normalises the normal.
         if (options.shading == Shading::kPhong) draw.lighting.normalize = true;
         programmable::Renderer renderer;
         const Image image = renderer.render(one_pixel_a_vertex(draw), options).image;
@@ -156,7 +156,7 @@ TEST(ProgrammableMatchesReference, WithNumbersAsConstants) {
 TEST(ProgrammableMatchesReference, WithoutTheLecturesVariants) {
     compare_states({{{.shading = {}, .lecture_variants = false}, 0}});
 }
-// Where Mesa's fixed function leaves the text, --precise does not follow it.
+// --precise does not copy the known bugs of Mesa's fixed function.
 TEST(ProgrammableMatchesReference, InTheFixedFunctionsOrderOfOperations) {
     programmable::Options options;
     options.lecture_variants = false;

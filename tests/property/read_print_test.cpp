@@ -36,13 +36,13 @@ double random_bits(fuzz::Random& random, Kind kind) {
             return std::isfinite(value) ? value : 0.25;
         }
         case Kind::kSizeiptr: return std::floor(random.uniform(-0x1p53, 0x1p53));
-        case Kind::kQuadric: return 1;  // made once, by the first row that has one
+        case Kind::kQuadric: return 1;  // made once, by the first row that needs one
         case Kind::kWord: return random.below(static_cast<int>(words().size()));
     }
     return 0;
 }
 
-// Bytes of any kind, NaNs and odd lengths among them.
+// Any bytes, including NaNs and odd lengths.
 std::shared_ptr<const Memory> random_memory(fuzz::Random& random) {
     Memory memory;
     memory.kind = static_cast<Kind>(random.below(static_cast<int>(Kind::kSizeiptr) + 1));
@@ -51,12 +51,12 @@ std::shared_ptr<const Memory> random_memory(fuzz::Random& random) {
     return std::make_shared<Memory>(std::move(memory));
 }
 
-// What stands in the file of a picture.
+// The contents of a picture file.
 ImageFile image(const std::string& name) {
     return {4, 2, std::vector<std::byte>(4 * 2 * 4, static_cast<std::byte>(name.size()))};
 }
 
-// A target, strides, orders and the points; half of the time wrong, and then without points.
+// A target, strides, orders and points; wrong half of the time, then without points.
 void random_map(fuzz::Random& random, Command& command) {
     const std::vector<Parameter>& parameters = command.sig().parameters;
     if (random.chance(0.5))
@@ -87,7 +87,7 @@ Command random_command(fuzz::Random& random, CommandId id) {
             count =
                 static_cast<int>(command.count(static_cast<std::size_t>(&parameter - signature(id).parameters.data())));
         }
-        // What a command returns is not known when it is read, but for names.
+        // When a command is read, its results are unknown, except names.
         if (parameter.extent == Extent::kResult && parameter.kind != Kind::kQuadric && !named_objects(parameter)) {
             command.arguments.push_back(0);
             continue;

@@ -74,7 +74,7 @@ class Writer {
         add(Id::glEnable, {l});
     }
 
-    // What differs from the materials before; all where there are none.
+    // The parameters that differ from the previous materials; all of them if there are none.
     void material(const Materials& now, const Materials* before) {
         const auto color = [&](Enum pname, glm::dvec4 Material::*of) {
             if (before && now.front.*of == before->front.*of && now.back.*of == before->back.*of) return;
@@ -92,7 +92,7 @@ class Writer {
     }
 
     void vertex(const Vertex& v, bool is_first) {
-        // What any vertex has of its own every vertex has.
+        // Every vertex sets the attributes that any vertex sets.
         if (!draw_.materials.empty()) {
             const Materials& now = draw_.materials[v.material];
             for (const Materials& other : draw_.materials)
@@ -139,7 +139,7 @@ std::string_view name_of(ModelviewKind kind) {
 }
 
 glm::dmat4 modelview_of(ModelviewKind kind, const Draw& draw, fuzz::Random& random) {
-    // What is longer than 1 by more, its 128th power takes out of the floats.
+    // The 128th power of a longer normal exceeds the range of floats.
     const auto some = [&] { return random.uniform(0.75, 1.4); };
     const glm::dmat4 one(1), moved = glm::translate(one, {some(), -some(), some()});
     const auto rotated = [&](const glm::dmat4& m) {

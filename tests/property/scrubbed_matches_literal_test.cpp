@@ -1,5 +1,5 @@
-// What the fixed function draws with scrubbed state is what it draws when it is told everything: over the built-in scenes, and
-// over random states.
+// The fixed function draws the same picture with scrubbed state as with all commands: for the built-in scenes and for
+// random states.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ compare::Comparison compare_scrubbed(const Scene& scene, double budget) {
 void expect_within(const compare::Comparison& comparison, std::size_t pair_number, double budget) {
     const compare::Pair& pair = comparison.pairs.at(pair_number);
     const RegionDifference& beyond = pair.difference.beyond_allowed;
-    // The budget moves a channel before it is rounded, and rounding adds a code where it was another.
+    // The budget changes a channel before it is rounded, and rounding can add 1/255.
     EXPECT_LE(beyond.max, comparison.tolerance.max + budget) << fmt::format(
         "{}: {}, pair {}: {} of {} interior pixels differ, the worst at {},{}", comparison.scene,
         comparison.pairs.size(), pair_number, beyond.differing, beyond.pixels, beyond.worst_x, beyond.worst_y);
@@ -69,7 +69,7 @@ TEST(Scrubbed, DrawsTheBuiltInScenesAsLiterally) {
     }
 }
 
-// In double precision: what is left out is exactly nothing, and a rounding may fall on the other side of a code's border.
+// In double precision: skipped effects add exactly 0, but a value may round to the next step of 1/255.
 TEST(Scrubbed, IsTheSameToTheReference) {
     constexpr int kSide = 256;
     for (const EmbeddedFile& file : kSceneFiles) {
@@ -100,7 +100,7 @@ TEST(Scrubbed, DrawsRandomStatesAsLiterally) {
     const auto context = make_offscreen_context(kSide, kSide);
     std::size_t compared = 0, departures = 0, pixels = 0, differing = 0;
     for (std::uint64_t i = 0; i < 96; ++i) {
-        // Every other one a picture of fragments' states, of structures that are far apart.
+        // Every other state is one of fragments; their structures are far apart.
         const std::uint64_t state = i * 97 * fuzz::kPictureEvery + (i % 2 == 0 ? fuzz::kPictureEvery - 1 : i % 31);
         const auto scene = std::make_shared<const CommandList>(fuzz::random_scene(options, state));
         const Scene made = make_scene(scene, {.width = kSide, .height = kSide});
@@ -118,9 +118,8 @@ TEST(Scrubbed, DrawsRandomStatesAsLiterally) {
         pixels += comparison.pairs[kLiteral].difference.beyond_allowed.pixels;
         differing += comparison.pairs[kLiteral].difference.beyond_allowed.differing;
     }
-    fmt::print(
-        "{} compared, {} left out for what the driver is known to do otherwise; {} of {} interior pixels differ\n",
-        compared, departures, differing, pixels);
+    fmt::print("{} compared, {} skipped for known bugs of the driver; {} of {} interior pixels differ\n", compared,
+               departures, differing, pixels);
     EXPECT_GT(compared, departures);
     EXPECT_LT(static_cast<double>(differing), compare::Tolerance{}.differing_share * static_cast<double>(pixels));
 }

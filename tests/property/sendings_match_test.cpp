@@ -1,4 +1,4 @@
-// However vertices get to the driver, the fixed function draws the same picture: every built-in scene, bit by bit.
+// The fixed function draws the same picture, bit by bit, however the vertices are sent: for every built-in scene.
 #include <gtest/gtest.h>
 
 #include "render/context/context.h"
@@ -37,7 +37,7 @@ glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, indices);
         EXPECT_NE(buffers.pixels, Image(kWidth, kHeight).pixels) << name << " draws nothing";
         EXPECT_TRUE(picture(frame, fixed::Sending::kClientArrays).pixels == buffers.pixels) << name;
         EXPECT_TRUE(picture(frame, fixed::Sending::kImmediate).pixels == buffers.pixels) << name;
-        // From a list Mesa cuts quadrilaterals along the other diagonal; GL leaves it open (3.5).
+        // In a display list Mesa cuts quadrilaterals along the other diagonal, which GL allows (3.5).
         Frame without_quads = frame;
         std::erase_if(without_quads.items, [](const auto& item) {
             const Draw* draw = std::get_if<Draw>(&item);

@@ -1,5 +1,5 @@
-// Shapes drawn by the driver, GLU's by the real GLU: what is current afterwards, and the picture, are those of State and of
-// the reference.
+// Shapes drawn by the driver (GLU's shapes by the real GLU): the current values afterwards match State, the picture
+// matches the reference.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -96,7 +96,7 @@ class ShapesAndTheDriver : public testing::Test {
         }
     }
 
-    // The driver's picture is the reference's.
+    // The driver's picture matches the reference.
     void expect_same_picture(const std::string& drawing) {
         SCOPED_TRACE(drawing);
         const std::string text =
@@ -108,12 +108,12 @@ class ShapesAndTheDriver : public testing::Test {
         const auto scene = std::make_shared<const CommandList>(read_scene(text, "shape.gl", "shape"));
         const auto [recording, frame] = make_scene(scene, {.width = kWidth, .height = kHeight});
         const Image driver = fixed::render({recording, frame});
-        // Where a strip's quadrilaterals are cut is the driver's choice.
+        // The driver may choose how to cut the quadrilaterals of a strip.
         const Image right = nearer_of(driver, reference::render(frame, {{}, reference::QuadCut::kFirstToThird}),
                                       reference::render(frame, {{}, reference::QuadCut::kSecondToFourth}));
         const ImageDifference found = difference(driver, right, reference::allowed_difference(frame).edge);
         EXPECT_LE(found.interior.max, 1.0 / 255) << found.interior.worst_x << "," << found.interior.worst_y;
-        // As often as float and double lie on different sides of a rounding border.
+        // As often as float and double round to different values.
         EXPECT_LE(found.interior.differing_share(), 0.001);
         std::size_t drawn = 0;
         for (const Rgba& pixel : driver.pixels) drawn += pixel[0] > 0 ? 1 : 0;
@@ -159,7 +159,7 @@ TEST_F(ShapesAndTheDriver, AgreeOnPicturesOfFreeglutsSolids) {
     for (const std::string& solid : kSolids) expect_same_picture("glutSolid" + solid + ";");
 }
 
-// The program's arrays and buffer objects stay as they are, and out of it.
+// The program's arrays and buffer objects are not used and do not change.
 TEST_F(ShapesAndTheDriver, LeavesTheProgramsArraysAlone) {
     const fixed::InitialState initial(kWidth, kHeight);
     glClear(GL_COLOR_BUFFER_BIT);

@@ -28,7 +28,7 @@ constexpr int kCommands = 120;  // a sequence
 
 // ---- Random commands ----
 
-// The commands that State does not follow, and glDrawBuffer, whose buffers an offscreen context does not have.
+// The commands that State does not support, and glDrawBuffer, whose buffers an offscreen context does not have.
 constexpr CommandId kDriverOnly[] = {
 #define GL_COMMAND(name, effect, ...) is_driver_only(#effect) ? CommandId::name : CommandId::glDrawBuffer,
 #define SHAPE_COMMAND(name, effect, ...)
@@ -130,7 +130,7 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
     }
 }
 
-// A value for a parameter that takes names.
+// A value for a parameter that is an enum.
 double random_name(fuzz::Random& random, Enum pname) {
     switch (pname) {
         case kGL_FOG_MODE: return one_of(random, {kGL_LINEAR, kGL_EXP, kGL_EXP2});
@@ -169,11 +169,12 @@ double random_bits(fuzz::Random& random, CommandId id) {
     if (id == CommandId::glClear) return random.chance(0.8) ? 0x4100 : 3;
     if (random.chance(0.2)) return static_cast<double>(kGL_ALL_ATTRIB_BITS);
     const auto bits = static_cast<Enum>(random.uniform(0, 0x100000));
-    // A departure (golden/known_differences): with GL_ENABLE_BIT alone the driver saves no lights.
+    // A known bug (golden/known_differences): with only GL_ENABLE_BIT the driver does not save which lights are on.
     return bits | ((bits & kGL_ENABLE_BIT) != 0 ? kGL_LIGHTING_BIT : 0);
 }
 
-// Arrays, names of objects and display lists are not in these sequences: the fuzzer has them (src/judge/fuzz/disguise.cpp).
+// Arrays, names of objects and display lists are not in these sequences: the fuzzer has them
+// (src/judge/fuzz/disguise.cpp).
 bool uses_arrays_or_names(const Signature& sig) {
     const bool is_array = sig.name.ends_with("ClientState") || sig.name.ends_with("ClientAttrib") ||
                           sig.name.starts_with("glDrawArrays") || sig.name == "glArrayElement";
@@ -188,12 +189,12 @@ Command random_command(fuzz::Random& random) {
     while (true) {
         const auto id = static_cast<CommandId>(random.below(static_cast<int>(signatures().size())));
         const Signature& sig = signature(id);
-        // Nothing is drawn here, and matrices are multiplied by numbers of moderate size only.
+        // No drawing here, and only numbers of moderate size in matrices.
         if (sig.family != Family::kGl || sig.name.starts_with("glMultMatrix")) continue;
         if (sig.name.starts_with("glRect")) continue;
         if (sig.name.starts_with("glMultTranspose") || sig.name.starts_with("glFrustum")) continue;
         if (uses_arrays_or_names(sig)) continue;
-        // What State does not follow, it does not check either.
+        // State does not check commands that it does not support.
         if (std::find(std::begin(kDriverOnly), std::end(kDriverOnly), id) != std::end(kDriverOnly)) continue;
         // Half of the table are variants of glColor and glVertex.
         const bool frequent = sig.name.starts_with("glColor") || sig.name.starts_with("glVertex") ||
@@ -254,7 +255,7 @@ bool is_inaccurate_plane(const State& state) {
     return !(norm(matrix) * norm(glm::inverse(matrix)) < 20);  // 20 roundings of float stay below expect_near's bound
 }
 
-// Where the driver leaves the text (golden/known_differences; tests/golden/known_differences_test.cpp shows each).
+// Known bugs of the driver (golden/known_differences; tests/golden/known_differences_test.cpp shows each).
 bool is_departure(const Command& command, const State& state) {
     const std::string_view name = command.name();
     const auto owner = owner_of(command.id);
@@ -265,11 +266,12 @@ bool is_departure(const Command& command, const State& state) {
         const ParameterInfo* info = find_parameter(*owner, command.enumerant(command.sig().parameters.size() - 2));
         if (info && info->count > 1) return true;
     }
-    // 2.14.3: what tracks a colour has it at once; the driver loses a glColor that stands before a new glColorMaterial.
+    // 2.14.3: a tracked material changes at once; the driver loses a glColor before a new glColorMaterial.
     // Nor does it have the colour that glPopAttrib restores.
     const bool changes_color = command.id == CommandId::glColorMaterial || command.id == CommandId::glPopAttrib;
     if (changes_color && state.lighting().color_material.enabled) return true;
-    // 2.7: glTexCoord1 to 3 set the others to 0, 0, 1, and glColor3 sets alpha to 1; the driver may keep what was there.
+    // 2.7: glTexCoord1 to 3 set the others to 0, 0, 1, and glColor3 sets alpha to 1; the driver may keep what was
+    // there.
     const std::vector<double> coords = answer(state, kGL_CURRENT_TEXTURE_COORDS);
     const bool plain = coords == std::vector<double>{coords.empty() ? 0 : coords[0], 0, 0, 1};
     if (name.starts_with("glTexCoord") && name[10] != '4' && !plain) return true;
@@ -285,7 +287,8 @@ bool is_departure(const Command& command, const State& state) {
                        (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
                        (command.id == CommandId::glHint && command.enumerant(0) == kGL_GENERATE_MIPMAP_HINT) ||
                        (name.starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP);
-    // 6.1.14: what is changed within an inner glPushAttrib that does not save it, the outer one restores; the driver does not.
+    // 6.1.14: what is changed within an inner glPushAttrib that does not save it, the outer one restores; the driver
+    // does not.
     if (command.id == CommandId::glPushAttrib && command.enumerant(0) != kGL_ALL_ATTRIB_BITS &&
         answer(state, kGL_ATTRIB_STACK_DEPTH)[0] > 0)
         return true;
@@ -303,13 +306,14 @@ bool is_departure(const Command& command, const State& state) {
     return name.starts_with("glColor3") && state.attributes().current.color.a != 1;
 }
 
-// ---- What the driver holds ----
+// ---- The driver's state ----
 
 void expect_near(const std::vector<double>& driver, const std::vector<double>& state, const std::string& what) {
     ASSERT_EQ(driver.size(), state.size()) << what;
     double largest = 1;
     for (double v : state) largest = std::max(largest, std::abs(v));
-    // Matrices are products of some ten float matrices: ten roundings of 6e-8 for each of four summands, of the largest.
+    // Matrices are products of some ten float matrices: ten roundings of 6e-8 for each of four summands, of the
+    // largest.
     constexpr double kRounding = 1e-5;
     for (std::size_t i = 0; i < state.size(); ++i) EXPECT_NEAR(driver[i], state[i], kRounding * largest) << what;
 }
@@ -333,17 +337,17 @@ void expect_same_state(const State& state, const fixed::Driver& driver) {
                         state.get_material(face, pname), enum_name(face) + " " + enum_name(pname));
         }
     }
-    // Everything else that has a name: what State answers is what the driver answers.
+    // Everything else that glGet can return: State and the driver answer the same.
     int answered = 0;
     for (const NamedValue& name : gl_names()) {
         std::vector<double> expected = answer(state, name.value);
         const bool is_query = !expected.empty() && !name.name.ends_with("_BIT");
         if (!is_query || name.value <= kGL_POLYGON) continue;
-        // A departure (golden/known_differences): the driver answers for unit 0.
+        // A known bug (golden/known_differences): the driver answers for unit 0.
         if (name.value == kGL_TRANSPOSE_TEXTURE_MATRIX && answer(state, kGL_ACTIVE_TEXTURE)[0] != kGL_TEXTURE0)
             continue;
 
-        // The driver gave the scene's objects names of its own.
+        // The driver gave the scene's objects different names.
         const auto driver_name = [&](ObjectType type) {
             return static_cast<double>(driver.name_of(type, static_cast<std::uint32_t>(expected[0])));
         };
@@ -432,7 +436,7 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
         SCOPED_TRACE(fmt::format("seed {}, after\n{}", seed, print_scene(sequence)));
         expect_same_state(state, driver);
     }
-    EXPECT_GT(errors, 500);  // the errors' paths are tested, too
+    EXPECT_GT(errors, 500);  // errors are tested too
 }
 
 }  // namespace

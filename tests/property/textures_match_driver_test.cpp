@@ -87,11 +87,12 @@ struct Difference {
     double mean = 0;
 };
 
-// How far the texels are from what the driver returns for them.
+// The difference between the texels and those that the driver returns.
 //
 // libglu 9.0.2's scaling to a power of two stops reading before the last row or column that it needs (scale_internal_*,
 // "Clamp here to be sure we don't read beyond input buffer"), and makes the last row black where only the width is
-// scaled: State does not copy that, so with `scaled` the last rows and columns, and the levels made of them, are left out.
+// scaled: State does not copy that, so with `scaled` the last rows and columns, and the levels made of them, are left
+// out.
 Difference difference(const Texture& texture, bool scaled) {
     Difference result;
     int compared = 0;
@@ -140,7 +141,8 @@ double expect_same(State& state, fixed::Driver& driver, const std::vector<Comman
 }
 
 constexpr double kByteStep = 1.0 / 255;
-// Signed types: the driver has the rule of GL 4.2 (table 2.9 was changed there), State that of 2.1: 1/255 apart at most.
+// Signed types: the driver has the rule of GL 4.2 (table 2.9 was changed there), State that of 2.1: 1/255 apart at
+// most.
 double step_of(double internal) {
     const InternalFormat format = *internal_format(internal);
     return 1 / (std::exp2(std::min({8, format.red, format.green, format.blue, format.alpha})) - 1);

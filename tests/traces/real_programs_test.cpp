@@ -1,4 +1,5 @@
-// Frames of real programs, three ways. The recordings of this folder are read from their dumps; glxgears is recorded anew.
+// Frames of real programs, three ways. The recordings of this folder are read from their dumps; glxgears is recorded
+// again.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ namespace {
 
 constexpr const char* kFolder = "tests/traces";
 
-// What the programs use that not every renderer does.
+// Features of the programs that not every renderer supports.
 const std::map<std::string, std::set<std::string>>& expected_unsupported() {
     static const std::map<std::string, std::set<std::string>> table = {
         {"stonerview", {"glEnable(GL_LINE_SMOOTH)"}},
@@ -81,18 +82,18 @@ TEST_P(RealPrograms, LookAlikeThreeWays) {
     SCOPED_TRACE(told);
     for (const compare::Pair& pair : comparison.pairs) {
         EXPECT_NE(pair.verdict, compare::Verdict::kBeyond) << report::name_of(comparison, pair);
-        // A picture without an interior would pass, whatever it shows.
+        // A picture without interior pixels would always pass.
         EXPECT_GT(pair.difference.interior.pixels, pair.difference.edge.pixels);
     }
     for (const compare::Render& render : comparison.renders) {
-        EXPECT_GT(pixels_drawn(render.image), render.image.pixels.size() / 200) << render.name << " is all but black";
+        EXPECT_GT(pixels_drawn(render.image), render.image.pixels.size() / 200) << render.name << " is almost black";
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(OfDebian, RealPrograms, testing::ValuesIn(recordings()),
                          [](const testing::TestParamInfo<std::string>& program) { return program.param; });
 
-// As a user does it: apitrace trace glxgears; twinlight compare glxgears.trace.
+// The same commands as a user: apitrace trace glxgears; twinlight compare glxgears.trace.
 TEST(RealProgram, GlxgearsRecordedNowIsAsGlSaysInEveryRenderer) {
     for (const char* tool : {"apitrace", "Xvfb", "glxgears"}) {
         if (run_shell("", std::string("command -v ") + tool).status != 0) GTEST_SKIP() << tool << " is not installed";

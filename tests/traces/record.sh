@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Records real programs, as a user would: each program of README.md's table runs for some seconds under Xvfb and Mesa's
-# software renderer in `apitrace trace`; its first frames are kept, from the very first call on, so that all state which
-# they need is there. README.md tells what is written and where each program comes from.
+# Records real programs as a user would: runs each program of README.md's table for some seconds in `apitrace trace`, under
+# Xvfb and Mesa's software renderer. It keeps the first frames, from the very first call on, so that all their state is
+# recorded. README.md describes the output and the origin of each program.
 set -uo pipefail
 
 folder=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -11,15 +11,15 @@ output=build/traces
 usage() {
     cat <<USAGE
 usage: tests/traces/record.sh [-o FOLDER] [NAME...]
-Records the programs of that NAME in tests/traces/README.md's table, or all, under Xvfb with apitrace.
+Records the named programs of the table in tests/traces/README.md, or all of them, under Xvfb with apitrace.
 
-    -o FOLDER   where to write (default: build/traces): FOLDER/NAME.trace, and FOLDER/NAME/ with what
-                'apitrace dump --blobs' says of it: dump.txt, and one file a blob
+    -o FOLDER   where to write (default: build/traces): FOLDER/NAME.trace, and FOLDER/NAME/ with the output of
+                'apitrace dump --blobs': dump.txt, and one file per blob
     -l          list the programs, their packages, and whether they are installed
     -h          this text
 
-A program that is not installed is skipped; its package is named. Exit status: 0 all others were recorded;
-1 one of them failed; 2 bad use, or apitrace or Xvfb is missing.
+Programs that are not installed are skipped, with the name of their package. Exit status: 0 all others were recorded;
+1 one of them failed; 2 wrong usage, or apitrace or Xvfb is not installed.
 USAGE
 }
 
@@ -28,11 +28,11 @@ fail() {
     exit 2
 }
 
-# The table's rows, their fields parted by tabs: name package licence API seconds frames command.
+# The table's rows, with fields separated by tabs: name package licence API seconds frames command.
 # shellcheck disable=SC2016
 rows() { sed -nE '/^\| `/{s/^\| *| *\|$|`//g;s/ *\| */\t/g;p}' "$table"; }
 
-# Debian's games and screen savers are not in everyone's path.
+# Debian's games and screen savers may be missing from PATH.
 PATH=$PATH:/usr/games:/usr/libexec/xscreensaver
 installed() { command -v "${1%% *}" >/dev/null; }
 
@@ -62,7 +62,7 @@ done
 mkdir -p "$output" 2>/dev/null || fail "cannot make the folder $output; -o names another"
 output=$(cd "$output" && pwd)
 
-# Each program is a process group of its own, so that all of it ends with its recording.
+# Each program has its own process group, so that all its processes end with the recording.
 set -m
 scratch=$(mktemp -d)
 server=
@@ -72,8 +72,8 @@ finish() {
 }
 trap finish EXIT
 
-# One screen of a fixed size and no window manager: a window has the size that its program asks for. Without -noreset
-# the server would start anew between two programs, and the next might not find it.
+# One screen of a fixed size and no window manager, so a window gets the size that its program requests. Without -noreset
+# the server would restart between two programs, and the next one might not find it.
 Xvfb -displayfd 3 -screen 0 640x480x24 -noreset -nolisten tcp 3>"$scratch/display" >/dev/null 2>&1 &
 server=$!
 for _ in {1..200}; do
@@ -84,7 +84,8 @@ done
 display=$(cat "$scratch/display")
 [ -n "$display" ] || fail "Xvfb did not answer in 20 seconds"
 
-# Programs write settings into their home, play sounds, and wait for the monitor: a home of their own, and none of that.
+# Programs write settings into their home, play sounds and wait for the monitor. Gives them a temporary home and disables
+# the rest.
 run_traced() {  # api trace command...
     local api=$1 trace=$2
     shift 2
@@ -95,14 +96,14 @@ run_traced() {  # api trace command...
         apitrace trace --api="$api" --output="$trace" "$@"
 }
 
-# Runs a program for some seconds. apitrace's tracer writes its buffer on SIGINT, then lets the signal end the program;
-# some programs catch it and go on.
+# Runs a program for some seconds. On SIGINT apitrace's tracer writes its buffer, then lets the signal end the program;
+# some programs catch it and continue.
 run_for() {  # seconds api trace command...
     local seconds=$1 group
     shift
     run_traced "$@" </dev/null &
     group=$!
-    disown  # or bash would tell of the signal
+    disown  # otherwise bash reports the signal
     sleep "$seconds"
     kill -INT -- "-$group" 2>/dev/null
     for _ in {1..30}; do
@@ -112,7 +113,7 @@ run_for() {  # seconds api trace command...
     kill -KILL -- "-$group" 2>/dev/null
 }
 
-# Records one row; where that failed, $why says why.
+# Records one row. If it fails, $why is the reason.
 record() {  # name api seconds frames command...
     local name=$1 api=$2 seconds=$3 frames=$4
     shift 4

@@ -1,5 +1,5 @@
-// The recordings of real programs: that each is whole and what README.md's table says of it, and that record.sh makes
-// such recordings and tells what it cannot do.
+// The recordings of real programs: each is complete and matches README.md's table; and record.sh makes such recordings
+// and reports errors.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -86,7 +86,7 @@ TEST(Recordings, HaveTheBlobsThatTheyNameAndNoOthers) {
             EXPECT_GT(entry.file_size(), 0u) << entry.path();
         }
         EXPECT_EQ(there, named);
-        EXPECT_EQ(count(dump, R"(blob\(\d)"), 0) << "a blob of which only the size was kept: dump with --blobs";
+        EXPECT_EQ(count(dump, R"(blob\(\d)"), 0) << "only the size of a blob was kept; dump with --blobs";
     }
 }
 
@@ -107,7 +107,7 @@ TEST(Recordings, AreSmall) {
 
 bool installed(const std::string& program) { return run_shell("", "command -v " + program).status == 0; }
 
-// record.sh beside a table of the test's own.
+// record.sh next to a table written by the test.
 class Record : public testing::Test {
   protected:
     void SetUp() override {
@@ -135,7 +135,7 @@ TEST_F(Record, KeepsTheFirstFramesOfGlxgears) {
     EXPECT_TRUE(std::filesystem::exists(folder_ / "out/gears.trace"));
     const std::string dump = read_file(folder_ / "out/gears/dump.txt");
     EXPECT_EQ(count(dump, kEndOfFrame), 3);
-    EXPECT_EQ(count(dump, R"(^\d+ glNewList\()"), 3);  // of before the first frame: one for each gear
+    EXPECT_EQ(count(dump, R"(^\d+ glNewList\()"), 3);  // before the first frame: one for each gear
     EXPECT_EQ(count(dump, R"(^\d+ glCallList\()"), 3 * 3);
     EXPECT_EQ(count(dump, R"(^\d+ glViewport\(x = 0, y = 0, width = 200, height = 100\)$)"), 1);
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 
 #include "base/image/png.h"
 #include "judge/report/html.h"
@@ -16,18 +16,54 @@ namespace {
 using namespace check;
 using report::escaped;
 
+// After page.css, which the comparison's page has too.
 constexpr const char* kStyle = R"(
-body { font: 15px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
-section { border-top: 1px solid #8886; padding: .4rem 0; }
-h3 { font: 600 1rem ui-monospace, monospace; margin: .4rem 0; }
-p, ul, figure { margin: .2rem 0; }
-pre { overflow-x: auto; padding: .5rem; background: #8882; }
-img { width: 128px; height: 128px; image-rendering: pixelated; }
-figure { display: inline-block; margin-right: 1rem; }
-.verdict { display: inline-block; padding: 0 .5em; border-radius: .3em; margin-right: .5em; background: #8883; }
-.departs { background: #e8a3; outline: 1px solid #c80; }
-.NEW, .VANISHED { background: #d33; color: #fff; }
-.swatch { display: inline-block; width: 1.1em; height: 1.1em; line-height: 1.1em; text-align: center; vertical-align: -.2em; margin-right: .4em; border: 1px solid #8888; }
+section { border-top: 1px solid var(--line); }
+summary code { font: 600 .9375rem ui-monospace, monospace; }
+.case { margin: 0 0 1rem 1.25rem; }
+.case figure { display: inline-block; margin: .25rem 1rem .25rem 0; }
+.case figure img { width: 128px; height: 128px; image-rendering: pixelated; }
+.outcome { display: inline-block; padding: 0 .5em; border-radius: .3em; margin-left: .5em;
+    font-size: .8125rem; background: #8883; }
+.outcome.known-bug { background: #e8a3; outline: 1px solid #c80; }
+.outcome.new-bug, .outcome.fixed-bug { background: #d33; color: #fff; }
+.swatch { display: inline-block; width: 1.1em; height: 1.1em; line-height: 1.1em; text-align: center;
+    vertical-align: -.2em; margin-right: .4em; border: 1px solid #8888; }
+)";
+
+// A link to a case opens it.
+constexpr const char* kScript = R"(
+function openTarget() {
+    const section = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    const details = section && section.querySelector("details");
+    if (details) details.open = true;
+    if (section) section.scrollIntoView();
+}
+addEventListener("hashchange", openTarget);
+openTarget();
+)";
+
+constexpr const char* kTerms = R"(<details><summary>What the words mean</summary>
+<dl class="hint terms">
+<dt>fixed</dt><dd>The driver&rsquo;s own fixed function, which runs the scene&rsquo;s commands.</dd>
+<dt>programmable</dt><dd>Twinlight&rsquo;s shaders, on the same driver.</dd>
+<dt>reference</dt><dd>Twinlight&rsquo;s software renderer, which uses no driver.</dd>
+<dt>pass</dt><dd>The expected result.</dd>
+<dt>known bug</dt><dd>A wrong result that the case lists for this driver.</dd>
+<dt>our choice</dt><dd>The specification is silent: shaders and reference give the result that we
+chose, the driver gives another one.</dd>
+<dt>new bug</dt><dd>A wrong result that is not listed: unexpected.</dd>
+<dt>fixed bug</dt><dd>The expected result where a known bug is listed: unexpected.</dd>
+<dt>not tested</dt><dd>The case needs a feature that GL&rsquo;s fixed function lacks.</dd>
+</dl></details>
+<details><summary>What the symbols mean</summary>
+<p class="hint">They are those of the OpenGL 2.1 specification, whose section numbers are given with each case. V is the
+vertex, n its normal, P the light. VP is the unit vector from the vertex to the light, PV the opposite one, VPe the
+unit vector to the viewer; h is the half vector between VP and VPe. k_0, k_1 and k_2 are the constant, linear and
+quadratic attenuation, d is the distance to the light, att_i the attenuation factor. s is the direction of a
+spotlight, c its cutoff, spot_i its factor. f_i is 1 where n . VP is above 0, and 0 elsewhere: it removes highlights
+on the side away from the light. M is the modelview matrix. A denormal float is smaller than 1.2e-38 and has fewer
+digits; a driver may round it to 0.</p></details>
 )";
 
 std::string swatch(const std::optional<Seen>& seen) {
@@ -39,7 +75,7 @@ std::string swatch(const std::optional<Seen>& seen) {
                        code(2));
 }
 
-// Squares of two greys where nothing is drawn: no colour that is drawn looks like that.
+// A grey chequerboard where nothing is drawn: no case draws one.
 Image with_ground(Image image) {
     const int square = std::max(1, image.width / 8);
     for (int y = 0; y < image.height; ++y)
@@ -51,47 +87,195 @@ Image with_ground(Image image) {
     return image;
 }
 
-std::string section_of(const Case& of, const Result& result) {
-    std::string html = fmt::format("<section id=\"{0}\"><h3>{0}</h3>\n<p>", escaped(of.name));
-    for (std::size_t path = 0; path < kPaths; ++path)
-        html += fmt::format(R"(<span class="verdict {0}">{1}: {0}</span>)", word_of(result.outcomes.at(path)),
-                            kPathNames.at(path));
-    html += fmt::format("</p>\n<p><b>{}</b>: {}.</p>\n<p>{}</p>\n<p>Derived: {}</p>\n<ul>", escaped(of.what),
-                        escaped(of.why), escaped(of.text), escaped(of.derived));
-    for (const Expectation& expected : of.expectations)
+// "known bug" as a class of the style.
+std::string style_class(Outcome outcome) {
+    std::string name(word_of(outcome));
+    std::ranges::replace(name, ' ', '-');
+    return name;
+}
+
+// For each renderer that does not pass.
+std::string badges(const Result& result) {
+    std::string html;
+    for (std::size_t path = 0; path < kPaths; ++path) {
+        const Outcome outcome = result.outcomes.at(path);
+        if (outcome == Outcome::kPass) continue;
+        html += fmt::format(R"( <span class="outcome {}">{}: {}</span>)", style_class(outcome), kPathNames.at(path),
+                            word_of(outcome));
+    }
+    return html;
+}
+
+// The largest difference of a channel; infinite where a value is not finite. None for errors and missing values.
+std::optional<double> difference_of(const Finding& finding) {
+    if (!finding.value || !std::holds_alternative<glm::dvec4>(*finding.value)) return {};
+    const auto& value = std::get<glm::dvec4>(*finding.value);
+    const auto& expected = std::get<glm::dvec4>(finding.expected);
+    double largest = 0;
+    for (int i = 0; i < 4; ++i) {
+        const double difference = std::abs(value[i] - expected[i]);
+        largest = std::isfinite(difference) ? std::max(largest, difference) : HUGE_VAL;
+    }
+    return largest;
+}
+
+std::string line_of(const Case& hard_case, const Finding& finding) {
+    std::string text = escaped(finding_text(hard_case, finding));
+    const std::optional<double> difference = difference_of(finding);
+    if (difference && finding.outcome != Outcome::kVanished)
+        text += std::isfinite(*difference) ? fmt::format("; off by {:.2g}", *difference) : "; not finite";
+    return fmt::format("<li>{}<b>{}</b>: {}</li>\n", swatch(finding.value), word_of(finding.outcome), text);
+}
+
+std::string section_of(const Case& hard_case, const Result& result) {
+    std::string html = fmt::format(
+        "<section id=\"{0}\"><details{1}><summary><code>{0}</code> {2}{3}</summary>\n<div class=\"case\">\n",
+        escaped(hard_case.name), result.fails() ? " open" : "", escaped(hard_case.what), badges(result));
+    if (!result.error.empty()) html += "<p><b>Rejected:</b> " + escaped(result.error) + "</p>\n";
+    if (!result.findings.empty()) {
+        html += "<ul>\n";
+        for (const Finding& finding : result.findings) html += line_of(hard_case, finding);
+        html += "</ul>\n";
+    }
+    html += "<p><b>Expected:</b></p>\n<ul>\n";
+    for (const Expectation& expected : hard_case.expectations)
         html +=
             fmt::format("<li>{}{}: {}{}</li>\n", swatch(expected.value), expected.spot.str(), text_of(expected.value),
                         expected.other == expected.value ? "" : " or " + text_of(expected.other));
-    for (const Finding& finding : result.findings)
-        html += fmt::format("<li>{}{}</li>\n", swatch(finding.value), escaped(finding_text(of, finding)));
-    if (!result.error.empty()) html += "<li>refused: " + escaped(result.error) + "</li>\n";
-    html += "</ul>\n";
-    if (of.tolerance) html += fmt::format("<p>Tolerance: {}, {}</p>\n", *of.tolerance, escaped(of.tolerance_causes));
+    html += fmt::format(
+        "</ul>\n<p><b>Why it is hard:</b> {}.</p>\n<p><b>What the specification says:</b> {}.</p>\n"
+        "<p><b>How the expected values follow:</b> {}.</p>\n",
+        escaped(hard_case.why), escaped(hard_case.text), escaped(hard_case.derived));
+    if (hard_case.tolerance)
+        html += fmt::format("<p><b>Tolerance:</b> {}: {}.</p>\n", *hard_case.tolerance,
+                            escaped(hard_case.tolerance_causes));
     for (const auto& [name, image] : result.pictures)
         html += fmt::format("<figure><img alt=\"{0}\" src=\"{1}\"><figcaption>{0}</figcaption></figure>\n",
                             escaped(name), report::data_uri(encode_png(with_ground(image))));
-    return html + "<details><summary>the scene</summary><pre>" + escaped(of.scene_text) +
-           "</pre></details></section>\n";
+    return html + "<details><summary>The scene</summary><pre>" + escaped(hard_case.scene_text) +
+           "</pre></details>\n</div></details></section>\n";
 }
 
-// Cases whose names begin with the same word are about the same.
-std::string group_of(const Case& of) { return of.name.substr(0, of.name.find('-')); }
+struct Group {
+    std::string title;
+    std::vector<std::size_t> cases{};
+};
+
+// Each case once: unexpected results first, then by the result of the driver's fixed function.
+std::vector<Group> grouped(const std::vector<Result>& results) {
+    std::vector<Group> groups = {{"Unexpected results"},
+                                 {"Known bugs of this driver"},
+                                 {"Our choice, where the specification is silent"},
+                                 {"Passed"},
+                                 {"Not tested on the driver: GL lacks these features"}};
+    const auto place_of = [](const Result& result) -> std::size_t {
+        if (result.fails()) return 0;
+        switch (result.outcomes[0]) {
+            case Outcome::kNew:
+            case Outcome::kVanished: return 0;
+            case Outcome::kDeparts: return 1;
+            case Outcome::kRuling: return 2;
+            case Outcome::kPass: return 3;
+            case Outcome::kNotAsked: return 4;
+        }
+        return 0;
+    };
+    for (std::size_t i = 0; i < results.size(); ++i) groups[place_of(results[i])].cases.push_back(i);
+    return groups;
+}
+
+std::string counted(std::size_t count, const char* one, const char* several) {
+    return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+std::string links(const std::vector<Case>& cases, const Group& group) {
+    std::string html;
+    for (const std::size_t i : group.cases)
+        html += fmt::format("{0}<a href=\"#{1}\">{1}</a>", html.empty() ? "" : ", ", escaped(cases[i].name));
+    return html;
+}
+
+// The largest error of the driver's fixed function, and how often its result is not finite; empty where it has no
+// errors.
+std::string error_of_driver(const std::vector<Case>& cases, const std::vector<Result>& results) {
+    double largest = 0;
+    std::size_t worst = 0, not_finite = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        bool is_finite = true;
+        for (const Finding& finding : results[i].findings) {
+            if (finding.path != Path::kFixed || finding.outcome == Outcome::kRuling) continue;
+            const double difference = difference_of(finding).value_or(0);
+            is_finite = is_finite && std::isfinite(difference);
+            if (!std::isfinite(difference) || difference <= largest) continue;
+            largest = difference;
+            worst = i;
+        }
+        not_finite += !is_finite;
+    }
+    std::string html;
+    if (largest > 0)
+        html = fmt::format(
+            "The driver&rsquo;s largest error is {0:.2g} (1 is full brightness), in <a href=\"#{1}\">{1}</a>. ",
+            largest, escaped(cases[worst].name));
+    if (not_finite > 0)
+        html += fmt::format("Its result is NaN or infinite in {}. ", counted(not_finite, "case", "cases"));
+    return html;
+}
+
+// Is it right? If not, where? By how much?
+std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& results,
+                    const std::vector<Group>& groups) {
+    const Group &unexpected = groups[0], &known = groups[1];
+    const bool is_expected = unexpected.cases.empty();
+    std::string right = is_expected ? "Nothing unexpected: "
+                                    : fmt::format("Unexpected results in {} of {}. ", unexpected.cases.size(),
+                                                  counted(cases.size(), "case", "cases"));
+    right += fmt::format("{} of {} pass, {} known bugs of the driver.", groups[3].cases.size(),
+                         counted(cases.size(), "case", "cases"),
+                         known.cases.empty() ? "none shows" : fmt::format("{} show", known.cases.size()));
+    if (!groups[2].cases.empty())
+        right += fmt::format(" The driver gives another result in {} where the specification is silent.",
+                             counted(groups[2].cases.size(), "case", "cases"));
+    if (!groups[4].cases.empty())
+        right += fmt::format(" GL lacks the features of {}.", counted(groups[4].cases.size(), "case", "cases"));
+    std::string where;
+    if (!is_expected) where = fmt::format("Unexpected: {}.", links(cases, unexpected));
+    if (!known.cases.empty())
+        where += fmt::format("<details><summary>The cases with known bugs</summary>{}.</details>", links(cases, known));
+    double from_long_double = 0;
+    for (const Result& result : results) from_long_double = std::max(from_long_double, result.from_long_double);
+    return fmt::format(
+        "<div class=\"verdict {}\"><dl>\n<dt>Is it right?</dt><dd>{}</dd>\n<dt>If not, where?</dt><dd>{}</dd>\n"
+        "<dt>By how much?</dt><dd>{}The shaders are at most {:.1e} away from the reference.</dd>\n</dl></div>\n",
+        is_expected ? "within" : "beyond", right, where.empty() ? "Nowhere." : where, error_of_driver(cases, results),
+        from_long_double);
+}
 
 }  // namespace
 
 std::string check_page(const std::string& driver, const std::vector<Case>& cases, const std::vector<Result>& results) {
-    std::map<std::string, std::string> groups;
-    for (std::size_t i = 0; i < cases.size(); ++i) groups[group_of(cases[i])] += section_of(cases[i], results[i]);
-    std::string html = report::page_head("twinlight check", kStyle) + "<body>\n<h1>Hard cases</h1>\n<p>" +
-                       escaped(driver) + "</p>\n<p>";
-    for (const auto& [name, sections] : groups) html += fmt::format("<a href=\"#of-{0}\">{0}</a> ", escaped(name));
+    const std::vector<Group> groups = grouped(results);
+    std::string html = report::page_head("twinlight check", std::string(report::page_file("page.css")) + kStyle);
+    html +=
+        "<body>\n<header>\n<p class=\"product\">Twinlight &middot; hard cases</p>\n<h1>Hard cases of lighting</h1>\n";
+    html += verdict(cases, results, groups);
     html += fmt::format(
-        "</p>\n<p>Pictures of cases about vertices have {0} by {0} pixels, those about pixels {1} by {1}; chequered is "
-        "where nothing is drawn.</p>\n",
-        kVertexSide, kSide);
-    for (const auto& [name, sections] : groups)
-        html += fmt::format("<h2 id=\"of-{0}\">{0}</h2>\n{1}", escaped(name), sections);
-    return html + "</body>\n</html>\n";
+        "<dl class=\"facts\"><div><dt>Driver</dt><dd>{}</dd></div></dl>\n</header>\n<main>\n"
+        "<p class=\"hint\">A hard case is a small scene whose right colours are known. Open a case to see its results, "
+        "pictures "
+        "and commands.</p>\n{}",
+        escaped(driver), kTerms);
+    for (const Group& group : groups) {
+        if (group.cases.empty()) continue;
+        html += fmt::format("<h2>{}: {}</h2>\n", group.title, counted(group.cases.size(), "case", "cases"));
+        for (const std::size_t i : group.cases) html += section_of(cases[i], results[i]);
+    }
+    return html + fmt::format(
+                      "<p class=\"hint\">The pictures have {0} by {0} pixels where a case tests vertices, and {1} by "
+                      "{1} where it tests "
+                      "pixels. A grey chequerboard means that nothing is "
+                      "drawn.</p>\n</main>\n<script>{2}</script>\n</body>\n</html>\n",
+                      kVertexSide, kSide, kScript);
 }
 
 }  // namespace twinlight::cli

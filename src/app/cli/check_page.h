@@ -8,7 +8,8 @@
 
 namespace twinlight::cli {
 
-// One file that holds everything: by what is tested, each case with its words, what was found, its pictures and its text.
+// One file that holds everything: the verdict, then each case with its results, its explanation, its pictures and its
+// scene.
 std::string check_page(const std::string& driver, const std::vector<check::Case>& cases,
                        const std::vector<check::Result>& results);
 

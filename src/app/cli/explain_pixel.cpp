@@ -49,13 +49,6 @@ std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, c
     return result;
 }
 
-std::vector<const Draw*> draws_of(const Frame& frame) {
-    std::vector<const Draw*> draws;
-    for (const auto& item : frame.items)
-        if (const Draw* draw = std::get_if<Draw>(&item)) draws.push_back(draw);
-    return draws;
-}
-
 // ---- In words ----
 
 std::string color(const Vec& c) { return fmt::format("{:>9.5f} {:>9.5f} {:>9.5f}", c.x, c.y, c.z); }
@@ -198,7 +191,7 @@ std::string explain_pixel(const Scene& scene, const PlanOptions& options, const 
         reference::pixel_history(frame, reference::Options{options}, pixel.x, frame.height - 1 - pixel.y);
     const std::vector<PixelFragment>& fragments = history.fragments;
     const std::vector<Rendered> pictures = rendered(scene, options, pixel, history.color);
-    const std::vector<const Draw*> draws = draws_of(frame);
+    const std::vector<const Draw*> draws = frame.draws();
     if (as_json) {
         Json json = {{"scene", scene.name()}, {"pixel", {pixel.x, pixel.y}}, {"fragments", Json::array()}};
         for (const PixelFragment& fragment : fragments)

@@ -65,14 +65,6 @@ constexpr Key kKeys[] = {
     {'q', 'q', "", "", quit},
 };
 
-std::vector<const Draw*> draws(const Frame& frame) {
-    std::vector<const Draw*> found;
-    for (const auto& item : frame.items) {
-        if (const Draw* draw = std::get_if<Draw>(&item)) found.push_back(draw);
-    }
-    return found;
-}
-
 // A picture is never silently partial.
 bool is_partial(const Controls& controls, const Frame& frame) {
     const Path shown = controls.difference ? Path::kProgrammable : controls.renderer;
@@ -85,7 +77,7 @@ Controls make_controls(const Frame& frame) {
     Controls controls;
     controls.initial_view.pivot_eye = middle_of(frame);
     controls.view = controls.initial_view;
-    const auto all = draws(frame);
+    const auto all = frame.draws();
     controls.scene_is_flat =
         std::all_of(all.begin(), all.end(), [](const Draw* draw) { return draw->lighting.shade_model == kGL_FLAT; });
     return controls;
@@ -127,7 +119,7 @@ void zoom(Controls& controls, int steps) {
 std::string summary(const std::string& scene, const Controls& controls, const Frame& frame, int amplification) {
     std::set<std::string> shade_models;
     std::set<std::size_t> lights_on;
-    for (const Draw* draw : draws(frame)) {
+    for (const Draw* draw : frame.draws()) {
         shade_models.insert(draw->lighting.shade_model == kGL_FLAT ? "GL_FLAT" : "GL_SMOOTH");
         for (std::size_t i = 0; i < kMaxLights; ++i) {
             if (draw->lighting.enabled && draw->lighting.lights[i].enabled) lights_on.insert(i);

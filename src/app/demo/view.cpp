@@ -173,9 +173,7 @@ CommandList apply_view(const CommandList& scene, const View& view) {
 glm::dvec3 middle_of(const Frame& frame) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     glm::dvec3 least(kInfinity), most(-kInfinity);
-    for (const auto& item : frame.items) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (draw == nullptr) continue;
+    for (const Draw* draw : frame.draws()) {
         for (const Vertex& vertex : draw->vertices) {
             const glm::dvec4 position_eye = draw->eye_from_object * vertex.position_object;
             const glm::dvec3 point = glm::dvec3(position_eye) / position_eye.w;

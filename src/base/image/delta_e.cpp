@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-// f of CIE 15:2004, 8.2.1.1.
+// The function f of CIE 15:2004, section 8.2.1.1.
 double lab_curve(double t) {
     constexpr double kDelta = 6.0 / 29;
     return t > kDelta * kDelta * kDelta ? std::cbrt(t) : t / (3 * kDelta * kDelta) + 4.0 / 29;
@@ -25,7 +25,7 @@ double seventh_power(double x) {
     return cube * cube * x;
 }
 
-// sqrt(C^7 / (C^7 + 25^7)), of G and of R_C.
+// sqrt(C^7 / (C^7 + 25^7)), which occurs in G and in R_C.
 double of_chroma(double chroma) {
     const double c7 = seventh_power(chroma);
     return std::sqrt(c7 / (c7 + seventh_power(25)));
@@ -34,7 +34,7 @@ double of_chroma(double chroma) {
 double cos_of(double angle_deg) { return std::cos(angle_deg / kDegrees); }
 double sin_of(double angle_deg) { return std::sin(angle_deg / kDegrees); }
 
-// Equation 7: on [0, 360), 0 where there is no hue.
+// Equation 7. On [0, 360); 0 for a colour without hue.
 double hue_deg(double a, double b) {
     if (a == 0 && b == 0) return 0;
     const double angle = std::atan2(b, a) * kDegrees;
@@ -49,7 +49,7 @@ double mean_hue_deg(double one, double other, bool has_hue) {
     return sum < 360 ? (sum + 360) / 2 : (sum - 360) / 2;
 }
 
-// A pixel's channels as a display takes them.
+// A pixel's red, green and blue, clamped to [0,1]; NaN becomes 0.
 Vec3<double> shown(const Rgba& pixel) {
     const auto clamped = [](float c) { return c > 0 ? std::min(static_cast<double>(c), 1.0) : 0.0; };
     return {clamped(pixel[0]), clamped(pixel[1]), clamped(pixel[2])};
@@ -66,7 +66,7 @@ Lab lab_from_xyz(Vec3<double> xyz) {
 Lab lab_from_linear_srgb(Vec3<double> linear) { return lab_from_xyz(kXyzFromSrgb * linear); }
 Lab lab_from_srgb_codes(Vec3<double> codes) { return lab_from_linear_srgb(srgb_linear(codes)); }
 
-// The paper's equations 2 to 22, in its order; a trailing p stands for its prime.
+// The paper's equations 2 to 22, in the paper's order. A p at the end of a name is the paper's prime.
 double delta_e_2000(Lab one, Lab other) {
     const double mean_c = (std::hypot(one.a, one.b) + std::hypot(other.a, other.b)) / 2;
     const double g = 0.5 * (1 - of_chroma(mean_c));

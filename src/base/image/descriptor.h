@@ -22,7 +22,7 @@ class Descriptor {
 
     bool valid() const { return fd_ >= 0; }
     int get() const { return fd_; }
-    // The error that closing met: a full disk may be told only here.
+    // Returns 0 or the error: a full disk may show only here.
     int close() { return fd_ < 0 || ::close(std::exchange(fd_, -1)) == 0 ? 0 : errno; }
 
   private:

@@ -1,4 +1,4 @@
-// Differences are taken between the 8-bit codes, in whole numbers: exact, and the same on every machine.
+// Subtracts the 8-bit codes (0 to 255) as whole numbers, so results are exact and the same on every machine.
 #include "base/image/difference.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using Codes = std::array<int, kChannels>;
 
 Codes absolute_difference(const Rgba& a, const Rgba& b) {
     Codes codes{};
-    if (a == b) return codes;  // as most pixels are
+    if (a == b) return codes;  // fast path for most pixels
     for (std::size_t c = 0; c < kChannels; ++c) codes[c] = std::abs(channel_code(a[c]) - channel_code(b[c]));
     return codes;
 }
@@ -74,7 +74,7 @@ ImageDifference difference(const Image& a, const Image& b, const AllowedDifferen
     check_sizes(a, b);
     check_sizes(a, allowed.channels);
     if (allowed.edge.size() != a.pixels.size()) {
-        throw std::invalid_argument("the edge mask has another size than the pictures");
+        throw std::invalid_argument("the edge mask and the pictures have different sizes");
     }
     Region interior, edge, beyond;
     for (int y = 0; y < a.height; ++y) {
@@ -101,7 +101,7 @@ Image nearer_of(const Image& image, const Image& first, const Image& second, con
     check_sizes(image, second);
     check_sizes(image, allowed);
     Image result = first;
-    // Of all that is left beyond what is allowed, then of all.
+    // First compares the differences beyond the allowed one, then the whole differences.
     const auto distance = [&](const Image& other, std::size_t i) {
         const Codes codes = absolute_difference(image.pixels[i], other.pixels[i]);
         return std::pair(std::ranges::max(excess(codes, allowed.pixels[i])), std::ranges::max(codes));
@@ -114,7 +114,7 @@ Image nearer_of(const Image& image, const Image& first, const Image& second, con
 }
 
 int amplification_for(double max) {
-    constexpr int kLargest = 64;  // one code in 255 then shows as a quarter of the range
+    constexpr int kLargest = 64;  // then a difference of 1/255 shows as a quarter of the range
     int factor = kLargest;
     while (factor > 1 && factor * max > 1) factor /= 2;
     return factor;

@@ -1,4 +1,7 @@
-// How two pictures differ: in numbers, and as a picture.
+// The difference of two pictures, as numbers and as a picture.
+//
+// A code is the whole number from 0 to 255 that an 8-bit framebuffer stores for a channel (channel_code()). Edge pixels
+// are those where two correct pictures may choose differently; all others are the interior.
 #pragma once
 
 #include <cstddef>
@@ -7,14 +10,14 @@
 
 namespace twinlight {
 
-// Over one part of two pictures, as an 8-bit framebuffer holds them; all four channels, each on [0,1].
+// The difference of two pictures in a region, after rounding to 8 bits. Covers all four channels, each on [0,1].
 struct RegionDifference {
     std::size_t pixels = 0;
-    std::size_t differing = 0;  // pixels of which any channel's code differs
+    std::size_t differing = 0;  // pixels with a channel whose codes differ
     double max = 0;             // the largest difference of a channel: a whole number / 255
     double rms = 0;             // over all channels of all pixels
-    // The first pixel, row by row from the top left, that has `max`: the region's first where nothing
-    // differs, (0,0) where the region is empty.
+    // The first pixel, row by row from the top left, with the difference `max`. If nothing differs, the region's first
+    // pixel; (0,0) for an empty region.
     int worst_x = 0, worst_y = 0;
 
     double differing_share() const {
@@ -22,42 +25,42 @@ struct RegionDifference {
     }
 };
 
-// How far apart two right pictures of one scene may be, pixel by pixel.
+// How much two correct pictures of one scene may differ, pixel by pixel.
 struct AllowedDifference {
-    // Where they may choose differently: the border of what is drawn passes through the pixel, two surfaces cut each
-    // other there, or which texel, level or filter is the right one hangs on the last bits (docs/lighting.md, "Edges").
+    // Edge pixels: a primitive's border passes through the pixel, two surfaces intersect there, or the last bits decide
+    // which texel, level or filter is used (docs/lighting.md, "Edges").
     PixelMask edge;
-    // Elsewhere: how far apart a channel may be, beyond the rounding of the picture itself, for the precision of filters
-    // and of blending. 0 where nothing is textured or blended.
+    // Interior pixels: how much a channel may differ because of the precision of filters and blending, in addition to
+    // the rounding to 8 bits. 0 where nothing is textured or blended.
     Image channels;
 };
 
 struct ImageDifference {
     RegionDifference interior;
     RegionDifference edge;
-    // Of the interior: what is left of each channel's difference beyond the allowed one, in whole codes. Where one is allowed,
-    // two right answers may also be rounded apart: one code of the difference is theirs.
+    // The interior again, after the allowed difference is subtracted from each channel's difference, in whole codes.
+    // Where it is above 0, one more code is subtracted: rounding may move two correct values apart.
     RegionDifference beyond_allowed;
 };
 
-// The pixels of the mask are the edge, all others the interior. Throws std::invalid_argument unless all have one size.
+// Throws std::invalid_argument unless all sizes are equal.
 ImageDifference difference(const Image& a, const Image& b, const AllowedDifference& allowed);
-// The same where only edges are allowed.
+// The same with no allowed difference in the interior.
 ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge);
 
-// At each pixel whichever of two right answers is nearer to `image`: the one with the smaller largest difference of a
-// channel, `first` where they are equally near. All of one size.
+// Chooses at each pixel the one of two correct pictures that is nearer to `image`: the one whose largest difference of
+// a channel is smaller; `first` if both are equally near. Throws std::invalid_argument unless all sizes are equal.
 Image nearer_of(const Image& image, const Image& first, const Image& second);
-// The same of what is left beyond the allowed difference: of a right answer with a great difference that is its own to make, and one
-// with a small difference that is not, the first is the nearer.
+// The same, but compares the differences beyond `allowed` first. A large difference that is allowed then counts as
+// nearer than a small one that is not.
 Image nearer_of(const Image& image, const Image& first, const Image& second, const Image& allowed);
 
-// A difference too small to see must be amplified, by a factor that is told: the largest power of two, at
-// most 64, that does not take `max` beyond 1.
+// The factor that makes a small difference visible: the largest power of two, at most 64, that keeps `max` times the
+// factor within 1.
 int amplification_for(double max);
 
-// Equal pixels are kZeroGrey; towards white, channel by channel, goes the absolute difference times the
-// factor. A difference of alpha, which has no channel to be seen in, shows in all three.
+// Equal pixels are kZeroGrey; brighter means a larger difference, channel by channel, multiplied by `factor`. A
+// difference of alpha brightens all three channels.
 inline constexpr float kZeroGrey = 0.25F;
 Image difference_picture(const Image& a, const Image& b, int factor);
 

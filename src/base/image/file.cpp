@@ -1,4 +1,4 @@
-// Files through POSIX calls: streams would lose the reason of a failure.
+// Uses POSIX calls: C++ streams do not report the reason of a failure.
 #include "base/image/file.h"
 
 #include <fcntl.h>
@@ -22,24 +22,24 @@ namespace {
 
 [[noreturn]] void fail(const std::string& path, int error) { throw FileError(path + ": " + std::strerror(error)); }
 
-// Holds back the signals that end a program, so that none leaves the aside file behind.
-class SignalsHeld {
+// Blocks the signals that end a program, so that no temporary file is left behind.
+class SignalsBlocked {
   public:
-    SignalsHeld() {
+    SignalsBlocked() {
         sigset_t ending;
         sigemptyset(&ending);
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ending, signal);
         pthread_sigmask(SIG_BLOCK, &ending, &before_);
     }
-    ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    SignalsHeld(const SignalsHeld&) = delete;
-    SignalsHeld& operator=(const SignalsHeld&) = delete;
+    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsBlocked(const SignalsBlocked&) = delete;
+    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
 
   private:
     sigset_t before_{};
 };
 
-// 0, or the error.
+// Returns 0 or the error number.
 int write_and_close(Descriptor& file, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
@@ -52,11 +52,12 @@ int write_and_close(Descriptor& file, std::string_view bytes) {
     return file.close();
 }
 
-// A file's bytes, written aside in the same folder. It goes with the object unless it is put in place.
+// A file's bytes, written under a temporary name in the same folder. The destructor removes it unless put_in_place()
+// ran.
 class PendingFile {
   public:
     PendingFile(const std::string& path, std::string_view bytes) : path_(path) {
-        // Where the bytes go: renaming onto a link would replace the link, onto /dev/null the device.
+        // Renaming onto a link would replace the link, and onto /dev/null the device.
         struct stat existing {};
         const bool exists = ::stat(path.c_str(), &existing) == 0;
         if (exists && S_ISDIR(existing.st_mode)) fail(path, EISDIR);
@@ -66,42 +67,44 @@ class PendingFile {
             if (const int error = write_and_close(device, bytes); error != 0) fail(path, error);
             return;
         }
-        if (exists && ::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a rename would not ask
+        if (exists && ::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a rename would ignore this
         target_ = exists ? std::filesystem::canonical(path).string() : path;
 
-        // The process's number keeps two writers of one file apart.
-        const std::string aside = target_ + "." + std::to_string(::getpid()) + ".part";
+        // The process number gives two writers of one file different temporary names.
+        const std::string temporary = target_ + "." + std::to_string(::getpid()) + ".part";
         constexpr mode_t kAsUmaskAllows = 0666;
-        Descriptor file(::open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+        Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
                                exists ? existing.st_mode & 0777 : kAsUmaskAllows));
         if (!file.valid()) fail(path, errno);
-        aside_ = aside;
+        temporary_ = temporary;
         if (const int error = write_and_close(file, bytes); error != 0) {
-            remove_aside();
+            remove_temporary();
             fail(path, error);
         }
     }
-    ~PendingFile() { remove_aside(); }
+    ~PendingFile() { remove_temporary(); }
     PendingFile(PendingFile&& other) noexcept
-        : path_(std::move(other.path_)), target_(std::move(other.target_)), aside_(std::exchange(other.aside_, {})) {}
+        : path_(std::move(other.path_)),
+          target_(std::move(other.target_)),
+          temporary_(std::exchange(other.temporary_, {})) {}
 
     void put_in_place() {
-        if (aside_.empty()) return;
-        if (::rename(aside_.c_str(), target_.c_str()) != 0) fail(path_, errno);
-        aside_.clear();
+        if (temporary_.empty()) return;
+        if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+        temporary_.clear();
     }
 
   private:
-    void remove_aside() {
-        if (!aside_.empty()) ::unlink(aside_.c_str());
+    void remove_temporary() {
+        if (!temporary_.empty()) ::unlink(temporary_.c_str());
     }
 
-    std::string path_;    // as the user has it
-    std::string target_;  // with links followed
-    std::string aside_;   // empty where nothing stands aside
+    std::string path_;       // as the user wrote it
+    std::string target_;     // with links followed
+    std::string temporary_;  // empty if there is no temporary file
 };
 
-// No more than `max_bytes` of what is left to read; `path` is for the message of a failure.
+// Reads to the end, at most `max_bytes`. `path` appears in the error message.
 std::string read_rest(int descriptor, std::size_t max_bytes, const std::string& path) {
     std::string bytes;
     std::array<char, 1 << 16> block;
@@ -128,7 +131,7 @@ std::string read_file(const std::string& path, std::size_t max_bytes) {
 std::string read_standard_input(std::size_t max_bytes) { return read_rest(STDIN_FILENO, max_bytes, "standard input"); }
 
 void write_files_atomically(const std::vector<FileToWrite>& files) {
-    const SignalsHeld held;
+    const SignalsBlocked blocked;
     std::vector<PendingFile> pending;
     pending.reserve(files.size());
     for (const auto& [path, bytes] : files) pending.emplace_back(path, bytes);

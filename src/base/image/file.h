@@ -1,4 +1,4 @@
-// Whole files: read in one go, written whole or not at all; and those that travel inside the binary.
+// Reads and writes whole files. A file is written completely or not at all. Also: files embedded in the program.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace twinlight {
 
-// tools/embed.sh writes tables of them.
+// A file inside the program. tools/embed.sh writes tables of them.
 struct EmbeddedFile {
     std::string_view name;  // without its folder
     std::string_view text;
@@ -21,7 +21,7 @@ struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// The file's bytes, but no more than `max_bytes` of them. Throws FileError.
+// The file's first bytes, at most `max_bytes`. Throws FileError.
 std::string read_file(const std::string& path, std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
 std::string read_standard_input(std::size_t max_bytes);
 
@@ -30,9 +30,10 @@ struct FileToWrite {
     std::string_view bytes;
 };
 
-// Writes all of them aside, each in its own folder, then renames: another program sees the old file or the new
-// one, and where one cannot be written, none is. Ctrl-C waits until the files stand. A link is followed; a
-// device or a pipe (/dev/null) is written to in place. Throws FileError, and then leaves nothing behind.
+// Writes all files under temporary names, each in its own folder, then renames them. Another program sees either the
+// old file or the new one. If a file cannot be written, none is. Ctrl-C waits until all files are in place. A link is
+// followed; a device or a pipe (/dev/null) is written to directly. Throws FileError, and then leaves no temporary file
+// behind.
 void write_files_atomically(const std::vector<FileToWrite>& files);
 void write_file_atomically(const std::string& path, std::string_view bytes);
 

@@ -1,4 +1,4 @@
-// Image: a picture of floats, RGBA, row 0 at the top. What every renderer returns.
+// Image: a picture of RGBA floats, row 0 at the top. Every renderer returns one.
 #pragma once
 
 #include <array>
@@ -26,11 +26,11 @@ struct Image {
     const Rgba& at(int x, int y) const { return pixels[index(x, y)]; }
 };
 
-// One flag a pixel; same order as Image::pixels.
+// One flag per pixel, in the order of Image::pixels.
 using PixelMask = std::vector<bool>;
 
-// A channel clamped to [0,1] and rounded to the nearest of 256 codes, as an 8-bit framebuffer does (2.14.9).
-// A NaN, for which GL has no answer, is 0.
+// The code of a channel: clamped to [0,1] and rounded to the nearest of 0/255 to 255/255, as an 8-bit framebuffer does
+// (GL 2.1, section 2.14.9). NaN, which GL leaves undefined, gives 0.
 std::uint8_t channel_code(float channel);
 
 }  // namespace twinlight

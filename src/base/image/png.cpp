@@ -1,4 +1,4 @@
-// PNG through Debian's stb library.
+// Reads and writes PNG with the stb library.
 #include "base/image/png.h"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ namespace {
 
 constexpr int kRgba = 4;
 
-// The decoder's words, which may quote the file, and that may hold anything.
+// The decoder's message. It may quote bytes of the file, so other characters become '?'.
 std::string cannot_be_read() {
     std::string reason = stbi_failure_reason();
     std::ranges::replace_if(
@@ -57,7 +57,7 @@ std::uint32_t integer(std::string_view bytes) {
 // The compressed pixels: the data of all IDAT chunks (PNG, section 5.3: length, type, data, check sum).
 std::string packed_pixels(std::string_view bytes) {
     constexpr std::size_t kAroundData = 12;
-    if (!bytes.starts_with(kSignature)) throw std::runtime_error("it is no PNG; convert it to one");
+    if (!bytes.starts_with(kSignature)) throw std::runtime_error("this is not a PNG; convert it to one");
     std::string packed;
     for (std::string_view rest = bytes.substr(kSignature.size()); rest.size() >= kAroundData;) {
         const std::size_t length = integer(rest);
@@ -67,10 +67,11 @@ std::string packed_pixels(std::string_view bytes) {
         if (type == "IDAT") packed += rest.substr(8, length);
         rest.remove_prefix(length + kAroundData);
     }
-    throw std::runtime_error("the PNG is cut off; save it anew");
+    throw std::runtime_error("the PNG is cut off; save it again");
 }
 
-// Its first chunk says (section 11.2.2). stbi_info() would read on, and forgets what is wrong with the chunks after it.
+// The size from the header, which is the first chunk (section 11.2.2). stbi_info() also reads later chunks, and where one is
+// wrong it does not report why.
 struct Size {
     std::uint32_t width, height;
 };
@@ -78,7 +79,7 @@ Size size_of(std::string_view bytes) {
     constexpr std::string_view kHeader("\0\0\0\xDIHDR", 8);  // its length, 13, and its name
     std::string_view rest = bytes.substr(kSignature.size());
     if (!rest.starts_with(kHeader) || rest.size() < kHeader.size() + 13)
-        throw std::runtime_error("the PNG cannot be read: it does not start with its size; save it anew");
+        throw std::runtime_error("the PNG cannot be read: its header is missing; save it again");
     rest.remove_prefix(kHeader.size());
     return {integer(rest), integer(rest.substr(4))};
 }
@@ -89,20 +90,21 @@ PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
     const std::string packed = packed_pixels(bytes);
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
-    const auto refuse = [] { throw std::runtime_error(cannot_be_read() + "; save it anew"); };
+    const auto refuse = [] { throw std::runtime_error(cannot_be_read() + "; save it again"); };
     const auto [width, height] = size_of(bytes);
     const auto limit = static_cast<std::uint32_t>(longest_side);
     if (width > limit || height > limit) {
-        throw std::runtime_error(fmt::format("it has {} x {} pixels, at most {} x {} are read; make it smaller", width,
-                                             height, limit, limit));
+        throw std::runtime_error(fmt::format("the picture has {} x {} pixels; the limit is {} x {}; make it smaller",
+                                             width, height, limit, limit));
     }
-    // The most that the pixels can unpack to: 16 bits a channel, a byte more a row, and eight times the rows for the
-    // passes of an interlaced image. The decoder itself would go on unpacking whatever there is.
+    // The most bytes that the pixels can unpack to: 16 bits per channel, one more byte per row, and the padding of the
+    // passes of an interlaced image. The decoder itself has no limit, so a small file could fill the memory.
     constexpr std::size_t kLargestPixel = 8, kRowBytes = 1, kPasses = 8;
     std::string unpacked(std::size_t{height} * width * kLargestPixel + (height + kPasses) * kRowBytes * kPasses, '\0');
     if (stbi_zlib_decode_buffer(unpacked.data(), static_cast<int>(unpacked.size()), packed.data(),
                                 static_cast<int>(packed.size())) < 0) {
-        throw std::runtime_error("the PNG's pixels cannot be unpacked, or are more than its size says; save it anew");
+        throw std::runtime_error(
+            "the PNG's pixels cannot be unpacked, or there are more than its size allows; save it again");
     }
     PngPixels image;
     int channels_in_file = 0;

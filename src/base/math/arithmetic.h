@@ -1,4 +1,4 @@
-// In which numbers a renderer calculates, and how it takes powers: choices of the accuracy study.
+// The number type of a renderer, and its method for powers. The accuracy study (`twinlight study`) varies both.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@ namespace twinlight {
 enum class Number : std::uint8_t { kDouble, kFloat, kLongDouble };
 
 enum class Powers : std::uint8_t {
-    kPow,       // right to the last place or two
-    kSquaring,  // whole exponents by repeated squaring: each product rounds
-    kTable,     // between entries of a table (lighting/power_table.h)
+    kPow,       // correct to one or two units in the last place
+    kSquaring,  // whole exponents by repeated squaring; each product is rounded
+    kTable,     // interpolates in a table (lighting/power_table.h)
 };
 
 struct Arithmetic {

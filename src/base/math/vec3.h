@@ -1,7 +1,7 @@
 // Vec3<Real>: the vectors and colours of the lighting equation, over any number type.
 //
 // Real may be float, double, long double or a batch of SIMD lanes: nothing here branches on a value.
-// A variable's name says its space (_object, _eye, ...); one that ends in _dir has length 1.
+// A variable's name ends in its space (_object, _eye, ...), or in _dir if its length is 1.
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,7 @@ Real length(Vec3<Real> a) {
     return sqrt(dot(a, a));
 }
 
-// Any vector's own type from another's: Vec3<float>, glm::dvec3, ...
+// Converts between vector types: Vec3<float>, glm::dvec3, ...
 template <class To, class From>
 To vec3_cast(const From& a) {
     using Real = decltype(To{}.x);

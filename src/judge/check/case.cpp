@@ -20,7 +20,7 @@ namespace twinlight::check {
 
 namespace {
 
-// Table 2.3, but for GL_TABLE_TOO_LARGE, which is the imaging subset's.
+// Table 2.3, without GL_TABLE_TOO_LARGE, which belongs to the imaging subset.
 struct NamedError {
     Enum code;
     std::string_view name;
@@ -33,7 +33,7 @@ constexpr NamedError kErrors[] = {{kGL_NO_ERROR, "GL_NO_ERROR"},
                                   {kGL_STACK_UNDERFLOW, "GL_STACK_UNDERFLOW"},
                                   {kGL_OUT_OF_MEMORY, "GL_OUT_OF_MEMORY"}};
 
-// One entry of the head: "// key: value", and what lines indented below it add.
+// One entry of the head: "// key: value", with its continuation lines.
 struct Entry {
     int line = 0;
     std::string key, value;
@@ -59,7 +59,7 @@ class Head {
             if (!here.starts_with("//")) break;
             if (std::ranges::any_of(
                     here, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) && c != '\t' && c != '\r'; }))
-                refuse(line, "a control character has no place in a head");  // a terminal would obey it
+                refuse(line, "control characters are not allowed in the head");  // a terminal would obey them
             if (here.starts_with(kIndented) && !entries_.empty()) {
                 entries_.back().value += " " + trimmed(here.substr(kIndented.size()));
                 continue;
@@ -67,7 +67,8 @@ class Head {
             const std::size_t colon = here.find_first_not_of("abcdefghijklmnopqrstuvwxyz", kComment.size());
             if (!here.starts_with(kComment) || colon == kComment.size() || colon == std::string::npos ||
                 here[colon] != ':')
-                refuse(line, "a head's line is '// key: value', or goes on with '//   '");
+                refuse(line,
+                       "a line of the head must be '// key: value', or start with '//   ' to continue the entry above");
             const std::string key = here.substr(kComment.size(), colon - kComment.size());
             entries_.push_back({line, key, trimmed(here.substr(colon + 1))});
         }
@@ -75,7 +76,7 @@ class Head {
 
     const std::vector<Entry>& entries() const { return entries_; }
     [[noreturn]] void refuse(int line, const std::string& why) const {
-        throw SceneError(fmt::format("{}:{}: {}; docs/hard-cases.md tells the form", file_, line, why));
+        throw SceneError(fmt::format("{}:{}: {}; docs/hard-cases.md describes the format", file_, line, why));
     }
 
     std::vector<double> numbers(const Entry& entry, const std::string& text, std::size_t count) const {
@@ -85,20 +86,21 @@ class Head {
             char* end = nullptr;
             values.push_back(std::strtod(at, &end));
             if (end == at) refuse(entry.line, twinlight::in_quotes(text) + " is not a list of numbers");
-            // A driver may give what is none; right it never is.
+            // A driver may give NaN or infinity; neither is ever right.
             if (entry.key != "differs" && !std::isfinite(values.back()))
                 refuse(entry.line, twinlight::in_quotes(text) + " is not finite");
             at = end + std::strspn(end, " ");
         }
         if (values.size() != count)
-            refuse(entry.line, fmt::format("{} is not {} numbers", twinlight::in_quotes(text), count));
+            refuse(entry.line, fmt::format("{} must be {} numbers", twinlight::in_quotes(text), count));
         return values;
     }
 
     Seen seen(const Entry& entry, const Spot& spot, const std::string& text) const {
         if (spot.kind == Spot::Kind::kError) {
             const auto error = std::ranges::find(kErrors, text, &NamedError::name);
-            if (error == std::end(kErrors)) refuse(entry.line, twinlight::in_quotes(text) + " is none of GL's errors");
+            if (error == std::end(kErrors))
+                refuse(entry.line, twinlight::in_quotes(text) + " is not the name of an OpenGL error");
             return error->code;
         }
         const std::vector<double> v = numbers(entry, text, 4);
@@ -130,8 +132,8 @@ class Head {
             if (rest.empty() && is_in(spot.x, kSide) && is_in(spot.y, kSide)) return spot;
         }
         refuse(entry.line,
-               fmt::format("{} is neither 'error' nor 'vertex N' nor 'pixel X,Y', 'pixel X,Y phong' or 'pixel X,Y "
-                           "exact': N is from 0 to 2, X and Y are from 0 to {}",
+               fmt::format("{} is not a place: write 'error', 'vertex N', 'pixel X,Y', 'pixel X,Y phong' or 'pixel X,Y "
+                           "exact', with N from 0 to 2, and X and Y from 0 to {}",
                            twinlight::in_quotes(text), kSide - 1));
     }
 
@@ -140,7 +142,7 @@ class Head {
     std::vector<Entry> entries_;
 };
 
-// "a: b: c" at its first two colons.
+// The text before the first `at`, and the text after it.
 std::pair<std::string, std::string> split(const Head& head, const Entry& entry, const std::string& text,
                                           std::string_view at) {
     const std::size_t place = text.find(at);
@@ -149,7 +151,7 @@ std::pair<std::string, std::string> split(const Head& head, const Entry& entry, 
     return {trimmed(text.substr(0, place)), trimmed(text.substr(place + at.size()))};
 }
 
-// Of "1|0 0 0 1" "1 0 0 1", or the second where there are two: "0 0 0 1".
+// "1|0 0 0 1" becomes "1 0 0 1", or with the second alternatives "0 0 0 1".
 std::string one_of_two(const std::string& text, bool is_second) {
     std::istringstream words(text);
     std::string result;
@@ -168,7 +170,7 @@ Expectation expectation(const Head& head, const Entry& entry) {
     const std::size_t plus = value.find(" + ");
     const std::string primary = value.substr(0, plus);
     if (result.spot.kind == Spot::Kind::kError && value.find('|') != std::string::npos)
-        head.refuse(entry.line, "'" + value + "' is two errors; glGetError tells one, so that 'error:' takes one");
+        head.refuse(entry.line, "'" + value + "' names two errors, but glGetError returns one");
     result.value = head.seen(entry, result.spot, one_of_two(primary, false));
     result.other = head.seen(entry, result.spot, one_of_two(primary, true));
     if (plus != std::string::npos) {
@@ -187,7 +189,7 @@ Differs difference(const Head& head, const Entry& entry) {
 }
 
 void take(Case& into, const Head& head, const Entry& entry) {
-    if (entry.value.empty()) head.refuse(entry.line, "'" + entry.key + "' says nothing");
+    if (entry.value.empty()) head.refuse(entry.line, "'" + entry.key + "' is empty");
     if (entry.key == "expect") {
         into.expectations.push_back(expectation(head, entry));
         return;
@@ -197,7 +199,7 @@ void take(Case& into, const Head& head, const Entry& entry) {
         return;
     }
     if (std::ranges::find(head.entries(), entry.key, &Entry::key)->line != entry.line)
-        head.refuse(entry.line, "'" + entry.key + "' stands here twice");
+        head.refuse(entry.line, "'" + entry.key + "' is given twice");
     if (entry.key == "what") {
         into.what = entry.value;
     } else if (entry.key == "why") {
@@ -208,13 +210,13 @@ void take(Case& into, const Head& head, const Entry& entry) {
         into.derived = entry.value;
     } else if (entry.key == "status") {
         if (entry.value != "defined" && entry.value != "ruling")
-            head.refuse(entry.line, "the status is 'defined' or 'ruling'");
+            head.refuse(entry.line, "the status must be 'defined' or 'ruling'");
         into.is_ruling = entry.value == "ruling";
     } else if (entry.key == "tolerance") {
         const auto [number, causes] = split(head, entry, entry.value, ", ");
         into.tolerance = head.numbers(entry, number, 1)[0];
-        if (*into.tolerance < 0) head.refuse(entry.line, "a tolerance is at least 0");
-        if (causes.empty()) head.refuse(entry.line, "behind a tolerance's number stand its causes");
+        if (*into.tolerance < 0) head.refuse(entry.line, "a tolerance must be at least 0");
+        if (causes.empty()) head.refuse(entry.line, "the causes of the tolerance must follow its number");
         into.tolerance_causes = causes;
     } else {
         head.refuse(entry.line, "there is no key " + twinlight::in_quotes(entry.key) +
@@ -222,8 +224,8 @@ void take(Case& into, const Head& head, const Entry& entry) {
     }
 }
 
-// What no entry shows alone.
-void hold_together(const Case& of, const Head& head) {
+// Rules between entries: all keys are given, and places match.
+void check_consistency(const Case& hard_case, const Head& head) {
     const auto line_of = [&](const char* key, std::size_t which) {
         for (const Entry& entry : head.entries())
             if (entry.key == key && which-- == 0) return entry.line;
@@ -234,27 +236,29 @@ void hold_together(const Case& of, const Head& head) {
             head.refuse(1, fmt::format("the head lacks '{}'", key));
     }
     const auto place_of = [&](const Spot& spot) {
-        const auto found = std::ranges::find(of.expectations, spot, &Expectation::spot);
-        return static_cast<std::size_t>(found - of.expectations.begin());
+        const auto found = std::ranges::find(hard_case.expectations, spot, &Expectation::spot);
+        return static_cast<std::size_t>(found - hard_case.expectations.begin());
     };
-    for (std::size_t i = 0; i < of.differs.size(); ++i) {
+    for (std::size_t i = 0; i < hard_case.differs.size(); ++i) {
         const int line = line_of("differs", i);
-        if (of.is_ruling) head.refuse(line, "what the specification leaves open, no driver departs from");
-        if (place_of(of.differs[i].spot) == of.expectations.size())
-            head.refuse(line, "'differs' names " + of.differs[i].spot.str() + ", of which nothing is expected");
+        if (hard_case.is_ruling)
+            head.refuse(line,
+                        "'differs' needs the status 'defined': where the specification is silent, no driver is wrong");
+        if (place_of(hard_case.differs[i].spot) == hard_case.expectations.size())
+            head.refuse(line, "'differs' names " + hard_case.differs[i].spot.str() + ", but no 'expect' does");
     }
     std::optional<Spot::Kind> about;
-    for (std::size_t i = 0; i < of.expectations.size(); ++i) {
-        const Spot& spot = of.expectations[i].spot;
+    for (std::size_t i = 0; i < hard_case.expectations.size(); ++i) {
+        const Spot& spot = hard_case.expectations[i].spot;
         const int line = line_of("expect", i);
-        if (place_of(spot) != i) head.refuse(line, "of " + spot.str() + " something is expected twice");
+        if (place_of(spot) != i) head.refuse(line, spot.str() + " is expected twice");
         if (spot.kind == Spot::Kind::kError) continue;
         if (about && *about != spot.kind)
-            head.refuse(line, "a case is about vertices or about pixels, and not about both");
+            head.refuse(line, "a case expects colours of vertices or of pixels, not of both");
         about = spot.kind;
     }
     if (!about)
-        head.refuse(line_of("expect", 0), "beside the error a colour has to be expected, of a vertex or a pixel");
+        head.refuse(line_of("expect", 0), "a case must expect a colour of a vertex or a pixel, not only an error");
 }
 
 }  // namespace
@@ -287,7 +291,7 @@ std::string text_of(const std::optional<Seen>& seen) {
     }
     glm::dvec4 c = std::get<glm::dvec4>(*seen);
     for (int i = 0; i < 4; ++i)
-        if (std::isnan(c[i])) c[i] = std::abs(c[i]);  // whatever its sign bit
+        if (std::isnan(c[i])) c[i] = std::abs(c[i]);  // the sign bit of a NaN says nothing
     return fmt::format("({:.7g}, {:.7g}, {:.7g}, {:.7g})", c.r, c.g, c.b, c.a);
 }
 
@@ -304,7 +308,7 @@ CarriedOut Case::carried_out(int side) const {
     if (!expects_error()) return {.scene = make_scene(scene, options)};
     State state(options);
     for (const Command& command : scene->commands) state.apply(command);
-    // What is too large for Twinlight, the driver must not be asked for.
+    // A scene too large for Twinlight must not reach the driver.
     if (const auto error = state.exhausted() ? state.exhausted() : state.unfinished())
         throw SceneError(fmt::format("{}: {}", error->place.str(), error->message));
     return {{scene, state.take_frame()}, state.errors().empty() ? kGL_NO_ERROR : state.errors().front().code};
@@ -316,7 +320,7 @@ Case read_case(std::string_view text, const std::string& file, const std::string
     result.name = name;
     result.scene_text = text;
     for (const Entry& entry : head.entries()) take(result, head, entry);
-    hold_together(result, head);
+    check_consistency(result, head);
     result.scene = std::make_shared<CommandList>(read_scene(text, file, name));
     return result;
 }
@@ -342,7 +346,7 @@ std::vector<Case> load_cases(const std::vector<std::string>& names) {
         if (!path.has_extension() && !std::filesystem::exists(path, ignored)) {
             const auto near = nearest(name, known);
             throw SceneError(
-                fmt::format("{}: there is no case and no file of this name; {}", name,
+                fmt::format("{}: there is no case or file with this name; {}", name,
                             near ? fmt::format("did you mean '{}'?", *near) : "'twinlight check' lists the cases"));
         }
         constexpr std::size_t kMaxCaseBytes = 1u << 20;

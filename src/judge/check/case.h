@@ -24,41 +24,43 @@ extern const std::vector<EmbeddedFile> kCaseFiles;
 
 namespace twinlight::check {
 
-// How far a right answer may be off where a case says nothing else, relative to the larger of 1 and the value. Of floats: forty
-// operations of a last place each, and a power's exponent; of double and more: what seven digits in a file leave.
+// Default tolerances, relative to the larger of 1 and the value. Floats: forty operations with a rounding each, and a
+// power's exponent. Double and long double: the expected values in a file have about seven digits.
 inline constexpr double kTolerance = 3e-5, kWrittenTolerance = 1e-6;
-// Of a case's picture; of one about vertices, so that a point can be seen: the corner (-0.75, -0.75) is the centre of a pixel,
-// which all rasterisers take for the same one.
+// Sides of the pictures, in pixels: of a case that tests pixels, and of one that tests vertices. The second is small,
+// so that a point can be seen; its corner (-0.75, -0.75) is the centre of a pixel, so that all rasterisers draw the
+// same one.
 inline constexpr int kSide = 64, kVertexSide = 12;
 
-// Where something is seen: a vertex of the last Draw; a pixel of the picture, x and y from its top left; or what glGetError
-// tells when all commands are sent.
+// A place that a case tests: a vertex of the last Draw; a pixel, with x and y from the top left; or the result of
+// glGetError after all commands.
 struct Spot {
     enum class Kind : std::uint8_t { kVertex, kPixel, kError };
     Kind kind = Kind::kVertex;
     int vertex = 0;
     int x = 0, y = 0;
-    std::optional<Shading> shading;  // kPhong or kExact; nothing: GL's own, which all renderers have
+    std::optional<Shading> shading;  // kPhong or kExact; none: GL's own shading, which all renderers have
 
     std::string str() const;  // "vertex 0", "pixel 32,32 phong", "error"
     friend bool operator==(const Spot&, const Spot&) = default;
 };
 
-// What is seen there: a colour, of a vertex before the clamp (2.14.6); or an error's code.
+// The result there: a colour (of a vertex before the clamp, 2.14.6) or an error code.
 using Seen = std::variant<glm::dvec4, Enum>;
 std::string text_of(const std::optional<Seen>& seen);  // "(0.25, 0, 0, 1)", "GL_INVALID_VALUE", "nothing"
 
 struct Expectation {
     Spot spot;
     Seen value;
-    // What may be given as well, channel by channel, where rounding decides on a jump; by the reference in long double not.
+    // A second right answer, channel by channel, where rounding decides; long double must give `value`. Equal to
+    // `value` elsewhere.
     Seen other;
-    glm::dvec3 secondary{0};  // of a vertex, where the specular colour is separate
+    glm::dvec3 secondary{0};  // of a vertex with a separate specular colour
 };
 
-// What a driver's fixed function is known to give instead.
+// A known bug: what a driver's fixed function gives instead.
 struct Differs {
-    std::string driver;  // "Mesa 22.3|Mesa 25.0": shell patterns; any of them, anywhere in driver_name()
+    std::string driver;  // "Mesa 22.3|Mesa 25.0": shell patterns; one of them is found anywhere in driver_name()
     Spot spot;
     Seen value;        // may be NaN
     std::string name;  // in golden/known_differences
@@ -66,7 +68,7 @@ struct Differs {
     bool is_of(const std::string& driver_name) const;
 };
 
-// What a case's commands come to, and the first error that they raise.
+// The scene that a case's commands make, and the first error that they raise.
 struct CarriedOut {
     Scene scene;
     Enum error = kGL_NO_ERROR;
@@ -75,8 +77,8 @@ struct CarriedOut {
 struct Case {
     std::string name;
     std::string what, why, text, derived;
-    bool is_ruling = false;           // the specification leaves the answer open, and the text is Twinlight's ruling
-    std::optional<double> tolerance;  // in the place of kTolerance
+    bool is_ruling = false;           // the specification is silent, and the expected answer is our choice
+    std::optional<double> tolerance;  // instead of kTolerance
     std::string tolerance_causes;
     std::vector<Expectation> expectations;
     std::vector<Differs> differs;
@@ -84,16 +86,17 @@ struct Case {
     std::shared_ptr<const CommandList> scene;
 
     bool is_of_vertices() const;
-    bool expects_error() const;  // or, by name, that there is none
-    // A picture of `side` by `side` pixels. Throws SceneError as make_frame does, but of a case that expects an error not for
-    // those that GL raises: a command with one is ignored (2.5).
+    bool expects_error() const;  // also true where the case expects GL_NO_ERROR
+    // The scene at `side` by `side` pixels. Throws SceneError as make_frame does. A case that expects an error may
+    // raise GL errors: their commands are ignored (2.5).
     CarriedOut carried_out(int side) const;
 };
 
-// Throws SceneError, with the line, for a head that is not of the form of docs/hard-cases.md, or a scene that is none.
+// Throws SceneError, with the line, where the head breaks the format of docs/hard-cases.md or the scene cannot be read.
 Case read_case(std::string_view text, const std::string& file, const std::string& name);
 
-// All of golden/hard; or those of these names, and of files of one's own. Throws SceneError and FileError.
+// All cases of golden/hard, or those with these names; a name may also be your own case file. Throws SceneError and
+// FileError.
 std::vector<Case> load_cases(const std::vector<std::string>& names = {});
 
 }  // namespace twinlight::check

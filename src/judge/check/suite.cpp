@@ -24,10 +24,10 @@ namespace {
 
 using compare::Color;
 
-// ---- What is asked ----
+// ---- Which variants run ----
 
-// --precise follows GL's own model alone.
-bool is_asked(const ShaderVariant& variant, const Frame& frame) {
+// --precise follows only GL's own model.
+bool runs(const ShaderVariant& variant, const Frame& frame) {
     return !(variant.options.precise && has_variants(frame));
 }
 
@@ -38,15 +38,15 @@ Enum driver_error() {
     return first;
 }
 
-// ---- Judging ----
+// ---- Comparing results with what is expected ----
 
 bool is_finite(const glm::dvec4& color) {
     return std::isfinite(color.r) && std::isfinite(color.g) && std::isfinite(color.b) && std::isfinite(color.a);
 }
 
-// What is right, and how nearly.
+// The right answer and its tolerance.
 struct Right {
-    Seen value, other;  // either
+    Seen value, other;  // both are right
     double tolerance = 0;
 };
 
@@ -68,48 +68,49 @@ std::optional<Seen> seen(const Color& color) { return color ? std::optional<Seen
 
 void worsen(Outcome& outcome, Outcome by) { outcome = std::max(outcome, by); }
 
-double float_tolerance(const Case& of) { return of.tolerance.value_or(kTolerance); }
+double float_tolerance(const Case& hard_case) { return hard_case.tolerance.value_or(kTolerance); }
 
-// Of what is calculated, or kept, in floats.
-Right of_floats(const Case& of, const Expectation& expected) {
-    return {expected.value, expected.other, float_tolerance(of)};
+// For results that are computed or stored in floats.
+Right of_floats(const Case& hard_case, const Expectation& expected) {
+    return {expected.value, expected.other, float_tolerance(hard_case)};
 }
 
-// Of what the reference calculates. Long double has one answer.
-Right of_reference(const Case& of, const Expectation& expected, Number number) {
-    const double floats = float_tolerance(of);
+// For results of the reference. Long double has only one right answer.
+Right of_reference(const Case& hard_case, const Expectation& expected, Number number) {
+    const double floats = float_tolerance(hard_case);
     return {expected.value, number == Number::kLongDouble ? expected.value : expected.other,
             number == Number::kFloat ? floats : std::min(floats, kWrittenTolerance)};
 }
 
-// What a renderer shows at each place of a case.
+// The result of a renderer at a place of a case.
 using Shown = std::function<std::optional<Seen>(const Expectation&)>;
 
-// `error` is what glGetError tells behind it. Of what GL does not have it is not asked.
-void judge_fixed(const Case& of, const Frame& frame, const std::string& driver, Enum error, const Shown& shown,
+// `error` is the result of glGetError afterwards. Scenes with features that GL lacks are not tested.
+void judge_fixed(const Case& hard_case, const Frame& frame, const std::string& driver, Enum error, const Shown& shown,
                  Result& result) {
     if (has_variants(frame)) return;
-    if (!of.expects_error() && error != kGL_NO_ERROR) {  // whatever the specification leaves open
+    if (!hard_case.expects_error() && error != kGL_NO_ERROR) {  // also where the specification is silent
         worsen(result.outcomes[static_cast<std::size_t>(Path::kFixed)], Outcome::kNew);
         result.findings.push_back(
             {Path::kFixed, "", Outcome::kNew, {.kind = Spot::Kind::kError, .shading = {}}, error, kGL_NO_ERROR, ""});
     }
-    for (const Expectation& expected : of.expectations) {
+    for (const Expectation& expected : hard_case.expectations) {
         if (expected.spot.shading) continue;
         const std::optional<Seen> value =
             expected.spot.kind == Spot::Kind::kError ? std::optional<Seen>(error) : shown(expected);
-        const auto listed = std::ranges::find_if(
-            of.differs, [&](const Differs& differs) { return differs.spot == expected.spot && differs.is_of(driver); });
-        const bool agrees = agree(value, of_floats(of, expected));
+        const auto listed = std::ranges::find_if(hard_case.differs, [&](const Differs& differs) {
+            return differs.spot == expected.spot && differs.is_of(driver);
+        });
+        const bool agrees = agree(value, of_floats(hard_case, expected));
         Outcome outcome = Outcome::kPass;
         std::string name;
-        if (listed != of.differs.end()) {
+        if (listed != hard_case.differs.end()) {
             name = listed->name;
-            outcome = agrees                                                              ? Outcome::kVanished
-                      : agree(value, {listed->value, listed->value, float_tolerance(of)}) ? Outcome::kDeparts
-                                                                                          : Outcome::kNew;
+            outcome = agrees                                                                     ? Outcome::kVanished
+                      : agree(value, {listed->value, listed->value, float_tolerance(hard_case)}) ? Outcome::kDeparts
+                                                                                                 : Outcome::kNew;
         } else if (!agrees) {
-            outcome = of.is_ruling ? Outcome::kRuling : Outcome::kNew;
+            outcome = hard_case.is_ruling ? Outcome::kRuling : Outcome::kNew;
         }
         worsen(result.outcomes[static_cast<std::size_t>(Path::kFixed)], outcome);
         if (outcome != Outcome::kPass)
@@ -117,8 +118,8 @@ void judge_fixed(const Case& of, const Frame& frame, const std::string& driver, 
     }
 }
 
-void judge_own(Path path, std::string_view variant, const Spot& spot, const Right& right,
-               const std::optional<Seen>& value, Result& result) {
+void judge_ours(Path path, std::string_view variant, const Spot& spot, const Right& right,
+                const std::optional<Seen>& value, Result& result) {
     const glm::dvec4* color = value ? std::get_if<glm::dvec4>(&*value) : nullptr;
     if (color && !is_finite(*color)) ++result.non_finite;
     Outcome& outcome = result.outcomes[static_cast<std::size_t>(path)];
@@ -127,15 +128,16 @@ void judge_own(Path path, std::string_view variant, const Spot& spot, const Righ
     result.findings.push_back({path, std::string(variant), Outcome::kNew, spot, value, right.value, ""});
 }
 
-// Twinlight's own, which shaders and the reference are spared.
-void judge_error(const Case& of, Enum error, Result& result) {
-    for (const Expectation& expected : of.expectations)
+// The error that Twinlight's own state machine raises; it counts as the reference's.
+void judge_error(const Case& hard_case, Enum error, Result& result) {
+    for (const Expectation& expected : hard_case.expectations)
         if (expected.spot.kind == Spot::Kind::kError)
-            judge_own(Path::kReference, "", expected.spot, of_floats(of, expected), error, result);
+            judge_ours(Path::kReference, "", expected.spot, of_floats(hard_case, expected), error, result);
 }
 
-// The bar that holds whatever a case says of its tolerance. Not where floats may jump.
-void hold_to_long_double(const Expectation& expected, const Color& value, const glm::dvec4& exact, Result& result) {
+// Does not depend on the tolerance of the case. Skips channels with two right answers.
+void compare_with_long_double(const Expectation& expected, const Color& value, const glm::dvec4& exact,
+                              Result& result) {
     for (int i = 0; i < 4 && value; ++i) {
         if (std::get<glm::dvec4>(expected.value)[i] != std::get<glm::dvec4>(expected.other)[i]) continue;
         const double off = std::abs((*value)[i] - exact[i]);
@@ -143,14 +145,14 @@ void hold_to_long_double(const Expectation& expected, const Color& value, const 
     }
 }
 
-// As fragments have it.
+// Primary plus secondary colour, as fragments show them.
 Right as_sum(Right right, const glm::dvec3& secondary) {
     for (Seen* color : {&right.value, &right.other})
         *color = compare::color_sum(std::get<glm::dvec4>(*color), glm::dvec4(secondary, 0));
     return right;
 }
 
-// What the vertices of a Draw have in long double, as fragments have it.
+// The colours of a Draw's vertices in long double, primary plus secondary.
 std::vector<glm::dvec4> sums_in_long_double(const Draw& draw, bool back) {
     std::vector<glm::dvec4> sums;
     for (const reference::LitVertex& vertex : reference::light_vertices(draw, long_double().options, false))
@@ -158,7 +160,7 @@ std::vector<glm::dvec4> sums_in_long_double(const Draw& draw, bool back) {
     return sums;
 }
 
-// The same as a shading shows them, which need not be what GL's own does. Phong makes each fragment's normal unit; flat
+// The same with a given shading, which may differ from GL's own: phong shading normalises each fragment's normal, flat
 // shading shows the provoking vertex of a polygon (2.14.7, table 2.12).
 std::vector<glm::dvec4> sums_in_long_double(const compare::VertexScene& scene, std::optional<Shading> shading) {
     Draw draw = scene.draw();
@@ -169,35 +171,36 @@ std::vector<glm::dvec4> sums_in_long_double(const compare::VertexScene& scene, s
     return sums;
 }
 
-void judge_reference(const Case& of, const compare::VertexScene& scene, Result& result) {
+void judge_reference(const Case& hard_case, const compare::VertexScene& scene, Result& result) {
     const bool back = scene.shows_back();
     for (const ReferenceVariant& variant : reference_variants()) {
         const std::vector<reference::LitVertex> lit = reference::light_vertices(scene.draw(), variant.options, false);
-        for (const Expectation& expected : of.expectations) {
+        for (const Expectation& expected : hard_case.expectations) {
             if (expected.spot.kind != Spot::Kind::kVertex) continue;
             const compare::FaceColors face =
                 compare::face_colors(lit.at(static_cast<std::size_t>(expected.spot.vertex)), back);
-            const Right right = of_reference(of, expected, variant.options.arithmetic.number);
+            const Right right = of_reference(hard_case, expected, variant.options.arithmetic.number);
             const glm::dvec4 right_secondary(expected.secondary, 1);
-            judge_own(Path::kReference, variant.name, expected.spot, right, face.primary, result);
-            judge_own(Path::kReference, variant.name + " secondary", expected.spot,
-                      {right_secondary, right_secondary, right.tolerance}, glm::dvec4(glm::dvec3(face.secondary), 1),
-                      result);
+            judge_ours(Path::kReference, variant.name, expected.spot, right, face.primary, result);
+            judge_ours(Path::kReference, variant.name + " secondary", expected.spot,
+                       {right_secondary, right_secondary, right.tolerance}, glm::dvec4(glm::dvec3(face.secondary), 1),
+                       result);
         }
     }
 }
 
-void judge_shaders(const Case& of, const compare::VertexScene& scene, const ShaderVariant& variant,
+void judge_shaders(const Case& hard_case, const compare::VertexScene& scene, const ShaderVariant& variant,
                    const std::vector<Color>& colors, Result& result) {
     const std::vector<glm::dvec4> of_gl = sums_in_long_double(scene, {});
     const std::vector<glm::dvec4> exact = sums_in_long_double(scene, variant.options.shading);
-    for (const Expectation& expected : of.expectations) {
+    for (const Expectation& expected : hard_case.expectations) {
         if (expected.spot.kind != Spot::Kind::kVertex) continue;
         const auto vertex = static_cast<std::size_t>(expected.spot.vertex);
-        hold_to_long_double(expected, colors.at(vertex), exact.at(vertex), result);
-        if (glm::length(exact[vertex] - of_gl[vertex]) > kWrittenTolerance) continue;  // not what GL has there
-        judge_own(Path::kProgrammable, variant.name, expected.spot, as_sum(of_floats(of, expected), expected.secondary),
-                  seen(colors[vertex]), result);
+        compare_with_long_double(expected, colors.at(vertex), exact.at(vertex), result);
+        if (glm::length(exact[vertex] - of_gl[vertex]) > kWrittenTolerance)
+            continue;  // this shading differs from GL here
+        judge_ours(Path::kProgrammable, variant.name, expected.spot,
+                   as_sum(of_floats(hard_case, expected), expected.secondary), seen(colors[vertex]), result);
     }
 }
 
@@ -216,7 +219,7 @@ struct CasePicture {
     Path path;
     std::string variant;
     std::optional<Shading> shading;
-    Number number;  // of the reference
+    Number number;  // only for the reference
     Image image;
 };
 
@@ -224,33 +227,33 @@ bool is_of(const Spot& spot, const CasePicture& picture) {
     return spot.kind == Spot::Kind::kPixel && spot.shading == picture.shading;
 }
 
-// What a picture shows where the case expects something of this shading.
-void judge_picture(const Case& of, const CasePicture& picture, Result& result) {
+// Compares a picture at the places that the case expects with this shading.
+void judge_picture(const Case& hard_case, const CasePicture& picture, Result& result) {
     result.non_finite += non_finite_pixels(picture.image);
-    for (const Expectation& expected : of.expectations) {
+    for (const Expectation& expected : hard_case.expectations) {
         if (!is_of(expected.spot, picture)) continue;
-        const Right right =
-            picture.path == Path::kReference ? of_reference(of, expected, picture.number) : of_floats(of, expected);
-        judge_own(picture.path, picture.variant, expected.spot, right, color_at(picture.image, expected.spot), result);
+        const Right right = picture.path == Path::kReference ? of_reference(hard_case, expected, picture.number)
+                                                             : of_floats(hard_case, expected);
+        judge_ours(picture.path, picture.variant, expected.spot, right, color_at(picture.image, expected.spot), result);
     }
 }
 
-void hold_to_long_double(const Case& of, const std::vector<CasePicture>& pictures, Result& result) {
+void compare_with_long_double(const Case& hard_case, const std::vector<CasePicture>& pictures, Result& result) {
     for (const CasePicture& exact : pictures) {
         if (exact.path != Path::kReference || exact.number != Number::kLongDouble) continue;
         for (const CasePicture& picture : pictures) {
             if (picture.path != Path::kProgrammable) continue;
-            for (const Expectation& e : of.expectations)
+            for (const Expectation& e : hard_case.expectations)
                 if (is_of(e.spot, exact) && is_of(e.spot, picture))
-                    hold_to_long_double(e, color_at(picture.image, e.spot), color_at(exact.image, e.spot), result);
+                    compare_with_long_double(e, color_at(picture.image, e.spot), color_at(exact.image, e.spot), result);
         }
     }
 }
 
-// The pictures of a case: those of its shadings, by all numbers and tiers of each.
-std::vector<CasePicture> pictures_of(const Case& of, const Frame& frame, programmable::Renderer& renderer) {
+// The pictures of a case, for each of its shadings: by all variants of the shaders and all numbers of the reference.
+std::vector<CasePicture> pictures_of(const Case& hard_case, const Frame& frame, programmable::Renderer& renderer) {
     std::vector<std::optional<Shading>> shadings;
-    for (const Expectation& expected : of.expectations) {
+    for (const Expectation& expected : hard_case.expectations) {
         if (expected.spot.kind == Spot::Kind::kPixel &&
             std::ranges::find(shadings, expected.spot.shading) == shadings.end())
             shadings.push_back(expected.spot.shading);
@@ -259,7 +262,7 @@ std::vector<CasePicture> pictures_of(const Case& of, const Frame& frame, program
     for (const std::optional<Shading>& shading : shadings) {
         const std::string suffix = shading ? std::string(" ") + name_of(*shading) : "";
         for (ShaderVariant variant : shader_variants()) {
-            if (variant.options.shading || (variant.options.precise && shading) || !is_asked(variant, frame)) continue;
+            if (variant.options.shading || (variant.options.precise && shading) || !runs(variant, frame)) continue;
             variant.options.shading = shading;
             shown.push_back({Path::kProgrammable,
                              variant.name + suffix,
@@ -281,24 +284,30 @@ std::vector<CasePicture> pictures_of(const Case& of, const Frame& frame, program
 
 std::string_view word_of(Outcome outcome) {
     switch (outcome) {
-        case Outcome::kNotAsked: return "not asked";
+        case Outcome::kNotAsked: return "not tested";
         case Outcome::kPass: return "pass";
-        case Outcome::kRuling: return "ruling";
-        case Outcome::kDeparts: return "departs";
-        case Outcome::kNew: return "NEW";
-        case Outcome::kVanished: return "VANISHED";
+        case Outcome::kRuling: return "our choice";
+        case Outcome::kDeparts: return "known bug";
+        case Outcome::kNew: return "new bug";
+        case Outcome::kVanished: return "fixed bug";
     }
     return "";
 }
 
-std::string finding_text(const Case& of, const Finding& finding) {
+std::string finding_text(const Case& hard_case, const Finding& finding) {
     std::string text = fmt::format("{}{}{}, {}: {}, ", name_of(finding.path), finding.variant.empty() ? "" : " ",
                                    finding.variant, finding.spot.str(), text_of(finding.value));
-    if (finding.outcome == Outcome::kVanished)
-        return text + "as the text says; the case lists another: " + finding.name;
-    text += (finding.outcome == Outcome::kRuling ? "ruled " : "expected ") + text_of(finding.expected);
-    if (finding.outcome != Outcome::kRuling) text += " (" + (finding.name.empty() ? of.text : finding.name) + ")";
-    return text;
+    const std::string expected = text_of(finding.expected);
+    switch (finding.outcome) {
+        case Outcome::kVanished: return text + "as expected; the known bug is gone: " + finding.name;
+        case Outcome::kRuling: return text + "our choice is " + expected;
+        case Outcome::kDeparts: return text + "expected " + expected + " (known bug: " + finding.name + ")";
+        case Outcome::kNotAsked:
+        case Outcome::kPass:
+        case Outcome::kNew: break;
+    }
+    text += "expected " + expected + " (" + hard_case.text + ")";
+    return finding.name.empty() ? text : text + "; the known bug gives another value: " + finding.name;
 }
 
 bool Result::fails() const {
@@ -320,17 +329,17 @@ std::vector<Result> Suite::run(std::span<const Case> cases) {
 void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& results) {
     std::vector<std::optional<compare::VertexScene>> scenes(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const Case& of = cases[i];
-        if (!of.is_of_vertices()) continue;
+        const Case& hard_case = cases[i];
+        if (!hard_case.is_of_vertices()) continue;
         try {
-            CarriedOut given = of.carried_out(compare::kVertexWindow);
-            judge_error(of, given.error, results[i]);
+            CarriedOut given = hard_case.carried_out(compare::kVertexWindow);
+            judge_error(hard_case, given.error, results[i]);
             scenes[i] = compare::make_vertex_scene(std::move(given.scene), results[i].error);
         } catch (const SceneError& refused) {
             results[i].error = refused.what();
         }
         if (!scenes[i]) continue;
-        for (const Expectation& expected : of.expectations) {
+        for (const Expectation& expected : hard_case.expectations) {
             if (static_cast<std::size_t>(expected.spot.vertex) >= scenes[i]->lit.size())
                 results[i].error = "the last primitive has no " + expected.spot.str();
         }
@@ -341,16 +350,16 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
         driver_error();
         const std::vector<Color> fixed = compare::fixed_colors(*scenes[i]);
         judge_fixed(
-            of, scenes[i]->scene.frame, driver_, driver_error(),
+            hard_case, scenes[i]->scene.frame, driver_, driver_error(),
             [&](const Expectation& expected) { return seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex))); },
             results[i]);
-        judge_reference(of, *scenes[i], results[i]);
+        judge_reference(hard_case, *scenes[i], results[i]);
     }
     for (const ShaderVariant& variant : shader_variants()) {
         const auto colors = compare::shader_colors(scenes, context_.shaders(), variant.options);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             if (!scenes[i] || (scenes[i]->shows_back() && !compare::knows_faces_of_corners())) continue;
-            if (is_asked(variant, scenes[i]->scene.frame))
+            if (runs(variant, scenes[i]->scene.frame))
                 judge_shaders(cases[i], *scenes[i], variant, colors[i], results[i]);
         }
     }
@@ -358,22 +367,22 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
 
 void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& results) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const Case& of = cases[i];
+        const Case& hard_case = cases[i];
         Result& result = results[i];
-        if (of.is_of_vertices()) continue;
+        if (hard_case.is_of_vertices()) continue;
         try {
-            const auto [scene, error] = of.carried_out(kSide);
+            const auto [scene, error] = hard_case.carried_out(kSide);
             const Frame& frame = scene.frame;
-            judge_error(of, error, result);
+            judge_error(hard_case, error, result);
             driver_error();
             const Image fixed = fixed::render(scene);
             judge_fixed(
-                of, frame, driver_, driver_error(),
+                hard_case, frame, driver_, driver_error(),
                 [&](const Expectation& expected) { return Seen(color_at(fixed, expected.spot)); }, result);
             result.pictures.emplace_back("fixed", fixed);
-            std::vector<CasePicture> pictures = pictures_of(of, frame, context_.shaders());
-            for (const CasePicture& picture : pictures) judge_picture(of, picture, result);
-            hold_to_long_double(of, pictures, result);
+            std::vector<CasePicture> pictures = pictures_of(hard_case, frame, context_.shaders());
+            for (const CasePicture& picture : pictures) judge_picture(hard_case, picture, result);
+            compare_with_long_double(hard_case, pictures, result);
             for (CasePicture& picture : pictures)
                 result.pictures.emplace_back(fmt::format("{} {}", name_of(picture.path), picture.variant),
                                              std::move(picture.image));
@@ -383,10 +392,10 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
     }
 }
 
-void Suite::draw_vertices(const Case& of, Result& result) {
-    if (!of.is_of_vertices() || !result.error.empty()) return;
+void Suite::draw_vertices(const Case& hard_case, Result& result) {
+    if (!hard_case.is_of_vertices() || !result.error.empty()) return;
     context_.make_current();
-    const Scene scene = of.carried_out(kVertexSide).scene;
+    const Scene scene = hard_case.carried_out(kVertexSide).scene;
     if (!has_variants(scene.frame)) result.pictures.emplace_back("fixed", fixed::render(scene));
     result.pictures.emplace_back("programmable", context_.shaders().render(scene.frame, plain().options).image);
     result.pictures.emplace_back("reference", reference::render(scene.frame, {}));

@@ -1,4 +1,5 @@
-// Holds cases against what the driver's fixed function, the shaders and the reference give.
+// Runs the hard cases on the driver's fixed function, the shaders and the reference, and compares the results with what
+// is expected.
 #pragma once
 
 #include <array>
@@ -14,54 +15,54 @@
 namespace twinlight::check {
 
 enum class Outcome : std::uint8_t {
-    kNotAsked,  // the fixed function, where all is about what GL does not have
+    kNotAsked,  // "not tested": the case needs a feature that GL's fixed function lacks
     kPass,
-    kRuling,  // the specification leaves the answer open: programmable and reference give what Twinlight rules, fixed something
-    kDeparts,   // as the case lists for this driver
-    kNew,       // a departure that no list knows
-    kVanished,  // one that the list has and the driver no longer shows
+    kRuling,    // "our choice": the fixed function gives another answer where the specification is silent
+    kDeparts,   // "known bug": a wrong answer that the case lists for this driver
+    kNew,       // "new bug": a wrong answer that is not listed
+    kVanished,  // "fixed bug": the right answer where a wrong one is listed
 };
 inline constexpr std::size_t kOutcomes = 6;
-std::string_view word_of(Outcome outcome);  // "not asked", "pass", "ruling", "departs", "NEW", "VANISHED"
+std::string_view word_of(Outcome outcome);  // the words above; "pass"
 inline bool is_failure(Outcome outcome) { return outcome == Outcome::kNew || outcome == Outcome::kVanished; }
 
-// What is not as expected, or a departure that is gone.
+// One place where a result is not as expected, or where a known bug is fixed.
 struct Finding {
     Path path{};
     std::string variant;  // "baked", "float"; empty for fixed
     Outcome outcome{};
     Spot spot;
-    std::optional<Seen> value;  // nothing where it is not shown
+    std::optional<Seen> value;  // none where the renderer shows nothing
     Seen expected;
-    std::string name;  // of a known departure
+    std::string name;  // of the listed bug; empty where none is listed
 };
 
-// What a reader should see of a finding: which value, which is right, and why.
-std::string finding_text(const Case& of, const Finding& finding);
+// One line for a reader: the value, the expected value, and why.
+std::string finding_text(const Case& hard_case, const Finding& finding);
 
 struct Result {
     std::array<Outcome, kPaths> outcomes{};
     std::vector<Finding> findings;
-    long non_finite = 0;  // of programmable and reference
-    // How far the shaders are from the reference in long double, at the places that the case names.
+    long non_finite = 0;  // NaN or infinite results of the shaders and the reference
+    // The largest difference between the shaders and the reference in long double, at the places that the case names.
     double from_long_double = 0;
-    std::string error;  // of a scene that GL or a renderer refuses
+    std::string error;  // why GL or a renderer rejects the scene; empty: it does not
     std::vector<std::pair<std::string, Image>>
-        pictures{};  // by who drew them; of a case about vertices see draw_vertices()
+        pictures{};  // with the renderer's name; for a case that tests vertices see draw_vertices()
 
     bool fails() const;
 };
 
 class Suite {
   public:
-    // Throws std::runtime_error that says what the driver refused.
+    // Throws std::runtime_error where the driver refuses a context.
     Suite();
 
     const std::string& driver() const { return driver_; }
-    // In the order of the cases.
+    // One result for each case, in the same order.
     std::vector<Result> run(std::span<const Case> cases);
-    // Pictures of a case about vertices: fixed, programmable and reference, of so few pixels that a point can be seen.
-    void draw_vertices(const Case& of, Result& result);
+    // Adds the pictures of a case that tests vertices: kVertexSide pixels wide and high, so that a point can be seen.
+    void draw_vertices(const Case& hard_case, Result& result);
 
   private:
     void run_vertices(std::span<const Case> cases, std::vector<Result>& results);

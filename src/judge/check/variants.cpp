@@ -36,7 +36,7 @@ std::vector<ShaderVariant> shader_variants() {
     return variants;
 }
 
-// Powers from a table, the accuracy study's third choice, are off by design.
+// Powers from a table, the accuracy study's third choice, are missing: they are inaccurate by design.
 std::vector<ReferenceVariant> reference_variants() {
     return {
         long_double(),

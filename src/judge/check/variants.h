@@ -1,4 +1,4 @@
-// The shaders' tiers and shadings, and the reference's numbers, that every case is checked with.
+// The variants that every case runs with: the shaders' tiers and shadings, and the reference's number types.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace twinlight::check {
 
-// Whole: nothing is left out, and the lecture's variants are in.
+// A name and the options: the planner omits nothing, and the lecture's variants are on.
 template <class Options>
 struct Variant {
     std::string name;
@@ -21,7 +21,7 @@ using ReferenceVariant = Variant<reference::Options>;
 ShaderVariant plain();  // with uniforms
 ReferenceVariant long_double();
 
-// As far as the current context has them.
+// Those that the current context supports.
 std::vector<ShaderVariant> shader_variants();
 std::vector<ReferenceVariant> reference_variants();
 

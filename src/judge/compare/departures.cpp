@@ -210,9 +210,7 @@ class OfCommands {
 };
 
 bool applies_in(const Departure& departure, const Frame& frame) {
-    return std::ranges::any_of(frame.items, [&](const auto& item) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (!draw) return false;
+    return std::ranges::any_of(frame.draws(), [&](const Draw* draw) {
         if (departure.of_draw) return departure.of_draw(*draw);
         return std::ranges::any_of(draw->vertices,
                                    [&](const Vertex& vertex) { return departure.of_vertex(*draw, vertex); });

@@ -1,4 +1,4 @@
-// What a comparison of random states finds, at float precision or as pictures.
+// The result of comparing a random scene, by vertex colours in floats or by pictures.
 #pragma once
 
 #include <array>
@@ -19,17 +19,18 @@ inline bool has_fixed(std::size_t pair) {
     return pair != static_cast<std::size_t>(RendererPair::kProgrammableReference);
 }
 
-// Of one pair: vertices, or interior pixels.
+// One pair of renderers: vertices, or pixels away from edges.
 struct PairDifferences {
     long compared = 0;
-    long differing = 0;  // pixels of another code
-    double worst = 0;    // floats: of the terms' magnitude; pictures: codes beyond the allowed difference
+    long differing = 0;  // pixels that differ by more than the allowed difference
+    double worst =
+        0;  // floats: relative to the sum of the terms' magnitudes; pictures: 1/255 beyond the allowed difference
     bool fails = false;
-    bool misses = false;  // the failure is that only one of the two shows anything
-    std::string what;     // of a failure: where, and how much
+    bool only_one_draws = false;  // the failure: only one of the two draws the vertex
+    std::string what;             // the failure: where, and by how much
 };
 
-// How often a departure was left out, and how often it showed.
+// How often a vertex or picture was skipped for a known bug, and how often it did differ.
 struct LeftOutCount {
     long cases = 0, differing = 0;
 };
@@ -37,8 +38,8 @@ using LeftOutCounts = std::map<const compare::Departure*, LeftOutCount>;
 
 struct StateDifferences {
     std::array<PairDifferences, kPairs> pairs;
-    LeftOutCounts left_out;  // vertices, or pictures
-    std::string error;       // of a scene that GL or a renderer refuses: the generator's mistake
+    LeftOutCounts left_out;  // of vertices, or of pictures
+    std::string error;       // why GL or a renderer rejects the scene: a bug of the generator
 
     bool fails() const { return !error.empty() || pairs[0].fails || pairs[1].fails || pairs[2].fails; }
 };

@@ -1,4 +1,4 @@
-// The same scene, said otherwise.
+// Rewrites a scene with other commands that must draw the same picture.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -51,8 +51,8 @@ double value_of(const Vertex& vertex, std::size_t attribute, int component) {
     }
 }
 
-// Which attributes the commands between glBegin and glEnd set; nothing where they do anything else, or where the first
-// vertex lacks one that a later vertex has.
+// The attributes that the commands between glBegin and glEnd set. None where there are other commands, or where a later
+// vertex sets an attribute that the first vertex does not.
 std::optional<std::array<bool, 4>> attributes_of(std::span<const Command> commands) {
     std::array<bool, 4> has{};
     bool has_vertex = false;
@@ -157,7 +157,7 @@ class Arrays {
         }
     }
 
-    // 2.8: what arrays were read leave the current values undefined.
+    // 2.8: after drawing from an array, the current value of its attribute is undefined.
     void set_current() {
         const Vertex& last = draw_.vertices.back();
         if (has_[1]) output_.add(Id::glNormal3d, {last.normal_object.x, last.normal_object.y, last.normal_object.z});
@@ -199,7 +199,7 @@ std::vector<Command> with_arrays(const std::vector<Command>& commands, Random& r
 
 struct Saved {
     Enum mask;
-    std::vector<Command> commands;  // change nothing but what the mask saves
+    std::vector<Command> commands;  // change only state that the mask saves
 };
 
 const std::vector<Saved>& saved() {
@@ -254,7 +254,7 @@ void insert_stack(std::vector<Command>& commands, std::size_t place, Random& ran
 
 // ---- Display lists (5.4) ----
 
-// 5.4: what is carried out at once, and not compiled; and what another program reads of the scene: names.
+// Not commands that are executed immediately (5.4), nor those that return new names.
 bool may_be_compiled(const Command& command) {
     if (command.sig().family != Family::kGl) return false;
     static constexpr std::string_view kNot[] = {"glGen",          "glDelete",        "glNewList",    "glEndList",
@@ -275,7 +275,7 @@ void wrap_in_list(std::vector<Command>& commands, std::size_t first, std::size_t
     commands.insert(place(first), Command{Id::glNewList, {name, mode}, {}});
 }
 
-// The places between commands that stand outside of glBegin and glEnd, and of display lists.
+// The places between commands that are outside glBegin and glEnd and outside display lists.
 std::vector<std::size_t> open_places(const std::vector<Command>& commands) {
     std::vector<std::size_t> places;
     int depth = 0;
@@ -310,7 +310,7 @@ CommandList disguised(const CommandList& scene, Random& random) {
         insert_stack(result.commands, places[static_cast<std::size_t>(random.below(static_cast<int>(places.size())))],
                      random);
     }
-    // Several tries: not everything may be compiled.
+    // Several attempts, because some commands cannot be compiled.
     for (int i = random.chance(0.4) ? 4 : 0; i > 0; --i) insert_list(result.commands, i, random);
     return result;
 }

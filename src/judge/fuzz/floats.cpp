@@ -25,14 +25,14 @@ static_assert(compare::kMostVertexScenes == Floats::kMostScenes);
 
 glm::dvec4 clamped(const glm::dvec4& color) { return glm::clamp(color, 0.0, 1.0); }
 
-// The largest difference of a channel, relative to the magnitude.
+// Adds the largest difference of a channel, relative to the magnitude.
 void compare(PairDifferences& found, double tolerance, const Color& a, const Color& b, const glm::dvec4& magnitude,
              const std::string& where) {
     ++found.compared;
     if (!a || !b) {
-        found.fails = found.misses = true;
+        found.fails = found.only_one_draws = true;
         found.worst = 1;
-        found.what = where + ": only one of the two shows this vertex";
+        found.what = where + ": only one of the two draws this vertex";
         return;
     }
     for (int channel = 0; channel < 4; ++channel) {
@@ -41,9 +41,10 @@ void compare(PairDifferences& found, double tolerance, const Color& a, const Col
         found.worst = std::isnan(relative) ? HUGE_VAL : relative;
         if (relative <= tolerance) continue;
         found.fails = true;
-        found.what = fmt::format("{}, {}: {:.9g} and {:.9g}, {:.1e} of the terms' magnitude {:.3g}", where,
-                                 std::array{"red", "green", "blue", "alpha"}.at(static_cast<std::size_t>(channel)),
-                                 (*a)[channel], (*b)[channel], relative, magnitude[channel]);
+        found.what =
+            fmt::format("{}, {}: {:.9g} and {:.9g} differ by {:.1e} of the sum of the terms' magnitudes, {:.3g}", where,
+                        std::array{"red", "green", "blue", "alpha"}.at(static_cast<std::size_t>(channel)),
+                        (*a)[channel], (*b)[channel], relative, magnitude[channel]);
     }
 }
 
@@ -65,7 +66,7 @@ StateDifferences judge(const VertexScene& scene, const std::vector<Color>& fixed
         const double tolerance = compare::vertex_tolerance(scene.draw(), scene.draw().vertices[i]);
         compare(of(RendererPair::kFixedReference), tolerance, fixed_colors[i], face.primary, magnitude, where);
         compare(of(RendererPair::kProgrammableReference), tolerance, shader_colors[i], face.sum(), at_least_1, where);
-        if (!is_sum) {  // feedback returns the primary colour alone
+        if (!is_sum) {  // feedback returns only the primary colour
             const Color fixed = fixed_colors[i] ? Color(clamped(*fixed_colors[i])) : Color();
             compare(of(RendererPair::kFixedProgrammable), 2 * tolerance, fixed, shader_colors[i], at_least_1, where);
         }
@@ -82,7 +83,7 @@ StateDifferences judge(const VertexScene& scene, const std::vector<Color>& fixed
             PairDifferences& all = found.pairs[pair];
             all.compared += here[pair].compared;
             if (here[pair].fails && !all.fails) all.what = here[pair].what;
-            all.misses = all.misses || here[pair].misses;
+            all.only_one_draws = all.only_one_draws || here[pair].only_one_draws;
             all.fails = all.fails || here[pair].fails;
             all.worst = std::max(all.worst, here[pair].worst);
         }

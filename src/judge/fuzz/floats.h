@@ -1,5 +1,5 @@
-// Lit vertices at float precision, three ways: the fixed function in feedback mode, unclamped; shaders into a buffer of
-// floats, clamped to [0,1] (2.14.6); the reference.
+// Compares vertex colours in floats: the fixed function in feedback mode, unclamped; the shaders in a buffer of floats,
+// clamped to [0,1] (2.14.6); and the reference.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,10 @@ namespace twinlight::fuzz {
 
 class Floats {
   public:
-    // `lifted`: departures that are not left out.
+    // `lifted`: known bugs that are not skipped.
     explicit Floats(std::vector<std::string_view> lifted);
 
-    // Scenes whose last Draw has three vertices or fewer, each in a corner of the view of its own. At most kMostScenes.
+    // At most kMostScenes scenes. Their last Draw has at most three vertices, each in a different corner of the view.
     std::vector<StateDifferences> compare(std::span<const std::shared_ptr<const CommandList>> scenes);
     static constexpr std::size_t kMostScenes = 1024;
 

@@ -1,4 +1,4 @@
-// Random scenes of what happens between vertices and pixels.
+// Random scenes for everything between vertices and pixels: rasterisation, textures, fog, blending, tests.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class Builder {
         std::string first = batch();
         if (departure_.empty() && structure_.chance(0.3)) first = solid();
         text_ += first;
-        // A second pass: of the same vertices, as multi-pass effects have it, or of others.
+        // A second pass, over the same vertices (as in multi-pass effects) or over others.
         if (structure_.chance(0.3)) {
             if (structure_.chance(0.2)) clear(structure_.chance(0.5) ? "GL_COLOR_BUFFER_BIT" : "GL_DEPTH_BUFFER_BIT");
             if (structure_.chance(0.5)) add("glDisable(GL_TEXTURE_2D); glDisable(GL_TEXTURE_1D);");
@@ -66,7 +66,7 @@ class Builder {
 
     void clear(const char* buffers) { add("glClearColor({}); glClear({});", four(), buffers); }
 
-    // Random texels at every level, so that levels can be told apart.
+    // Random texels at every level, so that a wrong level shows.
     void texture() {
         const bool flat = structure_.chance(0.15);
         const std::string target = flat ? "GL_TEXTURE_1D" : "GL_TEXTURE_2D";
@@ -82,7 +82,7 @@ class Builder {
         if (generates)
             add("glPushAttrib(GL_TEXTURE_BIT); glTexParameteri({}, GL_GENERATE_MIPMAP, GL_TRUE); glPopAttrib();",
                 target);
-        std::string base;  // where levels are generated it comes last, after what it would write over
+        std::string base;  // comes last where levels are generated, which overwrites the others
         for (int level = 0;; ++level) {
             std::string texels;
             for (int i = 0; i < width * height * 4; ++i)
@@ -100,7 +100,7 @@ class Builder {
             height = std::max(1, height / 2);
         }
         add(base);
-        // Filters of one kind keep GL_CLAMP in the comparison.
+        // With two filters of the same kind GL_CLAMP is not skipped as a known bug.
         const bool nearest = min.starts_with("GL_NEAREST");
         const bool mixed = shows("GL_CLAMP between a nearest and a linear filter") || structure_.chance(0.2);
         add("glTexParameteri({}, GL_TEXTURE_MIN_FILTER, {});", target, min);
@@ -233,7 +233,7 @@ class Builder {
         add("glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, {}); glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 8);",
             vector());
         add("glMaterialfv(GL_BACK, GL_EMISSION, {});", vector(0, 0.5));
-        if (shows("the colour sum in fog"))  // greater than 1
+        if (shows("the colour sum in fog"))  // the sum exceeds 1
             add("glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, (GLfloat[]){0.9, 0.9, 0.9, 1});"
                 "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 1);");
         if (structure_.chance(0.3))
@@ -242,7 +242,7 @@ class Builder {
                 one_of({"GL_AMBIENT_AND_DIFFUSE", "GL_DIFFUSE", "GL_EMISSION"}), four());
     }
 
-    // The text of one glBegin ... glEnd.
+    // One glBegin ... glEnd, as text.
     std::string batch() {
         repeat_ = random_.chance(0.5) ? 1.5 : random_.uniform(2, 12);
         projective_ = structure_.chance(0.2);
@@ -266,7 +266,7 @@ class Builder {
         return flat(one_of({"GL_QUADS", "GL_QUAD_STRIP", "GL_POLYGON", "GL_TRIANGLE_FAN", "glRectf"}));
     }
 
-    // A dozen vertices anywhere.
+    // A dozen vertices at random places.
     std::string anywhere(const std::string& mode) {
         std::string text = fmt::format("glBegin({});\n", mode);
         const bool late = shows("a line loop whose first vertex lacks attributes");
@@ -284,7 +284,7 @@ class Builder {
         return text + "glEnd();\n";
     }
 
-    // Corners of convex shapes in a plane, for what must be flat (2.6.1).
+    // Corners of convex, flat shapes, for polygons and quadrilaterals (2.6.1).
     std::string flat(const std::string& mode) {
         const double depth = random_.uniform(3, 7), slope = random_.uniform(-0.5, 0.5);
         const double x = random_.uniform(-2, 2), y = random_.uniform(-2, 2), turn = random_.uniform(0, 6);
@@ -308,7 +308,8 @@ class Builder {
         return text + "glEnd();\n";
     }
 
-    // What any vertex has of its own, the first has: see "a line loop whose first vertex lacks attributes".
+    // The first vertex sets every attribute that a later vertex sets: see "a line loop whose first vertex lacks
+    // attributes".
     std::string attributes(bool first, bool flags) {
         std::string text;
         if (materials_ && (first || random_.chance(0.5)))
@@ -324,7 +325,7 @@ class Builder {
         return text + fmt::format("glTexCoord4f({:.4f}, {:.4f}, 0, {:.4f});\n", s, t, q);
     }
 
-    // One of freeglut's or GLU's shapes, before the eye.
+    // One of freeglut's or GLU's shapes, in front of the eye.
     std::string solid() {
         repeat_ = 1.5;
         std::string text = attributes(true, false);

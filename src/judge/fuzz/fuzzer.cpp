@@ -33,7 +33,7 @@ CommandList random_scene(const Options& options, std::uint64_t state) {
         picture ? 2 * (pictures_before / kPicturesPerStructure) + 1 : 2 * (state / kStatesPerStructure);
     const Seed seed{mixed(options.seed, structure), mixed(~options.seed, state), options.lifted};
     CommandList scene = picture ? fragment_state(seed) : lighting_state(seed);
-    // A scene about a departure is often about the very commands that a disguise would replace.
+    // A known bug often needs the very commands that a rewrite would replace.
     Random random(mixed(options.seed + 1, state));
     if (options.lifted.empty() && random.chance(0.6)) scene = disguised(scene, random);
     scene.name = fmt::format("fuzz-{}-{}", options.seed, state);
@@ -41,11 +41,11 @@ CommandList random_scene(const Options& options, std::uint64_t state) {
 }
 
 std::string failure_text(const Failure& failure, const Options& options) {
-    const std::string pair(failure.pair < kPairs ? kPairNames.at(failure.pair) : "the scene is refused");
+    const std::string pair(failure.pair < kPairs ? kPairNames.at(failure.pair) : "the scene is rejected");
     std::string text = fmt::format("// twinlight fuzz --seed {} --first {} --count 1{}\n", options.seed, failure.state,
                                    options.lifted.empty() ? "" : fmt::format(" --lift '{}'", options.lifted));
     text +=
-        fmt::format("// {}, {}: {}\n", pair, failure.is_picture ? "as pictures" : "at float precision", failure.what);
+        fmt::format("// {}, {}: {}\n", pair, failure.is_picture ? "in a picture" : "in vertex colours", failure.what);
     text += fmt::format("// on {}\n", failure.driver);
     return text + print_scene(failure.scene);
 }
@@ -56,7 +56,7 @@ bool Summary::too_many_differ(std::size_t pair) const {
 }
 
 bool Summary::fails() const {
-    // Of a few pictures one may well lie on a border of rounding.
+    // With few pictures, one whose colours round either way would count too much.
     constexpr std::uint64_t kEnoughPictures = 100;
     bool too_many = false;
     for (std::size_t pair = 0; pair < kPairs; ++pair) {
@@ -67,10 +67,10 @@ bool Summary::fails() const {
 
 namespace {
 
-// Whether a smaller scene fails in the same way. A difference of another size has another cause.
+// Whether a smaller scene fails in the same way. A difference of a very different size has another cause.
 bool is_same(const PairDifferences& before, const PairDifferences& now) {
     constexpr double kAlike = 8;
-    return now.fails && now.misses == before.misses && now.worst < kAlike * before.worst &&
+    return now.fails && now.only_one_draws == before.only_one_draws && now.worst < kAlike * before.worst &&
            before.worst < kAlike * now.worst;
 }
 
@@ -84,7 +84,7 @@ class Run {
         for (std::uint64_t done = 0; done < options_.count && !stops();) {
             const std::uint64_t begin = options_.first + done;
             if (done % kStatesPerContext < kStatesPerStructure) renew_contexts();
-            // To the end of what shares a structure, at most.
+            // At most to the end of the scenes that share a structure.
             const std::uint64_t end =
                 std::min(options_.first + options_.count, (begin / kStatesPerStructure + 1) * kStatesPerStructure);
             if (floats_) compare_floats(begin, end);
@@ -101,7 +101,7 @@ class Run {
     }
 
   private:
-    // A context keeps every program that was made in it.
+    // A context keeps all its programs, so it is replaced from time to time.
     static constexpr std::uint64_t kStatesPerContext = 8 * kStatesPerStructure;
     void renew_contexts() {
         floats_.reset();
@@ -170,7 +170,7 @@ class Run {
             failure.scene = *scene;
         } else {
             while (!found.pairs[failure.pair].fails) ++failure.pair;
-            // The reference stands in most pairs that say something.
+            // A pair with the reference says more.
             if (found.pairs[1].fails && failure.pair == 0) failure.pair = 1;
             const PairDifferences& first = found.pairs[failure.pair];
             show(state - options_.first, "shrinking");

@@ -1,4 +1,5 @@
-// Random scenes, three ways: at float precision and as small pictures (docs/testing.md).
+// Compares random scenes across the three renderers, by vertex colours in floats and by small pictures
+// (docs/testing.md).
 #pragma once
 
 #include <cstdint>
@@ -10,21 +11,21 @@
 
 namespace twinlight::fuzz {
 
-// State i of a seed is the same scene whatever else is asked for.
+// Scene i of a seed is always the same; the other options do not change it. Scenes are called states here.
 struct Options {
     std::uint64_t count = 1000;
     std::uint64_t seed = 1;
-    std::uint64_t first = 0;  // the first state
+    std::uint64_t first = 0;  // number of the first scene
     bool floats = true, pictures = true;
-    // A departure that is not left out; then every scene is likely to show it.
+    // A known bug that is not skipped. Every scene is then likely to show it.
     std::string lifted{};
     std::size_t most_failures = 10;
     bool shrinks = true;
 };
 
-// One in kPictureEvery states is drawn as a picture, the others are compared at float precision.
+// One of kPictureEvery scenes is compared as a picture, the others by vertex colours.
 inline constexpr std::uint64_t kPictureEvery = 32;
-// States that share a structure follow one another.
+// Scenes that share a structure follow one another.
 inline constexpr std::uint64_t kStatesPerStructure = 512;
 inline constexpr std::uint64_t kPicturesPerStructure = 8;
 
@@ -34,13 +35,13 @@ CommandList random_scene(const Options& options, std::uint64_t state);
 struct Failure {
     std::uint64_t state = 0;
     bool is_picture = false;
-    std::size_t pair = 0;  // of kPairNames; kPairs where a scene is refused
-    std::string what;      // of the smallest scene
-    CommandList scene;     // the smallest
+    std::size_t pair = 0;  // index into kPairNames; kPairs where the scene is rejected
+    std::string what;      // the difference in the smallest scene
+    CommandList scene;     // the smallest scene that fails
     std::string driver;
     std::size_t commands_before = 0;
 };
-// The scene with a comment that says where it comes from and what differs.
+// The scene as text; a comment says how to repeat it and what differs.
 std::string failure_text(const Failure& failure, const Options& options);
 
 struct Worst {
@@ -57,15 +58,15 @@ struct Summary {
     LeftOutCounts vertices_left_out, pictures_left_out;
     std::vector<Failure> failures;
 
-    // Beyond the share of pixels that may differ by one code (compare::Tolerance): a failure of all pictures together.
+    // More pixels differ by 1/255 than may (compare::Tolerance), counted over all pictures.
     bool too_many_differ(std::size_t pair) const;
     bool fails() const;
 };
 
 struct Progress {
-    // Called often; done of count states, and what is being done where that is not comparing.
+    // Called often, with the number of scenes done. `doing` is another activity than comparing, or null.
     std::function<void(std::uint64_t done, const Summary& so_far, const char* doing)> show = {};
-    // Whether to stop: what is found until then is kept.
+    // True ends the run; it keeps the failures found so far.
     std::function<bool()> stop = [] { return false; };
     // Called with each failure.
     std::function<void(const Failure&)> found = {};

@@ -1,4 +1,4 @@
-// Random lighting states.
+// Random scenes for the lighting equation.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -29,9 +29,9 @@ class LightingState {
 
     CommandList build() {
         color_form_ = structure_.below(8);
-        scale_ = structure_.chance(0.5) ? 1.5 : 0.4;  // the smaller colours stay below 1, the greater do not
+        scale_ = structure_.chance(0.5) ? 1.5 : 0.4;  // 0.4 keeps colours below 1, 1.5 does not
         projection();
-        // A light stands in the frame of the modelview matrix that is in force at its command (2.14.2).
+        // A light's position is transformed by the modelview matrix at the time of its command (2.14.2).
         const bool lights_first = chance(0.3) || shows("a vertex on the edge of a spot's cone");
         if (lights_first) lights();
         modelview();
@@ -51,7 +51,7 @@ class LightingState {
 
   private:
     void add(Id id, std::vector<double> arguments = {}) {
-        // Numbers are rounded to what the driver is given: floats.
+        // Numbers are rounded to floats, as the driver gets them.
         const std::vector<Parameter>& parameters = signature(id).parameters;
         if (!parameters.empty() && parameters.back().kind == Kind::kFloat) {
             for (double& value : arguments) value = static_cast<double>(static_cast<float>(value));
@@ -79,7 +79,7 @@ class LightingState {
 
     // ---- Matrices (2.11.2) ----
 
-    // The matrix, in any of the forms that commands have for one.
+    // Sets the matrix with one of the commands that can.
     void load(const glm::dmat4& matrix, bool multiply) {
         const glm::dmat4 transposed = glm::transpose(matrix);
         const std::vector<double> columns(glm::value_ptr(matrix), glm::value_ptr(matrix) + 16);
@@ -139,7 +139,7 @@ class LightingState {
         }
         switch (structure_.below(5)) {
             case 0: break;
-            case 1:  // 2.11.3: not unit, and left so
+            case 1:  // 2.11.3: normals keep a length other than 1
                 scaled({uniform(0.7, 1.4), uniform(0.7, 1.4), uniform(0.7, 1.4)});
                 break;
             case 2:
@@ -190,7 +190,7 @@ class LightingState {
         add(Id::glLightfv, {l, kGL_POSITION, reach * coordinate(), reach * coordinate(), reach * coordinate(),
                             directional ? 0 : uniform(0.5, 2)});
         if (shows("a vertex on the edge of a spot's cone")) {
-            // Every vertex is at 90 degrees of the axis or on it.
+            // Every vertex is on the axis or at 90 degrees from it.
             add(Id::glLightfv, {l, kGL_POSITION, 0, 0, 1, 0});
             const bool narrow = chance(0.5);
             add(Id::glLightfv, {l, kGL_SPOT_DIRECTION, narrow ? 0.0 : 1.0, 0, narrow ? -1.0 : 0.0});
@@ -213,7 +213,7 @@ class LightingState {
     double shininess(bool front) {
         if (shows("shininess 0 with attenuation or a spot")) return 0;
         if (shows("shininess 0 on one side of two")) return front ? 0 : 5;
-        // 0 is seldom: the driver departs from the text there.
+        // 0 is rare, because drivers have known bugs there.
         const double any = uniform(0.5, 128);
         const double choices[] = {1, 2, 5, 32, 64, 128, any, any, any, any};
         const double chosen = choices[structure_.below(10)];
@@ -249,7 +249,7 @@ class LightingState {
             vertex_color();
             add(Id::glColorMaterial, {face, kGL_DIFFUSE});
         } else {
-            const bool of_alpha = shows("glColor3 after glColor4");  // which the diffuse material alone shows
+            const bool of_alpha = shows("glColor3 after glColor4");  // only the diffuse material shows alpha
             add(Id::glColorMaterial, {face, static_cast<double>(of_alpha ? kGL_DIFFUSE : mode())});
             add(Id::glEnable, {kGL_COLOR_MATERIAL});
         }
@@ -262,7 +262,8 @@ class LightingState {
         }
     }
 
-    // A point out of sight, so that the driver has the state of now; before the last colour, where it has colours.
+    // Draws a point out of sight, so that the driver uses the state of this moment. With several colours the point
+    // comes before the last one.
     void draw_elsewhere(const std::vector<int>& color_forms = {}) {
         add(Id::glBegin, {kGL_POINTS});
         for (std::size_t i = 0; i < color_forms.size(); ++i) {
@@ -274,7 +275,7 @@ class LightingState {
         add(Id::glEnd);
     }
 
-    // Departures of glPushAttrib and glPopAttrib.
+    // Known bugs of glPushAttrib and glPopAttrib.
     void about_stacks() {
         if (shows("glMaterial right before glPopAttrib")) {
             add(Id::glPushAttrib, {kGL_LIGHTING_BIT});
@@ -286,13 +287,13 @@ class LightingState {
             for (int i = 0; i < kMaxLights; ++i) add(Id::glDisable, {static_cast<double>(kGL_LIGHT0) + i});
             add(Id::glPopAttrib);
         } else if (shows("glColor3 after glColor4")) {
-            // The last of them is current afterwards.
+            // The last colour stays current.
             color_form_ = 0;
             draw_elsewhere({0, 1});
             draw_elsewhere({1, 0, 1});
             keep_color_ = true;
         } else if (shows("colour material after glPopAttrib")) {
-            // The colour is used in between, so that the driver has it as the material's.
+            // Something is drawn in between, so that the driver copies the colour into the material.
             add(Id::glPushAttrib, {kGL_CURRENT_BIT});
             vertex_color();
             draw_elsewhere();
@@ -303,8 +304,7 @@ class LightingState {
 
     // ---- Vertices (2.6, 2.7) ----
 
-    // One of the forms that a colour's command has, the same for all of the scene: forms with and without alpha side by
-    // side are a departure.
+    // One form of glColor for the whole scene: a scene with and without alpha shows a known bug.
     void vertex_color() {
         switch (color_form_) {
             case 0: return color(Id::glColor4f);
@@ -334,7 +334,7 @@ class LightingState {
         }
     }
 
-    // What any vertex has of its own, the first has: see "glMaterial of two sides after a vertex".
+    // The first vertex sets every material that a later vertex sets: see "glMaterial of two sides after a vertex".
     void vertex_material(bool is_first) {
         const bool is_late = shows("glMaterial of two sides after a vertex");
         for (const auto& [face, pname] : vertex_materials_) {
@@ -355,7 +355,7 @@ class LightingState {
             const Enum face = of_back   ? kGL_BACK
                               : of_both ? kGL_FRONT_AND_BACK
                                         : one_of({kGL_FRONT, kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK});
-            // Where the driver gets the back wrong, it is a product with a light's colour.
+            // The known bug of the back is in products with a light's colour.
             const Enum pname = of_back ? one_of({kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR})
                                        : one_of({kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION, kGL_SHININESS});
             vertex_materials_.emplace_back(face, pname);
@@ -363,7 +363,7 @@ class LightingState {
     }
 
     void vertex_position(int corner) {
-        // A corner of the picture, at any depth.
+        // In a corner of the picture, at any depth.
         const double x_ndc = (corner % 2 ? 1 : -1) * uniform(0.55, 0.95);
         const double y_ndc = (corner / 2 ? 1 : -1) * uniform(0.55, 0.95);
         const double z_eye = uniform(-6, -2), w = clip_from_eye_[2][3] * z_eye + clip_from_eye_[3][3];

@@ -40,13 +40,13 @@ StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& com
             compare::compare_scene(scene, {.budget = 0, .per_vertex_only = true}, renderers_);
         const compare::Departure* departure =
             compare::DeparturesOfScene(*commands, current_driver(), lifted_).in(scene.frame);
-        bool departs = false;
-        for (std::size_t pair = 0; pair < kPairs; ++pair) {  // in the same order
+        bool shows_bug = false;
+        for (std::size_t pair = 0; pair < kPairs; ++pair) {  // both lists have the same order
             const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_allowed;
-            // The share of pixels that differ by one code is judged over all pictures: a surface of one colour may lie on
-            // the border of a rounding.
+            // The share of pixels that differ by 1/255 counts over all pictures: in one picture the colour of a whole
+            // surface may round either way.
             const bool fails = beyond.max > comparison.tolerance.max;
-            departs = departs || (fails && has_fixed(pair));
+            shows_bug = shows_bug || (fails && has_fixed(pair));
             if (departure && (has_fixed(pair) || departure->leaves != compare::Leaves::kFixedFunction)) continue;
             PairDifferences& here = found.pairs[pair];
             here.compared = static_cast<long>(beyond.pixels);
@@ -59,12 +59,12 @@ StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& com
                 return fmt::format("({}, {}, {}, {})", channel_code(pixel[0]), channel_code(pixel[1]),
                                    channel_code(pixel[2]), channel_code(pixel[3]));
             };
-            here.what =
-                fmt::format("pixel {},{} of {} x {}: {} and {}, {} codes beyond the allowed difference", beyond.worst_x,
-                            beyond.worst_y, kSide, kSide, channels(comparison.a(comparison.pairs[pair]).image),
-                            channels(comparison.counterpart(comparison.pairs[pair])), here.worst);
+            here.what = fmt::format("pixel {},{} of {} x {}: {} and {}, {}/255 more than the allowed difference",
+                                    beyond.worst_x, beyond.worst_y, kSide, kSide,
+                                    channels(comparison.a(comparison.pairs[pair]).image),
+                                    channels(comparison.counterpart(comparison.pairs[pair])), here.worst);
         }
-        if (departure) found.left_out[departure] = {1, departs};
+        if (departure) found.left_out[departure] = {1, shows_bug};
     } catch (const SceneError& refused) {
         found.error = refused.what();
     }

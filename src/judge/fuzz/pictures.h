@@ -1,4 +1,4 @@
-// Small pictures, three ways, held against each other as `twinlight compare` does.
+// Compares small pictures of the three renderers, as `twinlight compare` does.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace twinlight::fuzz {
 
 class Pictures {
   public:
-    // `lifted`: departures that are not left out.
+    // `lifted`: known bugs that are not skipped.
     explicit Pictures(std::vector<std::string_view> lifted);
 
     StateDifferences compare(const std::shared_ptr<const CommandList>& commands);

@@ -6,7 +6,8 @@
 
 namespace twinlight::fuzz {
 
-// The engine's bits are the standard's own (rand.predef); its distributions are each library's, so that bits become numbers here.
+// The standard defines the bits of the engine (rand.predef), but not those of its distributions, so numbers are made
+// from bits here.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}

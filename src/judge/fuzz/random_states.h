@@ -1,4 +1,4 @@
-// Random scenes, in all the ways that commands have to say them.
+// Random scenes, made with all kinds of commands.
 #pragma once
 
 #include <cstdint>
@@ -9,29 +9,31 @@
 
 namespace twinlight::fuzz {
 
-// What one random scene comes from. Scenes of one structure share what the driver makes a program for (which lights, of
-// which type, ...) and differ in their values, since a program takes a driver a tenth of a second to make.
+// The seed of one random scene. Scenes with the same structure need the same program of the driver (same lights, of the
+// same type, ...) and differ only in values, because a driver takes a tenth of a second to make a program.
 struct Seed {
     std::uint64_t structure = 0;
     std::uint64_t values = 0;
-    // A departure of compare::departures(): the scene is likely to show it. Else one in ten structures is about any of them.
+    // A known bug of compare::departures() that the scene is likely to show. Empty: one in ten structures shows any of
+    // them.
     std::string_view departure{};
 };
 
-// What the scene is about; empty: nothing.
+// The known bug that the scene is meant to show; empty: none.
 std::string_view departure_of(const Seed& seed, Random& structure);
 
-// Everything that the equation of 2.14.1 reads: one primitive with three vertices, which stand in different corners of the view;
-// random lights, materials, light model, colour material, matrices, normals and colours. Values of moderate size, no coordinate
-// at 0, but where the scene is about a departure.
+// A scene that varies everything in the equation of 2.14.1: random lights, materials, light model, colour material,
+// matrices, normals and colours. One primitive with three vertices in different corners of the view. Values are of
+// moderate size and no coordinate is 0, unless the scene is meant to show a known bug.
 CommandList lighting_state(const Seed& seed);
 
-// What happens between vertices and pixels: a few batches in a perspective view; random primitives, textures, environments,
-// fog, blending, tests, masks, clip planes, offsets, widths. Every number is of moderate size.
+// A scene that varies everything between vertices and pixels: a few batches in a perspective view, with random
+// primitives, textures, environments, fog, blending, tests, masks, clip planes, offsets, widths. All numbers are of
+// moderate size.
 CommandList fragment_state(const Seed& seed);
 
-// The same scene, said otherwise: display lists, vertex arrays, attribute stacks and matrix stacks, where none of them may
-// change the picture.
+// The same scene, rewritten with display lists, vertex arrays, attribute stacks and matrix stacks. The picture must not
+// change.
 CommandList disguised(const CommandList& scene, Random& random);
 
 }  // namespace twinlight::fuzz

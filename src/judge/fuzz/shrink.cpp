@@ -24,7 +24,7 @@ class Shrinker {
     }
 
   private:
-    // Takes the candidate where it fails, too.
+    // Keeps the candidate if it fails too.
     bool take(CommandList candidate) {
         if (questions_-- <= 0 || !still_fails_(candidate)) return false;
         scene_ = std::move(candidate);
@@ -38,7 +38,8 @@ class Shrinker {
         return candidate;
     }
 
-    // Runs of half of the commands, of a quarter, ... of one; from the end, for what stands last depends on the rest.
+    // Removes runs of half of the commands, of a quarter, ... of one; from the end, because later commands depend on
+    // earlier ones.
     bool remove_runs() {
         bool any = false;
         for (std::size_t length = std::max<std::size_t>(1, scene_.commands.size() / 2);; length /= 2) {
@@ -48,8 +49,8 @@ class Shrinker {
         }
     }
 
-    // What only goes with its counterpart: Begin and End, Push and Pop, NewList and EndList, with what is between them
-    // or without it.
+    // Removes commands that need each other: Begin and End, Push and Pop, NewList and EndList, with or without the
+    // commands between them.
     bool remove_pairs() {
         bool any = false;
         for (std::size_t first = 0; first < scene_.commands.size(); ++first) {
@@ -63,12 +64,12 @@ class Shrinker {
             if (last == scene_.commands.size()) continue;
             if (take(without(first, last - first + 1))) {
                 any = true;
-                --first;  // what follows stands here now
+                --first;  // the next command is here now
                 continue;
             }
             CommandList ends = without(last, 1);
             ends.commands.erase(ends.commands.begin() + static_cast<std::ptrdiff_t>(first));
-            // A list's commands are then carried out at once; its calls go with it.
+            // Without its list, the commands run directly; the calls of the list are removed too.
             if (scene_.commands[first].id == CommandId::glNewList) {
                 const double name = scene_.commands[first].number(0);
                 std::erase_if(ends.commands, [&](const Command& command) {
@@ -91,7 +92,7 @@ class Shrinker {
         }
     }
 
-    // 0, 1 and numbers of few digits, for what is a number; GL's names stay.
+    // Replaces numbers by 0, 1 or numbers of few digits. GL's names stay.
     bool simplify_values() {
         bool any = false;
         for (std::size_t c = 0; c < scene_.commands.size(); ++c) {
@@ -132,7 +133,7 @@ class Shrinker {
             double rounded = digits == 0 ? 0 : std::round(value * digits) / digits;
             if (rounded == 0) rounded = 0;  // not -0
             const auto as_float = static_cast<double>(static_cast<float>(rounded));
-            if (as_float == value) return candidates;  // it is that simple already
+            if (as_float == value) return candidates;  // it is already that simple
             candidates.push_back(as_float);
             if (digits == 0 && value != 1) candidates.push_back(1);
         }

@@ -32,8 +32,8 @@ constexpr Named<fixed::Sending> kSendings[] = {
     {fixed::Sending::kDisplayList, "display-list", "display list"},
 };
 constexpr Named<Target> kTargets[] = {
-    {Target::kCodes, "8-bit", "8-bit target"},
-    {Target::kFloats, "float", "float target"},
+    {Target::kCodes, "8-bit", "8-bit colours"},
+    {Target::kFloats, "float", "float colours"},
 };
 
 constexpr Named<Number> kNumbers[] = {
@@ -42,9 +42,9 @@ constexpr Named<Number> kNumbers[] = {
     {Number::kLongDouble, "long-double", "long doubles"},
 };
 constexpr Named<Powers> kPowers[] = {
-    {Powers::kPow, "pow", "powers by pow"},
-    {Powers::kSquaring, "squaring", "powers by squaring"},
-    {Powers::kTable, "table", "powers by table"},
+    {Powers::kPow, "pow", "powers by pow()"},
+    {Powers::kSquaring, "squaring", "powers by repeated squaring"},
+    {Powers::kTable, "table", "powers by a table"},
 };
 
 std::span<const Named<Method>> names(Method) { return kMethods; }
@@ -55,9 +55,10 @@ std::span<const Named<Target>> names(Target) { return kTargets; }
 std::span<const Named<Number>> names(Number) { return kNumbers; }
 std::span<const Named<Powers>> names(Powers) { return kPowers; }
 
-enum class Told : std::uint8_t { kAlways, kUnlessUsual };
+// Whether a choice's words and key name the value.
+enum class Mention : std::uint8_t { kAlways, kUnlessUsual };
 
-template <auto member, Told told>
+template <auto member, Mention mention>
 constexpr Axis of_names(const char* name, const char* words) {
     return {.name = name,
             .words = words,
@@ -68,7 +69,7 @@ constexpr Axis of_names(const char* name, const char* words) {
                     const auto value = choice.*member;
                     for (const auto& row : names(value))
                         if (row.value == value)
-                            return Value{row.key, row.words, told == Told::kAlways || value != Choice{}.*member};
+                            return Value{row.key, row.words, mention == Mention::kAlways || value != Choice{}.*member};
                     return Value{};
                 },
             .set =
@@ -104,12 +105,12 @@ bool set_number(Choice& choice, std::string_view key, double least) {
 std::string no_keys() { return {}; }
 
 constexpr Axis kSlices = {.name = "slices",
-                          .words = "how finely round shapes are cut",
+                          .words = "slices of round shapes",
                           .is_number = true,
                           .prefix = "",
                           .value =
                               [](const Choice& choice) {
-                                  if (choice.slices == 0) return Value{"", "as the scene has it", false};
+                                  if (choice.slices == 0) return Value{"", "as in the scene", false};
                                   return Value{std::to_string(choice.slices), fmt::format("{} slices", choice.slices)};
                               },
                           .set =
@@ -121,7 +122,7 @@ constexpr Axis kSlices = {.name = "slices",
 
 constexpr Axis kSamples = {
     .name = "samples",
-    .words = "samples of a pixel",
+    .words = "samples per pixel",
     .is_number = true,
     .prefix = "samples-",
     .value =
@@ -134,13 +135,15 @@ constexpr Axis kSamples = {
 
 constexpr Axis kBudget = {
     .name = "budget",
-    .words = "what the planner may leave out",
+    .words = "what shaders may skip",
     .is_number = true,
     .prefix = "budget-",
     .value =
         [](const Choice& choice) {
-            return Value{fmt::format("{}", choice.budget), fmt::format("budget {:.3g}/255", 255 * choice.budget),
-                         choice.budget != PlanOptions{}.budget};
+            return Value{
+                fmt::format("{}", choice.budget),
+                choice.budget == 0 ? "nothing skipped" : fmt::format("skipping up to {:.3g}/255", 255 * choice.budget),
+                choice.budget != PlanOptions{}.budget};
         },
     .set = [](Choice& choice, std::string_view key) { return set_number<&Choice::budget>(choice, key, 0); },
     .keys = no_keys};
@@ -149,15 +152,15 @@ constexpr Axis kBudget = {
 
 const std::vector<Axis>& axes() {
     static const std::vector<Axis> all = {
-        of_names<&Choice::method, Told::kAlways>("renderer", "who draws"),
-        of_names<&Choice::shading, Told::kAlways>("shading", "shading"),
+        of_names<&Choice::method, Mention::kAlways>("renderer", "renderer"),
+        of_names<&Choice::shading, Mention::kAlways>("shading", "shading"),
         kSlices,
-        of_names<&Choice::lighting_change, Told::kUnlessUsual>("model", "what is lit in another way"),
-        of_names<&Choice::sending, Told::kUnlessUsual>("sending", "how vertices are sent"),
-        of_names<&Choice::target, Told::kUnlessUsual>("target", "what is drawn into"),
+        of_names<&Choice::lighting_change, Mention::kUnlessUsual>("model", "lighting model"),
+        of_names<&Choice::sending, Mention::kUnlessUsual>("sending", "how vertices are sent"),
+        of_names<&Choice::target, Mention::kUnlessUsual>("target", "colour buffer"),
         kSamples,
-        of_names<&Choice::number, Told::kUnlessUsual>("number", "numbers of the reference"),
-        of_names<&Choice::powers, Told::kUnlessUsual>("powers", "powers of the reference"),
+        of_names<&Choice::number, Mention::kUnlessUsual>("number", "number type of the reference"),
+        of_names<&Choice::powers, Mention::kUnlessUsual>("powers", "powers in the reference"),
         kBudget,
     };
     return all;
@@ -166,14 +169,14 @@ const std::vector<Axis>& axes() {
 std::string Choice::words() const {
     std::string text;
     for (const Axis& axis : axes())
-        if (const Value value = axis.value(*this); value.is_told) text += (text.empty() ? "" : ", ") + value.words;
+        if (const Value value = axis.value(*this); value.is_mentioned) text += (text.empty() ? "" : ", ") + value.words;
     return text;
 }
 
 std::string Choice::key() const {
     std::string text;
     for (const Axis& axis : axes())
-        if (const Value value = axis.value(*this); value.is_told)
+        if (const Value value = axis.value(*this); value.is_mentioned)
             text += (text.empty() ? "" : "-") + std::string(axis.prefix) + value.key;
     return text;
 }

@@ -1,5 +1,5 @@
-// The choices that a study holds against each other: how a scene is drawn, in its finest detail or with less. What they may
-// differ in are the axes; a choice is a value of each.
+// The choices that a study compares: ways to draw a scene. Each axis (renderer, shading, slices, ...) is one thing in
+// which they may differ; a choice has a value on each axis.
 #pragma once
 
 #include <string>
@@ -14,25 +14,25 @@
 
 namespace twinlight::study {
 
-// Who draws; of the shaders, with which programs (programmable::Options).
+// The renderer; for shaders also the kind of program (programmable::Options).
 enum class Method : std::uint8_t { kFixed, kUniforms, kConstants, kPrecise, kReference };
 
-// What the driver draws into.
+// The colour buffer that the driver draws into.
 enum class Target : std::uint8_t { kCodes, kFloats };
 
 struct Choice {
     Method method = Method::kUniforms;
     Shading shading = Shading::kGouraud;
-    int slices = 0;  // 0: as the scene has them, or none at all (exact surfaces)
+    int slices = 0;  // 0: as in the scene; exact surfaces have none
     LightingChange lighting_change = LightingChange::kWhole;
     fixed::Sending sending = fixed::Sending::kBuffers;
     Target target = Target::kCodes;
-    int samples = 1;                  // the side of a pixel's square of samples
-    Number number = Number::kDouble;  // of the reference, as the next
+    int samples = 1;                  // a pixel has samples x samples of them
+    Number number = Number::kDouble;  // only for the reference, like `powers`
     Powers powers = Powers::kPow;
     double budget = PlanOptions{}.budget;
 
-    // "shaders with uniforms, gouraud, 32 slices": what is as usual is not told.
+    // "shaders with uniforms, gouraud, 32 slices"; usual values are not mentioned.
     std::string words() const;
     // The same for files and keys: "programmable-gouraud-32"
     std::string key() const;
@@ -43,28 +43,28 @@ struct Choice {
     friend bool operator==(const Choice&, const Choice&) = default;
 };
 
-// What of a choice an axis tells.
+// The value of a choice on an axis.
 struct Value {
     std::string key,
-        words;  // "no-specular", "no highlights"; of numbers the key is the number, and empty where there is none
-    bool is_told = true;  // in the choice's own words and key
+        words;                 // "no-specular", "no highlights"; the key of a number is the number, or empty
+    bool is_mentioned = true;  // in Choice::words() and key()
 };
 
 struct Axis {
     const char* name;   // "model"; a column of study.csv
-    const char* words;  // "what is lit more simply"
+    const char* words;  // "lighting model"
     bool is_number;
-    const char* prefix;  // of its part of a choice's key
+    const char* prefix;  // in front of its part of Choice::key()
     Value (*value)(const Choice& choice);
-    // False where the axis has no such value.
+    // Returns false if the axis has no such value.
     bool (*set)(Choice& choice, std::string_view key);
-    // The keys that there are, for people; empty of numbers.
+    // All keys, for error messages; empty for numbers.
     std::string (*keys)();
 };
 const std::vector<Axis>& axes();
 
-// All that are worth a look for this scene (selection.cpp); `has_slices`: whether its meshes can be made finer or coarser; `coverage`: the
-// samples along a pixel's side that truth has.
+// The choices of a study of this scene (selection.cpp). `has_slices`: its meshes can be made finer or coarser.
+// `coverage`: the exact picture has coverage x coverage samples per pixel.
 enum class Extent : std::uint8_t { kQuick, kFull };
 inline const char* name_of(Extent extent) { return extent == Extent::kQuick ? "quick" : "full"; }
 inline constexpr int kMostCoverage = 16;

@@ -1,4 +1,4 @@
-// The front: the choices that no other beats; and what they come to in words.
+// The front (the choices for which no other is both faster and more accurate), and sentences that sum up the study.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::string words_of(const Point& point, const Measure& measure) {
                        error_of(point, measure));
 }
 
-// The fastest of those that `is_meant`, of an error at most as large.
+// The fastest of the points that satisfy `is_meant` and have an error of at most `most`; null if there is none.
 template <class IsMeant>
 const Point* fastest(const PointsOf& points, const Measure& measure, double most, const IsMeant& is_meant) {
     const Point* best = nullptr;
@@ -34,13 +34,13 @@ const Point* fastest(const PointsOf& points, const Measure& measure, double most
     return best;
 }
 
-// By shaders in full simulation, so that meshes and shadings are compared, not models.
+// Drawn by shaders with the unchanged lighting model, so that only meshes and shadings are compared.
 bool is_whole(const Point& point, Shading shading) {
     const Choice plain{.method = Method::kUniforms, .shading = shading, .slices = point.choice.slices};
     return point.choice == plain;
 }
 
-// Where the finer shading on a coarser mesh begins to be the cheaper way to an error.
+// The error from which on the finer shading, on a coarser mesh, is faster than the coarse shading.
 std::optional<std::string> crossover(const PointsOf& points, Shading coarse, Shading fine) {
     const Measure& rms = kMeasures[0];
     std::vector<double> errors;
@@ -56,12 +56,12 @@ std::optional<std::string> crossover(const PointsOf& points, Shading coarse, Sha
             continue;
         }
         const std::string beaten =
-            a ? fmt::format("; {} takes {} for that", a->choice.words(), milliseconds(a->median_seconds()))
-              : fmt::format("; no {} mesh of this study is as near", name_of(coarse));
+            a ? fmt::format("; {} takes {}", a->choice.words(), milliseconds(a->median_seconds()))
+              : fmt::format("; no {} mesh of this study is as accurate", name_of(coarse));
         if (!last_of_coarse)
-            return fmt::format("For any error {} is cheaper than {}: from {} on", name_of(fine), name_of(coarse),
+            return fmt::format("For any error, {} is faster than {}; the fastest is {}", name_of(fine), name_of(coarse),
                                words_of(*b, rms));
-        return fmt::format("From an rms error of {:.2g} down, {} is cheaper than {}: {}{}", error, name_of(fine),
+        return fmt::format("For an rms error of {:.2g} or less, {} is faster than {}: {}{}", error, name_of(fine),
                            name_of(coarse), words_of(*b, rms), beaten);
     }
     return {};
@@ -74,15 +74,16 @@ PointsOf timed_points(const Study& study, std::size_t series) {
     return points;
 }
 
-// For each target the fastest choice; where one choice serves several targets, it is told of the strictest.
+// Adds a sentence for each target error: the fastest choice. A choice that meets several targets is named for the
+// strictest.
 void recommend(std::vector<std::string>& sentences, const PointsOf& points, const Measure& measure) {
     const auto any = [](const Point& /*point*/) { return true; };
     for (std::size_t i = 0; i < measure.targets.size() && measure.targets[i] > 0; ++i) {
         const double target = measure.targets[i];
         const Point* best = fastest(points, measure, target, any);
         if (!best) {
-            sentences.push_back(fmt::format("No choice of this study has {}.", measure.demand_of(target)));
-            return;  // nor of less
+            sentences.push_back(fmt::format("No choice of this study reaches {}.", measure.demand_of(target)));
+            return;  // nor any smaller target
         }
         const bool is_last = i + 1 == measure.targets.size() || measure.targets[i + 1] == 0;
         if (!is_last && fastest(points, measure, measure.targets[i + 1], any) == best) continue;
@@ -115,7 +116,7 @@ void find_fronts(Study& study) {
     }
 }
 
-void find_words(Study& study) {
+void write_findings(Study& study) {
     for (std::size_t series = 0; series < study.series.size(); ++series) {
         std::vector<std::string>& sentences = study.series[series].findings;
         sentences.clear();

@@ -38,7 +38,7 @@ bool shines(const Draw& draw) {
 
 bool is_place(const LightSource& light) { return light.position_eye.w != 0; }
 
-// All parts of a round shape have one middle: its object space's origin.
+// The middle of a round shape is the origin of its object space, for all of its parts.
 glm::dvec3 middle_eye(const Draw& draw) {
     glm::dvec4 sum(0);
     for (const Vertex& vertex : draw.vertices) sum += vertex.position_object;
@@ -59,9 +59,10 @@ void set_specular(Draw& draw, Word specular, double of_exponent) {
     for_materials(draw, [&](Material& material) { material.shininess *= of_exponent; });
 }
 
-// Rescaled normals have length 1 (2.11.3): what is scaled alike in all directions, by normals that have length 1.
+// Whether rescaled normals have length 1 (2.11.3): the matrix scales equally in all directions, and the normals have
+// length 1.
 bool rescaling_normalizes(const Draw& draw) {
-    constexpr double kRounding = 1e-5;  // of matrices and normals that a program gives in floats
+    constexpr double kRounding = 1e-5;  // matrices and normals may come from floats
     const glm::dmat3 m(draw.eye_from_object);
     const glm::dmat3 square = glm::transpose(m) * m;
     const double scale = square[0][0];
@@ -74,10 +75,10 @@ bool rescaling_normalizes(const Draw& draw) {
 }
 
 constexpr LightingChangeRow kChanges[] = {
-    {LightingChange::kWhole, "whole", "as the scene says", [](const Draw&) { return true; }, [](Draw&) {}},
+    {LightingChange::kWhole, "whole", "as in the scene", [](const Draw&) { return true; }, [](Draw&) {}},
     {LightingChange::kNoSpecular, "no-specular", "no highlights", shines,
      [](Draw& draw) { for_materials(draw, [](Material& material) { material.specular = glm::dvec4(0, 0, 0, 1); }); }},
-    {LightingChange::kReflection, "reflection", "highlights by reflection",
+    {LightingChange::kReflection, "reflection", "highlights by reflection vector",
      [](const Draw& draw) { return shines(draw) && draw.lighting.light_model.specular == Word::half_vector; },
      [](Draw& draw) { set_specular(draw, Word::reflection, kReflectionExponent); }},
     {LightingChange::kHalfVector, "half-vector", "highlights by half vector",
@@ -101,7 +102,7 @@ constexpr LightingChangeRow kChanges[] = {
              light.linear_attenuation = light.quadratic_attenuation = 0;
          });
      }},
-    {LightingChange::kNoSpots, "no-spots", "no cones",
+    {LightingChange::kNoSpots, "no-spots", "no spotlight cones",
      [](const Draw& draw) {
          return any_light(draw, [](const LightSource& light) {
              return light.spot_cutoff_deg != 180 || light.smooth_cone.has_value();
@@ -113,12 +114,12 @@ constexpr LightingChangeRow kChanges[] = {
              light.smooth_cone.reset();
          });
      }},
-    {LightingChange::kRescale, "rescale", "normals rescaled", [](const Draw& draw) { return draw.lighting.normalize; },
+    {LightingChange::kRescale, "rescale", "rescaled normals", [](const Draw& draw) { return draw.lighting.normalize; },
      [](Draw& draw) {
          draw.lighting.rescale_normal |= draw.lighting.normalize;
          draw.lighting.normalize = false;
      }},
-    {LightingChange::kNoNormalize, "no-normalize", "normals as they come",
+    {LightingChange::kNoNormalize, "no-normalize", "unnormalised normals",
      [](const Draw& draw) { return draw.lighting.normalize || draw.lighting.rescale_normal; },
      [](Draw& draw) { draw.lighting.normalize = draw.lighting.rescale_normal = false; }},
 };
@@ -133,9 +134,8 @@ std::span<const LightingChangeRow> lighting_changes() { return kChanges; }
 
 bool matters(const Frame& frame, LightingChange change) {
     bool any = false;
-    for (const auto& item : frame.items) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (!draw || !draw->lighting.enabled) continue;
+    for (const Draw* draw : frame.draws()) {
+        if (!draw->lighting.enabled) continue;
         const bool here = row_of(change).matters(*draw);
         if (here && change == LightingChange::kRescale && !rescaling_normalizes(*draw)) return false;
         any |= here;
@@ -145,8 +145,8 @@ bool matters(const Frame& frame, LightingChange change) {
 
 Frame with_lighting_change(const Frame& frame, LightingChange change) {
     Frame result = frame;
-    for (auto& item : result.items)
-        if (Draw* draw = std::get_if<Draw>(&item); draw && draw->lighting.enabled) row_of(change).apply(*draw);
+    for (Draw* draw : result.draws())
+        if (draw->lighting.enabled) row_of(change).apply(*draw);
     return result;
 }
 

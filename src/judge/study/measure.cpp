@@ -61,7 +61,7 @@ double quantile(std::vector<double> values, double part) {
 }
 
 std::string Measure::demand_of(double target) const {
-    return fmt::format(fmt::runtime(demand), target == kCode ? "1 code of 8 bits" : fmt::format("{:g}", target));
+    return fmt::format(fmt::runtime(demand), target == kCode ? "1/255" : fmt::format("{:g}", target));
 }
 
 std::vector<char> silhouettes(const std::vector<int>& seen, const std::vector<int>& seen_in_truth, int width,

@@ -1,4 +1,4 @@
-// Several machines' studies of one scene, laid over each other.
+// Merges studies of one scene from several machines.
 #include <fmt/format.h>
 
 #include <set>
@@ -10,7 +10,7 @@ namespace twinlight::study {
 
 namespace {
 
-// By what tells them apart: the driver, else who provides it, else the machine, else a number.
+// Gives each series a different name: the driver, or with its provider, or with the processor, or with a number.
 void name_apart(std::vector<Series>& all) {
     const auto try_names = [&](const auto& name) {
         std::set<std::string> names;
@@ -35,12 +35,13 @@ void name_apart(std::vector<Series>& all) {
 
 std::string difference_of(const Study& a, const Study& b) {
     if (a.fingerprint != b.fingerprint)
-        return a.scene == b.scene ? fmt::format("of a scene '{}' that says something else", b.scene)
+        return a.scene == b.scene ? fmt::format("of a different version of the scene '{}'", b.scene)
                                   : fmt::format("of the scene '{}', not '{}'", b.scene, a.scene);
     if (a.width != b.width || a.height != b.height)
         return fmt::format("of {} x {} pixels, not {} x {}", b.width, b.height, a.width, a.height);
     if (a.coverage != b.coverage)
-        return fmt::format("against a truth of {0} x {0} samples a pixel, not {1} x {1}", b.coverage, a.coverage);
+        return fmt::format("with an exact picture of {0} x {0} samples per pixel, not {1} x {1}", b.coverage,
+                           a.coverage);
     return {};
 }
 
@@ -49,8 +50,9 @@ Study merged(std::vector<NamedStudy> studies) {
     for (std::size_t i = 1; i < studies.size(); ++i) {
         Study& other = studies[i].study;
         if (const std::string difference = difference_of(result, other); !difference.empty())
-            throw MergeError(fmt::format("{} is {} as {}; studies of one scene, size and truth can be merged",
-                                         studies[i].file, difference, studies[0].file));
+            throw MergeError(
+                fmt::format("{} is {} like {}; only studies of the same scene, size and coverage can be merged",
+                            studies[i].file, difference, studies[0].file));
         for (Point& point : other.points) {
             point.series += result.series.size();
             result.points.push_back(std::move(point));
@@ -61,7 +63,7 @@ Study merged(std::vector<NamedStudy> studies) {
     }
     name_apart(result.series);
     find_fronts(result);
-    find_words(result);
+    write_findings(result);
     return result;
 }
 

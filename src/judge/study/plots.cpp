@@ -1,5 +1,5 @@
-// study.svg: error against time, both logarithmic; a dot a choice, the front drawn through.
-// spectral.svg: Delta E of each light against the samples, and against what these cost.
+// study.svg: error against time on logarithmic axes, with a dot for each choice and a line for the front.
+// spectral.svg: Delta E for each light against the number of samples, and against their time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,16 +28,16 @@ struct PlotSeries {
     Line line = Line::kNone;
     const char* color = "#000";
     bool filled = true;
-    std::string words{};  // what a browser shows beside the pointer; of the legend's rows
+    std::string words{};  // the tooltip of its marks; in the legend the text of the row
 };
 
-// Logarithmic. What is beyond its ends is drawn at them.
+// A logarithmic axis. Values beyond its ends are drawn at the ends.
 struct PlotAxis {
     double low, high;
     std::vector<double> ticks{};
     std::string words{};
 
-    // 0 at low, 1 at high.
+    // 0 at `low`, 1 at `high`.
     double part(double value) const { return std::log(std::clamp(value, low, high) / low) / std::log(high / low); }
 };
 struct Panel {
@@ -45,13 +45,13 @@ struct Panel {
     std::vector<PlotSeries> series{};
 };
 
-// Colour-blind safe (Okabe and Ito, 2008); after the last the first again.
+// Safe for colour blindness (Okabe and Ito, 2008); the list repeats.
 const char* plot_color(std::size_t number) {
     constexpr const char* kColors[] = {"#d55e00", "#0072b2", "#56b4e9", "#cc79a7", "#009e73", "#e69f00", "#000000"};
     return kColors[number % std::size(kColors)];
 }
 
-// From the power of ten below `low` to that above `high`, a tick at each.
+// From the power of ten below `low` to the one above `high`, with a tick at each.
 PlotAxis decades(double low, double high, std::string words) {
     const double first = std::floor(std::log10(low)), last = std::max(first + 1, std::ceil(std::log10(high)));
     PlotAxis axis{.low = std::pow(10, first), .high = std::pow(10, last), .words = std::move(words)};
@@ -59,7 +59,7 @@ PlotAxis decades(double low, double high, std::string words) {
     return axis;
 }
 
-constexpr double kLeft = 80, kTop = 48, kBottom = 64, kRow = 22;  // a panel's margins; a row of the legend
+constexpr double kLeft = 80, kTop = 48, kBottom = 64, kRow = 22;  // margins of a panel; height of a legend row
 
 std::string text_at(glm::dvec2 at, std::string_view words, const char* anchor, const char* turn = "") {
     return fmt::format("<text transform=\"translate({:.1f} {:.1f}){}\" text-anchor=\"{}\">{}</text>\n", at.x, at.y,
@@ -121,7 +121,7 @@ std::string panel_svg(const Panel& panel, glm::dvec2 top_left, glm::dvec2 size) 
     return svg;
 }
 
-// Panels of `panel_size` pixels side by side, and a row of the legend for each of `legend`; one without words is a gap.
+// Panels of `panel_size` pixels side by side, and a legend; a row without words is a gap.
 std::string plot_svg(std::string_view title, glm::dvec2 panel_size, const std::vector<Panel>& panels,
                      const std::vector<PlotSeries>& legend) {
     std::string body = text_at({kLeft, 28}, title, "start");
@@ -148,7 +148,7 @@ std::string plot_svg(std::string_view title, glm::dvec2 panel_size, const std::v
 
 // ---- A study ----
 
-// A colour for each, or of several machines for each machine; the shading is the mark.
+// A colour for each method, or with several machines for each machine. The mark shows the shading.
 constexpr Method kColoredMethods[] = {Method::kFixed, Method::kUniforms, Method::kConstants, Method::kReference,
                                       Method::kPrecise};
 
@@ -181,8 +181,8 @@ std::vector<PlotSeries> legend_of(const Study& study) {
     for (const Shading shading : {Shading::kFlat, Shading::kGouraud, Shading::kPhong, Shading::kExact})
         rows.push_back({.mark = mark_of(shading), .color = "#444", .words = name_of(shading)});
     rows.emplace_back();
-    rows.push_back({.mark = Mark::kCircle, .color = "#444", .filled = false, .words = "with something changed"});
-    rows.push_back({.line = Line::kDashed, .words = "no choice is both faster"});
+    rows.push_back({.mark = Mark::kCircle, .color = "#444", .filled = false, .words = "drawn in an unusual way"});
+    rows.push_back({.line = Line::kDashed, .words = "nothing is both faster"});
     rows.push_back({.words = "and more accurate"});
     return rows;
 }
@@ -230,9 +230,10 @@ std::string study_svg(const Study& study) {
 
 namespace {
 
-constexpr double kLowest = 0.01;  // of Delta E
+constexpr double kLowest = 0.01;  // Delta E; the lower end of the axis
 
-// How many times as long as red, green and blue a picture takes that multiplies so many samples at every pixel; 0: not known.
+// The time of a picture with this many samples at every pixel, relative to red, green and blue; 0 if it was not
+// measured.
 double cost_of(const SpectralStudy& study, int samples) {
     const auto time_of = [&](int count) {
         const auto found = std::ranges::find(study.pictures, count, &SampledPicture::samples);
@@ -252,12 +253,12 @@ std::string spectral_svg(const SpectralStudy& study) {
     Panel by_samples{.x = {.low = 3,
                            .high = 81,
                            .ticks = {3, 5, 9, 16, 31, 81},
-                           .words = "samples (dashed: the product of red, green and blue)"},
+                           .words = "samples (dashed: only red, green and blue)"},
                      .y = delta_e};
     Panel by_cost{.x = {.low = 1,
                         .high = longest,
                         .ticks = costs,
-                        .words = "time of the reference's picture, in that of red, green and blue"},
+                        .words = "time of the reference, relative to red, green and blue"},
                   .y = delta_e};
     std::vector<PlotSeries> legend;
     for (const std::string& light : lights_of(study)) {

@@ -1,4 +1,4 @@
-// study.json, read back: of another machine, of an earlier run, or of no study at all.
+// Reads a study.json, from another machine or an earlier run. Any file may be given, so everything is checked.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,47 +13,47 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A value with the way to it, for what is said of it.
+// A JSON value with its path, for error messages.
 class Node {
   public:
-    Node(const Json& json, std::string way) : json_(&json), way_(std::move(way)) {}
+    Node(const Json& json, std::string path) : json_(&json), path_(std::move(path)) {}
 
     Node operator[](const char* name) const {
-        if (!json_->is_object()) fail("an object is expected");
+        if (!json_->is_object()) fail("it must be an object");
         const auto found = json_->find(name);
         if (found == json_->end()) fail(fmt::format("'{}' is missing", name));
-        return {*found, way_ + (way_.ends_with(' ') ? "" : ".") + name};
+        return {*found, path_ + (path_.ends_with(' ') ? "" : ".") + name};
     }
     bool has(const char* name) const { return json_->is_object() && json_->contains(name); }
     std::vector<Node> elements() const {
-        if (!json_->is_array()) fail("a list is expected");
+        if (!json_->is_array()) fail("it must be a list");
         std::vector<Node> nodes;
-        for (std::size_t i = 0; i < json_->size(); ++i) nodes.push_back({(*json_)[i], fmt::format("{}[{}]", way_, i)});
+        for (std::size_t i = 0; i < json_->size(); ++i) nodes.push_back({(*json_)[i], fmt::format("{}[{}]", path_, i)});
         return nodes;
     }
     std::string text() const {
-        if (!json_->is_string()) fail("a text is expected");
+        if (!json_->is_string()) fail("it must be a string");
         std::string text = json_->get<std::string>();
         const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7f; };
-        if (std::ranges::any_of(text, is_control)) fail("there is a control character in it");
+        if (std::ranges::any_of(text, is_control)) fail("it contains a control character");
         return text;
     }
     double number(double least, double most) const {
-        if (!json_->is_number()) fail("a number is expected");
+        if (!json_->is_number()) fail("it must be a number");
         const double value = json_->get<double>();
         if (!(value >= least && value <= most)) fail(fmt::format("{} is not in [{:g}, {:g}]", value, least, most));
         return value;
     }
     int whole_number(int least, int most) const {
-        if (!json_->is_number_integer()) fail("a whole number is expected");
+        if (!json_->is_number_integer()) fail("it must be a whole number");
         return static_cast<int>(number(least, most));
     }
     bool is_null() const { return json_->is_null(); }
-    [[noreturn]] void fail(const std::string& what) const { throw std::runtime_error(way_ + ": " + what); }
+    [[noreturn]] void fail(const std::string& what) const { throw std::runtime_error(path_ + ": " + what); }
 
   private:
     const Json* json_;
-    std::string way_;
+    std::string path_;
 };
 
 constexpr double kShortest = 1e-9, kLongest = 1e6;  // seconds of a frame
@@ -64,11 +64,11 @@ std::vector<double> read_median(const Node& node) {
     return {node.number(kShortest, kLongest)};
 }
 
-// Light by light, each with the same numbers of samples, from few to many.
+// Patches must be sorted by light, with the same numbers of samples for each, from few to many.
 void check_patches(const std::vector<PatchError>& patches, const Node& node) {
     constexpr std::size_t kMost = 4096;
-    if (patches.size() > kMost) node.fail(fmt::format("has more than {} elements", kMost));
-    std::size_t count = 0;  // of one light
+    if (patches.size() > kMost) node.fail(fmt::format("it has more than {} elements", kMost));
+    std::size_t count = 0;  // number of patches of one light
     while (count < patches.size() && patches[count].light == patches[0].light) ++count;
     std::set<std::string> lights;
     for (std::size_t i = 0; i < patches.size(); ++i) {
@@ -77,7 +77,7 @@ void check_patches(const std::vector<PatchError>& patches, const Node& node) {
             patches[i].light == patches[i - i % count].light && patches[i].samples == patches[i % count].samples &&
             (is_first ? lights.insert(patches[i].light).second : patches[i].samples > patches[i - 1].samples);
         if (!is_right || patches.size() % count != 0)
-            node.fail("is to be light by light, each with the same numbers of samples, from few to many");
+            node.fail("it must be sorted by light, with the same numbers of samples for each, from few to many");
     }
 }
 
@@ -100,7 +100,7 @@ SpectralStudy read_spectral(const Node& node) {
                                           .max = picture["max"].number(0, kMany)}});
     const auto is_more = [](const SampledPicture& a, const SampledPicture& b) { return a.samples >= b.samples; };
     if (std::ranges::adjacent_find(study.pictures, is_more) != study.pictures.end())
-        node["pictures"].fail("is to go from few samples to many");
+        node["pictures"].fail("it must go from few samples to many");
     study.findings = spectral_findings(study);
     return study;
 }
@@ -134,7 +134,7 @@ Choice read_choice(const Node& node) {
         else if (!value.is_null())
             key = fmt::format("{}", value.number(0, kMany));
         if (!axis.set(choice, key))
-            value.fail(axis.is_number ? fmt::format("'{}' is no number that it takes", key)
+            value.fail(axis.is_number ? fmt::format("'{}' is not a legal number here", key)
                                       : fmt::format("'{}' is not one of {}", key, axis.keys()));
     }
     return choice;
@@ -162,33 +162,33 @@ Extent read_extent(const Node& node) {
 
 Study read_study(std::string_view text, const std::string& file) {
     const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) throw std::runtime_error(file + ": is no JSON");
+    if (json.is_discarded()) throw std::runtime_error(file + ": this is not JSON");
     if (!json.is_object() || json.value("format", Json()) != kFormat)
-        throw std::runtime_error(file + ": is no study; `twinlight study` writes them as study.json");
+        throw std::runtime_error(file + ": this is not a study; `twinlight study` writes studies as study.json");
     const Node root(json, file + ": ");
     if (const Node version = root["version"]; version.whole_number(0, kMany) != kFormatVersion)
-        version.fail(fmt::format("this program reads version {}; make the study anew", kFormatVersion));
+        version.fail(fmt::format("this program reads version {}; run the study again", kFormatVersion));
     Study study;
     study.scene = root["scene"].text();
     study.fingerprint = root["fingerprint"].text();
     const std::vector<Node> size = root["size"].elements();
-    if (size.size() != 2) root["size"].fail("[width, height] is expected");
+    if (size.size() != 2) root["size"].fail("it must be [width, height]");
     study.width = size[0].whole_number(1, kMany);
     study.height = size[1].whole_number(1, kMany);
     study.extent = read_extent(root["extent"]);
     study.coverage = root["coverage"].whole_number(1, kMostCoverage);
     for (const Node& series : root["series"].elements()) study.series.push_back(read_series(series));
-    if (study.series.empty()) root["series"].fail("is empty");
+    if (study.series.empty()) root["series"].fail("it is empty");
     for (const Node& node : root["points"].elements()) {
         study.points.push_back(read_point(node, study.series.size()));
         const Point& point = study.points.back();
         const auto is_same = [&](const Point& other) {
             return other.series == point.series && other.choice == point.choice;
         };
-        if (std::ranges::count_if(study.points, is_same) > 1) node.fail("this choice is there twice");
+        if (std::ranges::count_if(study.points, is_same) > 1) node.fail("this choice is listed twice");
     }
     find_fronts(study);
-    find_words(study);
+    write_findings(study);
     return study;
 }
 

@@ -17,13 +17,13 @@ constexpr std::size_t kLeastRounds = 3;
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// One for each number of slices: the scene, and which pixels are silhouettes.
+// The scene with one number of slices, and the mask of its pixels at outlines.
 struct Mesh {
     Frame frame;
     std::vector<char> is_silhouette;
 };
 
-// A study in the making: each choice stays ready for its turns.
+// A study while it runs. All choices stay prepared, because they are timed in turns.
 class Run {
   public:
     Run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const ChoiceRenderers& renderers,
@@ -51,7 +51,7 @@ class Run {
         keep_earlier();
         take_times();
         find_fronts(study_);
-        find_words(study_);
+        write_findings(study_);
         return std::move(study_);
     }
 
@@ -72,7 +72,7 @@ class Run {
         return found->second;
     }
 
-    // The pictures, and so the errors.
+    // Draws all choices and measures their errors.
     void draw_all() {
         const auto start = Clock::now();
         for (std::size_t i = 0; i < all_.size(); ++i) {
@@ -82,7 +82,7 @@ class Run {
             try {
                 draw(all_[i]);
             } catch (const Refused&) {
-                // Left out.
+                // This choice is left out.
             }
         }
     }
@@ -93,7 +93,7 @@ class Run {
         return same == settings_.earlier->points.end() ? nullptr : &*same;
     }
 
-    // Those that the end came before.
+    // Adds the points of an earlier study that this run did not reach.
     void keep_earlier() {
         for (const Choice& choice : all_) {
             const Point* point = earlier(choice);
@@ -117,7 +117,7 @@ class Run {
         prepared_.push_back(std::move(prepared));
     }
 
-    // Round by round, so that a machine which is slow for a while is slow for all.
+    // Times all choices once per round, so that a slow phase of the machine affects all of them.
     void take_times() {
         if (settings_.earlier) study_.series[0].rounds = settings_.earlier->series.at(0).rounds;
         const auto start = Clock::now();
@@ -143,8 +143,8 @@ class Run {
     }
 
     double time_of(std::size_t i) const {
-        // A frame of a film: the one before it was drawn in the same way. (llvmpipe keeps 64 variants of its triangle setup,
-        // and takes more than it needs: what other choices have put there in between is not this one's cost.)
+        // Draws once before timing, as if the previous frame was drawn in the same way. (llvmpipe caches only 64
+        // variants of its triangle setup, and other choices may have replaced this choice's variants.)
         if (study_.points[i].choice.method != Method::kReference) prepared_[i].draw();
         const auto before = Clock::now();
         prepared_[i].draw();
@@ -159,8 +159,8 @@ class Run {
     Study study_;
     std::vector<int> seen_;
     std::vector<Choice> all_;
-    std::map<std::pair<int, bool>, Mesh> meshes_;  // by slices, and whether it is the surfaces themselves
-    std::vector<Prepared> prepared_;               // of the first of study_.points
+    std::map<std::pair<int, bool>, Mesh> meshes_;  // by slices, and whether surfaces are exact
+    std::vector<Prepared> prepared_;               // belongs to the first points of study_.points, in order
 };
 
 }  // namespace

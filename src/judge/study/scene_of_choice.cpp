@@ -6,9 +6,9 @@ namespace twinlight::study {
 
 namespace {
 
-// Which arguments of a command count: around the axis, and the other way.
+// The arguments of a command that hold its slices: around the axis, and across it.
 struct Counts {
-    std::size_t around = 0, across = 0;  // 0: has none
+    std::size_t around = 0, across = 0;  // argument numbers; 0: none
 };
 
 Counts counts_of(const Command& command) {
@@ -61,15 +61,14 @@ Frame enlarged(const Frame& frame, int samples) {
     const auto enlarge = [&](Viewport& box) {
         for (int* length : {&box.x, &box.y, &box.width, &box.height}) *length *= samples;
     };
-    for (auto& item : result.items) {
+    for (auto& item : result.items)
         if (Clear* clear = std::get_if<Clear>(&item)) enlarge(clear->scissor.box);
-        Draw* draw = std::get_if<Draw>(&item);
-        if (!draw) continue;
+    for (Draw* draw : result.draws()) {
         enlarge(draw->raster.viewport);
         enlarge(draw->fragment.scissor.box);
         draw->raster.line_width *= samples;
         draw->raster.point_size *= samples;
-        draw->raster.polygon_offset.factor *= samples;  // of the depth's slope, from pixel to pixel (3.5.5)
+        draw->raster.polygon_offset.factor *= samples;  // the slope of the depth is per pixel (3.5.5)
     }
     return result;
 }

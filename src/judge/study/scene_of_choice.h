@@ -1,4 +1,4 @@
-// The scene as a choice draws it: with finer or coarser meshes, or larger.
+// The scene with finer or coarser meshes, or enlarged.
 #pragma once
 
 #include "scene/command/command.h"
@@ -6,11 +6,11 @@
 
 namespace twinlight::study {
 
-// Every round shape of the scene (of freeglut, GLU and the pragma `shape`) sent in `slices` slices, or rings, and half as many
-// stacks, loops or sides; three at least. GLU itself takes 239 at most.
+// The scene with every round shape (of freeglut, GLU and the pragma `shape`) drawn in `slices` slices or rings, and
+// half as many stacks, loops or sides, at least three. GLU itself allows at most 239.
 CommandList with_slices(const CommandList& scene, int slices);
 
-// Whether there is such a shape.
+// Whether the scene has such a shape.
 bool has_slices(const CommandList& scene);
 
 // The same picture, `samples` times as wide and as high.

@@ -1,7 +1,6 @@
-// Which choices a study makes: every shading of every mesh by every renderer, and from the middle of these one thing changed
-// at a time.
+// Selects the choices of a study: every renderer with every shading and mesh, and then, at a medium mesh, one change at
+// a time.
 #include <algorithm>
-#include <functional>
 
 #include "judge/study/choice.h"
 
@@ -12,22 +11,14 @@ namespace {
 constexpr int kQuickSlices[] = {8, 16, 32, 64};
 constexpr int kFullSlices[] = {6, 8, 12, 16, 24, 32, 48, 64, 96, 128};
 constexpr int kMiddleSlices = 32;
-constexpr int kMostSamples = 4;  // along a pixel's side, of choices
-
-template <class Is>
-bool any_draw(const Frame& frame, const Is& is) {
-    return std::ranges::any_of(frame.items, [&](const auto& item) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        return draw && std::invoke(is, *draw);
-    });
-}
+constexpr int kMostSamples = 4;  // samples of a choice along a pixel's side
 
 class Choices {
   public:
     void add(Choice choice) {
         if (std::ranges::find(all_, choice) == all_.end()) all_.push_back(choice);
     }
-    // The same of each number of slices.
+    // The same choice with each number of slices.
     void add(Choice choice, const std::vector<int>& slices) {
         for (const int n : slices) {
             choice.slices = n;
@@ -62,11 +53,11 @@ std::vector<Choice> select_choices(const Frame& frame, bool has_slices, Extent e
     for (const Method method : {kUniforms, kConstants, kReference})
         result.add({.method = method, .shading = Shading::kPhong}, all_slices);
     result.add({.method = kReference, .shading = Shading::kExact});
-    const bool has_surfaces = any_draw(frame, &Draw::has_exact_surfaces);
+    const bool has_surfaces = std::ranges::any_of(frame.draws(), &Draw::has_exact_surfaces);
     if (has_surfaces)
         for (const Method method : {kUniforms, kConstants}) result.add({.method = method, .shading = Shading::kExact});
 
-    if (any_draw(frame, [](const Draw& draw) { return draw.lighting.enabled; }))
+    if (std::ranges::any_of(frame.draws(), [](const Draw* draw) { return draw->lighting.enabled; }))
         result.add({.method = kPrecise}, is_full ? all_slices : some_slices);
     for (const LightingChangeRow& change : lighting_changes()) {
         if (change.value == LightingChange::kWhole || !matters(frame, change.value)) continue;

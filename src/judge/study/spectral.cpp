@@ -13,7 +13,7 @@ namespace {
 constexpr int kCounts[] = {0, 3, 4, 5, 6, 7, 9, 12, 16, 24, 31, 41, 81};
 constexpr int kPictureCounts[] = {0, 3, 5, 9, 16, 31, 81};
 
-// CIELAB by the light's white.
+// CIELAB, with the light as the white point.
 Lab lab_under(Vec3<double> rgb, Vec3<double> light_rgb) {
     const Vec3<double> xyz = kXyzFromSrgb * rgb, white = kXyzFromSrgb * light_rgb;
     return lab_from_xyz(
@@ -55,18 +55,15 @@ std::vector<PatchError> patch_errors() {
 }
 
 bool has_spectrum(const Frame& frame) {
-    return std::ranges::any_of(frame.items, [](const auto& item) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        return draw && draw->lighting.light_model.spectrum;
-    });
+    return std::ranges::any_of(frame.draws(),
+                               [](const Draw* draw) { return draw->lighting.light_model.spectrum != nullptr; });
 }
 
 Frame with_samples(const Frame& frame, int samples) {
     const auto spectrum = samples == 0 ? nullptr : std::make_shared<const SpectralSamples>(samples);
     Frame result = frame;
-    for (auto& item : result.items)
-        if (Draw* draw = std::get_if<Draw>(&item); draw && draw->lighting.light_model.spectrum)
-            draw->lighting.light_model.spectrum = spectrum;
+    for (Draw* draw : result.draws())
+        if (draw->lighting.light_model.spectrum) draw->lighting.light_model.spectrum = spectrum;
     return result;
 }
 
@@ -91,7 +88,7 @@ SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& render
         const std::size_t which = static_cast<std::size_t>(i) % frames.size();
         SampledPicture& picture = study.pictures[which];
         picture.reference_seconds.push_back(seconds_of([&] { renderers.reference(frames[which]); }));
-        // A frame of a film: the one before it was drawn in the same way.
+        // Draws once before timing, as if the previous frame was drawn in the same way.
         shaders[which]();
         picture.shader_seconds.push_back(seconds_of(shaders[which]));
         sampling_shaders[which]();

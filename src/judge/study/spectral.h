@@ -1,7 +1,7 @@
-// What samples of the spectrum give and cost (docs/accuracy.md, "Spectra"): Delta E 2000 of the ColorChecker under each light against the
-// number of samples, and the time of a scene's picture.
+// How accurate samples of the spectrum are, and what they cost (docs/accuracy.md, "Spectra"): Delta E 2000 of the
+// ColorChecker under each light against the number of samples, and the time of the scene's picture.
 //
-// Truth: 81 samples, the lines of the tables themselves. 0 samples: red, green and blue, multiplied as GL does.
+// Errors are differences from 81 samples, all lines of the tables. 0 samples: red, green and blue, multiplied as in GL.
 #pragma once
 
 #include <functional>
@@ -13,34 +13,36 @@
 
 namespace twinlight::study {
 
-// One light's samples, over the 24 patches: one bounce, CIELAB by the light's own white.
+// The error of a number of samples under one light, over the 24 patches: one reflection, CIELAB with the light as the
+// white point.
 struct PatchError {
     std::string light;
     int samples = 0;
     double mean = 0, max = 0;
-    std::string worst;  // the patch that has `max`
+    std::string worst;  // the patch with the error `max`
 
     friend bool operator==(const PatchError&, const PatchError&) = default;
 };
-// Of every light of scene/spectrum/spectrum.h, and of every number of samples in their order.
+// For every light of scene/spectrum/spectrum.h, and for every number of samples, in order.
 std::vector<PatchError> patch_errors();
 
-// The scene's picture with so many samples.
+// The scene's picture with a number of samples.
 struct SampledPicture {
     int samples = 0;
-    // A frame, one for each round (read back: their median): by the reference, by shaders that light every point in samples,
-    // and by shaders whose products of lights and materials are made once a Draw.
+    // Times of a frame, one for each round (read from a file: their median): by the reference, by shaders that use the
+    // samples at every pixel, and by shaders that multiply lights and materials once per draw.
     std::vector<double> reference_seconds, sampling_shader_seconds, shader_seconds;
-    // From 81 samples, by the reference, pixel by pixel lit (read back: without its pixels).
+    // The difference from 81 samples, drawn by the reference and lit at every pixel (read from a file: without its
+    // pixels).
     PerceivedDifference off;
 
     friend bool operator==(const SampledPicture&, const SampledPicture&) = default;
 };
 
 struct SpectralStudy {
-    std::vector<PatchError> patches;  // every light's of every number of samples
+    std::vector<PatchError> patches;  // for every light and every number of samples
     std::vector<SampledPicture> pictures;
-    std::vector<std::string> findings;  // sentences: where three are exact, where nine pay, what they cost
+    std::vector<std::string> findings;  // sentences: where three samples are exact, where nine pay off, their cost
 
     friend bool operator==(const SpectralStudy&, const SpectralStudy&) = default;
 };
@@ -51,28 +53,30 @@ Frame with_samples(const Frame& frame, int samples);
 
 struct SpectralRenderers {
     std::function<Image(const Frame&)> reference;
-    // The frame made ready to be drawn again and again.
+    // Prepares the frame, and returns a function that draws it.
     std::function<std::function<void()>(const Frame&)> shaders, sampling_shaders;
 };
 
-// Each number of samples has its turn in every round. `goes_on` is asked before each; false ends the timing.
+// Times every number of samples once per round. Calls `goes_on` before each; false ends the timing.
 SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& renderers, int rounds,
                              const std::function<bool(int done, int total)>& goes_on);
 
-// The lights that it has, in their order.
+// The names of its lights, in order.
 std::vector<std::string> lights_of(const SpectralStudy& study);
 
-// Sentences of what was measured.
+// Sentences that sum up the measurements.
 std::vector<std::string> spectral_findings(const SpectralStudy& study);
 
 // {"patches": [{"light", "samples", "mean", "max", "worst"}],
-//  "pictures": [{"samples", "reference_seconds", "sampling_shader_seconds", "shader_seconds", "mean", "percentile_95", "max"}], "findings": ["sentence"]}
+//  "pictures": [{"samples", "reference_seconds", "sampling_shader_seconds", "shader_seconds", "mean", "percentile_95",
+//                "max"}],
+//  "findings": ["sentence"]}
 std::string spectral_json(const SpectralStudy& study);
-// Mean Delta E of each light against the samples and against their time, on logarithmic axes.
+// A plot of the mean Delta E for each light, against the samples and against their time, on logarithmic axes.
 std::string spectral_svg(const SpectralStudy& study);
-// A page's section: plot, tables and sentences. `of`: whose, where there are several.
+// A section of the page: plot, tables and sentences. `of`: the machine's name, empty if there is only one.
 std::string spectral_section(const SpectralStudy& study, const std::string& of);
-// A table of the patches and one of the pictures, as text.
+// The two tables as text: patches and pictures.
 std::string spectral_text(const SpectralStudy& study);
 
 }  // namespace twinlight::study

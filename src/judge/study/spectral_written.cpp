@@ -1,4 +1,4 @@
-// What is said of samples of the spectrum: sentences, JSON, tables.
+// What is written about samples of the spectrum: sentences, JSON, tables.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kSeen = 1;  // of Delta E 2000: what can just be seen
+constexpr double kSeen = 1;  // a Delta E 2000 that is just visible
 
 const PatchError* find(const SpectralStudy& study, const std::string& light, int samples) {
     const auto found = std::ranges::find_if(
@@ -53,19 +53,21 @@ std::vector<std::string> spectral_findings(const SpectralStudy& study) {
             paying.push_back(light);
     }
     if (!exact.empty())
-        sentences.push_back(
-            fmt::format("Under {} red, green and blue are exact: that is the light in which materials have their "
-                        "colours, and one bounce multiplies them by white.",
-                        listed(exact)));
+        sentences.push_back(fmt::format(
+            "Under {}, red, green and blue are exact: materials are given their colours under this light, and one "
+            "reflection multiplies them by white.",
+            listed(exact)));
     if (!unseen.empty())
-        sentences.push_back(fmt::format("Under {} they are off by less than can be seen on average.", listed(unseen)));
-    if (!paying.empty()) sentences.push_back(fmt::format("Nine samples pay under {}.", listed(paying)));
+        sentences.push_back(fmt::format("Under {}, their average error is too small to see.", listed(unseen)));
+    if (!paying.empty())
+        sentences.push_back(fmt::format("Nine samples are worth their time under {}.", listed(paying)));
     for (const std::string& light : paying) {
         const PatchError *three = find(study, light, 0), *nine = find(study, light, 9);
-        sentences.push_back(fmt::format(
-            "{}: the product of red, green and blue is off by {:.1f} on average and {:.1f} at worst ({}), of nine "
-            "samples by {:.1f} and {:.1f} ({}).",
-            light, three->mean, three->max, three->worst, nine->mean, nine->max, nine->worst));
+        sentences.push_back(
+            fmt::format("{}: the Delta E of red, green and blue is {:.1f} on average and {:.1f} at worst ({}), that of "
+                        "nine samples {:.1f} and "
+                        "{:.1f} ({}).",
+                        light, three->mean, three->max, three->worst, nine->mean, nine->max, nine->worst));
     }
     const auto of = [&](int samples) { return std::ranges::find(study.pictures, samples, &SampledPicture::samples); };
     const auto is_timed = [&](int samples) {
@@ -76,11 +78,11 @@ std::vector<std::string> spectral_findings(const SpectralStudy& study) {
     if (is_timed(0) && is_timed(9) && is_timed(81)) {
         const double three = median(of(0)->reference_seconds), shader = median(of(0)->shader_seconds);
         sentences.push_back(fmt::format(
-            "Multiplied at every pixel, nine samples take the reference {:.2f} times as long as red, green and blue, "
-            "and "
-            "81 {:.1f} times; shaders {:.2f} and {:.1f} times. Shaders whose products are made once a Draw take {:.2f} "
-            "and "
-            "{:.2f} times as long: a scene of one bounce calls for no more.",
+            "Compared with red, green and blue, the reference takes {:.2f} times as long with nine samples, and {:.1f} "
+            "times with "
+            "81. Shaders that use the samples at every pixel take {:.2f} and {:.1f} times as long, shaders that "
+            "multiply lights and "
+            "materials once per draw {:.2f} and {:.2f} times. For one reflection once per draw is enough.",
             median(of(9)->reference_seconds) / three, median(of(81)->reference_seconds) / three,
             median(of(9)->sampling_shader_seconds) / shader, median(of(81)->sampling_shader_seconds) / shader,
             median(of(9)->shader_seconds) / shader, median(of(81)->shader_seconds) / shader));
@@ -119,8 +121,8 @@ std::string spectral_text(const SpectralStudy& study) {
         text += "\n";
     }
     if (!study.pictures.empty())
-        text += fmt::format("\n{:<18}{:>15}{:>15}{:>15}{:>8}{:>8}{:>8}\n", "the picture", "reference, ms",
-                            "each pixel, ms", "each Draw, ms", "mean", "95 %", "max");
+        text += fmt::format("\n{:<18}{:>15}{:>15}{:>15}{:>8}{:>8}{:>8}\n", "picture", "reference, ms", "per pixel, ms",
+                            "per draw, ms", "mean", "95 %", "max");
     for (const SampledPicture& p : study.pictures)
         text += fmt::format("{:<18}{:>15.3g}{:>15.3g}{:>15.3g}{:>8.2f}{:>8.2f}{:>8.2f}\n", samples_in_words(p.samples),
                             1000 * median(p.reference_seconds), 1000 * median(p.sampling_shader_seconds),
@@ -155,10 +157,11 @@ std::string spectral_section(const SpectralStudy& study, const std::string& of) 
         "<p>Delta E 2000 of the ColorChecker's 24 patches, mean / worst.</p>\n"
         "<div class=\"scroll\"><table class=\"study\"><thead><tr><th "
         "scope=\"col\"></th>{}</tr></thead>\n<tbody>{}</tbody></table></div>\n"
-        "<p>The scene's picture: its time, and Delta E 2000 from that of 81 samples over all pixels.</p>\n"
+        "<p>The scene's picture: the time to draw it, and the Delta E 2000 of all pixels compared with 81 "
+        "samples.</p>\n"
         "<div class=\"scroll\"><table class=\"study\"><thead><tr><th scope=\"col\"></th><th scope=\"col\">reference, "
         "ms</th>"
-        "<th scope=\"col\">shaders, every pixel, ms</th><th scope=\"col\">shaders, once a Draw, ms</th>"
+        "<th scope=\"col\">shaders, per pixel, ms</th><th scope=\"col\">shaders, per draw, ms</th>"
         "<th scope=\"col\">mean</th><th scope=\"col\">95 %</th><th scope=\"col\">worst</th></tr></thead>\n"
         "<tbody>{}</tbody></table></div>\n</section>\n",
         of.empty() ? "" : ": " + report::escaped(of), sentences, spectral_svg(study), head, rows, pictures);

@@ -1,7 +1,8 @@
-// What accuracy costs in time: each choice's time and its error against the truth, the choices that no other beats, and
-// sentences that say which to take.
+// A study shows how much time accuracy costs: the time and the error of each choice, the best choices (nothing is both
+// faster and more accurate), and sentences that sum it up.
 //
-// Truth: the reference with exact surfaces, in double (docs/accuracy.md).
+// Errors are differences from the exact picture: the reference with exact surfaces, in double (docs/accuracy.md). The
+// code calls it the truth.
 #pragma once
 
 #include <array>
@@ -31,12 +32,12 @@ struct Machine {
 
 // What was measured on one machine.
 struct Series {
-    std::string name;  // where there are several: what tells it from the others
+    std::string name;  // distinguishes it from other series of the study
     Machine machine;
     std::string driver;
     int rounds = 0;
-    std::vector<std::string> findings;        // sentences: what to choose, where one choice overtakes another
-    std::optional<SpectralStudy> spectral{};  // of scenes with spectra
+    std::vector<std::string> findings;        // sentences: the fastest choice for each error
+    std::optional<SpectralStudy> spectral{};  // only for scenes with spectra
 
     friend bool operator==(const Series&, const Series&) = default;
 };
@@ -44,11 +45,11 @@ struct Series {
 struct Point {
     std::size_t series = 0;
     Choice choice;
-    std::vector<double> seconds;  // a frame, one for each round
+    std::vector<double> seconds;  // times of a frame, one for each round
     Errors errors;
-    std::string picture_png, difference_png;  // empty: not at hand; the second amplified by difference_factor
+    std::string picture_png, difference_png;  // empty: missing; the difference is amplified by difference_factor
     int difference_factor = 1;
-    std::array<bool, kMeasureCount> on_front{};  // by each measure
+    std::array<bool, kMeasureCount> on_front{};  // for each measure
 
     double median_seconds() const;
     std::array<double, 2> quartiles_seconds() const;
@@ -57,32 +58,32 @@ struct Point {
 
 struct Study {
     std::string scene;
-    std::string fingerprint;  // of the scene's text: equal scenes have equal ones
+    std::string fingerprint;  // a hash of the scene's text
     int width = 0, height = 0;
     Extent extent = Extent::kFull;
-    int coverage = 1;  // the samples of truth along a pixel's side
+    int coverage = 1;  // samples of the exact picture along a pixel's side
     std::vector<Series> series;
-    std::vector<Point> points;  // of one series together
+    std::vector<Point> points;  // points of the same series are adjacent
     std::string truth_png;
 };
 
-// ---- How it is made ----
+// ---- Running a study ----
 
-// A frame made ready to be drawn again and again.
+// A frame that is prepared for drawing.
 struct Prepared {
     std::function<void()> draw;      // returns when the picture is drawn
-    std::function<Image()> picture;  // draws it and gives it
+    std::function<Image()> picture;  // draws it and returns it
 };
 
-// A choice that this scene or this driver does not go with.
+// Thrown for a choice that the scene or the driver does not support.
 struct Refused : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 struct ChoiceRenderers {
-    // Throws Refused: the choice is left out.
+    // Throws Refused where the choice is not supported; the study leaves it out.
     std::function<Prepared(const Frame& frame, const Choice& choice)> prepare;
-    // Which shape is seen at each pixel: render/reference/reference.h.
+    // The shape that is seen at each pixel (render/reference/reference.h).
     std::function<std::vector<int>(const Frame& frame, const reference::Options& options)> seen;
 };
 
@@ -95,18 +96,18 @@ struct Progress {
 struct Settings {
     Extent extent = Extent::kFull;
     int coverage = 1;
-    double seconds = 60;             // for timing; every choice is timed three times at least
-    const Study* earlier = nullptr;  // whose times are taken over, of one series
-    // Called before each piece of work; false ends the study with what it has.
+    double seconds = 60;             // for timing; every choice is timed at least three times
+    const Study* earlier = nullptr;  // a study with one series to continue; its times are kept
+    // Called before each step; false ends the study, which keeps its results.
     std::function<bool(const Progress& progress)> progress;
 };
 
-// `frame_of(n)`: the scene in n slices, 0 for as it is. Throws what the renderers throw. Who calls fills in the scene's name and
-// fingerprint, the machine and the driver.
+// `frame_of(n)`: the scene with n slices; 0: unchanged. Throws what the renderers throw. The caller fills in the name
+// and fingerprint of the scene, the machine and the driver.
 Study run(const std::function<Frame(int slices)>& frame_of, bool has_slices, const ChoiceRenderers& renderers,
           const Settings& settings);
 
-// Several machines' studies of one scene in one. Throws MergeError where they are of different ones.
+// Merges studies of one scene from several machines. Throws MergeError where difference_of() is not empty.
 struct NamedStudy {
     std::string file;
     Study study;
@@ -115,49 +116,50 @@ struct MergeError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 Study merged(std::vector<NamedStudy> studies);
-// Why the two cannot be held against each other: "of another scene"; empty where they can.
+// Why the studies cannot be compared: "of 9 x 8 pixels, not 8 x 8"; empty if they can.
 std::string difference_of(const Study& a, const Study& b);
 
-// ---- What follows from the points ----
+// ---- Results computed from the points ----
 
-// Sets Point::on_front: no other point of the series is both as fast and as accurate, over all pixels; errors that differ by less
-// than half a percent count as the same, so that the last bits of two programs are not told as accuracy.
+// Sets Point::on_front: no other point of the series is both as fast and as accurate, over all pixels. Errors that
+// differ by less than half a percent count as equal, so that rounding does not count as accuracy.
 inline constexpr double kSameError = 0.995;
 void find_fronts(Study& study);
 // Sets Series::findings.
-void find_words(Study& study);
+void write_findings(Study& study);
 
-// ---- What is written ----
+// ---- Files ----
 
 // {"format": "twinlight study", "version": 2, "scene", "fingerprint", "size": [w, h], "extent": "full"|"quick", "coverage",
 //  "series": [{"name", "machine": {"processor", "cores", "system"}, "driver", "rounds", "findings": ["sentence"],
-//              "spectral": what spectral_json() gives, of scenes with spectra}],
+//              "spectral": see spectral_json(); only for scenes with spectra}],
 //  "points": [{"series": 0, "key", "words", "axes": {"renderer": "fixed", ...}, "seconds": {"median", "q1", "q3", "samples": []},
-//              "error": {"whole"|"interior"|"silhouette": {"pixels", a value of each measure, "psnr_db"}},
+//              "error": {"whole"|"interior"|"silhouette": {"pixels", a value for each measure, "psnr_db"}},
 //              "front": ["rms", ...], "picture", "difference", "difference_factor"}]}
-// Pictures are named by their files, beside study.json; null where there are none.
+// "picture" and "difference" are file names relative to study.json, or null.
 inline constexpr const char* kFormat = "twinlight study";
 inline constexpr int kFormatVersion = 2;
 std::string study_json(const Study& study);
-// Throws std::runtime_error that says what is wrong where: "A.json: points[3].seconds: ...". Pictures are not read.
+// Does not read pictures. Throws std::runtime_error with the place of the error: "A.json: points[3].seconds: ...".
 Study read_study(std::string_view json, const std::string& file);
 
-// The file of a point's picture, or of its difference.
+// The file name of a point's picture, or of its difference.
 std::string picture_file(const Study& study, const Point& point);
 std::string difference_file(const Study& study, const Point& point);
 inline constexpr const char* kTruthFile = "pictures/truth.png";
-// The file of a series' plot of samples.
+// The file name of a series' plot of samples.
 std::string spectral_file(const Study& study, std::size_t series);
 
-std::string study_csv(const Study& study);  // a line a point, the first names the columns
-// Error against time on logarithmic axes, for slides.
+std::string study_csv(const Study& study);  // a line for each point; the first line names the columns
+// A plot of error against time on logarithmic axes, for slides.
 std::string study_svg(const Study& study);
-// Self-contained: the plot, its points' pictures, a table to sort.
+// A self-contained page: the plot, the pictures, a table that can be sorted.
 std::string study_page(const Study& study);
 
-// All of these and the pictures into a folder: all files or none. Throws FileError.
+// Writes these files and the pictures into a folder: all of them or none. Throws FileError.
 void write_study(const Study& study, const std::string& folder);
-// A study.json with the pictures that lie beside it; those that do not are left empty. Throws FileError, and as read_study().
+// Reads a study.json and the pictures next to it; missing pictures stay empty. Throws FileError, and what read_study()
+// throws.
 Study load_study(const std::string& file);
 
 }  // namespace twinlight::study

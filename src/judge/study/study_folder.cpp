@@ -1,4 +1,4 @@
-// A study's folder: study.json, study.csv, study.svg, index.html, and its pictures.
+// The folder of a study: study.json, study.csv, study.svg, index.html and the pictures.
 #include <filesystem>
 
 #include "base/image/file.h"

@@ -1,7 +1,9 @@
-// index.html: src/judge/report/pages/study.html, filled. Its script has all that it shows from one object, study.json's with the
-// pictures in it.
+// index.html: src/judge/report/pages/study.html, filled in. Its script reads one JSON object: that of study.json, with
+// pictures.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -15,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using report::escaped;
 
-// The axes that this study's choices differ in.
+// The axes on which the choices of this study differ.
 std::vector<const Axis*> axes_of(const Study& study) {
     std::vector<const Axis*> result;
     for (const Axis& axis : axes()) {
@@ -43,7 +45,7 @@ std::string page_data(const Study& study) {
         json["picture"] = report::data_uri(point.picture_png);
         json["difference"] = report::data_uri(point.difference_png);
     }
-    // Inside <script>, where only "<" could end it.
+    // The text goes into <script>, which only a "<" could end.
     std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace), safe;
     for (const char c : text) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
     return safe;
@@ -55,11 +57,11 @@ std::string head_row(const Study& study) {
     add("choice");
     if (study.series.size() > 1) add("machine");
     add("time, ms");
-    add("half of them within");
+    add("middle half");
     for (const Measure& measure : kMeasures) add(measure.axis);
     add("PSNR, dB");
-    add("interior rms");
-    add("silhouette rms");
+    add("rms inside shapes");
+    add("rms at outlines");
     add("front");
     return html;
 }
@@ -84,13 +86,52 @@ std::string row(const Study& study, const Point& point, std::size_t number) {
     return html + "</tr>\n";
 }
 
+std::string words_of(const Point& point) {
+    return fmt::format("{} ({:.3g} ms)", escaped(point.choice.words()), 1000 * point.median_seconds());
+}
+
+std::string errors_of(const Error& error) { return fmt::format("rms {:.2g}, largest {:.2g}", error.rms, error.max); }
+
+// Is it right? If not, where? By how much? The exact picture is what is right.
+std::string answers(const Study& study, std::size_t series) {
+    std::vector<const Point*> points;
+    for (const Point& point : study.points)
+        if (point.series == series && point.is_timed()) points.push_back(&point);
+    if (points.empty()) return "";
+    std::ranges::stable_sort(points, {}, [](const Point* point) { return point->median_seconds(); });
+    const auto is_right = [](const Point* point) { return point->errors.whole.max <= kCode * (1 + 1e-6); };
+    const auto first_right = std::ranges::find_if(points, is_right);
+    const Point& fastest = *points.front();
+    // The reference draws the exact picture itself, so it is no answer.
+    const auto error_on_driver = [](const Point* point) {
+        return point->choice.method == Method::kReference ? HUGE_VAL : point->errors.whole.rms;
+    };
+    const Point& most_accurate = **std::ranges::min_element(points, {}, error_on_driver);
+    const std::string right =
+        first_right == points.end()
+            ? "No choice is within 1/255 of the exact picture at every pixel."
+            : fmt::format(
+                  "{} of {} choices are within 1/255 of the exact picture at every pixel; the fastest of them is {}.",
+                  std::ranges::count_if(points, is_right), points.size(), words_of(**first_right));
+    return fmt::format(
+        "<div class=\"verdict {}\"><dl>\n<dt>Is it right?</dt><dd>{}</dd>\n"
+        "<dt>If not, where?</dt><dd>The fastest choice of all, {}, has an rms error of {:.2g} inside shapes and of "
+        "{:.2g} at outlines.</dd>\n"
+        "<dt>By how much?</dt><dd>Over all pixels, its error is: {}. The most accurate choice on the driver, {}: "
+        "{}.</dd>\n</dl></div>\n",
+        first_right == points.end() ? "partial" : "within", right, words_of(fastest), fastest.errors.interior.rms,
+        fastest.errors.silhouette.rms, errors_of(fastest.errors.whole), words_of(most_accurate),
+        errors_of(most_accurate.errors.whole));
+}
+
 std::string findings(const Study& study) {
     std::string html;
-    for (const Series& series : study.series) {
+    for (std::size_t i = 0; i < study.series.size(); ++i) {
+        const Series& series = study.series[i];
         if (study.series.size() > 1) html += fmt::format("<h3>{}</h3>\n", escaped(series.name));
-        html += "<ul>\n";
+        html += answers(study, i) + "<details><summary>The fastest choice for each error</summary>\n<ul>\n";
         for (const std::string& sentence : series.findings) html += "<li>" + escaped(sentence) + "</li>\n";
-        html += "</ul>\n";
+        html += "</ul></details>\n";
     }
     return html;
 }

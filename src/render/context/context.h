@@ -1,4 +1,4 @@
-// A place to draw without a window. What a program links provides it: OSMesa (osmesa.cpp) or EGL (egl.cpp).
+// A place to draw without a window, provided by OSMesa (osmesa.cpp) or EGL (egl.cpp), whichever the program links.
 #pragma once
 
 #include <memory>
@@ -12,18 +12,18 @@ namespace twinlight {
 class OffscreenContext {
   public:
     virtual ~OffscreenContext() = default;
-    // Where there are several.
+    // Needed only if there are several contexts.
     virtual void make_current() = 0;
 };
 
 enum class ColorBuffer { kUnorm8, kFloat };
 
-// A current compatibility-profile context with a colour buffer of that size and a 24-bit depth buffer, both cleared.
-// Throws std::runtime_error that says what the driver refused. It stays current until it dies.
+// Returns a current compatibility-profile context with a colour buffer of this size and a 24-bit depth buffer, both
+// cleared. Throws std::runtime_error with the driver's reason. The context stays current until it is destroyed.
 std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height,
                                                          ColorBuffer color_buffer = ColorBuffer::kUnorm8);
 
-std::string_view offscreen_provider();  // "OSMesa", "EGL"
+std::string_view context_provider();  // what made the context: "OSMesa", "EGL", "GLUT"; each program links one
 
 // The colour buffer of the current context (the back buffer of a window), row 0 at the top.
 Image read_pixels(int width, int height);

@@ -12,7 +12,7 @@ std::string driver_name() {
         const GLubyte* value = glGetString(name);
         return std::string(value ? reinterpret_cast<const char*>(value) : "?");
     };
-    return fmt::format("{}, {}, {}", text(GL_RENDERER), text(GL_VERSION), offscreen_provider());
+    return fmt::format("{}, {}, {}", text(GL_RENDERER), text(GL_VERSION), context_provider());
 }
 
 Driver current_driver() { return parse_driver_name(driver_name()); }

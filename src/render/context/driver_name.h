@@ -1,4 +1,4 @@
-// Which driver draws, and what its name says.
+// The name of the driver, and its parts.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@ namespace twinlight {
 // provider of the current context.
 std::string driver_name();
 
-// The parts of such a name. A part that it does not say is empty.
+// The parts of such a name. A missing part is empty.
 struct Driver {
     std::string renderer;  // "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::string name;      // "llvmpipe"
     std::string version;   // "Mesa 22.3.6", "NVIDIA 535.54.03"
     std::string provider;  // "OSMesa"
 
-    // Whether the version is this one or a later patch of it: "Mesa 22.3.6" is one of "Mesa 22.3".
+    // Whether the version is this release or one of its patches: "Mesa 22.3.6" is one of "Mesa 22.3".
     bool has_version(std::string_view release) const;
 };
 Driver parse_driver_name(std::string_view driver_name);
-Driver current_driver();  // that of the current context
+Driver current_driver();  // of the current context
 
 }  // namespace twinlight

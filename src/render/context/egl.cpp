@@ -1,5 +1,5 @@
-// EGL: the driver of a GPU, or Mesa's software, without a window system. The picture is a framebuffer object's, for a
-// surface with float colours is offered by few.
+// EGL: a GPU's driver or Mesa's software drivers, without a window system. Draws into a framebuffer object, because few
+// drivers offer surfaces with float colours.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <fmt/format.h>
@@ -27,14 +27,14 @@ bool has_word(const char* words, std::string_view word) {
     return false;
 }
 
-// Where a display may come from.
+// A possible source of a display.
 struct Source {
     std::string name;
     EGLenum platform;
     void* native;
 };
 
-// A GPU's driver first, then Mesa's choice, then whatever else says that it draws.
+// GPUs first, then Mesa's default, then all other devices.
 std::vector<Source> sources() {
     const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     std::vector<Source> gpus, others;
@@ -63,34 +63,35 @@ struct Connection {
     EGLContext context = EGL_NO_CONTEXT;
 };
 
-// What stands in the way, or nullptr. A display that was initialised stays so: EGL has one of each for the process.
+// Connects, and returns nullptr or the reason why it failed. An initialised display stays so: a process has only one of
+// each.
 const char* refusal(const Source& source, Connection& connection) {
     connection.display = eglGetPlatformDisplay(source.platform, source.native, nullptr);
     if (connection.display == EGL_NO_DISPLAY || !eglInitialize(connection.display, nullptr, nullptr))
         return "it does not start";
     if (!has_word(eglQueryString(connection.display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
-        return "it draws to surfaces alone";
+        return "it cannot draw without a surface";
     const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(connection.display, wanted.data(), &config, 1, &count) ||
         count == 0)
-        return "it has no OpenGL";
-    // No version is asked for: the newest that keeps GL 1.0's commands.
+        return "it does not support OpenGL";
+    // Without a requested version, the driver gives the newest one that keeps the commands of GL 1.0.
     connection.context = eglCreateContext(connection.display, config, EGL_NO_CONTEXT, nullptr);
-    if (connection.context == EGL_NO_CONTEXT) return "it makes no OpenGL context";
+    if (connection.context == EGL_NO_CONTEXT) return "it cannot create an OpenGL context";
     GLint lights = 0;
     const bool is_current = eglMakeCurrent(connection.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection.context);
     if (is_current) glGetIntegerv(GL_MAX_LIGHTS, &lights);
     if (lights > 0) return nullptr;
     eglMakeCurrent(connection.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(connection.display, connection.context);
-    return is_current ? "it has no compatibility profile" : "its context does not become current";
+    return is_current ? "it has no compatibility profile" : "its context cannot be made current";
 }
 
-// Throws where nothing connects, in one line: of each that was tried Mesa would otherwise print one of its own.
+// Throws if nothing connects, with one line for all attempts; Mesa's own line for each attempt is turned off.
 Connection connect() {
-    constexpr int kKeep = 0;  // what the user set
+    constexpr int kKeep = 0;  // keeps the user's setting
     ::setenv("EGL_LOG_LEVEL", "fatal", kKeep);
     std::string tried;
     for (const Source& source : sources()) {
@@ -100,7 +101,7 @@ Connection connect() {
         tried += fmt::format("{}{}: {}", tried.empty() ? "" : "; ", source.name, why);
     }
     throw std::runtime_error(
-        fmt::format("EGL gives no OpenGL with a compatibility profile ({}); install the GPU's driver or Mesa's "
+        fmt::format("EGL provides no OpenGL with a compatibility profile ({}); install the GPU's driver or Mesa's "
                     "(libegl-mesa0, libgl1-mesa-dri), or build without GL=egl",
                     tried.empty() ? "it offers neither a device nor a surfaceless display" : tried));
 }
@@ -114,14 +115,15 @@ class EglContext final : public OffscreenContext {
         attach(GL_COLOR_ATTACHMENT0, color_buffer == ColorBuffer::kFloat ? GL_RGBA32F : GL_RGBA8, buffers_[0], width,
                height);
         attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, buffers_[1], width, height);
-        lay_out_as_a_window();
+        flip_rows_like_a_window();
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
             const std::string driver = driver_name();
             release();
             throw std::runtime_error(fmt::format("{} cannot draw into a buffer of {} x {} pixels; try a smaller one",
                                                  driver, width, height));
         }
-        // Floats are read as a screen shows them, which OSMesa does of its own: it takes them for fixed-point.
+        // Clamps floats when they are read, as a screen would show them. OSMesa does so by itself: it treats them as
+        // fixed-point.
         glClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);
         glViewport(0, 0, width, height);
         glScissor(0, 0, width, height);
@@ -134,7 +136,7 @@ class EglContext final : public OffscreenContext {
     }
 
     void make_current() override {
-        if (!bind()) throw std::runtime_error("EGL does not take up a context again");
+        if (!bind()) throw std::runtime_error("EGL cannot make its context current again");
     }
 
   private:
@@ -143,9 +145,9 @@ class EglContext final : public OffscreenContext {
         glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
     }
-    // In Mesa a window's first row in memory is its top one, a framebuffer object's is its bottom one: with rows the other
-    // way up, borders and positions that are rounded fall to the other side. Elsewhere there is no such switch.
-    static void lay_out_as_a_window() {
+    // In Mesa a window's first row in memory is the top one, a framebuffer object's is the bottom one. Upside down,
+    // borders and positions would round to the other side. Other drivers have no such switch.
+    static void flip_rows_like_a_window() {
         if (has_word(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), "GL_MESA_framebuffer_flip_y"))
             glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, GL_TRUE);
     }
@@ -166,10 +168,10 @@ class EglContext final : public OffscreenContext {
 
 }  // namespace
 
-std::string_view offscreen_provider() { return "EGL"; }
+std::string_view context_provider() { return "EGL"; }
 
 std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height, ColorBuffer color_buffer) {
-    give_softpipe_its_own_vertices();
+    keep_llvm_out_of_softpipe();
     return std::make_unique<EglContext>(width, height, color_buffer);
 }
 

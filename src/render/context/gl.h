@@ -1,5 +1,5 @@
-// GL's declarations, in the one place that includes them: functions come from whichever library the program links
-// (OSMesa, libGL); GL_GLEXT_PROTOTYPES is set by the Makefile.
+// GL's declarations: the only place that includes them. The functions come from the library that the program links
+// (OSMesa, libGL); the Makefile sets GL_GLEXT_PROTOTYPES.
 #pragma once
 
 #include <GL/gl.h>

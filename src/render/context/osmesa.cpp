@@ -1,4 +1,4 @@
-// OSMesa: Mesa's software rendering into memory of our own, without a window system.
+// OSMesa: Mesa's software rendering into our own memory, without a window system.
 #include <GL/osmesa.h>
 
 #include <stdexcept>
@@ -19,7 +19,7 @@ class OsmesaContext final : public OffscreenContext {
         const int attributes[] = {
             OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
         context_ = OSMesaCreateContextAttribs(attributes, nullptr);
-        if (!context_) throw std::runtime_error("OSMesa gives no compatibility-profile context");
+        if (!context_) throw std::runtime_error("OSMesa cannot create a compatibility-profile context");
         const std::size_t bytes_per_pixel = color_buffer == ColorBuffer::kFloat ? 16 : 4;
         buffer_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * bytes_per_pixel);
         if (!bind()) {
@@ -37,7 +37,7 @@ class OsmesaContext final : public OffscreenContext {
     }
 
     void make_current() override {
-        if (!bind()) throw std::runtime_error("OSMesa does not take up a context again");
+        if (!bind()) throw std::runtime_error("OSMesa cannot make its context current again");
     }
 
   private:
@@ -51,10 +51,10 @@ class OsmesaContext final : public OffscreenContext {
 
 }  // namespace
 
-std::string_view offscreen_provider() { return "OSMesa"; }
+std::string_view context_provider() { return "OSMesa"; }
 
 std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height, ColorBuffer color_buffer) {
-    give_softpipe_its_own_vertices();
+    keep_llvm_out_of_softpipe();
     return std::make_unique<OsmesaContext>(width, height, color_buffer);
 }
 

@@ -1,4 +1,4 @@
-// Apart from driver_name.cpp, for those who have a name and no context.
+// Separate from driver_name.cpp, so that a name can be parsed without a context.
 #include <algorithm>
 
 #include "render/context/driver_name.h"
@@ -9,7 +9,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// GL_VERSION begins with a digit (6.1.5). GL_RENDERER may hold such a ", 6" too, so the last one counts.
+// GL_VERSION begins with a digit (6.1.5). GL_RENDERER may also contain ", 6", so the last match counts.
 std::size_t end_of_renderer(std::string_view name) {
     std::size_t end = name.size();
     for (std::size_t at = name.find(", "); at != std::string_view::npos; at = name.find(", ", at + 1))
@@ -17,7 +17,7 @@ std::size_t end_of_renderer(std::string_view name) {
     return end;
 }
 
-// What follows the version of GL and the profile: the first two words.
+// The first two words after the GL version and the profile.
 std::string vendor_version(std::string_view version) {
     version.remove_prefix(std::min(version.find(' '), version.size() - 1) + 1);
     if (version.starts_with('(')) version.remove_prefix(std::min(version.find(')') + 2, version.size()));

@@ -1,4 +1,4 @@
-// What any context can be asked: its picture.
+// Reads the picture from any context.
 #include <algorithm>
 
 #include "render/context/context.h"

@@ -1,4 +1,4 @@
-// Framebuffer objects (EXT_framebuffer_object, as OpenGL 3.0 has it in section 4.4).
+// Framebuffer objects (EXT_framebuffer_object; OpenGL 3.0, section 4.4).
 #include "render/context/render_target.h"
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ void RenderTarget::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, levels_.fron
 
 void RenderTarget::resolve() const {
     glDisable(GL_SCISSOR_TEST);
-    // A linear filter at the corner of four texels is their mean.
+    // A linear filter at the common corner of four texels is their mean.
     for (std::size_t i = 1; i < levels_.size(); ++i) {
         const Level &from = levels_[i - 1], &to = levels_[i];
         glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);

@@ -1,4 +1,4 @@
-// A picture to draw into that is not the context's own: of codes or of floats, with one sample or several for a pixel.
+// An offscreen buffer to draw into, of bytes or floats, with one or several samples per pixel.
 #pragma once
 
 #include <vector>
@@ -7,20 +7,20 @@
 
 namespace twinlight {
 
-// Owns objects of the context that is current; dies before that does.
+// Owns objects of the current context, so it must be destroyed before the context.
 class RenderTarget {
   public:
-    // `samples`: a side of the square of samples that a pixel has, a power of two. What is drawn is samples * width by
-    // samples * height pixels. Throws std::runtime_error where the driver has none such.
+    // Each pixel has samples * samples samples; `samples` is a power of two. The drawing has samples * width by samples
+    // * height pixels. Throws std::runtime_error if the driver cannot create it.
     RenderTarget(int width, int height, ColorBuffer color_buffer, int samples = 1);
     ~RenderTarget();
     RenderTarget(const RenderTarget&) = delete;
     RenderTarget& operator=(const RenderTarget&) = delete;
 
-    void bind() const;  // drawing goes there
-    // Makes the means of each pixel's samples, by halves; drawing goes to the context's own buffer again.
+    void bind() const;  // draws go here from now on
+    // Averages each pixel's samples, by halving; then draws go to the context's own buffer again.
     void resolve() const;
-    // Of the last resolve(), row 0 at the top.
+    // The picture of the last resolve(), row 0 at the top.
     Image read() const;
 
   private:
@@ -29,7 +29,7 @@ class RenderTarget {
         unsigned framebuffer = 0, color = 0;
     };
 
-    std::vector<Level> levels_;  // the first is drawn into, the last is the picture
+    std::vector<Level> levels_;  // draws go to the first; the last is the picture
     unsigned depth_ = 0;
     unsigned own_ = 0;  // the context's own framebuffer
 };

@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// By how much every angle is taken for smaller, in radians: more than double's rounding, and what float arithmetic needs
-// to see the same at a cone's border.
+// Every angle is reduced by this, in radians. It is more than double's rounding error, and enough that float arithmetic
+// sees the same side of a cone's border.
 constexpr double kAngleMargin = 1e-6;
-// A bound is rounded up by this: powers magnify rounding by up to 128.
+// Every bound is multiplied by this: powers magnify rounding errors by up to 128.
 constexpr double kUp = 1 + 1e-9;
-constexpr double kLargestExponent = 128;  // of 2.14.2, and of what is said here
+constexpr double kLargestExponent = 128;  // GL's limit (2.14.2); the bounds here hold up to it
 
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
@@ -42,15 +42,15 @@ double largest_power(double base, const Range& exponent) {
 
 // ---- The Draw ----
 
-// The largest and the smallest factor by which a matrix stretches vectors, bounded from outside.
+// Bounds on the factors by which a matrix stretches vectors: at most `largest`, at least `smallest`.
 struct Stretch {
     double largest = kInfinity, smallest = 0;
     bool known() const { return smallest > 0 && largest / smallest < 1e6; }
     double ratio() const { return largest / smallest; }
 };
 
-// The roots of the eigenvalues of A^T A, by Gershgorin's discs; the smallest also by the determinant: the product of the
-// two others is at most the square of half the trace.
+// The square roots of the eigenvalues of A^T A, bounded by Gershgorin's discs. The smallest is also bounded by the
+// determinant: the product of the other two is at most the square of half the trace.
 Stretch stretch_of(const glm::dmat3& a) {
     double scale = 0;
     for (int column = 0; column < 3; ++column) scale = std::max(scale, largest_component(a[column]));
@@ -84,8 +84,9 @@ void find_sphere(const Draw& draw, const VertexFacts& vertices, const Stretch& s
     bounds.has_sphere = largest_component(bounds.center_eye) < kLargestLength && bounds.radius_eye < kLargestLength;
 }
 
-// 2.11.3: normals are taken by the transposed inverse. What stretches by at most k takes two directions at an angle a to
-// two at most b apart, tan(b/2) = k tan(a/2) (Wielandt's inequality): the worst lie evenly about the axis that shrinks.
+// 2.11.3: normals are transformed by the transposed inverse. A matrix with stretch ratio k takes two directions at an
+// angle a to two directions at most b apart, tan(b/2) = k tan(a/2) (Wielandt's inequality). The worst case is symmetric
+// about the axis that shrinks.
 void find_normals(const Draw& draw, const VertexFacts& vertices, const LightingState& lighting, const Stretch& stretch,
                   bool phong, DrawBounds& bounds) {
     bounds.unit_normals = phong || lighting.normalize;
@@ -101,7 +102,8 @@ void find_normals(const Draw& draw, const VertexFacts& vertices, const LightingS
         if (!bounds.unit_normals) bounds.longest_normal_eye = kInfinity;
         return;
     }
-    // The inverse's third row is the normal matrix's third column: 1 / the rescale factor lies between 1 / stretch.
+    // GL_RESCALE_NORMAL divides by the length of the inverse's third row, which is between 1 / largest and 1 /
+    // smallest.
     if (!bounds.unit_normals)
         bounds.longest_normal_eye = vertices.longest_normal * (1 + kBoundsRounding) *
                                     (lighting.rescale_normal ? stretch.ratio() : 1 / stretch.smallest);
@@ -113,11 +115,11 @@ void find_normals(const Draw& draw, const VertexFacts& vertices, const LightingS
     const glm::dmat3 upper = glm::dmat3(draw.eye_from_object) / stretch.largest;
     bounds.normals_eye.axis_dir = unit(glm::transpose(glm::inverse(upper)) * vertices.normal_axis_dir_object);
     const double turned = 2 * std::atan(stretch.ratio() * std::tan(half / 2)) + kAngleMargin;
-    // Phong: cones beyond 90 degrees are not convex.
+    // Phong interpolates normals, and a cone beyond 90 degrees is not convex.
     bounds.normals_eye.half_angle = phong && turned >= kPi / 2 ? kPi : turned;
 }
 
-// The directions from the points of a sphere to a point; any where that lies inside.
+// The directions from the points of a sphere to a point; any direction if the point is inside.
 Cone directions_to(const glm::dvec3& point, const glm::dvec3& center, double radius) {
     const glm::dvec3 way = point - center;
     const double distance = glm::length(way);
@@ -127,7 +129,7 @@ Cone directions_to(const glm::dvec3& point, const glm::dvec3& center, double rad
 
 // ---- The light ----
 
-// P, and how far from the points of the Draw.
+// The light's position and its distances from the points of the Draw.
 struct LightPlace {
     bool known = false;
     glm::dvec3 position_eye{0};
@@ -147,7 +149,7 @@ LightPlace place_of(const DrawBounds& bounds, const LightSource& light) {
     return place;
 }
 
-// spot_i's largest value, for cosines of PV and the cone's axis up to this.
+// The largest spot_i where the cosine of the angle between PV and the cone's axis is at most `cosine`.
 double largest_spot(const LightSource& light, double cosine) {
     if (light.smooth_cone) {
         const double outer = std::cos(light.smooth_cone->outer_deg * kPi / 180);
@@ -171,7 +173,7 @@ void find_spot(const LightSource& light, const Cone& to_light, LightFactors& fac
         nearest = std::max(middle - to_light.half_angle - kAngleMargin, 0.0);
         farthest = middle + to_light.half_angle + kAngleMargin;
     }
-    // A smooth cone whose inner one is wider is a step at the outer one too.
+    // A smooth cone whose inner angle is wider than its outer one is a step at the outer angle.
     factors.cone_misses_by = std::max(nearest - cutoff, 0.0);
     factors.cone_holds_all = !light.smooth_cone && farthest <= cutoff;
     factors.reach =
@@ -180,14 +182,14 @@ void find_spot(const LightSource& light, const Cone& to_light, LightFactors& fac
             : product(factors.reach, largest_spot(light, std::min(std::cos(nearest) + kBoundsRounding, 1.0)));
 }
 
-// The cosine of n and h, or of r and VPe, at most; h lies between the directions to the light and to the viewer. Where those
-// are at most g apart, h turns by no more than 1 / (2 cos(g/2)) of what they turn by: about VPe, h halves the angle to it.
+// The largest cosine between n and h, or between r and VPe. h lies between the directions to the light and to the
+// viewer. While these are at most g apart, h turns by at most 1 / (2 cos(g/2)) times the sum of their turns.
 double largest_highlight_cosine(const DrawBounds& bounds, const Cone& normals, const Cone& to_light) {
     const Cone& to_viewer = bounds.to_viewer_eye;
     const double spread = to_light.half_angle + to_viewer.half_angle;
     const double length = bounds.longest_normal_eye;
     if (bounds.reflection) {
-        // |2 (n . VP) n - VP|^2 = 1 + 4 (n . VP)^2 (|n|^2 - 1), of normals of any length.
+        // |2 (n . VP) n - VP|^2 = 1 + 4 (n . VP)^2 (|n|^2 - 1), for normals of any length.
         const double square = length * length;
         if (!bounds.unit_normals) return std::sqrt(1 + 4 * square * std::max(square - 1, 0.0)) * kUp;
         if (bounds.has_zero_normal) return 1;  // r is -VP there
@@ -260,7 +262,7 @@ double largest_attenuation(const LightSource& light, double nearest, double fart
         const double smallest = denominator(nearest) * (1 - kBoundsRounding);
         return smallest > 0 ? 1 / smallest : kInfinity;
     }
-    // GL refuses negative factors. A denominator that may come near to 0 from above bounds nothing.
+    // GL refuses negative factors. If the denominator may come close to 0, there is no bound.
     if (!std::isfinite(farthest)) return kInfinity;
     double smallest = std::min(denominator(nearest), denominator(farthest));
     const double turn = k2 == 0 ? -1 : -k1 / (2 * k2);

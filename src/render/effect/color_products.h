@@ -1,7 +1,7 @@
-// What a light's colour and a material's come to: channel by channel, or sample by sample where the scene has spectra.
+// Products of a light's colour and a material's: channel by channel, or sample by sample if the scene has spectra.
 //
-// The lighting equation (2.14.1) is linear in these products, so what they come to in red, green and blue is all that it needs of
-// a spectrum: n samples cost as much as three as soon as a Draw is planned.
+// The lighting equation (2.14.1) is linear in these products, so it only needs their red, green and blue. Once a Draw
+// is planned, n spectral samples cost no more than three.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -27,13 +27,13 @@ struct MaterialColor {
     const Spectrum* reflectance = nullptr;
 };
 
-// Of its colour, or of the spectrum that it is of.
+// The samples of the illuminant or reflectance; of a spectrum made from the RGB colour if it has none.
 std::vector<double> samples_of(const SpectralSamples& spectrum, const LightColor& light);
 std::vector<double> samples_of(const SpectralSamples& spectrum, const MaterialColor& material);
 
 glm::dvec3 product_of(const LightModel& model, const LightColor& light, const MaterialColor& material);
 
-// The matrix that takes the colours of materials without a reflectance to their products with the light.
+// Takes the RGB colour of a material without a reflectance to the product with the light.
 glm::dmat3 product_matrix(const LightModel& model, const LightColor& light);
 
 }  // namespace twinlight

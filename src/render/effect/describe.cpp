@@ -1,4 +1,4 @@
-// The facts of an EffectSet in words.
+// Prints the facts of an EffectSet.
 #include <fmt/format.h>
 
 #include <initializer_list>
@@ -16,7 +16,7 @@ std::string describe(const LightEffects& light) {
     };
     add(light.attenuated, "attenuated");
     add(light.spot, "spot");
-    add(light.spot_exponent == Power::kWhole, "whole spot exponent");
+    add(light.spot_exponent == Power::kWhole, "integer spot exponent");
     add(light.spot_exponent == Power::kReal, "spot exponent");
     add(light.smooth_cone, "smooth cone");
     add(light.ambient, "ambient");
@@ -25,7 +25,7 @@ std::string describe(const LightEffects& light) {
     return text;
 }
 
-// "emission, diffuse": the names of the facts that hold.
+// The names of the facts that hold: "emission, diffuse".
 std::string listed(std::initializer_list<std::pair<bool, const char*>> facts) {
     std::string text;
     for (const auto& [holds, name] : facts)
@@ -62,25 +62,25 @@ const char* name_of(TextureEnvironment environment) {
 
 const char* name_of(Texels texels) {
     switch (texels) {
-        case Texels::kColor: return "a colour";
-        case Texels::kAlpha: return "an alpha";
-        case Texels::kColorAndAlpha: return "a colour and an alpha";
-        case Texels::kIntensity: return "an intensity";
+        case Texels::kColor: return "colour";
+        case Texels::kAlpha: return "alpha";
+        case Texels::kColorAndAlpha: return "colour and alpha";
+        case Texels::kIntensity: return "intensity";
     }
     return "";
 }
 
 std::string describe(const TextureEffects& texture) {
-    std::string text = fmt::format("{} texture of {}, {}", texture.one_dimensional ? "1D" : "2D",
+    std::string text = fmt::format("{} texture with {}, {}", texture.one_dimensional ? "1D" : "2D",
                                    name_of(texture.texels), name_of(texture.environment));
     const auto add = [&](bool fact, const char* name) {
         if (fact) text += fmt::format(", {}", name);
     };
     add(texture.matrix, "texture matrix");
     add(texture.q, "division by q");
-    add(texture.clamp_s, "clamped s");
-    add(texture.clamp_t, "clamped t");
-    add(texture.gradients, "gradients");
+    add(texture.clamp_s, "GL_CLAMP of s");
+    add(texture.clamp_t, "GL_CLAMP of t");
+    add(texture.gradients, "explicit gradients");
     return text;
 }
 
@@ -97,17 +97,17 @@ std::string describe(const EffectSet& effects) {
     add(effects.shading == Shading::kGouraud, "gouraud shading");
     add(effects.shading == Shading::kPhong, "phong shading");
     add(effects.clamp, "clamp");
-    add(effects.two_side, "two-sided");
+    add(effects.two_side, "two-sided lighting");
     add(effects.local_viewer, "local viewer");
     add(effects.vertex_w, "division by w");
     add(effects.normalize, "normalize");
     add(effects.separate_specular, "separate specular colour");
-    add(effects.highlight == Highlight::kReflection, "specular by reflection");
-    add(effects.shininess == Power::kWhole, "whole shininess");
+    add(effects.highlight == Highlight::kReflection, "highlights by the reflection vector");
+    add(effects.shininess == Power::kWhole, "integer shininess");
     add(effects.shininess == Power::kReal, "shininess");
     for (const auto& [face, name] : {std::pair{effects.front, "front"}, {effects.back, "back"}}) {
-        add(face.tracks(), fmt::format("{} material tracks: {}", name, tracked_names(face)));
-        add(face.varies(), fmt::format("{} material varies: {}", name, varying_names(face)));
+        add(face.tracks(), fmt::format("{} material from glColor: {}", name, tracked_names(face)));
+        add(face.varies(), fmt::format("{} material per vertex: {}", name, varying_names(face)));
     }
     for (std::size_t i = 0; i < effects.lights.size(); ++i)
         add(true, fmt::format("light {}: {}", i, describe(effects.lights[i])));
@@ -115,9 +115,9 @@ std::string describe(const EffectSet& effects) {
     add(effects.fog == FogEffect::kLinear, "linear fog");
     add(effects.fog == FogEffect::kExp, "exponential fog");
     add(effects.fog == FogEffect::kExp2, "squared exponential fog");
-    add(effects.spectral_products, "spectral products");
-    add(effects.spectral_groups > 0, fmt::format("spectral groups: {}", effects.spectral_groups));
-    add(effects.srgb_coded, "coded as sRGB");
+    add(effects.spectral_products, "spectral colour products");
+    add(effects.spectral_groups > 0, fmt::format("groups of three spectral samples: {}", effects.spectral_groups));
+    add(effects.srgb_coded, "sRGB output");
     add(effects.clip_plane_count > 0, fmt::format("clip planes: {}", effects.clip_plane_count));
     return text;
 }

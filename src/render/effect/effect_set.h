@@ -1,33 +1,32 @@
 // EffectSet: the facts that change the code which lights a Draw and colours its fragments, and nothing else.
 //
-// Two Draws whose sets are equal are drawn by the same code with other numbers. The facts are canonical
-// (plan_effects sees to it): one that cannot matter has its default value, so the set may be the key of a
-// program cache as it is.
+// Draws with equal sets use the same code with different numbers. The sets are canonical (plan_effects() ensures it): a
+// fact that has no effect has its default value. So a set can be the key of a program cache.
 //
-//   a fact may be set only if ...
+//   this fact may be set only if             this holds
 //   two_side to separate_specular, lights    lighting
-//   lighting                                 something of the lit colours is left after the texture
-//   shading kFlat                            the primitive has more than one vertex, and its colours are left
-//   clamp                                    the colours are left and may leave [0,1]
-//   two_side, back                           a back face can show
+//   lighting                                 the texture does not replace all lit colours
+//   shading kFlat                            the primitive has more than one vertex; its colours are visible
+//   clamp                                    the colours are visible and may leave [0,1]
+//   two_side, back                           a back face can be visible
 //   local_viewer                             a light's highlight depends on the viewer
 //   vertex_w                                 a light is positional, or local_viewer, or there is fog
-//   normalize                                a light is diffuse or specular, and one factor does not make all normals unit
+//   normalize                                a light is diffuse or specular; no common factor makes all normals unit
 //   separate_specular, highlight             a light is specular
 //   shininess                                a light is specular
 //   spectral_products                        tracks_* or varies_* of an ambient, diffuse or specular colour
-//   spectral_groups                          no spectral_products; only where PlanOptions::fold_spectra is off
-//   tracks_*, varies_*                       that property of the material is called for; one of both at most
+//   spectral_groups                          no spectral_products; only if PlanOptions::fold_spectra is false
+//   tracks_*, varies_*                       that property of the material is used; at most one of the two
 //   lights[i].attenuated, .spot              the light is positional
-//   lights[i].spot without an exponent       its cone does not hold all of the Draw
-//   lights[i].ambient, .diffuse              the texture leaves something of the primary colour's red, green and blue
+//   lights[i].spot without an exponent       part of the Draw is outside its cone
+//   lights[i].ambient, .diffuse              the texture does not replace the primary colour's red, green and blue
 //   texture.*                                texture.environment
-//   texture.texels kIntensity                the environment is kBlend or kAdd; in the others it is kColorAndAlpha
-//   texture.texels kAlpha                    the environment is kModulate (kBlend and kAdd are the same) or kReplace
+//   texture.texels kIntensity                the environment is kBlend or kAdd; otherwise kColorAndAlpha is used
+//   texture.texels kAlpha                    the environment is kModulate or kReplace; kBlend and kAdd become kModulate
 //   texture.clamp_t                          the texture has two dimensions
-//   texture.clamp_s, .clamp_t                a filter is linear: without one GL_CLAMP is GL_CLAMP_TO_EDGE
+//   texture.clamp_s, .clamp_t                a filter is linear; otherwise GL_CLAMP equals GL_CLAMP_TO_EDGE
 //   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ
-//   texture.environment kDecal               the texels are kColorAndAlpha; of kColor it is kReplace
+//   texture.environment kDecal               the texels are kColorAndAlpha; with kColor it becomes kReplace
 //
 // NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
 #pragma once
@@ -44,7 +43,7 @@
 
 namespace twinlight {
 
-// How x^n is written: 1 where n is 0, repeated squaring for another whole n, pow for the rest.
+// How the code computes x^n: 1 if n is 0, repeated squaring if n is another integer, else pow.
 enum class Power : std::uint8_t { kZero, kWhole, kReal };
 inline Power power_of(double exponent) {
     if (exponent == 0) return Power::kZero;
@@ -56,10 +55,10 @@ enum class Highlight : std::uint8_t { kHalfVector, kReflection };
 
 struct LightEffects {
     bool directional = false;  // w of the position is 0
-    bool attenuated = false;   // by a linear or quadratic factor; a constant one is folded into the products
+    bool attenuated = false;   // by a linear or quadratic factor; a constant factor is part of the colour products
     bool spot = false;         // cutoff other than 180 degrees
     Power spot_exponent = Power::kZero;
-    bool smooth_cone = false;  // the lecture's cone in the place of the spot's
+    bool smooth_cone = false;  // the lecture's cone instead of GL's
     bool ambient = false;      // an ambient term that is not the same at every vertex
     bool diffuse = false;
     bool specular = false;
@@ -68,12 +67,12 @@ struct LightEffects {
 };
 
 struct FaceEffects {
-    // Which colours of a face's material the vertex's colour replaces (2.14.3).
+    // Which colours of the face's material come from the vertex colour (2.14.3).
     bool tracks_emission = false;
     bool tracks_ambient = false;
     bool tracks_diffuse = false;
     bool tracks_specular = false;
-    // Which properties are another at another vertex: glMaterial between glBegin and glEnd (2.14.2).
+    // Which properties differ between vertices: glMaterial between glBegin and glEnd (2.14.2).
     bool varies_emission = false;
     bool varies_ambient = false;
     bool varies_diffuse = false;
@@ -88,11 +87,11 @@ struct FaceEffects {
     friend auto operator<=>(const FaceEffects&, const FaceEffects&) = default;  // NOLINT
 };
 
-// How the fragment's colour and the texel become one (3.8.13).
+// How the fragment's colour and the texel are combined (3.8.13).
 enum class TextureEnvironment : std::uint8_t { kNone, kModulate, kDecal, kReplace, kBlend, kAdd };
 
-// What a texel gives, by its base internal format (table 3.22): RGB and LUMINANCE a colour, ALPHA an alpha, RGBA and
-// LUMINANCE_ALPHA both; INTENSITY both, treated alike.
+// What a texel contains, by its base internal format (table 3.22): RGB and LUMINANCE a colour, ALPHA an alpha, RGBA and
+// LUMINANCE_ALPHA both. INTENSITY is both, with the same value.
 enum class Texels : std::uint8_t { kColor, kAlpha, kColorAndAlpha, kIntensity };
 
 struct TextureEffects {
@@ -101,9 +100,9 @@ struct TextureEffects {
     bool one_dimensional = false;
     bool matrix = false;   // the texture matrix is not the identity
     bool q = false;        // a texture coordinate's q may be other than 1
-    bool clamp_s = false;  // GL_CLAMP, which core GL and some drivers do not have: done in the shader
+    bool clamp_s = false;  // GL_CLAMP, that core GL and some drivers lack: the shader does it
     bool clamp_t = false;
-    bool gradients = false;  // what is clamped chooses its filter and level as if it were not
+    bool gradients = false;  // the filter and level come from the coordinates before clamping
 
     bool has_color() const { return texels != Texels::kAlpha; }
     bool has_alpha() const { return texels != Texels::kColor; }
@@ -128,16 +127,16 @@ struct EffectSet {
     std::vector<LightEffects> lights;  // in GL's order
     TextureEffects texture;
     FogEffect fog = FogEffect::kNone;
-    int clip_plane_count = 0;  // of the user (2.12)
-    // The colours of vertices meet lights in more samples than three: the products are a matrix times them.
+    int clip_plane_count = 0;  // of GL_CLIP_PLANEi (2.12)
+    // Vertex colours are multiplied with lights in more than three samples: one matrix per product.
     bool spectral_products = false;
-    // Groups of three samples in which every point is lit; 0: in red, green and blue.
+    // Every point is lit in this many groups of three spectral samples; 0: in red, green and blue.
     int spectral_groups = 0;
-    bool srgb_coded = false;  // a fragment's colour is linear light, and coded last
+    bool srgb_coded = false;  // a fragment's colour is linear light; the last step encodes it as sRGB
 
     friend auto operator<=>(const EffectSet&, const EffectSet&) = default;  // NOLINT
 
-    // Whether any light has this fact. needs_x() below: whether the code must have x.
+    // any_light(): whether any light has this fact. needs_x() below: whether the code computes x.
     bool any_light(bool LightEffects::*fact) const {
         return std::any_of(lights.begin(), lights.end(), [fact](const LightEffects& light) { return light.*fact; });
     }
@@ -146,7 +145,7 @@ struct EffectSet {
                std::any_of(lights.begin(), lights.end(), [](const LightEffects& light) { return !light.directional; });
     }
     bool needs_normal() const { return any_light(&LightEffects::diffuse) || any_light(&LightEffects::specular); }
-    // What the texture leaves of the primary colour.
+    // Whether the primary colour is visible after the texture.
     bool needs_primary_rgb() const { return !replaces() || !texture.has_color(); }
     bool needs_primary_alpha() const { return !replaces() || !texture.has_alpha(); }
     bool needs_primary() const { return needs_primary_rgb() || needs_primary_alpha(); }
@@ -158,7 +157,7 @@ struct EffectSet {
     bool replaces() const { return texture.environment == TextureEnvironment::kReplace; }
 };
 
-// One fact a line: "lighting", "light 0: positional, attenuated, diffuse".
+// One fact per line: "lighting", "light 0: positional, attenuated, diffuse".
 std::string describe(const EffectSet& effects);
 
 }  // namespace twinlight

@@ -11,7 +11,7 @@
 namespace twinlight {
 namespace {
 
-// What a plan decides, without its numbers.
+// The decisions of a plan, without its numbers.
 std::string facts_of(const Plan& plan) {
     std::string text = describe(plan.effects);
     for (const LightBound& light : plan.light_bounds) text += fmt::format("{} ", static_cast<int>(light.fate));
@@ -19,14 +19,14 @@ std::string facts_of(const Plan& plan) {
     return text;
 }
 
-// All that is said of it.
+// The whole explanation of a plan.
 std::string text_of(const Plan& plan) {
     std::string text = facts_of(plan) + fmt::format("{:g}\n", plan.error_bound);
     for (const LightBound& light : plan.light_bounds) text += reason(light) + "\n";
     return text;
 }
 
-// Numbers that hold for both.
+// Makes the plan's numbers hold for both plans.
 void widen(Plan& plan, const Plan& other) {
     plan.error_bound = std::max(plan.error_bound, other.error_bound);
     for (std::size_t i = 0; i < plan.light_bounds.size(); ++i) {
@@ -36,7 +36,7 @@ void widen(Plan& plan, const Plan& other) {
     }
 }
 
-// One for the parts of a shape that have the same facts.
+// Merges the parts of a shape that have the same facts.
 std::vector<ExplainedDraw> explain_shapes(std::vector<PlannedDraw> plans) {
     std::vector<ExplainedDraw> draws;
     std::map<std::string, std::size_t> of_shape;  // by facts
@@ -59,9 +59,7 @@ std::vector<PlannedDraw> plan_frame(const Frame& frame, const PlanOptions& optio
     std::vector<PlannedDraw> plans;
     const Draw* last = nullptr;
     int number = 0;
-    for (const auto& item : frame.items) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (!draw) continue;
+    for (const Draw* draw : frame.draws()) {
         ++number;
         const bool begins_shape = !last || !are_one_shape(*last, *draw);
         last = draw;
@@ -123,6 +121,6 @@ std::string name_of(const ExplainedDraw& draw) {
     return draw.numbers.size() == 1 ? first : fmt::format("{} draws, the first {}", draw.numbers.size(), first);
 }
 
-std::string in_codes(double error) { return error == 0 ? "nothing" : fmt::format("{:.3g} of 255 codes", 255 * error); }
+std::string in_codes(double error) { return error == 0 ? "0" : fmt::format("{:.3g}/255", 255 * error); }
 
 }  // namespace twinlight

@@ -1,4 +1,4 @@
-// The plans of a frame, for people to read: Draws with equal plans are one.
+// The plans of a frame, as text. Draws with equal plans are merged.
 #pragma once
 
 #include <string>
@@ -8,30 +8,30 @@
 
 namespace twinlight {
 
-// The plan of a Draw, or of an exact surface: in the order in which they are drawn.
+// The plan of a Draw or of an exact surface, in drawing order.
 struct PlannedDraw {
-    int number = 0;  // of the Draw, from 1 up
+    int number = 0;  // of the Draw, counted from 1
     Place place;
     bool begins_shape = false;  // the Draw is the first part of its shape
     Plan plan;
 };
 
 struct ExplainedDraw {
-    std::vector<int> numbers;  // of the Draws, from 1 up
+    std::vector<int> numbers;  // of the Draws, counted from 1
     Place place;               // of the first
-    // Of the first. The parts of a shape whose plans have the same facts are one: with the largest of their bounds, and of the
-    // angles by which a light misses them the smallest.
+    // Of the first Draw. Parts of a shape whose plans have the same facts are merged: the plan then has the largest of
+    // their bounds, and the smallest of the angles by which a light misses them.
     Plan plan;
 };
 
 std::vector<ExplainedDraw> explain(std::vector<PlannedDraw> plans);
-// Plans it first.
+// Plans the frame first.
 std::vector<ExplainedDraw> explain(const Frame& frame, const PlanOptions& options);
 
-// How far a channel may be off in the whole picture: Draws that blend do not add their errors up (Plan::budget).
+// The largest error of a channel in the whole picture. Errors of blended Draws do not add up (Plan::budget).
 double error_bound(const std::vector<ExplainedDraw>& draws);
 
-// "GL_LIGHT0", "GL_LIGHT1 to GL_LIGHT7": neighbours that are out for the same reason are one.
+// Lights next to each other that are left out for the same reason are merged: "GL_LIGHT1 to GL_LIGHT7".
 struct ExplainedLights {
     std::string names;
     bool in = false;
@@ -43,7 +43,7 @@ std::vector<ExplainedLights> explain_lights(const Plan& plan);
 // "draw 1, scene.gl:3:1", "4 draws, the first draw 2, scene.gl:7:1"
 std::string name_of(const ExplainedDraw& draw);
 
-// "0.0204 of 255 codes", "nothing"
+// An error as a fraction of 255: "0.0204/255", "0".
 std::string in_codes(double error);
 
 }  // namespace twinlight

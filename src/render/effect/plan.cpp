@@ -1,4 +1,4 @@
-// plan_effects: from a Draw to the facts that change its code, with a reason for each that is left out.
+// plan_effects: finds the facts that change a Draw's code, with a reason for each fact that is left out.
 #include "render/effect/plan.h"
 
 #include <fmt/format.h>
@@ -14,14 +14,14 @@
 namespace twinlight {
 namespace {
 
-constexpr double kSteepestSrgb = 12.92;  // the slope of its straight part
+constexpr double kSteepestSrgb = 12.92;  // the slope of sRGB's linear part
 
 bool is_zero(const glm::dvec3& c) { return c == glm::dvec3(0); }
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
 
-// ---- The state in force ----
+// ---- The effective state ----
 
-// 2.14.3: the colours of the material that color_material's mode names.
+// 2.14.3: the material's colours that glColorMaterial's mode selects.
 FaceEffects tracked_by(Enum mode) {
     const bool both = mode == kGL_AMBIENT_AND_DIFFUSE;
     return {.tracks_emission = mode == kGL_EMISSION,
@@ -45,9 +45,10 @@ void put_color(Material& material, const FaceEffects& tracked, const glm::dvec4&
 bool names_front(Enum face) { return face != kGL_BACK; }
 bool names_back(Enum face) { return face != kGL_FRONT; }
 
-// Whether a picture is off by no more than its Draws are, however many lie above each other: what is there and what comes are
-// weighted by factors that no light changes, and that add up to 1 at most; or one of both is taken.
-bool keeps_errors_apart(const FragmentState& fragment) {
+// Whether the picture's error is at most the largest error of its Draws, however many of them overlap. That holds if
+// blending is a mean with weights that no light changes and whose sum is at most 1, or if it picks one of the two
+// colours.
+bool keeps_errors_from_adding(const FragmentState& fragment) {
     if (!fragment.blend) return true;
     const auto is_mean = [](Enum equation, Enum src, Enum dst) {
         if (equation == kGL_MIN || equation == kGL_MAX) return true;
@@ -65,8 +66,8 @@ bool keeps_errors_apart(const FragmentState& fragment) {
 }
 
 Material::Reflectances reflectances_of(const Material& material, const FaceEffects& face) {
-    const auto unless = [](bool vertex_has_it, const Spectrum* reflectance) {
-        return vertex_has_it ? nullptr : reflectance;
+    const auto unless = [](bool is_per_vertex, const Spectrum* reflectance) {
+        return is_per_vertex ? nullptr : reflectance;
     };
     return {.ambient = unless(face.tracks_ambient || face.varies_ambient, material.reflectances.ambient),
             .diffuse = unless(face.tracks_diffuse || face.varies_diffuse, material.reflectances.diffuse),
@@ -84,14 +85,14 @@ class Planner {
 
     Plan plan() {
         state().enabled = draw_.lighting.enabled;
-        plan_.budget = keeps_errors_apart(draw_.fragment) ? std::max(options_.budget, 0.0) : 0;
+        plan_.budget = keeps_errors_from_adding(draw_.fragment) ? std::max(options_.budget, 0.0) : 0;
         facts().srgb_coded = options_.lecture_variants && draw_.fragment.srgb_coded;
-        // sRGB's curve is steepest at black, and magnifies there what is off in linear light.
+        // sRGB's curve is steepest at black, so an error in linear light grows most there.
         if (facts().srgb_coded) plan_.budget /= kSteepestSrgb;
         plan_fragments(draw_, vertices_, plan_);
         facts().shading =
             options_.shading.value_or(draw_.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud);
-        // A mesh that is its own surface, and a surface (surface_draw.h), are lit at each fragment.
+        // Meshes without exact surfaces, and exact surfaces (surface_draw.h), are lit at each fragment.
         if (facts().shading == Shading::kExact) facts().shading = Shading::kPhong;
         if (facts().shading == Shading::kFlat && draw_.mode == kGL_POINTS) {
             facts().shading = Shading::kGouraud;
@@ -116,19 +117,19 @@ class Planner {
     void leave_out(std::string what, std::string why) { plan_.left_out.push_back({std::move(what), std::move(why)}); }
 
     void plan_unlit() {
-        leave_out("lighting", "GL_LIGHTING is disabled: the vertex's colour is shown as it is");
+        leave_out("lighting", "GL_LIGHTING is disabled, so vertex colours are drawn unchanged");
         if (facts().shading == Shading::kPhong) {
             facts().shading = Shading::kGouraud;
-            leave_out("lighting per fragment", "GL_LIGHTING is disabled");
+            leave_out("per-fragment lighting", "GL_LIGHTING is disabled");
         }
         facts().clamp = glm::clamp(vertices_.color_low, 0.0, 1.0) != vertices_.color_low ||
                         glm::clamp(vertices_.color_high, 0.0, 1.0) != vertices_.color_high;
-        if (!facts().clamp) leave_out("the clamp", "no vertex's colour leaves [0,1]");
+        if (!facts().clamp) leave_out("clamping", "all vertex colours are within [0,1]");
     }
 
     void plan_lit() {
         facts().lighting = true;
-        put_state_in_force();
+        find_effective_state();
         plan_faces();
         plan_color_material();
         plan_materials();
@@ -150,20 +151,21 @@ class Planner {
             facts().front.varies() || facts().back.varies())
             return;
         if (!facts().needs_normal()) {
-            leave_out("lighting per fragment", "nothing that it depends on varies over the primitive");
+            leave_out("per-fragment lighting", "its inputs are the same everywhere on the primitive");
         } else if (vertices_.normals_equal) {
-            leave_out("lighting per fragment", "all normals are equal, the lights directional, the viewer is distant");
-            state().normalize = true;  // as a fragment's normal would have been made unit
+            leave_out("per-fragment lighting",
+                      "all normals are equal, all lights are directional, the viewer is at infinity");
+            state().normalize = true;  // phong shading would have scaled each fragment's normal to length 1
         } else {
             return;
         }
         facts().shading = Shading::kGouraud;
     }
 
-    // GL_REPLACE may leave nothing of the primary colour; then only a separate specular colour is worth lighting.
+    // GL_REPLACE may replace the whole primary colour. Then only a separate specular colour needs lighting.
     void plan_colors_that_are_left() {
         if (facts().needs_primary() || facts().separate_specular) return;
-        leave_out("lighting and colours", "GL_REPLACE by a texture with colour and alpha leaves nothing of them");
+        leave_out("lighting and colours", "the texture replaces both colour and alpha (GL_REPLACE)");
         EffectSet left;
         left.texture = facts().texture;
         left.fog = facts().fog;
@@ -183,10 +185,10 @@ class Planner {
         const bool w_is_1 = keeps_w(draw_.eye_from_object) && vertices_.w_is_1;
         const bool w_matters = facts().needs_position_eye() || facts().has_fog();
         facts().vertex_w = w_matters && !w_is_1;
-        if (w_matters && w_is_1) leave_out("the division by w", "w is 1 at every vertex");
+        if (w_matters && w_is_1) leave_out("division by w", "w is 1 at every vertex");
     }
 
-    void put_state_in_force() {
+    void find_effective_state() {
         state() = draw_.lighting;
         if (options_.lecture_variants) return;
         const LightModel initial;
@@ -196,12 +198,12 @@ class Planner {
         for (LightSource& light : state().lights) light.smooth_cone.reset();
     }
 
-    // 2.14.1: two-sided lighting; 2.13.1: what is culled is not seen.
+    // 2.14.1: two-sided lighting; 2.13.1: culled faces are not visible.
     void plan_faces() {
         const RasterState& raster = draw_.raster;
         const auto why_one_sided = [&]() -> std::string {
             if (!state().light_model.two_side) return "GL_LIGHT_MODEL_TWO_SIDE is off";
-            if (!draws_polygons(draw_.mode)) return "points and lines are always front";
+            if (!draws_polygons(draw_.mode)) return "points and lines have no back face";
             if (raster.cull_enabled && raster.cull_face != kGL_FRONT) return "back faces are culled";
             return "";
         }();
@@ -231,10 +233,10 @@ class Planner {
                 if (front) put_color(m.front, tracked, color);
                 if (back) put_color(m.back, tracked, color);
             }
-            leave_out("colour material", "every vertex has the same colour: it is the material's");
+            leave_out("colour material", "all vertices have the same colour, so the material is set once");
             tracking.enabled = false;
         } else if (!front && !back) {
-            leave_out("colour material", "it tracks the back face's material, which is not shown");
+            leave_out("colour material", "it sets only the back face's material, and no back face is visible");
             tracking.enabled = false;
         } else {
             if (front) facts().front = tracked;
@@ -242,7 +244,7 @@ class Planner {
         }
     }
 
-    // 2.14.2: glMaterial between glBegin and glEnd. What is the same in all materials is no vertex's.
+    // 2.14.2: glMaterial between glBegin and glEnd. A property with the same value in all materials is not per vertex.
     void plan_materials() {
         state().front = materials_.front().front;
         state().back = materials_.front().back;
@@ -261,10 +263,10 @@ class Planner {
         plan_face(facts().front, &Materials::front);
         if (facts().two_side) plan_face(facts().back, &Materials::back);
         if (!draw_.materials.empty() && !facts().front.varies() && !facts().back.varies())
-            leave_out("materials of vertices", "every vertex has the same");
+            leave_out("per-vertex materials", "all vertices have the same material");
     }
 
-    // What the face's materials may be, at a vertex or between some.
+    // The ranges of the face's material, at the vertices and between them.
     FaceRange face_range(Material Materials::*of, const FaceEffects& face) const {
         const auto range = [&](glm::dvec4 Material::*color, bool tracked) {
             if (tracked) return std::pair(vertices_.color_low, vertices_.color_high);
@@ -289,7 +291,7 @@ class Planner {
                 .reflectances = reflectances_of(materials_.front().*of, face)};
     }
 
-    // 2.14.6. What lies in [0,1] with all that its terms may come to, needs no clamp.
+    // 2.14.6: a colour needs no clamp if the sum of its terms' bounds lies in [0,1].
     void plan_clamp(const LightsToPlan& lights, const ColorRange& of_lights) {
         double low = 0, high = 0;
         for (std::size_t i = 0; i < (facts().two_side ? 2 : 1); ++i) {
@@ -303,13 +305,12 @@ class Planner {
             low = std::min(low, face.alpha.low);
             high = std::max(high, face.alpha.high);
         }
-        // Two colours are clamped each: a negative highlight is none then, whatever the primary colour is.
+        // Separate colours are clamped one by one: a negative highlight becomes 0, whatever the primary colour is.
         if (state().light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
             for (int c = 0; c < 3; ++c) low = std::min(low, of_lights.low[c]);
         facts().clamp = !(low >= 0 && high <= 1);
         if (!facts().clamp)
-            leave_out("the clamp",
-                      fmt::format("all terms together come to {:.3g} at most, and none is negative", high));
+            leave_out("clamping", fmt::format("the sum of all terms is at most {:.3g}, and no term is negative", high));
     }
 
     void plan_specular() {
@@ -320,9 +321,9 @@ class Planner {
         }
         facts().separate_specular = model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
         if (!facts().separate_specular)
-            leave_out("a separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR");
+            leave_out("separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR");
         facts().highlight = model.specular == Word::reflection ? Highlight::kReflection : Highlight::kHalfVector;
-        // What lies between two whole numbers is not whole.
+        // Phong shading interpolates the exponent, which is then not an integer.
         const bool between =
             facts().shading == Shading::kPhong && (facts().front.varies_shininess || facts().back.varies_shininess);
         facts().shininess = between ? Power::kReal : Power::kZero;
@@ -330,44 +331,43 @@ class Planner {
             facts().shininess = std::max({facts().shininess, power_of(m.front.shininess), power_of(m.back.shininess)});
         facts().local_viewer = model.local_viewer && facts().shininess != Power::kZero;
         if (facts().shininess == Power::kZero)
-            leave_out("the highlight's shape", "GL_SHININESS is 0: x^0 is 1 for every x");
+            leave_out("specular exponent", "GL_SHININESS is 0, and x^0 is 1 for every x");
         if (!facts().local_viewer)
-            leave_out("the local viewer", model.local_viewer ? "with a GL_SHININESS of 0 no viewer matters"
-                                                             : "GL_LIGHT_MODEL_LOCAL_VIEWER is off");
+            leave_out("local viewer", model.local_viewer ? "GL_SHININESS is 0, so the viewer's position does not matter"
+                                                         : "GL_LIGHT_MODEL_LOCAL_VIEWER is off");
     }
 
-    // A colour of the vertex that meets no light is not called for. The diffuse colour is also the alpha.
+    // A vertex colour that no light uses is dropped. The diffuse colour is also the alpha.
     void drop_idle_colors() {
         const bool primary = facts().needs_primary_rgb();
         const bool ambient = !is_zero(plan_.constant_ambient) || facts().any_light(&LightEffects::ambient);
         const bool diffuse = facts().any_light(&LightEffects::diffuse);
         const bool specular = facts().any_light(&LightEffects::specular);
-        const auto drop = [&](bool& fact, bool called_for, const char* what, const char* why) {
-            if (!fact || called_for) return;
+        const auto drop = [&](bool& fact, bool is_used, const char* what, const char* why) {
+            if (!fact || is_used) return;
             fact = false;
-            leave_out(what, primary ? why : "the texture takes its place");
+            leave_out(what, primary ? why : "the texture replaces it");
         };
         const auto drop_of_face = [&](FaceEffects& face, Material Materials::*of) {
             const bool alpha = facts().needs_primary_alpha();
             const bool alphas = alpha && std::any_of(materials_.begin(), materials_.end(), [&](const Materials& m) {
                                     return (m.*of).diffuse.a != (materials_.front().*of).diffuse.a;
                                 });
-            drop(face.tracks_emission, primary, "the tracked emission", "");
-            drop(face.tracks_ambient, primary && ambient, "the tracked ambient colour", "there is no ambient light");
-            drop(face.tracks_diffuse, diffuse || alpha, "the tracked diffuse colour", "");
-            drop(face.tracks_specular, specular, "the tracked specular colour", "no light has a specular term");
-            drop(face.varies_emission, primary, "the vertices' emission", "");
-            drop(face.varies_ambient, primary && ambient, "the vertices' ambient colours", "there is no ambient light");
-            drop(face.varies_diffuse, diffuse || alphas, "the vertices' diffuse colours",
-                 "no light has a diffuse term");
-            drop(face.varies_specular, specular, "the vertices' specular colours", "no light has a specular term");
-            drop(face.varies_shininess, specular, "the vertices' shininess", "no light has a specular term");
+            drop(face.tracks_emission, primary, "emission from glColor", "");
+            drop(face.tracks_ambient, primary && ambient, "ambient colour from glColor", "there is no ambient light");
+            drop(face.tracks_diffuse, diffuse || alpha, "diffuse colour from glColor", "");
+            drop(face.tracks_specular, specular, "specular colour from glColor", "no light has a specular term");
+            drop(face.varies_emission, primary, "per-vertex emission", "");
+            drop(face.varies_ambient, primary && ambient, "per-vertex ambient colour", "there is no ambient light");
+            drop(face.varies_diffuse, diffuse || alphas, "per-vertex diffuse colour", "no light has a diffuse term");
+            drop(face.varies_specular, specular, "per-vertex specular colour", "no light has a specular term");
+            drop(face.varies_shininess, specular, "per-vertex shininess", "no light has a specular term");
         };
         drop_of_face(facts().front, &Materials::front);
         drop_of_face(facts().back, &Materials::back);
     }
 
-    // What is one for the Draw meets the lights before it is drawn, and costs the same with any number of samples.
+    // Products that are the same at every vertex are made before drawing, so the number of samples costs nothing.
     void plan_spectral_products() {
         if (!state().light_model.spectrum) return;
         const auto brings_colors = [](const FaceEffects& face) {
@@ -381,32 +381,32 @@ class Planner {
             facts().spectral_groups = (state().light_model.spectrum->count() + 2) / 3;
             return;
         }
-        leave_out(fmt::format("{} samples of the spectrum", state().light_model.spectrum->count()),
+        leave_out(fmt::format("{} spectral samples", state().light_model.spectrum->count()),
                   facts().spectral_products
-                      ? "the products with a light are linear in the vertices' colours: a matrix has them"
-                      : "the products of lights and materials are the same at every vertex: they are made red, green "
-                        "and blue before");
+                      ? "the products with a light are linear in the vertex colours, so a matrix replaces the samples"
+                      : "the products of lights and materials are the same at every vertex, so they are "
+                        "converted to red, green and blue once");
     }
 
     void plan_geometry(const DrawBounds& bounds) {
         if (!facts().needs_position_eye())
-            leave_out("positions in eye coordinates", "no light is positional and the viewer is infinite");
+            leave_out("positions in eye coordinates", "no light is positional, and the viewer is at infinity");
 
         facts().normalize = facts().needs_normal() && state().normalize;
         if (!facts().needs_normal())
-            leave_out("normals", "no light has a diffuse or a specular term");
+            leave_out("normals", "no light has a diffuse or specular term");
         else if (!state().normalize)
             leave_out("GL_NORMALIZE", state().rescale_normal
-                                          ? "it is disabled; GL_RESCALE_NORMAL's factor is in the normals' matrix"
+                                          ? "it is disabled; the normal matrix includes GL_RESCALE_NORMAL's factor"
                                           : "it is disabled");
         else
             plan_normalize(bounds);
     }
 
-    // 2.11.3: where the modelview matrix turns and scales alike in all directions, and all normals are unit vectors, they are
-    // unit in eye coordinates once they are multiplied by GL_RESCALE_NORMAL's factor, if that is not 1 anyway.
+    // 2.11.3: if all normals are unit vectors and the modelview matrix scales all directions alike, one factor
+    // makes the normals unit in eye coordinates: GL_RESCALE_NORMAL's, or 1.
     void plan_normalize(const DrawBounds& bounds) {
-        constexpr double kOffByRounding = 10 * kBoundsRounding;  // of the lengths, and of the bounds
+        constexpr double kOffByRounding = 10 * kBoundsRounding;  // double's rounding error and the bounds' margin for it
         const double shortest = vertices_.shortest_normal, longest = vertices_.longest_normal;
         if (longest == 0) return;
         const double off = bounds.unequal_normals + std::max(std::abs(shortest - 1), std::abs(longest - 1));
@@ -415,13 +415,14 @@ class Planner {
         state().rescale_normal = std::abs(bounds.normal_scale - 1) > kOffByRounding;
         leave_out("GL_NORMALIZE",
                   state().rescale_normal
-                      ? "the normals are unit vectors and the scale is uniform: GL_RESCALE_NORMAL's factor "
-                        "in the normals' matrix is enough"
-                      : "the normals are unit vectors, and the modelview matrix only turns them");
+                      ? "the normals are unit vectors and the scale is uniform, so GL_RESCALE_NORMAL's factor in "
+                        "the normal matrix is enough"
+                      : "the normals are unit vectors, and the modelview matrix does not scale them");
     }
 
-    // Normals whose lengths are off by that much: the diffuse terms are by as much, the highlights by their power. Adds it to
-    // what is left out if there is room. Fragments' normals are turned by it too, over the border of f_i.
+    // Whether the error of skipping GL_NORMALIZE fits into the budget; if so, adds it to error_bound. `off`: the
+    // largest relative error of a normal's length. The diffuse terms get the same error, the highlights its power.
+    // Phong shading is excluded: there the error would also turn the interpolated normals, past the step of f_i.
     bool is_within_budget(double off) {
         if (facts().shading == Shading::kPhong || off > 1e-4) return false;
         double exponent = 1;
@@ -440,7 +441,7 @@ class Planner {
     const PlanOptions& options_;
     const VertexFacts& vertices_;
     Plan plan_;
-    std::vector<Materials> materials_;  // in force, of the vertices; one where they have all the same
+    std::vector<Materials> materials_;  // the vertices' effective materials; a single one if all are equal
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
-// The planner: which effects a Draw calls for, why the others are left out, and how far a colour may be off by that.
+// The planner: which effects a Draw needs, why the others are left out, and how large the error of a colour is at most.
 //
-// Nearly all that is left out is exactly nothing. Lights that are faint are left out too, as long as all of them together
-// stay within PlanOptions::budget (render/effect/bounds.h says how they are bounded; docs/effects.md).
+// Nearly everything that is left out adds exactly nothing. Faint lights are left out too, as long as their sum stays
+// within PlanOptions::budget (render/effect/bounds.h computes the bounds; docs/effects.md).
 #pragma once
 
 #include <algorithm>
@@ -27,70 +27,71 @@ struct PlannedLight {
     double constant_reach = 1;
 };
 
-// Why a light is in or out.
+// Why a light is kept or left out.
 enum class LightFate : std::uint8_t {
     kIn,
     kDisabled,
-    kBlack,         // the products of its colours and the material's are 0
-    kReplaced,      // the texture takes the place of its colours
-    kAmbientAlone,  // what it has is the same at every vertex, and in Plan::constant_ambient
-    kOutsideCone,   // directional, and its direction is outside its cone
-    kNoReach,       // attenuation factors of 0, 0, 0
-    kConeMisses,    // by LightBound::deg
-    kBehind,        // every normal faces away from it, by LightBound::deg
-    kFaint,         // within the budget
+    kBlack,        // its colours times the material's are 0
+    kReplaced,     // the texture replaces the colours it would add
+    kAmbientOnly,  // it has only a constant ambient term, which is part of Plan::constant_ambient
+    kOutsideCone,  // directional, and its direction is outside its cone
+    kNoReach,      // attenuation factors of 0, 0, 0
+    kConeMisses,   // by LightBound::deg
+    kBehind,       // every normal faces away from it, by LightBound::deg
+    kFaint,        // its bound fits into the budget
 };
 
 struct LightBound {
-    int number = 0;  // of light_name()
+    int number = 0;  // for light_name()
     LightFate fate = LightFate::kDisabled;
     double deg = 0;
-    // What its terms add at most to a channel of the primary and the secondary colour together, before the clamp, wherever the
-    // Draw is lit. Infinite where nothing bounds it. Without an ambient term that is in Plan::constant_ambient.
+    // The most that its terms add to a channel of the primary and secondary colour together, before the clamp, anywhere
+    // on the Draw. Infinite if there is no bound. Without an ambient term that is part of Plan::constant_ambient.
     glm::dvec3 bound{0};
 
     bool in() const { return fate == LightFate::kIn; }
     double largest() const { return std::max({bound.r, bound.g, bound.b}); }
 };
 
-// A sentence with its number: "its cone misses the sphere around the Draw by 12.3 degrees".
+// A sentence with its number: "its cone misses the draw's bounding sphere by 12.3 degrees".
 std::string reason(const LightBound& light);
 
 struct Plan {
     EffectSet effects;
     VertexFacts vertices;           // of the Draw that it was made for
-    std::vector<LeftOut> left_out;  // but for whole lights: those are in light_bounds
+    std::vector<LeftOut> left_out;  // except whole lights, which are in light_bounds
 
     std::vector<PlannedLight> lights;  // one for each of effects.lights
-    // The ambient light that is the same at every vertex: a_cs and, of the lights whose ambient term nothing
-    // weakens on its way, a_cli. Their ambient terms are called for nowhere else.
+    // The ambient light that is the same at every vertex: a_cs, and a_cli of the lights whose ambient term nothing
+    // weakens. It includes these terms, so EffectSet::lights has none of them.
     glm::dvec3 constant_ambient{0};
-    // The state in force: the Draw's, with the lecture's variants off if the options say so, and with a
-    // colour that all vertices share put into the material which tracks it.
+    // The effective state: the Draw's, without the lecture's variants if the options turn them off, and with a colour
+    // that all vertices share put into the material that it sets.
     LightingState lighting;
 
-    // One for each light of the state, enabled or not, in their order; empty where nothing is lit.
+    // One for each light of the state, enabled or not, in the state's order; empty for an unlit Draw.
     std::vector<LightBound> light_bounds;
-    // How far a channel of a lit colour may be off, before the clamp and rounding, by what is left out though it is not nothing.
+    // The largest error of a channel of a lit colour, before the clamp and rounding, from faint things that are left
+    // out.
     double error_bound = 0;
-    // What error_bound had to stay within: the options', or 0 where blending may add errors up.
+    // The limit for error_bound: the options' budget, or 0 where blending may add errors up.
     double budget = 0;
 };
 
 struct PlanOptions : Look {
-    // How far a colour's channel may be off, before rounding to codes, by what is left out because it is small;
-    // 0: only what is exactly nothing. The default is half of what rounding to 8 bits hides.
+    // The largest allowed error of a colour's channel, before rounding to 8 bits, from leaving out faint things. 0
+    // leaves out only what adds exactly nothing. The default is half of what rounding to 8 bits hides.
     double budget = 0.5 / 255;
-    // Where a scene has spectra: false lights every vertex or fragment in all samples, as if materials varied from point to
-    // point. The picture is the same: for who asks what samples cost (judge/study/spectral.h).
+    // For scenes with spectra. False lights every vertex or fragment in all samples, as if materials varied from point
+    // to point; the picture is the same. Used to measure the cost of samples (judge/study/spectral.h).
     bool fold_spectra = true;
 };
 
 Plan plan_effects(const Draw& draw, const PlanOptions& options);
-// The same for who keeps the facts of vertices that stay as they are: then the cost does not grow with their number.
+// The same with known vertex facts: then the cost does not grow with the number of vertices.
 Plan plan_effects(const Draw& draw, const PlanOptions& options, const VertexFacts& vertices);
 
-// The lights that are out, as Plan::left_out has the rest.
+// The lights that are left out, in the form of Plan::left_out.
 std::vector<LeftOut> lights_left_out(const Plan& plan);
 
 }  // namespace twinlight

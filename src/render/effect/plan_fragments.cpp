@@ -1,4 +1,4 @@
-// What happens to a Draw's fragments, planned: its texture and fog; and the user's clip planes.
+// Plans a Draw's texture, fog and clip planes.
 #include <algorithm>
 #include <utility>
 
@@ -23,7 +23,7 @@ Texels texels_of(Enum base_format) {
     }
 }
 
-// 3.8.13, tables 3.22 and 3.23: the pairs of mode and format that are the same code are one.
+// 3.8.13, tables 3.22 and 3.23: pairs of mode and format that need the same code get the same result.
 TextureEffects environment_of(Enum mode, Enum base_format) {
     using Environment = TextureEnvironment;
     const Texels texels = texels_of(base_format);
@@ -32,7 +32,7 @@ TextureEffects environment_of(Enum mode, Enum base_format) {
         case kGL_MODULATE: return {.environment = Environment::kModulate, .texels = intensity_apart};
         case kGL_REPLACE: return {.environment = Environment::kReplace, .texels = intensity_apart};
         case kGL_DECAL:
-            // RULING: the text defines this mode for RGB and RGBA alone; the fragment stays as it is in the others.
+            // RULING: 3.8.13 defines GL_DECAL only for RGB and RGBA; with other formats the fragment is unchanged.
             if (base_format == kGL_RGB) return {.environment = Environment::kReplace, .texels = texels};
             if (base_format == kGL_RGBA) return {.environment = Environment::kDecal, .texels = texels};
             return {};
@@ -50,22 +50,22 @@ bool q_is_1(const Draw& draw, const VertexFacts& vertices) {
 
 void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     const Texture* texture = draw.texture.texture.get();
-    if (!texture) return leave_out(plan, "the texture", "none is enabled, or it is not complete");
+    if (!texture) return leave_out(plan, "texture", "none is enabled, or the enabled one is incomplete");
     TextureEffects& facts = plan.effects.texture;
     facts = environment_of(draw.texture.env_mode, texture->levels.front().base_format);
     if (!plan.effects.has_texture())
-        return leave_out(plan, "the texture", "its environment mode leaves a fragment as it is, with these texels");
+        return leave_out(plan, "texture", "with this texture format its environment mode changes nothing");
 
     facts.one_dimensional = texture->target == kGL_TEXTURE_1D;
     facts.matrix = draw.texture.texture_matrix != glm::dmat4(1);
     facts.q = !q_is_1(draw, vertices);
-    if (!facts.matrix) leave_out(plan, "the texture matrix", "it is the identity");
-    if (!facts.q) leave_out(plan, "the division by q", "q is 1 at every vertex");
+    if (!facts.matrix) leave_out(plan, "texture matrix", "it is the identity");
+    if (!facts.q) leave_out(plan, "division by q", "q is 1 at every vertex");
 
     const bool clamp_t = !facts.one_dimensional && texture->wrap_t == kGL_CLAMP;
     const bool clamps = clamp_t || texture->wrap_s == kGL_CLAMP;
     if (clamps && !texture->filters_linearly())
-        return leave_out(plan, "GL_CLAMP", "without a linear filter it is GL_CLAMP_TO_EDGE");
+        return leave_out(plan, "GL_CLAMP", "without a linear filter it equals GL_CLAMP_TO_EDGE");
     facts.clamp_s = texture->wrap_s == kGL_CLAMP;
     facts.clamp_t = clamp_t;
     facts.gradients = clamps && texture->min_filter != texture->mag_filter;
@@ -94,7 +94,7 @@ void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
         std::count_if(planes.begin(), planes.end(), [](const auto& plane) { return plane.has_value(); }));
     if (plan.effects.clip_plane_count == 0) leave_out(plan, "clip planes", "none is enabled");
     if (draw.fragment.color_sum && !draw.lighting.enabled)
-        leave_out(plan, "the colour sum", "without lighting the secondary colour is black");
+        leave_out(plan, "colour sum", "without lighting the secondary colour is black");
 }
 
 }  // namespace twinlight

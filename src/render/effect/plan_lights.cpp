@@ -1,4 +1,4 @@
-// The lights of a Draw: which are out because they are nothing or faint, and which effects the others need.
+// Plans a Draw's lights: which are left out because they add nothing or little, and which effects the others need.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,9 +12,9 @@
 namespace twinlight {
 namespace {
 
-constexpr double kSumUp = 1 + 1e-12;  // what rounding may take from a sum of some thousand numbers
+constexpr double kSumUp = 1 + 1e-12;  // more than the rounding error of a sum of a few thousand numbers
 
-// To a sum: the product times any factor of [0, largest].
+// Adds to the sum: the product times any factor in [0, largest].
 void add_term(ColorRange& sum, const ColorRange& product_range, double largest) {
     for (int c = 0; c < 3; ++c) {
         sum.low[c] += product(std::min(product_range.low[c], 0.0), largest);
@@ -22,18 +22,18 @@ void add_term(ColorRange& sum, const ColorRange& product_range, double largest) 
     }
 }
 
-// One light whose terms are not all nothing.
+// A light with at least one term that is not 0.
 struct Candidate {
     PlannedLight planned;
     LightEffects effects{};
-    ColorRange range{};  // of what it adds, over the faces that show
+    ColorRange range{};  // of what it adds to the visible faces
     std::size_t entry = 0;
 };
 
 class LightsPlanner {
   public:
-    LightsPlanner(const LightsToPlan& what, Plan& plan)
-        : what_(what), plan_(plan), face_count_(plan.effects.two_side ? 2 : 1) {}
+    LightsPlanner(const LightsToPlan& given, Plan& plan)
+        : given_(given), plan_(plan), face_count_(plan.effects.two_side ? 2 : 1) {}
 
     ColorRange run() {
         const std::vector<LightSource>& lights = plan_.lighting.lights;
@@ -61,10 +61,10 @@ class LightsPlanner {
         return product_of(plan_.lighting.light_model, light, face, material);
     }
 
-    // Whether a colour of the light meets a material that is not black there: on a face that shows, in some channel.
+    // Whether the light's colour times the material's is not black, on a visible face.
     bool meets(const LightColor& light, ColorRange FaceRange::*material) const {
         for (std::size_t face = 0; face < face_count_; ++face) {
-            const ColorRange range = product_with(light, what_.faces[face], material);
+            const ColorRange range = product_with(light, given_.faces[face], material);
             if (range.low != glm::dvec3(0) || range.high != glm::dvec3(0)) return true;
         }
         return false;
@@ -88,12 +88,12 @@ class LightsPlanner {
             if (effects.spot) effects.spot_exponent = power_of(light.spot_exponent);
         }
         const bool reaches = constant_reach > 0;
-        const bool ambient = what_.primary && meets(ambient_of(light), &FaceRange::ambient);
-        effects.diffuse = what_.primary && reaches && meets(diffuse_of(light), &FaceRange::diffuse);
+        const bool ambient = given_.primary && meets(ambient_of(light), &FaceRange::ambient);
+        effects.diffuse = given_.primary && reaches && meets(diffuse_of(light), &FaceRange::diffuse);
         effects.specular =
-            (what_.primary || is_specular_separate()) && reaches && meets(specular_of(light), &FaceRange::specular);
+            (given_.primary || is_specular_separate()) && reaches && meets(specular_of(light), &FaceRange::specular);
 
-        // The Draw's bounds, the cheap one first: what is fainter than its share is out whatever the angles are.
+        // The cheap bound first: a light fainter than its share of the budget is out, whatever the angles are.
         const double share = plan_.budget / static_cast<double>(enabled_) / kSumUp;
         LightFactors factors;
         bool within_share = false;
@@ -101,24 +101,24 @@ class LightsPlanner {
             effects.ambient = reaches && ambient && !is_constant(effects);
             candidate.range = range_of(light, effects, factors);
             LightBound& entry = plan_.light_bounds[number];
-            // Of terms with different signs the larger counts, unless they go to different colours.
+            // If terms have different signs, the larger one counts, unless they go to different colours.
             const glm::dvec3 &low = candidate.range.low, &high = candidate.range.high;
             entry.bound = kSumUp * (is_specular_separate() ? high - low : glm::max(high, -low));
             return entry.largest();
         };
         const bool any = effects.diffuse || effects.specular || (ambient && reaches && !is_constant(effects));
         if (any) {
-            factors = quick_factors(what_.bounds, light);
+            factors = quick_factors(given_.bounds, light);
             within_share = find_range() <= share;
             if (!within_share) {
-                factors = light_factors(what_.bounds, light, what_.faces, static_cast<int>(face_count_));
-                // A cone that holds all of the Draw, and does not fall off, is none.
+                factors = light_factors(given_.bounds, light, given_.faces, static_cast<int>(face_count_));
+                // A cone that contains the whole Draw and does not fall off has no effect.
                 if (effects.spot && effects.spot_exponent == Power::kZero && factors.cone_holds_all)
                     effects.spot = false;
                 find_range();
             }
         }
-        // An ambient term that nothing weakens on its way belongs to the scene's.
+        // An ambient term that nothing weakens is added to the scene's ambient light.
         const bool folded = ambient && (is_unattenuated() || (reaches && is_constant(effects)));
         if (folded) plan_.constant_ambient += (is_unattenuated() ? 1 : constant_reach) * glm::dvec3(light.ambient);
         decide(candidate, factors, folded, within_share);
@@ -135,8 +135,8 @@ class LightsPlanner {
         constexpr double kDegPerRad = 180 / std::numbers::pi;
         if (!effects.ambient && !effects.diffuse && !effects.specular) {
             const bool reaches = candidate.planned.constant_reach > 0;
-            entry.fate = folded                      ? LightFate::kAmbientAlone
-                         : !what_.primary            ? LightFate::kReplaced
+            entry.fate = folded                      ? LightFate::kAmbientOnly
+                         : !given_.primary           ? LightFate::kReplaced
                          : reaches                   ? LightFate::kBlack
                          : light.position_eye.w == 0 ? LightFate::kOutsideCone
                                                      : LightFate::kNoReach;
@@ -155,11 +155,11 @@ class LightsPlanner {
         }
     }
 
-    // What the light adds on the faces that show.
+    // What the light adds to the visible faces.
     ColorRange range_of(const LightSource& light, const LightEffects& effects, const LightFactors& factors) const {
         ColorRange whole;
         for (std::size_t face = 0; face < face_count_; ++face) {
-            const FaceRange& materials = what_.faces[face];
+            const FaceRange& materials = given_.faces[face];
             ColorRange sum;
             const double reach = factors.reach;
             if (effects.ambient) add_term(sum, product_with(ambient_of(light), materials, &FaceRange::ambient), reach);
@@ -174,7 +174,7 @@ class LightsPlanner {
         return whole;
     }
 
-    // After those that are within their share, in the order of their bounds, while the sum of all stays within the budget.
+    // Leaves out more lights, the faintest first, while the sum of their bounds stays within the budget.
     void leave_out_the_faint() {
         std::vector<std::pair<double, std::size_t>> order;
         for (const Candidate& candidate : candidates_) {
@@ -202,41 +202,41 @@ class LightsPlanner {
         const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
         const double reach = candidate.planned.constant_reach;
         if (effects.directional)
-            note("attenuation", "its position's w is 0: it is directional");
+            note("attenuation", "the light is directional (its position has w = 0)");
         else if (!effects.attenuated)
-            note("attenuation", fmt::format("its factors are {}, 0, 0: it is {:.6g} at every vertex",
+            note("attenuation", fmt::format("its factors are {}, 0, 0, so it is {:.6g} at every vertex",
                                             light.constant_attenuation, reach));
         if (!is_spot)
             note("cone", "GL_SPOT_CUTOFF is 180");
         else if (effects.directional)
-            note("cone", fmt::format("it is directional: its spot factor is {:.6g} at every vertex", reach));
+            note("cone", fmt::format("the light is directional, so its spot factor is {:.6g} everywhere", reach));
         else if (!effects.spot && !effects.smooth_cone)
-            note("cone", "it holds all of the Draw, and GL_SPOT_EXPONENT is 0");
+            note("cone", "the whole draw is inside it, and GL_SPOT_EXPONENT is 0");
         if (effects.spot && effects.spot_exponent == Power::kZero)
             note("fall-off inside the cone", "GL_SPOT_EXPONENT is 0");
         if (!effects.ambient && meets(ambient_of(light), &FaceRange::ambient))
-            note("ambient term", "it is the same at every vertex: it is added to the scene's ambient light");
+            note("ambient term", "it is the same at every vertex, so it is part of the scene's ambient light");
         else if (!effects.ambient)
-            note("ambient term", "the product of its and the material's ambient colours is 0");
-        if (!effects.diffuse) note("diffuse term", "the product of its and the material's diffuse colours is 0");
-        if (!effects.specular) note("specular term", "the product of its and the material's specular colours is 0");
+            note("ambient term", "the light's ambient colour times the material's is 0");
+        if (!effects.diffuse) note("diffuse term", "the light's diffuse colour times the material's is 0");
+        if (!effects.specular) note("specular term", "the light's specular colour times the material's is 0");
         plan_.lights.push_back(candidate.planned);
         plan_.effects.lights.push_back(effects);
         sum_ = {sum_.low + candidate.range.low, sum_.high + candidate.range.high};
     }
 
-    const LightsToPlan& what_;
+    const LightsToPlan& given_;
     Plan& plan_;
     const std::size_t face_count_;
     int enabled_ = 0;
     std::vector<Candidate> candidates_;
-    glm::dvec3 faint_{0};  // the sum of the bounds of those that are left out
-    ColorRange sum_;       // of the lights that are in
+    glm::dvec3 faint_{0};  // the sum of the bounds of the faint lights
+    ColorRange sum_;       // of what the kept lights add
 };
 
 }  // namespace
 
-ColorRange plan_lights(const LightsToPlan& what, Plan& plan) { return LightsPlanner(what, plan).run(); }
+ColorRange plan_lights(const LightsToPlan& lights, Plan& plan) { return LightsPlanner(lights, plan).run(); }
 
 std::vector<LeftOut> lights_left_out(const Plan& plan) {
     std::vector<LeftOut> left_out;
@@ -246,22 +246,23 @@ std::vector<LeftOut> lights_left_out(const Plan& plan) {
 }
 
 std::string reason(const LightBound& light) {
-    const double codes = 255 * light.largest();
+    const double largest = 255 * light.largest();
     const std::string amount =
-        std::isfinite(codes) ? fmt::format("at most {:.3g} of 255 codes", codes) : "any amount, as far as can be told,";
+        std::isfinite(largest) ? fmt::format("at most {:.3g}/255", largest) : "an unknown amount";
     switch (light.fate) {
-        case LightFate::kIn: return fmt::format("{} may reach a channel", amount);
+        case LightFate::kIn: return fmt::format("it adds {} to a channel", amount);
         case LightFate::kDisabled: return "it is not enabled";
-        case LightFate::kBlack: return "the products of its colours and the material's are 0";
-        case LightFate::kReplaced: return "the texture takes the place of the colours that it gives";
-        case LightFate::kAmbientAlone:
-            return "it has an ambient term alone, the same at every vertex: it is added to the scene's ambient light";
+        case LightFate::kBlack: return "its colours times the material's are 0";
+        case LightFate::kReplaced: return "the texture replaces the colours it would add";
+        case LightFate::kAmbientOnly:
+            return "it has only an ambient term, the same at every vertex, which is part of the scene's ambient light";
         case LightFate::kOutsideCone: return "it is directional, and its direction is outside its cone";
-        case LightFate::kNoReach: return "its attenuation factors are 0, 0, 0: it contributes nothing";
+        case LightFate::kNoReach: return "its attenuation factors are 0, 0, 0, so it adds nothing";
         case LightFate::kConeMisses:
-            return fmt::format("its cone misses the sphere around the Draw by {:.3g} degrees", light.deg);
-        case LightFate::kBehind: return fmt::format("every normal faces away from it, by {:.3g} degrees", light.deg);
-        case LightFate::kFaint: return fmt::format("{} of it reach a channel", amount);
+            return fmt::format("its cone misses the draw's bounding sphere by {:.3g} degrees", light.deg);
+        case LightFate::kBehind:
+            return fmt::format("every normal faces away from it, by at least {:.3g} degrees", light.deg);
+        case LightFate::kFaint: return fmt::format("it would add {} to a channel", amount);
     }
     return "";
 }

@@ -10,7 +10,7 @@ namespace {
 
 glm::dvec4 with_rgb(const glm::dvec3& rgb, const glm::dvec4& color) { return {rgb, color.a}; }
 
-// The light without what is the same at every vertex: that goes into its colours.
+// The light with its constant attenuation and spot factors multiplied into its colours.
 LightSource scrubbed_light(const Plan& plan, std::size_t i) {
     LightSource light = plan.lighting.lights[static_cast<std::size_t>(plan.lights[i].number)];
     const LightEffects& effects = plan.effects.lights[i];
@@ -39,7 +39,7 @@ ScrubbedState scrubbed_state(const Plan& plan, std::size_t most_lights) {
     lighting.lights.clear();
     if (!effects.lighting) return state;
 
-    // Those that may add most; in their own order, as all are summed.
+    // Keeps the lights that may add most, in their own order, because GL sums in that order.
     const auto bound = [&](std::size_t i) {
         return plan.light_bounds.at(static_cast<std::size_t>(plan.lights[i].number)).largest();
     };
@@ -71,15 +71,15 @@ ScrubbedState scrubbed_state(const Plan& plan, std::size_t most_lights) {
 
 Frame scrubbed_frame(const Frame& frame, const PlanOptions& options) {
     Frame result = frame;
-    for (auto& item : result.items) {
-        Draw* draw = std::get_if<Draw>(&item);
-        if (!draw || !draw->lighting.enabled) continue;
+    for (Draw* draw : result.draws()) {
+        if (!draw->lighting.enabled) continue;
         const Plan plan = plan_effects(*draw, options);
         const ColorMaterial tracking = draw->lighting.color_material;
         draw->lighting = scrubbed_state(plan, plan.lights.size()).lighting;
         if (draw->materials.empty()) continue;
         if (plan.effects.front.varies() || plan.effects.back.varies())
-            draw->lighting.color_material = tracking;  // a colour that all share is in the plan's material alone
+            draw->lighting.color_material =
+                tracking;  // a colour that all vertices share is only in the plan's material
         else
             draw->materials.clear();
     }

@@ -11,7 +11,7 @@ namespace {
 
 bool has_inverse(const glm::dmat4& m) { return std::isnormal(glm::determinant(m)); }
 
-// Where its middle lies on its axis.
+// The z coordinate of the surface's middle on its axis.
 double middle_of(const Surface& surface) {
     if (const auto* disk = std::get_if<DiskSurface>(&surface.equation)) return disk->z;
     if (const auto* frustum = std::get_if<FrustumSurface>(&surface.equation)) return frustum->height / 2;
@@ -34,7 +34,7 @@ Surface in_unit(Surface surface, double unit) {
     return surface;
 }
 
-// The columns are what surface_parts' axes are in object space.
+// The columns are the axes of the surface's space (surface_parts) in object space.
 glm::dmat4 object_from_surface_axes(const Surface& surface) {
     glm::dmat4 m(1);
     for (int axis = 0; axis < 3; ++axis) {
@@ -45,7 +45,7 @@ glm::dmat4 object_from_surface_axes(const Surface& surface) {
     return m;
 }
 
-// Outward normals of a frustum lie at one angle to the axis; a disk has one normal; others have all.
+// A frustum's outward normals have one angle to the axis, a disk has one normal; spheres and tori have all directions.
 void find_normals(const Surface& surface, VertexFacts& facts) {
     facts.shortest_normal = facts.longest_normal = 1;
     facts.normals_equal = false;
@@ -81,7 +81,7 @@ VertexFacts facts_of(const Surface& surface, const Draw& draw) {
     return facts;
 }
 
-// All of the Draw but its vertices.
+// The Draw without its vertices.
 Draw state_of(const Draw& draw) {
     Draw state;
     state.lighting = draw.lighting;

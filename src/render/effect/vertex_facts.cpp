@@ -15,7 +15,7 @@ bool is_far(const glm::dvec3& v) {
     return !(size.x <= kLargestLength && size.y <= kLargestLength && size.z <= kLargestLength);
 }
 
-// From the middle of the box around the positions.
+// Centred on the middle of the positions' bounding box.
 void find_sphere(const Draw& draw, VertexFacts& facts) {
     const bool negative = draw.vertices.front().position_object.w < 0;
     glm::dvec3 low(kLargestLength), high(-kLargestLength);
@@ -39,7 +39,7 @@ void find_sphere(const Draw& draw, VertexFacts& facts) {
         std::sqrt(square) + kBoundsRounding * (std::sqrt(square) + glm::length(facts.center_object)) + kSmallestLength;
 }
 
-// Around the sum of the unit normals.
+// The axis is the direction of the sum of the unit normals.
 void find_normal_cone(const Draw& draw, VertexFacts& facts) {
     double shortest = kLargestLength, longest = 0;
     glm::dvec3 sum(0);
@@ -57,7 +57,7 @@ void find_normal_cone(const Draw& draw, VertexFacts& facts) {
         longest = std::max(longest, length);
         sum += n / length;
     }
-    if (longest == 0 && ordinary) return;  // there is none
+    if (longest == 0 && ordinary) return;  // no normal is other than 0
     facts.normal_half_angle = std::numbers::pi;
     facts.shortest_normal = shortest;
     facts.longest_normal = ordinary ? longest : std::numeric_limits<double>::infinity();
@@ -69,7 +69,7 @@ void find_normal_cone(const Draw& draw, VertexFacts& facts) {
         const glm::dvec3& n = v.normal_object;
         if (n != glm::dvec3(0)) cosine = std::min(cosine, glm::dot(n, facts.normal_axis_dir_object) / glm::length(n));
     }
-    // An arc cosine near 1 loses half of the digits.
+    // acos near 1 loses half of the digits.
     facts.normal_half_angle = std::acos(std::max(cosine - kBoundsRounding, -1.0));
 }
 

@@ -1,5 +1,5 @@
-// What the planner asks of a Draw's vertices, in object coordinates: nothing here changes while they stay as they are,
-// wherever the modelview matrix takes them.
+// What the planner needs to know about a Draw's vertices, in object coordinates. It stays valid while the vertices do
+// not change, whatever the modelview matrix is.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@
 
 namespace twinlight {
 
-// What rounding may take from bounds found in double precision, relative to the sum of the magnitudes that are added: ten
-// thousand times its unit.
+// Bounds the rounding error of a sum of products in double, relative to the sum of their magnitudes; the real error is
+// ten thousand times smaller.
 inline constexpr double kBoundsRounding = 1e-12;
-// Beyond these, squares overflow or underflow.
+// Beyond these, squares overflow or underflow, and there are no bounds.
 inline constexpr double kLargestLength = 1e100, kSmallestLength = 1e-100;
 
 struct VertexFacts {
@@ -23,16 +23,16 @@ struct VertexFacts {
     bool q_is_1 = true;            // of the texture coordinates
     glm::dvec4 position_reach{0};  // the largest absolute value of each component
 
-    // A sphere around the positions, divided by their w, and so around all that lies between them. Nothing is known of
-    // it (has_sphere is false) where there is no vertex, or not every w has the same sign.
+    // A sphere around the positions divided by w, and so around everything between them. There is none (has_sphere is
+    // false) if there are no vertices or the signs of w differ.
     bool has_sphere = false;
     glm::dvec3 center_object{0};
     double radius_object = 0;
 
     bool normals_equal = true;     // to the last bit
-    bool has_zero_normal = false;  // such normals do not count in what follows
+    bool has_zero_normal = false;  // zero normals are ignored below
     double shortest_normal = 0, longest_normal = 0;
-    // A cone around them; its half angle is pi where it is of no use.
+    // A cone around the normals. A half angle of pi means no useful bound.
     glm::dvec3 normal_axis_dir_object{0, 0, 1};
     double normal_half_angle = 0;  // in radians
 
@@ -40,12 +40,12 @@ struct VertexFacts {
     glm::dvec4 color_low{1}, color_high{1};  // channel by channel
 
     std::vector<std::uint32_t>
-        materials;  // which of Draw::materials, each once, from the lowest; empty where there are none
+        materials;  // the used indices into Draw::materials, ascending, each once; empty if there are no materials
 };
 
 VertexFacts vertex_facts(const Draw& draw);
 
-// Whether positions, or texture coordinates, keep their w under the matrix: its last row is 0, 0, 0, 1.
+// Whether the matrix keeps the w of positions or texture coordinates: its last row is 0, 0, 0, 1.
 inline bool keeps_w(const glm::dmat4& m) { return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1; }
 
 }  // namespace twinlight

@@ -48,7 +48,7 @@ void draw_by_arrays(const std::vector<ShapePart>& parts) {
          {GL_COLOR_ARRAY, GL_SECONDARY_COLOR_ARRAY, GL_FOG_COORD_ARRAY, GL_EDGE_FLAG_ARRAY, GL_INDEX_ARRAY}) {
         glDisableClientState(array);
     }
-    for (std::size_t unit = kMaxTextureUnits; unit-- > 0;) {  // unit 0 is the active one in the end
+    for (std::size_t unit = kMaxTextureUnits; unit-- > 0;) {  // leaves unit 0 active
         glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         glDisableClientState(GL_TEXTURE_COORD_ARRAY);
     }

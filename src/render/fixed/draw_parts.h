@@ -1,4 +1,4 @@
-// The parts of shapes to the driver, in floats: as freeglut sends them, and as GLU does.
+// Sends the parts of shapes to the driver, in floats, as freeglut and GLU do.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace twinlight::fixed {
 
-// By vertex arrays. The program's own arrays and buffer objects neither take part in it nor change. RULING: freeglut's
-// drawing would read those that are enabled, past their end where they are shorter than the shape.
+// By vertex arrays. Neither uses nor changes the program's own arrays and buffer objects. RULING: freeglut would also
+// read the program's enabled arrays, past their end if they are shorter than the shape.
 void draw_by_arrays(const std::vector<ShapePart>& parts);
 
 // Between glBegin and glEnd.

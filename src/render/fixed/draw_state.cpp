@@ -55,7 +55,8 @@ void set_lighting(const LightingState& lighting, bool also_off) {
     glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, static_cast<GLint>(model.color_control));
     set_material(GL_FRONT, lighting.front);
     set_material(GL_BACK, lighting.back);
-    // Mesa carries glMaterial out late, over what the colour has given the material meanwhile; but before it answers.
+    // Mesa executes glMaterial late, and would overwrite a material that colours have changed meanwhile. A query forces
+    // it now.
     GLfloat answer[4];
     glGetMaterialfv(GL_FRONT, GL_AMBIENT, answer);
     const ColorMaterial& tracked = lighting.color_material;

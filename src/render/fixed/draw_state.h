@@ -1,4 +1,4 @@
-// The state of a Draw, set in the driver: what FixedStages does not set.
+// Sets the state of a Draw in the driver, except what FixedStages sets.
 #pragma once
 
 #include "scene/state/frame.h"
@@ -8,9 +8,9 @@ namespace twinlight::fixed {
 void set_enabled(Enum capability, bool enabled);
 void load_matrix(Enum mode, const glm::dmat4& matrix);
 
-// With the identity as modelview matrix: positions and directions are in eye coordinates. Values of what is off are set
-// where `also_off` asks for it; without it they change no picture.
+// The modelview matrix must be the identity: positions and directions are in eye coordinates. Values of disabled
+// features change no picture and are set only if `also_off` is true.
 void set_lighting(const LightingState& lighting, bool also_off);
-void set_fog(const Fog& fog);  // its parameters
+void set_fog(const Fog& fog);  // the parameters, not GL_FOG itself
 
 }  // namespace twinlight::fixed

@@ -1,4 +1,4 @@
-// Driver: the names of objects. What it may read stands in driver_reads.cpp.
+// Driver: object names and execution. driver_reads.cpp decides which commands may be sent.
 #include <utility>
 #include <vector>
 
@@ -34,12 +34,12 @@ void delete_names(ObjectType type, const std::set<std::uint32_t>& names) {
 Driver::Driver(int width, int height) { initial_.emplace(width, height); }
 
 Driver::~Driver() {
-    if (selects_) {  // the buffers go with this
+    if (selects_) {  // their buffers are freed with this object
         glRenderMode(GL_RENDER);
         glSelectBuffer(0, nullptr);
         glFeedbackBuffer(0, GL_2D, nullptr);
     }
-    initial_.reset();  // what is bound is not deleted at once
+    initial_.reset();  // a bound object would not be deleted at once
     for (const auto& [type, names] : names_) delete_names(type, names.all);
     for (std::uint32_t list : lists_) glDeleteLists(list, 1);
 }
@@ -52,8 +52,8 @@ std::uint32_t Driver::name_of(ObjectType type, std::uint32_t name) const {
     return found == names->second.driver_from_scene.end() ? 0 : found->second;
 }
 
-// A name that stands for no other of the scene's: a driver may give one again that was deleted, but the scene's display
-// lists may still hold it. 0 where the driver gives none (between glBegin and glEnd).
+// A name that is not used for another object of the scene: drivers reuse deleted names, but the scene's display lists
+// may still contain them. 0 if the driver gives none (between glBegin and glEnd).
 std::uint32_t Driver::new_name(ObjectType type) {
     GLuint name = 0;
     do {
@@ -63,7 +63,7 @@ std::uint32_t Driver::new_name(ObjectType type) {
     return name;
 }
 
-// glGenTextures, glGenBuffers: a name of the driver's for each of the scene's.
+// glGenTextures, glGenBuffers: gets a driver's name for each of the scene's names.
 void Driver::generate(const Command& command) {
     const ObjectType type = *named_objects(command.sig().parameters[1]);
     if (command.number(0) <= 0) return executor_.execute(command);  // the driver's error
@@ -75,16 +75,15 @@ void Driver::generate(const Command& command) {
 
 namespace {
 
-// How many values of a hit's or a feedback's buffer there are: what comes after them is cut off, as GL does, and a
-// scene cannot use any.
+// The largest selection or feedback buffer. GL cuts off what does not fit, and a scene cannot use the values.
 constexpr GLsizei kMostHitValues = 1 << 16;
 
-// Queries whose answers' lengths State does not know: they change nothing, and are not sent.
+// Queries with an answer of unknown length: they change nothing and are not sent.
 constexpr CommandSet kQueries = CommandSet::of({"driver_only_query"});
 
 }  // namespace
 
-// The driver writes into buffers of our own: they stay while it may.
+// The driver writes into our own buffers, which live as long as it may write.
 void Driver::selection_buffer(GLsizei size) {
     selects_ = true;
     selection_.resize(kMostHitValues);
@@ -100,7 +99,7 @@ void Driver::feedback_buffer(GLsizei size, GLenum type) {
 void Driver::execute(const Command& command) {
     if (kQueries.contains(command.id)) return;
     if (const auto written_out = gl_command_of(command)) return execute(*written_out);
-    if (!may_see(command)) return;
+    if (!may_send(command)) return;
     switch (command.id) {
         case CommandId::glGenTextures:
         case CommandId::glGenBuffers: return generate(command);
@@ -114,17 +113,17 @@ void Driver::execute(const Command& command) {
             break;
         case CommandId::glDeleteLists: return delete_lists(command);
         case CommandId::glGenLists:
-            // 5.4: the scene's own names make lists as well. What the driver would find is not used.
+            // 5.4: the scene may use its own names for lists, so the driver's answer is not needed.
             if (command.number(0) > 0) return;
             break;
         default: break;
     }
     executor_.execute(translated(command));
     if (command.id == CommandId::glEndList) empty_lists();
-    arrays_may_differ_ |= command.sig().family == Family::kShape;  // sent by arrays
+    arrays_may_differ_ |= command.sig().family == Family::kShape;  // shapes are sent by arrays
 }
 
-// A driver may look for every name of the range, of which there may be 2^31: it is given those that are there.
+// A driver may look for every name of the range, and there may be 2^31. So it gets only those that exist.
 void Driver::delete_lists(const Command& command) {
     const double range = command.number(1), first = command.number(0);
     if (range < 0 || !answers()) return executor_.execute(command);  // the driver's error
@@ -153,12 +152,12 @@ void Driver::empty_lists() {
     }
 }
 
-// The command with the driver's names.
+// The command with the driver's names instead of the scene's.
 Command Driver::translated(const Command& command) {
     Command result = command;
     const std::vector<Parameter>& parameters = command.sig().parameters;
     if (command.id == CommandId::glDrawRangeElements) {
-        // A driver may read all elements of the range, and an array may end before the range does.
+        // A driver may read all elements of the range, but an array may end earlier.
         const auto range = arrays_.index_range(command);
         result.arguments[1] = range.first;
         result.arguments[2] = range.second;
@@ -170,7 +169,7 @@ Command Driver::translated(const Command& command) {
         for (std::size_t n = first; n < end; ++n) {
             const auto name = static_cast<std::uint32_t>(command.number(n));
             std::uint32_t driver_name = name_of(*type, name);
-            // 3.8.12, 2.9: binding a name that was never generated makes an object.
+            // 3.8.12, 2.9: binding a name that was never generated creates an object.
             if (driver_name == 0 && name != 0 && parameters[i].extent == Extent::kValue) {
                 driver_name = names_[*type].driver_from_scene[name] = new_name(*type);
             }

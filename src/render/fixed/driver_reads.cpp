@@ -1,9 +1,9 @@
-// Driver: what a driver may be sent without reading beyond the memory that a command is given.
+// Driver: decides which commands may be sent, so that the driver never reads beyond the memory of a command.
 //
-// State's rules are GL 2.1's, and a driver has others as well: types, formats and targets of later versions that State
-// refuses and the driver takes, limits that State does not know and the driver keeps, and between glBegin and glEnd it
-// ignores what arrays_ would follow. So what State refuses is not sent where it names memory; and before a driver reads
-// arrays, it is asked whether they are where arrays_ has them.
+// State follows GL 2.1, but drivers also have other rules: types, formats and targets of later versions that State
+// refuses; limits that State does not know; and between glBegin and glEnd they ignore commands that arrays_ would
+// follow. So a command that State refuses is not sent if it refers to memory; and before the driver reads arrays, it is
+// asked whether its arrays are those of arrays_.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,9 +24,9 @@ namespace {
 bool names_memory(const Parameter& parameter) { return parameter.extent == Extent::kPointer; }
 
 // The commands of VertexArrays: those on arrays, on buffers and on the client's attribute stack.
-constexpr CommandSet kOfArrays = CommandSet::of({"client_arrays"});
+constexpr CommandSet kArrayCommands = CommandSet::of({"client_arrays"});
 
-// Arrays that no pointer command of the table leads anywhere, and what a driver may take for glEnableClientState.
+// Arrays that no pointer command of the table sets. Drivers also accept glEnable instead of glEnableClientState.
 bool enables_unknown_array(const Command& c) {
     const Enum array = c.sig().parameters.empty() ? 0 : c.enumerant(0);
     if (c.id == CommandId::glEnableClientState) {
@@ -36,7 +36,7 @@ bool enables_unknown_array(const Command& c) {
                                            array == GL_SECONDARY_COLOR_ARRAY || array == GL_FOG_COORD_ARRAY);
 }
 
-// What the driver answers; `unanswered` where it does not.
+// The driver's answer, or `unanswered` if there is none.
 GLint integer(GLenum name, GLint unanswered) {
     GLint value = unanswered;
     glGetIntegerv(name, &value);
@@ -49,26 +49,26 @@ bool Driver::answers() { return integer(GL_CLIENT_ATTRIB_STACK_DEPTH, -1) >= 0; 
 
 bool Driver::is_compiling() { return integer(GL_LIST_INDEX, 0) != 0; }
 
-bool Driver::may_see(const Command& c) {
+bool Driver::may_send(const Command& c) {
     if (enables_unknown_array(c)) return false;
-    if (kOfArrays.contains(c.id) || draws_arrays(c.id)) return may_see_arrays(c);
+    if (kArrayCommands.contains(c.id) || draws_arrays(c.id)) return may_send_arrays(c);
     switch (c.id) {
         case CommandId::glBegin:
-            arrays_agree();  // asked now, for a glArrayElement that follows
+            arrays_agree();  // checked now, for a glArrayElement that may follow
             return true;
         case CommandId::glCallList:
-        case CommandId::glCallLists: return may_see_lists(c);
-        case CommandId::glPolygonStipple: return may_see_stipple(c);
+        case CommandId::glCallLists: return may_send_lists(c);
+        case CommandId::glPolygonStipple: return may_send_stipple(c);
         case CommandId::glCopyTexImage1D:
         case CommandId::glCopyTexImage2D: return may_copy_pixels(c);
-        default: return std::ranges::none_of(c.sig().parameters, names_memory) || may_see_pixels(c);
+        default: return std::ranges::none_of(c.sig().parameters, names_memory) || may_send_pixels(c);
     }
 }
 
 // ---- Vertex arrays and buffer objects ----
 
-bool Driver::may_see_arrays(const Command& c) {
-    // Not even a draw's error, for the driver may draw where State does not (GL_LINES_ADJACENCY).
+bool Driver::may_send_arrays(const Command& c) {
+    // A draw with an error is not sent either: the driver may draw where State does not (GL_LINES_ADJACENCY).
     if (draws_arrays(c.id)) return arrays_agree() && !arrays_.check(c);
     const bool reads = std::ranges::any_of(c.sig().parameters, names_memory) || c.id == CommandId::glBindBuffer;
     if (!answers()) return !reads;
@@ -103,7 +103,7 @@ bool Driver::holds_arrays() const {
 
 bool Driver::holds(const ArrayPointer& array, Enum name) const {
     struct Queries {
-        Enum array, pointer, stride, buffer, type, size;  // 0: there is no such query
+        Enum array, pointer, stride, buffer, type, size;  // 0: no such query
     };
     static constexpr Queries kQueries[] = {
         {GL_VERTEX_ARRAY, GL_VERTEX_ARRAY_POINTER, GL_VERTEX_ARRAY_STRIDE, GL_VERTEX_ARRAY_BUFFER_BINDING,
@@ -123,7 +123,7 @@ bool Driver::holds(const ArrayPointer& array, Enum name) const {
     const auto same = [](Enum query, double value) { return query == 0 || integer(query, -1) == value; };
     const auto offset = static_cast<std::ptrdiff_t>(array.offset);
     const void* const expected = array.memory ? static_cast<const void*>(array.memory->bytes.data() + offset)
-                                              : reinterpret_cast<const void*>(offset);  // NOLINT: as it is given
+                                              : reinterpret_cast<const void*>(offset);  // NOLINT: an offset, as given
     void* pointer = nullptr;
     glGetPointerv(queries.pointer, &pointer);
     return pointer == expected && same(queries.stride, array.stride) && same(queries.type, array.type) &&
@@ -132,9 +132,9 @@ bool Driver::holds(const ArrayPointer& array, Enum name) const {
 
 // ---- Lists ----
 
-bool Driver::may_see_lists(const Command& c) {
-    arrays_agree();                                              // a list may hold a glBegin
-    if (c.id == CommandId::glCallList) return c.number(0) != 0;  // of which there is no list to look at
+bool Driver::may_send_lists(const Command& c) {
+    arrays_agree();                                              // a list may contain a glBegin
+    if (c.id == CommandId::glCallList) return c.number(0) != 0;  // there is no list 0
     const double offset = c.number(2), count = c.number(0);
     const int size = list_name_bytes(c.enumerant(1));
     if (count <= 0 || size == 0) return true;
@@ -184,16 +184,16 @@ PixelSource pixels_of(const Command& c) {
     return source;
 }
 
-// Asked for an image that is larger than it can be, llvmpipe (22.3) counts its levels beyond the end of an array.
+// llvmpipe (22.3) runs past the end of an array of levels if an image is larger than the limit.
 bool is_too_large(const PixelSource& source) { return std::max(source.width, source.height) > kMaxTextureSize + 2; }
 
-// As many bytes as a driver can read, exactly so for what GL 2.1 has.
+// The most bytes that a driver can read; exact for the formats of GL 2.1.
 std::size_t most_bytes_read(PixelSource source, const PixelStore& store) {
     if (source.type == kGL_BITMAP) return bitmap_bytes(source.width, source.height, store);
     if (source.format == kGL_COLOR_INDEX || source.format == GL_STENCIL_INDEX || source.format == kGL_DEPTH_COMPONENT) {
-        source.format = kGL_RED;  // one component as well
+        source.format = kGL_RED;  // also one component
     }
-    // Of what later versions have, nothing is larger than this.
+    // No format of a later version is larger than this.
     if (!pixel_bytes(source.format, source.type)) {
         source.format = kGL_RGBA;
         source.type = kGL_FLOAT;
@@ -203,7 +203,7 @@ std::size_t most_bytes_read(PixelSource source, const PixelStore& store) {
 
 }  // namespace
 
-bool Driver::may_see_stipple(const Command& c) {
+bool Driver::may_send_stipple(const Command& c) {
     constexpr int kSide = 32;
     if (integer(GL_PIXEL_UNPACK_BUFFER_BINDING, -1) != 0) return false;
     return bitmap_bytes(kSide, kSide, unpacking()) <= c.array().size();
@@ -211,17 +211,17 @@ bool Driver::may_see_stipple(const Command& c) {
 
 bool Driver::may_copy_pixels(const Command& c) { return !is_too_large(pixels_of(c)); }
 
-bool Driver::may_see_pixels(const Command& c) {
+bool Driver::may_send_pixels(const Command& c) {
     const GLint buffer = integer(GL_PIXEL_UNPACK_BUFFER_BINDING, -1);
     if (buffer < 0) return false;  // between glBegin and glEnd
-    const bool is_of_glu = c.sig().name.starts_with("glu");
+    const bool is_glu = c.sig().name.starts_with("glu");
     const double offset = c.arguments.back();
     const PixelSource source = pixels_of(c);
     const bool is_drawn = c.id == CommandId::glDrawPixels || c.id == CommandId::glBitmap;
     if (!is_drawn && is_too_large(source)) return false;
-    if (buffer > 0) return !c.memory && !is_of_glu;  // GL knows the buffer's size itself, GLU knows no buffers
+    if (buffer > 0) return !c.memory && !is_glu;  // GL checks the buffer's size itself; GLU has no buffers
     const bool is_empty = source.width <= 0 || source.height <= 0;
-    if (!c.memory) return offset == 0 && (is_empty || (!is_of_glu && !is_drawn));
+    if (!c.memory) return offset == 0 && (is_empty || (!is_glu && !is_drawn));
     const auto size = static_cast<double>(c.memory->bytes.size());
     return offset >= 0 && offset + static_cast<double>(most_bytes_read(source, unpacking())) <= size;
 }

@@ -1,4 +1,4 @@
-// Commands to the driver, literally: for each row of commands.def that GL or GLU has, a call of that function with the
+// Sends commands to the driver literally: each row of commands.def that GL or GLU has calls that function, with the
 // arguments in its own types.
 #include "render/fixed/execute.h"
 
@@ -17,7 +17,7 @@ namespace twinlight::fixed {
 
 namespace {
 
-// What the function returns: no argument.
+// The function's result, which is not an argument.
 template <class Returned>
 struct Result {};
 
@@ -41,11 +41,11 @@ auto declared() {
         return static_cast<Value*>(nullptr);
 }
 
-// The longest array of a fixed length that a command of the table reads or writes; shorter ones are padded with 0, so
-// that the driver never reads past the end whatever pname it is given.
+// The longest fixed-length array that a command of the table reads or writes. Shorter arrays are padded with 0, so that
+// the driver never reads past the end, whatever pname it gets.
 constexpr std::size_t kLongestArray = 16;
 
-// Commands hold only what their types can, but a float may be infinite.
+// The conversion is safe: commands hold only numbers that their types can represent; a float may be infinite.
 template <class T>
 struct Argument {
     Argument(const Command& command, std::size_t i) : value(static_cast<T>(command.number(command.first(i)))) {}
@@ -67,7 +67,7 @@ struct Argument<Element*> {
     std::vector<std::remove_const_t<Element>> many;
 };
 
-// A pointer into the command's memory, or the offset into a buffer object that stands in its place.
+// A pointer into the command's memory, or an offset into a buffer object.
 template <>
 struct Argument<const void*> {
     Argument(const Command& command, std::size_t i) {
@@ -79,19 +79,19 @@ struct Argument<const void*> {
     const void* value = nullptr;
 };
 
-// Memory that a command would write: no such command gets here, see Driver.
+// Memory that a command would write. No such command gets here (see Driver).
 template <>
 struct Argument<void*> {
     Argument(const Command&, std::size_t) {}
     static void* get() { return nullptr; }
 };
 
-// `Declared` are the parameters as the table declares them: a row that disagrees with the header does not compile.
+// `Declared`: the parameters in the table. If a row disagrees with the header, it does not compile.
 template <class... Declared>
 struct Call {
     template <std::size_t i>
     using At = std::tuple_element_t<i, std::tuple<Declared..., void>>;
-    // glBitmap's memory is one of GLubyte in the header.
+    // The header declares glBitmap's memory as GLubyte.
     template <class D, class Actual>
     static constexpr bool kAgree = std::is_same_v<D, Actual> ||
                                    (std::is_same_v<D, const void*> && std::is_same_v<Actual, const GLubyte*>);
@@ -120,15 +120,15 @@ void Executor::draw_shape(const Command& command) {
     draw_by_arrays(shape_parts(command));
 }
 
-// Of the pragmas GL can do one: it draws.
+// GL can execute only one pragma: drawing a shape.
 void Executor::pragma(const Command& command) {
     if (command.id == CommandId::pragma_shape) draw_shape(command);
 }
 
 void Executor::execute(const Command& command) {
-    // Offscreen there is one colour buffer, and it has another name than a window's.
+    // Offscreen there is only one colour buffer, with a different name than a window's.
     if (command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE) return glDrawBuffer(color_buffer_);
-    if (command.id == CommandId::glReadBuffer) return;  // the picture is read from there
+    if (command.id == CommandId::glReadBuffer) return;  // ignored: the picture is read from the current buffer
     switch (command.id) {
 // clang-format off
 #define PARAMETER(name, kind, extent, count) decltype(declared<Kind::kind, Extent::extent>())

@@ -1,4 +1,4 @@
-// One command to the driver.
+// Sends one command to the driver.
 #pragma once
 
 #include "render/fixed/quadrics.h"
@@ -6,22 +6,22 @@
 
 namespace twinlight::fixed {
 
-// The one that is drawn to now: GL_BACK in a window with two, another name offscreen.
+// The current draw buffer: GL_BACK in a window with two buffers; it has another name offscreen.
 Enum draw_buffer();
 
-// Calls the function of the command's name with the command's arguments, as they are, and keeps GLU's objects. The names
-// of GL's objects are the driver's own here, and what the command reads must be there: Driver sees to both.
+// Calls the function with the command's name and arguments, and keeps GLU's objects. Names of GL objects must be the
+// driver's, and memory that the command reads must exist: Driver ensures both.
 class Executor {
   public:
     Executor();
-    // Pragmas that GL has no command for do nothing, but shape(...) draws.
+    // Ignores pragmas without a GL command, except shape(...), which draws.
     void execute(const Command& command);
 
   private:
     void draw_shape(const Command& command);
     void pragma(const Command& command);
 
-    Enum color_buffer_;  // the context's, where GL_BACK and its like are drawn
+    Enum color_buffer_;  // the context's, used for GL_BACK and similar names
     Quadrics quadrics_;
 };
 

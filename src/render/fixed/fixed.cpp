@@ -10,11 +10,11 @@ namespace twinlight::fixed {
 
 namespace {
 
-// Black and depth 1, whatever the state says of clearing: it is as it was afterwards.
+// Clears to black and depth 1, whatever the state is, and restores the state.
 void clear_to_black() {
     GLint list = 0, mask = GL_TRUE;
     glGetIntegerv(GL_LIST_INDEX, &list);
-    if (list != 0) return;  // a list is being compiled: the clearing would become a part of it
+    if (list != 0) return;  // a list is being compiled and would record the clear
     std::array<GLfloat, 4> color{};
     std::array<GLboolean, 4> color_mask{};
     GLdouble depth = 1;
@@ -65,7 +65,7 @@ void check_shading(const std::optional<Shading>& shading) {
         throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
     if (shading == Shading::kExact)
         throw std::invalid_argument(
-            "the fixed function draws meshes, no exact surfaces; use --with programmable or reference");
+            "the fixed function cannot draw exact surfaces; use --with programmable or reference");
 }
 
 Image render(const Scene& scene, const Options& options) {

@@ -1,4 +1,4 @@
-// The control group: the driver's own fixed function executes the commands, literally, in the current context.
+// The fixed renderer: the driver's own fixed function executes the commands, literally, in the current context.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@
 
 namespace twinlight::fixed {
 
-// Keeps what commands change to itself: sets GL's initial state, for a window of this size, when it begins and when it
-// ends. Objects stay.
+// Confines the changes of commands: sets GL's initial state, for a window of this size, on construction and
+// destruction. Objects stay.
 class InitialState {
   public:
     InitialState(int width, int height);
@@ -32,13 +32,13 @@ class InitialState {
     Enum draw_buffer_;
 };
 
-// The driver, for the commands of one scene: it starts in GL's initial state, for a window of this size, and has it again
-// at the end, without the objects that the scene made.
+// The driver, for the commands of one scene. It starts in GL's initial state, for a window of this size, and returns to
+// it at the end, without the objects that the scene made.
 //
-// The context holds objects of others too, so the scene's names of textures and buffers stand for names that the driver
-// gave; those of display lists, which nobody else has here, are the driver's own. The driver never reads beyond the
-// memory that a command is given, whatever the command: one that might is not sent. State refuses such commands, or says
-// that they are unsupported.
+// The context also holds other objects, so the scene's texture and buffer names are mapped to names that the driver
+// gave. Display lists have the scene's own names, because nobody else uses lists here. The driver never reads beyond
+// the memory of a command: a command that might do so is not sent. State refuses such commands or lists them as
+// unsupported.
 class Driver {
   public:
     Driver(int width, int height);
@@ -46,20 +46,20 @@ class Driver {
     Driver(const Driver&) = delete;
     Driver& operator=(const Driver&) = delete;
 
-    // One command. Pragmas that GL has no command for do nothing, but shape(...) draws.
+    // Executes one command. Ignores pragmas without a GL command, except shape(...), which draws.
     void execute(const Command& command);
 
-    // Makes empty lists of these names, which do what no lists do; and so do those that are deleted. Mesa (22.3) crashes where
-    // a list calls another that is not there when it is compiled.
+    // Creates empty lists with these names, and keeps them when they are deleted. An empty list does what a missing one
+    // does, but Mesa (22.3) crashes if a list that is being compiled calls a missing one.
     void make_empty_lists(const std::vector<std::uint32_t>& names);
 
-    // The driver's name for an object of the scene; 0 for one that it does not have.
+    // The driver's name for an object of the scene; 0 if there is none.
     std::uint32_t name_of(ObjectType type, std::uint32_t name) const;
 
   private:
     struct Names {
         std::map<std::uint32_t, std::uint32_t> driver_from_scene;
-        std::set<std::uint32_t> all;  // that the driver gave
+        std::set<std::uint32_t> all;  // all names that the driver gave
     };
 
     void generate(const Command& command);
@@ -70,16 +70,16 @@ class Driver {
     void delete_lists(const Command& command);
     void empty_lists();
 
-    bool may_see(const Command& command);
-    bool may_see_arrays(const Command& command);
-    bool may_see_lists(const Command& command);
-    bool may_see_pixels(const Command& command);
-    static bool may_see_stipple(const Command& command);
+    bool may_send(const Command& command);
+    bool may_send_arrays(const Command& command);
+    bool may_send_lists(const Command& command);
+    bool may_send_pixels(const Command& command);
+    static bool may_send_stipple(const Command& command);
     static bool may_copy_pixels(const Command& command);
-    // Whether the driver answers queries: between glBegin and glEnd it does not, and carries out few commands.
+    // Whether the driver answers queries. Between glBegin and glEnd it does not, and it executes few commands.
     static bool answers();
     static bool is_compiling();  // a display list
-    // Whether arrays_ is what the driver has, as far as it answers.
+    // Whether the driver's arrays are those of arrays_, as far as it can be asked.
     bool arrays_agree();
     bool holds_arrays() const;
     bool holds(const ArrayPointer& array, Enum name) const;
@@ -87,24 +87,24 @@ class Driver {
     std::optional<InitialState> initial_;
     Executor executor_;
     std::map<ObjectType, Names> names_;
-    std::set<std::uint32_t> lists_;                       // that the scene compiled
-    std::set<std::uint32_t> kept_lists_, emptied_lists_;  // those that are there always; to be emptied after glEndList
-    VertexArrays arrays_;                                 // as the driver should have them
-    bool arrays_may_differ_ = false;                      // since the driver was asked
-    bool arrays_agreed_ = true;                           // when it was asked
-    std::vector<std::uint32_t> selection_;                // where the driver writes what glRenderMode asks for
+    std::set<std::uint32_t> lists_;                       // compiled by the scene
+    std::set<std::uint32_t> kept_lists_, emptied_lists_;  // lists that always exist; lists to empty after glEndList
+    VertexArrays arrays_;                                 // the arrays that the driver should have
+    bool arrays_may_differ_ = false;                      // since the last check
+    bool arrays_agreed_ = true;                           // at the last check
+    std::vector<std::uint32_t> selection_;                // the driver's output under glRenderMode
     std::vector<float> feedback_;
-    bool selects_ = false;  // the scene has set them, or the mode
+    bool selects_ = false;  // the scene has set these buffers or the render mode
 };
 
 struct Options {
     std::optional<Shading> shading{};  // instead of every glShadeModel: kFlat or kGouraud
 };
 
-// Throws std::invalid_argument for what the fixed function cannot do: Shading::kPhong and Shading::kExact.
+// Throws std::invalid_argument for shadings that the fixed function lacks: Shading::kPhong and Shading::kExact.
 void check_shading(const std::optional<Shading>& shading);
 
-// Clears to black and depth 1, executes the scene's commands, reads the picture. Throws as check_shading() does.
+// Clears to black and depth 1, executes the scene's commands and reads the picture. Throws as check_shading() does.
 Image render(const Scene& scene, const Options& options = {});
 // The same without reading back: leaves the picture in the current colour buffer.
 void draw(const Scene& scene, const Options& options = {});

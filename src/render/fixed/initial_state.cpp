@@ -1,5 +1,5 @@
-// GL's initial state (6.2): a scene starts from it, and leaves nothing behind. An attribute stack would be shorter, but its
-// levels belong to the scene. What State has comes from its own initial values; what the driver alone has stands here.
+// GL's initial state (6.2), in which a scene starts and ends. An attribute stack would be shorter, but its levels
+// belong to the scene. State's initial values are used for everything that State has; the rest is here.
 #include <array>
 
 #include "render/context/gl.h"
@@ -83,7 +83,7 @@ void reset_fragments(const Attributes& start) {
     glClearAccum(0, 0, 0, 0);
 }
 
-// What the texture of name 0 keeps of its parameters; its images go with an empty one.
+// Resets the parameters of texture 0, and deletes its images by giving it empty ones.
 void reset_texture(GLenum target) {
     const Texture start;
     glBindTexture(target, 0);
@@ -111,13 +111,13 @@ void reset_texture(GLenum target) {
 
 void reset_texture_units(const Vertex& current) {
     const TextureBindings start;
-    for (GLint i = integer(GL_MAX_TEXTURE_UNITS) - 1; i >= 0; --i) {  // unit 0 is the active one in the end
+    for (GLint i = integer(GL_MAX_TEXTURE_UNITS) - 1; i >= 0; --i) {  // leaves unit 0 active
         const GLenum unit = GL_TEXTURE0 + static_cast<GLenum>(i);
         glActiveTexture(unit);
         set_enabled(GL_TEXTURE_1D, start.enabled_1d);
         set_enabled(GL_TEXTURE_2D, start.enabled_2d);
         for (const DriverOnlyCapability& row : driver_only_capabilities())
-            if (row.of_unit()) glDisable(row.cap);
+            if (row.is_per_unit()) glDisable(row.cap);
         reset_texture(GL_TEXTURE_1D);
         reset_texture(GL_TEXTURE_2D);
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(start.env_mode));
@@ -166,10 +166,10 @@ void reset(int width, int height) {
     const Attributes& start = initial.attributes();
     close_and_empty_stacks();
     reset_stack(GL_PROJECTION, GL_PROJECTION_STACK_DEPTH);
-    reset_stack(GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH);  // before the lights and the clip planes, which it moves
-    reset_pixels(initial.pixel_store());                  // before the patterns, which lie in memory as it says
+    reset_stack(GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH);  // before lights and clip planes, which it transforms
+    reset_pixels(initial.pixel_store());                  // before the stipple patterns, which it unpacks
     for (const DriverOnlyCapability& row : driver_only_capabilities())
-        if (!row.of_unit()) set_enabled(row.cap, *initial.capability(row.cap));
+        if (!row.is_per_unit()) set_enabled(row.cap, *initial.capability(row.cap));
     for (const auto& [target, mode] : start.hints) glHint(target, mode);
     glListBase(start.list_base);
     reset_current_values(start.current);
@@ -187,7 +187,7 @@ void reset(int width, int height) {
     reset_points_and_stipples();
     reset_fragments(start);
     reset_texture_units(start.current);
-    reset_evaluators();  // where unit 0 is the active one
+    reset_evaluators();  // needs unit 0 active
     reset_arrays();
     glMatrixMode(start.matrix_mode);
 }

@@ -10,8 +10,8 @@ namespace twinlight::fixed {
 
 namespace {
 
-// Where GLU 9.0.2 sends numbers that it has never written (src/libutil/quad.c): normals of GLU_FLAT without facets, and at the
-// second pole of a sphere with more stacks than slices, whose last stack is looked up among the slices.
+// Whether GLU 9.0.2 sends uninitialised numbers (src/libutil/quad.c): normals for GLU_FLAT without facets, and at the
+// second pole of a sphere with more stacks than slices, where it looks up the last stack among the slices.
 bool sends_unwritten_memory(const Quadric& quadric, const Command& command) {
     const bool is_sphere = command.id == CommandId::gluSphere;
     if (!is_sphere && command.id != CommandId::gluCylinder) return false;
@@ -52,7 +52,7 @@ void Quadrics::set(Entry& entry, const Command& command) {
         case CommandId::gluQuadricTexture: return gluQuadricTexture(object, static_cast<GLboolean>(value));
         case CommandId::gluQuadricOrientation: return gluQuadricOrientation(object, value);
         case CommandId::gluQuadricDrawStyle: return gluQuadricDrawStyle(object, value);
-        default: throw std::invalid_argument(std::string(command.name()) + " sets no quadric");
+        default: throw std::invalid_argument(std::string(command.name()) + " does not set a quadric");
     }
 }
 
@@ -69,7 +69,7 @@ void Quadrics::draw(const Entry& entry, const Command& command) {
         case CommandId::gluDisk: return gluDisk(object, number(1), number(2), count(3), count(4));
         case CommandId::gluPartialDisk:
             return gluPartialDisk(object, number(1), number(2), count(3), count(4), number(5), number(6));
-        default: throw std::invalid_argument(std::string(command.name()) + " draws no quadric");
+        default: throw std::invalid_argument(std::string(command.name()) + " does not draw a quadric");
     }
 }
 

@@ -1,4 +1,4 @@
-// GLU's quadrics, literally: the numbers of Commands are quadric objects of the GLU library, which sends their shapes.
+// GLU's quadrics, literally: each number in a Command is a quadric object of the GLU library, which draws the shapes.
 #pragma once
 
 #include <map>
@@ -13,7 +13,8 @@ namespace twinlight::fixed {
 
 class Quadrics {
   public:
-    // A command of Family::kQuadric, or one that draws a quadric. Does nothing for a number that is no quadric (any more).
+    // Executes a command of Family::kQuadric, or one that draws a quadric. Does nothing if the number is not (or no
+    // longer) a quadric.
     void execute(const Command& command);
 
   private:
@@ -22,7 +23,7 @@ class Quadrics {
     };
     struct Entry {
         std::unique_ptr<GLUquadric, Delete> object;
-        Quadric quadric;  // what it has been told: GLU does not tell it back
+        Quadric quadric;  // its settings, which GLU cannot return
     };
 
     static void set(Entry& entry, const Command& command);

@@ -23,7 +23,7 @@ void set_clip_planes(const RasterState& raster) {
         if (equation) glClipPlane(plane++, &(*equation)[0]);
 }
 
-// A Draw with what is set for it.
+// A Draw with the state to set for it.
 struct PreparedDraw {
     PreparedDraw(const Draw& from, const ReplayOptions& options) : draw(&from) {
         shade_model = from.lighting.shade_model;

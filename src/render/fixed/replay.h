@@ -1,5 +1,5 @@
-// Replay: the fixed function draws a Frame's Draws, from buffers or by other ways of sending, and not command by command. The study
-// and the bench time it; what others are compared with is fixed::render(), which executes the commands.
+// Replay: the fixed function draws a Frame's Draws, from buffers or sent in other ways, instead of executing commands.
+// The study and the benchmarks time it; for comparisons fixed::render() executes the commands.
 #pragma once
 
 #include <cstdint>
@@ -13,29 +13,29 @@ namespace twinlight::fixed {
 
 // How much of a Draw's state is set.
 enum class Scrub : std::uint8_t {
-    kNothing,  // all that the Draw has, needed or not
-    kState,    // what its plan calls for (render/effect/scrubbed_state.h)
+    kNothing,  // the whole state, needed or not
+    kState,    // only the state that the plan needs (render/effect/scrubbed_state.h)
 };
 
-// How vertices get to the driver, frame after frame (2.6 to 2.9, 5.4).
+// How vertices are sent to the driver in each frame (2.6 to 2.9, 5.4).
 enum class Sending : std::uint8_t {
     kBuffers,       // arrays in buffer objects
     kClientArrays,  // arrays in the program's own memory
     kImmediate,     // vertex by vertex, between glBegin and glEnd
-    kDisplayList,   // the same, compiled once
+    kDisplayList,   // the same commands, compiled once
 };
 
 struct ReplayOptions {
-    std::optional<Shading> shading{};  // kFlat or kGouraud; nothing: as each Draw's glShadeModel says
+    std::optional<Shading> shading{};  // kFlat or kGouraud; empty: by each Draw's glShadeModel
     Scrub scrub = Scrub::kNothing;
-    double budget = PlanOptions{}.budget;  // of Scrub::kState
+    double budget = PlanOptions{}.budget;  // for Scrub::kState
     Sending sending = Sending::kBuffers;
-    bool patches = true;  // from buffers, large meshes in patches (render/stages/elements.h)
+    bool patches = true;  // draws large meshes from buffers in patches (render/stages/elements.h)
 };
 
-// Owns buffers and textures of the context that is current; dies before that does. What the Frame lacks (Frame::unsupported)
-// it does not draw. Of more than eight lights each Draw has the first eight, or under Scrub::kState the eight whose bounds are
-// largest.
+// Owns buffers and textures of the current context, so it must be destroyed before the context. Does not draw what the
+// Frame lacks (Frame::unsupported). If a Draw has more than eight lights, uses the first eight, or with Scrub::kState
+// the eight with the largest bounds.
 class Replay {
   public:
     // The frame must outlive it. Throws as check_shading() does.
@@ -52,8 +52,8 @@ class Replay {
     std::unique_ptr<Impl> impl_;
 };
 
-// The scene's Draws with no more state than their plans call for, to within the budget. A scene whose Frame lacks some of its
-// commands is drawn from the commands, as by render().
+// Draws the scene with only the state that its plans need, within the budget. If the Frame lacks some of the scene's
+// commands, executes the commands like render().
 Image render_scrubbed(const Scene& scene, const std::optional<Shading>& shading, double budget);
 
 }  // namespace twinlight::fixed

@@ -87,7 +87,7 @@ void SentMesh::draw() const {
 
 void SentMesh::draw_arrays() const {
     const auto stride = static_cast<GLsizei>(stride_);
-    // An array's address, or its offset into the buffer that is bound.
+    // The array's address, or its offset into the bound buffer.
     const auto* memory = reinterpret_cast<const char*>(values_.data());
     const auto at = [&](const Attribute& attribute) {
         return elements_ ? buffer_offset(attribute.offset) : memory + attribute.offset;

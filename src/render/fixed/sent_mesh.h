@@ -1,4 +1,4 @@
-// SentMesh: a Draw's vertices as the fixed function is sent them (ReplayOptions::sending).
+// SentMesh: a Draw's vertices in the form in which they are sent to the fixed function (ReplayOptions::sending).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace twinlight::fixed {
 
-// Which of a vertex's properties are sent; the others nothing reads.
+// Which properties of vertices are sent; nothing reads the others.
 struct MeshContents {
     bool normal = false, color = false, tex_coord = false;
 };
@@ -24,7 +24,7 @@ class SentMesh {
     SentMesh(const SentMesh&) = delete;
     SentMesh& operator=(const SentMesh&) = delete;
 
-    // None of its arrays is enabled afterwards. A property that all vertices share is the current one.
+    // Leaves its arrays disabled. A property that all vertices share is set as the current value.
     void draw() const;
 
   private:
@@ -39,7 +39,7 @@ class SentMesh {
     Sending sending_;
     Attribute position_, normal_, color_, tex_coord_;
     std::size_t stride_ = 0;
-    Vertex shared_;  // its properties are those that all share
+    Vertex shared_;  // has the properties that all vertices share
 
     // In the driver's buffers:
     std::optional<Elements> elements_;
@@ -47,13 +47,13 @@ class SentMesh {
     // Or in memory:
     Enum mode_ = 0;
     std::vector<float> values_;
-    std::vector<std::uint8_t> flags_;  // empty: nothing asks for them
+    std::vector<std::uint8_t> flags_;  // empty: not needed
     int count_ = 0;
     std::vector<std::uint32_t> indices_;  // empty: 0, 1, 2, ...
     unsigned list_ = 0;
 };
 
-// Between glBegin and glEnd, where glMaterial may stand as well: those properties of a face that vary.
+// Draws between glBegin and glEnd, with glMaterial for the properties of a face that vary.
 void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceEffects& back);
 
 }  // namespace twinlight::fixed

@@ -9,13 +9,13 @@
 namespace twinlight::programmable {
 namespace {
 
-// As GLSL reads back the same float: "0.1", "1.0", "1e-18".
+// A GLSL literal that reads back as the same float: "0.1", "1.0", "1e-18".
 std::string literal(float x) {
     std::string text = fmt::format("{}", x);
     return text.find_first_of(".e") == text.npos ? text + ".0" : text;
 }
 
-// "uniform vec3 u_fog_color;  // ...", in parts. A line that is no such thing has no name.
+// The parts of a line "uniform vec3 u_fog_color;  // ...". The name is empty for any other line.
 struct Line {
     std::string_view type, name, rest;
 };

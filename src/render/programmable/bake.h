@@ -1,5 +1,5 @@
-// Baking: the numbers that stand still become constants of the text, so that the driver's compiler works out in advance
-// what they decide: products fold, what is multiplied by 0 goes, whole exponents become squarings.
+// Baking: replaces uniforms that do not change by constants in the shader text, so that the driver's compiler can use
+// their values: it folds products, drops terms multiplied by 0, and turns powers with integer exponents into squarings.
 #pragma once
 
 #include <set>
@@ -10,10 +10,10 @@
 
 namespace twinlight::programmable {
 
-// The source with a constant in the place of each uniform that `values` names; the others stay uniforms.
+// The source with each uniform named in `values` replaced by a constant; the others stay uniforms.
 ShaderSource with_constants(const ShaderSource& source, const Uniforms& values);
 
-// The names of its uniforms.
+// The names of the source's uniforms.
 std::set<std::string, std::less<>> uniform_names(const ShaderSource& source);
 
 }  // namespace twinlight::programmable

@@ -20,19 +20,19 @@
 namespace twinlight::programmable {
 namespace {
 
-// A cosine of two unit vectors in float may fall this much short of its value; "PV . s >= cos(cutoff)"
-// includes equality (2.14.1), so the shader compares with a border that is lower by as much.
+// The float cosine of two unit vectors may be too small by this much. "PV . s >= cos(cutoff)" includes equality
+// (2.14.1), so the shader compares with a limit that is lower by this amount.
 constexpr double kCosineRounding = 4.0 / (1 << 23);
 
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
 
-// The power of two not above x; 1 where there is none.
+// The largest power of two that is at most x; 1 if there is none.
 double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
 
 // ---- Ranges ----
-// The shader makes squares of lengths, and a float's square ends at 1e38 and 1e-38. Lighting does not depend on the
-// unit of length (but for attenuation, whose factors are converted), nor unit normals on theirs. So what is
-// far from 1 is measured in another unit: a power of two, so that nothing is rounded.
+// The shader squares lengths, and a float's square overflows above 1e38 and underflows below 1e-38. Lighting does not depend
+// on the unit of length (attenuation does, so its factors are converted), nor on the length of normals that are scaled to 1.
+// So lengths far from 1 are measured in another unit: a power of two, which rounds nothing.
 
 bool needs_no_unit(double size) { return size > 1e-12 && size < 1e12; }
 
@@ -50,8 +50,8 @@ double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, cons
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
-// The transposed inverse of the modelview matrix's upper 3x3 (2.11.3). RULING: a singular matrix takes every
-// normal to 0.
+// The transposed inverse of the modelview matrix's upper 3x3 (2.11.3). RULING: a singular matrix takes every normal to
+// 0.
 glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
     glm::dmat3 m(draw.eye_from_object);
     double scale = 0;
@@ -60,9 +60,10 @@ glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
     m /= scale;
     if (glm::determinant(m) == 0) return glm::dmat3(0);
     glm::dmat3 normals = glm::transpose(glm::inverse(m));
-    // Where normals are made unit, the matrix's scale is free.
+    // If normals are scaled to length 1 later, the matrix's scale does not matter.
     if (makes_normals_unit(plan.effects)) return normals;
-    // RESCALE_NORMAL: 1 / sqrt(m31^2 + m32^2 + m33^2) of the inverse, whose third row is this third column.
+    // RESCALE_NORMAL's factor: 1 / sqrt(m31^2 + m32^2 + m33^2) of the inverse, whose third row is the third column
+    // here.
     if (plan.lighting.rescale_normal) return normals / glm::length(normals[2]);
     return normals / scale;
 }
@@ -107,7 +108,7 @@ class DrawUniforms {
     }
 
   private:
-    // Given again, it is the next element of an array.
+    // Appends: a second call with the same name gives the next element of an array.
     void number(const std::string& name, double value) { uniforms_[name].push_back(to_float(value)); }
     template <class Vector>
     void vector(const std::string& name, const Vector& v) {
@@ -131,7 +132,7 @@ class DrawUniforms {
         if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix(draw_, plan_));
     }
 
-    // The viewer and the lights come to the vertices.
+    // Brings the viewer and the lights to object coordinates.
     void object_space() {
         unit_ = similarity_scale(eye_from_object_);
         object_from_eye_ = glm::inverse(eye_from_object_);
@@ -139,7 +140,7 @@ class DrawUniforms {
         vector("u_viewer_dir_object", direction(glm::dvec3(0, 0, 1)));
     }
 
-    // From eye coordinates to those that the shader lights in.
+    // From eye coordinates to the coordinates that the shader lights in.
     glm::dvec3 point(const glm::dvec3& eye) const {
         return form_.object_space ? glm::dvec3(object_from_eye_ * glm::dvec4(eye, 1)) : eye / unit_;
     }
@@ -147,7 +148,7 @@ class DrawUniforms {
         return form_.object_space ? unit(glm::dmat3(object_from_eye_) * eye) : eye;
     }
 
-    // A plane's product with an eye position is that of the plane times the modelview matrix with the object position.
+    // (plane * matrix) . position_object = plane . position_eye, so the shader needs no eye coordinates.
     void clip_planes() {
         int count = 0;
         for (const auto& plane_eye : draw_.raster.clip_planes_eye)
@@ -165,18 +166,19 @@ class DrawUniforms {
         vector("u_fog_color", rgb(fog.color));
         number("u_fog_density", fog.density);
         number("u_fog_end", fog.end);
-        // RULING: fog that ends where it starts is a step there.
+        // RULING: linear fog with end = start is a step there.
         constexpr double kStep = 1e30;
         number("u_fog_scale", fog.end == fog.start ? kStep : 1 / (fog.end - fog.start));
     }
 
-    // Three a group; 0 behind the last.
+    // Three samples per group; the last group is filled with 0.
     void samples(const std::string& name, std::vector<double> values, double factor = 1) {
         values.resize(3 * static_cast<std::size_t>(effects_.spectral_groups));
         for (const double value : values) number(name, factor * value);
     }
 
-    // What lights every point in samples: those of the faces and of the lights, and what each adds to red, green and blue.
+    // The uniforms for lighting in spectral samples: of faces and lights, and the weights from samples to red, green
+    // and blue.
     void spectral_samples() {
         const SpectralSamples& spectrum = *model().spectrum;
         std::vector<double> weights;
@@ -204,7 +206,7 @@ class DrawUniforms {
         }
     }
 
-    // e_cm + a_cm a_cs, but for what each vertex brings.
+    // The base colour e_cm + a_cm a_cs without the parts that come with each vertex, and the products with the lights.
     void face(const std::string& name, const Material& material, const FaceEffects& varying) {
         glm::dvec3 base(0);
         if (!emission_of(varying)) base += rgb(material.emission);
@@ -218,9 +220,9 @@ class DrawUniforms {
             const LightSource& light = source(planned);
             const double reach = plan_.lights[planned].constant_reach;
             const auto product = [&](const char* term, const LightColor& light_color, const MaterialColor& color,
-                                     BroughtColor brought) {
+                                     PerVertexColor per_vertex) {
                 const std::string uniform = fmt::format("u_light{}_{}_{}", i, name, term);
-                if (!brought)
+                if (!per_vertex)
                     vector(uniform, reach * product_of(model(), light_color, color));
                 else if (effects_.spectral_products)
                     matrix(uniform, reach * product_matrix(model(), light_color));
@@ -254,8 +256,8 @@ class DrawUniforms {
         number(name("cos_cutoff"), cos_deg(light.spot_cutoff_deg) - kCosineRounding);
         number(name("spot_exponent"), light.spot_exponent);
         if (!light.smooth_cone) return;
-        // RULING: equal cones (and an inner one that is wider) are a step at the outer, which belongs to the
-        // cone: a slope as steep as rounding, below it.
+        // RULING: if the inner angle equals the outer one (or is wider), the cone is a step at the outer angle, which
+        // belongs to the cone: a very steep slope just outside it.
         const double outer = cos_deg(light.smooth_cone->outer_deg);
         const double span = cos_deg(light.smooth_cone->inner_deg) - outer;
         number(name("cos_outer"), span > 0 ? outer : outer - 2 * kCosineRounding);
@@ -273,9 +275,9 @@ class DrawUniforms {
     const Form& form_;
     const std::vector<std::vector<std::size_t>>& lights_;
     const std::optional<glm::dvec3> origin_object_;
-    glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to that
-    double unit_ = 1;                                     // of length where the shader lights, in eye coordinates
-    glm::dmat4 object_from_eye_{1};                       // form_.object_space
+    glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to origin_object_
+    double unit_ = 1;                                     // the shader's unit of length, in eye coordinates
+    glm::dmat4 object_from_eye_{1};                       // used if form_.object_space
     Uniforms uniforms_;
 };
 

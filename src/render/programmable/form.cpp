@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFloatRounding = 0x1p-23;
 
-// Far from the ends of a float's range: squares and their sums stay within it.
+// Far enough from the limits of float that squares and their sums stay in range.
 bool ordinary(double size) { return size > 1e-6 && size < 1e6; }
 
 bool ordinary_or_zero(const glm::dvec3& v) {
@@ -26,17 +26,18 @@ bool ordinary_or_zero(const glm::dvec3& v) {
 bool lit_in_object_space(const Draw& draw, const Plan& plan, bool is_surface) {
     const EffectSet& effects = plan.effects;
     if (!effects.lighting || effects.vertex_w) return false;
-    // A mesh's fragment is lit in eye coordinates: there the lights stand still where the object moves. A surface's comes from
-    // its own space, with a normal that is made unit.
+    // Fragments of a mesh are lit in eye coordinates, where lights keep their place if the object moves. Fragments of
+    // an exact surface are computed in its own space, with normals of length 1.
     const bool by_fragment = effects.shading == Shading::kPhong;
     if (by_fragment && !is_surface) return false;
     const double scale = similarity_scale(draw.eye_from_object);
     if (!ordinary(scale)) return false;
-    // The inverse's transpose has the rotation and 1 / scale, of which GL_NORMALIZE and GL_RESCALE_NORMAL leave nothing.
+    // The normal matrix is the rotation times 1 / scale; GL_NORMALIZE and GL_RESCALE_NORMAL remove the scale.
     const bool scales_normals = !effects.normalize && !plan.lighting.rescale_normal && !by_fragment;
     if (effects.needs_normal() && scales_normals && std::abs(scale - 1) > kFloatRounding) return false;
     if (!effects.needs_position_eye()) return true;
-    // In object coordinates a distance must be as exact as in eye coordinates: nothing far away moves in between.
+    // Distances in object coordinates must be as exact as in eye coordinates, so no large translation may lie between
+    // them.
     if (!ordinary_or_zero(glm::dvec3(draw.eye_from_object[3]))) return false;
     return std::ranges::all_of(plan.lights, [&](const PlannedLight& planned) {
         const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
@@ -59,10 +60,11 @@ double similarity_scale(const glm::dmat4& eye_from_object) {
 }
 
 std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& facts) {
-    // Coordinates are as large as the object then, and no longer as its distance from the origin: at least two bits are gained.
+    // Relative coordinates are as large as the object, not as its distance from the origin: this saves at least two
+    // bits.
     constexpr double kGain = 4;
     if (!facts.has_sphere || !(glm::length(facts.center_object) > kGain * facts.radius_object)) return {};
-    double stretch = 0;  // squared, at least: the sum of the squares of the matrix's elements
+    double stretch = 0;  // bounds the squared stretch: the sum of the squares of the matrix's elements
     for (int column = 0; column < 3; ++column) {
         const glm::dvec3 axis(draw.eye_from_object[column]);
         stretch += glm::dot(axis, axis);
@@ -92,7 +94,8 @@ Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {
     for (const auto& [facts, lights] : equal) {
         if (lights.size() <= kMostWrittenOut) continue;
         code.effects.lights.push_back(facts);
-        code.form.loops.push_back(static_cast<int>(std::bit_ceil(lights.size())));  // the same text for some more
+        code.form.loops.push_back(
+            static_cast<int>(std::bit_ceil(lights.size())));  // rounded up, so that a few more lights need no new text
         code.lights.push_back(lights);
     }
     return code;

@@ -1,4 +1,4 @@
-// Form: what of a program's code the numbers of a Draw decide, beside its effects.
+// Form: the parts of a program's code that depend on a Draw's numbers, in addition to its effects.
 #pragma once
 
 #include <compare>
@@ -11,60 +11,61 @@
 
 namespace twinlight::programmable {
 
-// An exact surface in the place of a mesh (surface_values.h): what rays meet, and what is made of where they meet it.
+// An exact surface drawn instead of a mesh (surface_values.h): its kind and what the shader does at the points that
+// rays hit.
 enum class SurfaceKind : std::uint8_t { kNone, kSphere, kFrustum, kDisk, kTorus };
 struct SurfaceForm {
     SurfaceKind kind = SurfaceKind::kNone;
     bool inside = false;     // normals look inwards
     bool sector = false;     // a disk between two angles
-    bool tex_coord = false;  // texture coordinates of its own are called for
-    bool near_far = false;   // the near or the far plane may cut it, or the eye be in it
+    bool tex_coord = false;  // the shader computes the surface's texture coordinates
+    bool near_far = false;   // the near or far plane may cut it, or the eye may be inside
     bool culls = false;
-    bool depth = false;    // the depth test asks for it
+    bool depth = false;    // the depth test is on, so the shader writes the depth
     bool offset = false;   // glPolygonOffset
-    bool nearest = false;  // of a ray's points the nearest alone is drawn; else that of one number
+    bool nearest = false;  // draws only the nearest point of a ray; otherwise the point with number u_point_number
 
     friend auto operator<=>(const SurfaceForm&, const SurfaceForm&) = default;  // NOLINT
 };
 
 // NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
 struct Form {
-    // The vertices are lit in object coordinates, to which the lights are brought once: where the modelview matrix keeps
-    // angles, no vertex's position and normal need be brought to the lights.
+    // Vertices are lit in object coordinates, and the lights are brought there once per Draw. Possible if the
+    // modelview matrix keeps angles; it saves transforming each vertex's position and normal.
     bool object_space = false;
-    // Every sum in the one order of --precise (precise.h). Then object_space follows the driver.
+    // Every sum in the order of --precise (precise.h). Then object_space follows the driver's choice.
     bool precise = false;
-    bool rescale = false;    // precise: the normals are multiplied by GL_RESCALE_NORMAL's factor
-    bool position_w = true;  // w of a vertex's position may be other than 1
-    // The last lights of the effects, as many as these, stand for many that differ in numbers alone: the text goes through
-    // them in a loop, over arrays of these lengths.
+    bool rescale = false;    // precise only: multiplies normals by GL_RESCALE_NORMAL's factor
+    bool position_w = true;  // a position's w may differ from 1
+    // Each of the last loops.size() lights of the effects represents many lights that differ only in numbers. The
+    // shader goes through them in a loop, over arrays of these lengths.
     std::vector<int> loops;
     SurfaceForm surface{};
 
     friend auto operator<=>(const Form&, const Form&) = default;  // NOLINT
 };
 
-// What a Draw's program is made from.
+// The inputs from which a Draw's program is made.
 struct Code {
-    EffectSet effects;  // the plan's, with one light for all that a loop goes through
+    EffectSet effects;  // the plan's, with one light for all lights of a loop
     Form form;
-    std::vector<std::vector<std::size_t>> lights;  // for each of the effects', which of plan.lights
-    std::optional<glm::dvec3> origin_object;       // upload_origin(): what uploaded positions are relative to
+    std::vector<std::vector<std::size_t>> lights;  // for each light of `effects`: indices into plan.lights
+    std::optional<glm::dvec3> origin_object;       // uploaded positions are relative to this (upload_origin())
 };
 
-// Where the object and the camera are far from the object's origin, floats cannot hold both the vertices' coordinates and their
-// distance from the eye, so vertices are uploaded relative to a place among them, subtracted in double. Gives that place, in object
-// coordinates; nothing where vertices stay as they are. `facts` are the Draw's.
+// If the object and the camera are far from the object's origin, floats are too coarse for the vertices' distance from
+// the eye. Then vertices are uploaded relative to a point among them, subtracted in double precision. Returns that
+// point, in object coordinates, or nothing if vertices are uploaded unchanged. `facts` are the Draw's vertex facts.
 std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& facts);
 
 Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface = {});
 
-// Of lights with equal facts more than these are gone through in a loop: its text does not grow with them. On llvmpipe a
-// light in the loop takes four times as long as one that is written out, whose compilation takes some 4 ms instead.
+// If more than this many lights have equal facts, the shader loops over them, so that its text stays short. On llvmpipe
+// a light in the loop takes four times as long as an unrolled one, but each unrolled light takes about 4 ms to compile.
 inline constexpr std::size_t kMostWrittenOut = 32;
 
-// By what factor the modelview matrix scales lengths, if it turns, mirrors and scales the same in all directions (to
-// the precision of floats) and nothing else, or 0.
+// The factor by which the modelview matrix scales lengths, if it only rotates, mirrors, translates and scales all
+// directions alike (to float precision); otherwise 0.
 double similarity_scale(const glm::dmat4& eye_from_object);
 
 }  // namespace twinlight::programmable

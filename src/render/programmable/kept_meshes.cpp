@@ -9,18 +9,19 @@
 namespace twinlight::programmable {
 namespace {
 
-// What a buffer, an array object and their names take in a driver, about: many small meshes are not free.
+// The approximate memory that a driver needs for a buffer, an array object and their names: many small meshes are not
+// free.
 constexpr std::size_t kObjectBytes = 4096;
 
 // ---- The same vertices ----
 
-// The doubles of a Vertex stand before all else, without gaps; behind them there are some.
+// The doubles of a Vertex come first, without padding; after them there is some.
 constexpr std::size_t kVertexNumbers = offsetof(Vertex, edge_flag);
 static_assert(kVertexNumbers == (4 + 3 + 4 + 4) * sizeof(double) && std::is_trivially_copyable_v<Vertex>);
 static_assert(sizeof(Materials) == 2 * ((4 * 4 + 1 + 3) * sizeof(double) + 3 * sizeof(void*)) &&
               std::is_trivially_copyable_v<Materials>);
 
-// By their bits: 0 and -0 are two numbers, and a NaN is itself.
+// Compares bits: 0 and -0 differ, and a NaN equals itself.
 bool is_same(const Vertex& a, const Vertex& b) {
     return std::memcmp(&a, &b, kVertexNumbers) == 0 && a.edge_flag == b.edge_flag && a.material == b.material;
 }
@@ -35,7 +36,7 @@ std::size_t bytes_of(const std::vector<Value>& values) {
     return values.size() * sizeof(Value);
 }
 
-// The same for Draws with the same vertices, and most often another for others: of a few vertices, evenly spread.
+// A hash of a few vertices, evenly spread: equal for equal vertices, usually different for others.
 std::size_t sample(const Draw& draw) {
     std::size_t hash = draw.mode;
     const auto add = [&](std::size_t value) { hash = (hash ^ value) * 0x9E3779B97F4A7C15U; };

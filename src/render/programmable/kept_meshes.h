@@ -1,8 +1,8 @@
-// KeptMeshes: of the Draws of earlier frames what hangs on their vertices alone, the planner's facts and the driver's buffers,
-// for Draws that come again with the same vertices under other lights and matrices.
+// KeptMeshes: keeps the planner's facts and the driver's buffers of vertices from earlier frames, for Draws with the
+// same vertices under other lights and matrices.
 //
-// A Frame has no names for its vertices: each picture's State makes them anew. So they are known again by what they are,
-// bit by bit, against a copy; a hash of a few of them finds the copy, and decides nothing.
+// A Frame has no names for its vertices: State creates them for each picture. So they are compared bit by bit with a
+// copy. A hash of a few vertices only finds the copy.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ namespace twinlight::programmable {
 // Owns buffers: dies before their context does.
 class KeptMeshes {
   public:
-    // Of the vertices kept and of their buffers; of more, those go that were not drawn for the longest time, but none that
-    // this frame has drawn: what does not fit beside these is not kept. What one frame alone has drawn goes after the next:
-    // vertices that move never come again.
+    // The limit counts the copies and their buffers. Beyond it, the least recently drawn go first; those drawn in the
+    // current frame never go, and what does not fit next to them is not kept. Vertices drawn in only one frame go after
+    // the next frame, because moving vertices never come again.
     explicit KeptMeshes(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
 
     struct Known {
@@ -33,19 +33,19 @@ class KeptMeshes {
         friend class KeptMeshes;
         bool is(const Draw& draw) const;
 
-        std::size_t sample = 0;  // where index_ has it
+        std::size_t sample = 0;  // its key in index_
         Enum mode = 0;
         std::vector<Vertex> vertices;
         std::vector<std::uint32_t> indices;
         std::vector<Materials> materials;
-        std::vector<std::pair<MeshForm, std::shared_ptr<const UploadedMesh>>> meshes;  // few
-        std::size_t bytes = 0;                                                         // 0: it is not kept
-        std::uint64_t first_frame = 0, last_frame = 0;                                 // that drew it
+        std::vector<std::pair<MeshForm, std::shared_ptr<const UploadedMesh>>> meshes;  // a few
+        std::size_t bytes = 0;                                                         // 0: not kept
+        std::uint64_t first_frame = 0, last_frame = 0;                                 // the frames that drew it
     };
 
-    // What is known of the Draw's vertices, or found out now.
+    // The facts of the Draw's vertices, from an earlier frame or computed now.
     std::shared_ptr<Known> known(const Draw& draw);
-    // Their buffers for a program of these effects.
+    // The buffers of these vertices for a program with these effects.
     std::shared_ptr<const UploadedMesh> mesh(Known& known, const Draw& draw, const EffectSet& effects,
                                              const glm::dvec3& origin_object);
     void end_frame();
@@ -53,9 +53,9 @@ class KeptMeshes {
     const MeshCounters& counters() const { return counters_; }
 
   private:
-    using Order = std::list<std::shared_ptr<Known>>;  // those drawn last first
+    using Order = std::list<std::shared_ptr<Known>>;  // most recently drawn first
     bool make_room(std::size_t bytes);
-    Order::iterator drop(Order::iterator known);  // gives the next
+    Order::iterator drop(Order::iterator known);  // returns the next
 
     std::size_t limit_bytes_;
     std::uint64_t frame_ = 1;

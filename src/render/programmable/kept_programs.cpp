@@ -8,10 +8,10 @@
 namespace twinlight::programmable {
 namespace {
 
-// Frames in which nothing new has moved, before a program is baked. To compile one costs as much as it saves in some
-// frames of a large mesh: what moves now and then should not be baked in between.
+// A program is baked after this many frames in which no further number has changed. Compiling costs as much time as it
+// saves in some frames of a large mesh, so numbers that change now and then should not be baked in between.
 constexpr int kStillFrames = 4;
-// And in which something has stood still that moved before, until it is baked as well.
+// A number that has changed is baked again after this many frames without a change.
 constexpr int kForgetFrames = 60;
 
 }  // namespace
@@ -30,7 +30,7 @@ ShaderProgram& KeptPrograms::find_or_make(const Key& key) {
     }
     found->second.last_used = ++uses_;
     ShaderProgram& program = *found->second.program;
-    if (is_new) evict();  // others: this one was used last
+    if (is_new) evict();  // never this one: it was used last
     return program;
 }
 
@@ -42,8 +42,8 @@ void KeptPrograms::evict() {
     }
 }
 
-// Those of the numbers that the text has.
-Uniforms KeptPrograms::called_for(const Kind& kind, const Uniforms& numbers) {
+// The numbers that the shader text uses.
+Uniforms KeptPrograms::used_uniforms(const Kind& kind, const Uniforms& numbers) {
     const auto [names, is_new] = names_.try_emplace(kind);
     if (is_new) names->second = uniform_names(assemble(kind.effects, kind.form));
     Uniforms result;
@@ -52,7 +52,7 @@ Uniforms KeptPrograms::called_for(const Kind& kind, const Uniforms& numbers) {
     return result;
 }
 
-// What is to be constant, by what this Draw's predecessors were.
+// Which numbers are constants, judging by the same Draw of earlier frames.
 const Uniforms& KeptPrograms::constants_for(const Kind& kind, const Uniforms& numbers) {
     History& history = histories_[{kind, counts_[kind]++}];
     history.seen = true;
@@ -76,7 +76,7 @@ const Uniforms& KeptPrograms::constants_for(const Kind& kind, const Uniforms& nu
     Uniforms still;
     for (const auto& [name, value] : numbers)
         if (!history.moved.contains(name)) still.emplace(name, value);
-    // One program a frame is baked, no more: to compile it holds up the frame.
+    // At most one program is baked per frame, because compiling delays the frame.
     const bool is_there = still.empty() || entries_.contains(Key{kind, still});
     if (!is_there && std::exchange(has_baked_, true)) return history.constants;
     history.is_current = true;
@@ -89,11 +89,11 @@ void KeptPrograms::use(const EffectSet& effects, const Form& form, const Uniform
     ShaderProgram* program = nullptr;
     switch (tier) {
         case Tier::kUniform: program = &find_or_make({kind, {}}); break;
-        case Tier::kBaked: program = &find_or_make({kind, called_for(kind, numbers)}); break;
+        case Tier::kBaked: program = &find_or_make({kind, used_uniforms(kind, numbers)}); break;
         case Tier::kAuto: {
-            const Uniforms& constants = constants_for(kind, called_for(kind, numbers));
+            const Uniforms& constants = constants_for(kind, used_uniforms(kind, numbers));
             program = &find_or_make({kind, constants});
-            // Until the driver has compiled it, on threads of its own, the one with uniforms draws.
+            // While the driver compiles it on its own threads, the program with uniforms draws.
             if (!constants.empty() && !program->is_ready()) program = &find_or_make({kind, {}});
             break;
         }

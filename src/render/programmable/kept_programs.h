@@ -1,9 +1,9 @@
-// KeptPrograms: the programs that a renderer has made, by what they are made from, in three tiers.
+// KeptPrograms: the programs that a renderer has made, by what they were made from, in three tiers.
 //
-//   kUniform   the program of an EffectSet and a Form; a Draw's numbers are its uniforms
-//   kBaked     all numbers are constants of the program's text (bake.h)
-//   kAuto      uniforms first; where numbers have stood still for some frames, a program with these as constants, while
-//              what moves stays a uniform
+//   kUniform   the program of an EffectSet and a Form; a Draw's numbers are uniforms
+//   kBaked     all numbers are constants in the program's text (bake.h)
+//   kAuto      starts with uniforms; numbers that have not changed for some frames become constants of a new program,
+//              and the others stay uniforms
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class KeptPrograms {
   public:
     explicit KeptPrograms(std::size_t limit) : limit_(limit) {}
 
-    // Makes the program that draws this current, with its numbers.
+    // Makes the program for this Draw current and sets its uniforms.
     void use(const EffectSet& effects, const Form& form, const Uniforms& numbers, Tier tier);
     void end_frame();
 
@@ -43,28 +43,28 @@ class KeptPrograms {
         std::unique_ptr<ShaderProgram> program;
         std::uint64_t last_used = 0;
     };
-    // What a frame's n-th Draw of a Kind has been: Draws are known again by their order.
+    // What is known about the n-th Draw of a Kind in a frame: Draws are matched by their order.
     struct History {
         Uniforms numbers;
-        std::map<std::string, int, std::less<>> moved;  // the frame in which a number was another one the last time
+        std::map<std::string, int, std::less<>> moved;  // when each changing number last changed
         int frame = 0;
-        int settled_at = 1;       // since this frame nothing but `moved` has moved
-        Uniforms constants;       // of the program in use
-        bool is_current = false;  // they are all but what is in `moved`
-        bool seen = true;         // in this frame
+        int settled_at = 1;       // since this frame only the numbers in `moved` have changed
+        Uniforms constants;       // the constants of the program in use
+        bool is_current = false;  // `constants` has all numbers except those in `moved`
+        bool seen = true;         // drawn in this frame
     };
 
     ShaderProgram& find_or_make(const Key& key);
     const Uniforms& constants_for(const Kind& kind, const Uniforms& numbers);
-    Uniforms called_for(const Kind& kind, const Uniforms& numbers);
+    Uniforms used_uniforms(const Kind& kind, const Uniforms& numbers);
     void evict();
 
     std::size_t limit_;
     std::map<Key, Entry> entries_;
     std::map<std::pair<Kind, int>, History> histories_;
-    std::map<Kind, std::set<std::string, std::less<>>> names_;  // of the uniforms of its text
-    std::map<Kind, int> counts_;                                // of a Kind's Draws in this frame
-    bool has_baked_ = false;                                    // in this frame
+    std::map<Kind, std::set<std::string, std::less<>>> names_;  // names of the uniforms in its text
+    std::map<Kind, int> counts_;                                // the number of a Kind's Draws in this frame
+    bool has_baked_ = false;                                    // a program was baked in this frame
     std::uint64_t uses_ = 0;
     Counters counters_;
 };

@@ -47,18 +47,18 @@ std::string LightingNames::light(std::size_t i, const std::string& type, const s
 
 std::string LightingNames::light_block(std::size_t i) {
     if (loop_length(i) == 0) return fmt::format("    {{  // light{}\n", i);
-    const std::string count = uniform("int", fmt::format("u_count_of_light{}", i), "it stands for as many as this");
+    const std::string count = uniform("int", fmt::format("u_count_of_light{}", i), "the number of lights in this loop");
     return fmt::format("    for (int i = 0; i < {}; ++i) {{  // light{}\n", count, i);
 }
 
 std::string LightingNames::product(std::size_t i, const std::string& face, const std::string& term,
-                                   BroughtColor brought) {
+                                   PerVertexColor per_vertex) {
     const char letter = term.front();
-    const std::string comment = brought ? fmt::format("{}_cli", letter) : fmt::format("{0}_cm {0}_cli", letter);
+    const std::string comment = per_vertex ? fmt::format("{}_cli", letter) : fmt::format("{0}_cm {0}_cli", letter);
     const std::string color = of_face(face, [&](const std::string& name) {
-        return light(i, brought ? product_type() : "vec3", name + "_" + term, comment);
+        return light(i, per_vertex ? product_type() : "vec3", name + "_" + term, comment);
     });
-    return brought ? fmt::format("({} * {}.rgb)", color, brought_color(face, term, brought)) : color;
+    return per_vertex ? fmt::format("({} * {}.rgb)", color, per_vertex_color(face, term, per_vertex)) : color;
 }
 
 std::string LightingNames::sample_product(std::size_t i, const std::string& face, const std::string& term) {
@@ -73,31 +73,33 @@ std::string LightingNames::sample_product(std::size_t i, const std::string& face
 
 // ---- Materials ----
 
-std::string LightingNames::brought_color(const std::string& face, const std::string& property, BroughtColor brought) {
-    if (brought.tracks) return "surface.color";
+std::string LightingNames::per_vertex_color(const std::string& face, const std::string& property,
+                                            PerVertexColor per_vertex) {
+    if (per_vertex.tracks) return "surface.color";
     return of_face(face, [&](const std::string& name) { return fmt::format("surface.{}_{}", name, property); });
 }
 
 std::string LightingNames::scene_color(const std::string& face, const FaceEffects& varying) {
-    const BroughtColor emission = emission_of(varying), ambient = ambient_of(varying);
+    const PerVertexColor emission = emission_of(varying), ambient = ambient_of(varying);
     std::string sum;
     const auto add = [&](const std::string& term) { sum += (sum.empty() ? "" : " + ") + term; };
-    if (emission) add(brought_color(face, "emission", emission) + ".rgb");
+    if (emission) add(per_vertex_color(face, "emission", emission) + ".rgb");
     if (!emission || !ambient)
         add(of_face(face, [&](const std::string& name) {
-            return uniform("vec3", fmt::format("u_{}_base", name), "what is the same at every vertex");
+            return uniform("vec3", fmt::format("u_{}_base", name),
+                           "the part of e_cm + a_cm a_cs that is the same at every vertex");
         }));
     if (ambient)
-        add(uniform(product_type(), "u_constant_ambient",
-                    "light from everywhere: a_cs, and a_cli that nothing weakens on its way") +
-            " * " + brought_color(face, "ambient", ambient) + ".rgb");
+        add(uniform(product_type(), "u_constant_ambient", "a_cs, plus a_cli of the lights that nothing weakens") +
+            " * " + per_vertex_color(face, "ambient", ambient) + ".rgb");
     return sum;
 }
 
 std::string LightingNames::alpha(const std::string& face, const FaceEffects& varying) {
-    if (const BroughtColor diffuse = diffuse_of(varying)) return brought_color(face, "diffuse", diffuse) + ".a";
-    return of_face(
-        face, [&](const std::string& name) { return uniform("float", fmt::format("u_{}_alpha", name), "of d_cm"); });
+    if (const PerVertexColor diffuse = diffuse_of(varying)) return per_vertex_color(face, "diffuse", diffuse) + ".a";
+    return of_face(face, [&](const std::string& name) {
+        return uniform("float", fmt::format("u_{}_alpha", name), "the alpha of d_cm");
+    });
 }
 
 std::string LightingNames::shininess(const std::string& face, const FaceEffects& varying) {

@@ -1,7 +1,8 @@
-// LightingNames: what the GLSL that lights a vertex or a fragment calls its values. A uniform is declared where it is first named.
+// LightingNames: the names of the values in the GLSL that lights a vertex or a fragment. Naming a uniform declares it.
 //
-// A light is light0, light1, ...; its uniforms are u_light0_position_eye, u_light0_direction_eye and u_light0_half_dir_eye (or _object),
-// u_light0_attenuation, u_light0_front_diffuse and its like; a face's u_front_base, u_back_base and their like.
+// Lights are light0, light1, ... Their uniforms are u_light0_position_eye, u_light0_direction_eye and
+// u_light0_half_dir_eye (or _object), u_light0_attenuation, u_light0_front_diffuse and so on; those of faces are
+// u_front_base, u_back_base and so on.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,39 +16,40 @@
 
 namespace twinlight::programmable {
 
-// A colour of the material that each vertex brings: glColor's (2.14.3) or its own (glMaterial between glBegin and glEnd, 2.14.2).
-struct BroughtColor {
+// A colour of the material that comes with each vertex: glColor's (2.14.3) or glMaterial's between glBegin and glEnd
+// (2.14.2).
+struct PerVertexColor {
     bool tracks = false, varies = false;
     explicit operator bool() const { return tracks || varies; }
 };
-inline BroughtColor emission_of(const FaceEffects& face) { return {face.tracks_emission, face.varies_emission}; }
-inline BroughtColor ambient_of(const FaceEffects& face) { return {face.tracks_ambient, face.varies_ambient}; }
-inline BroughtColor diffuse_of(const FaceEffects& face) { return {face.tracks_diffuse, face.varies_diffuse}; }
-inline BroughtColor specular_of(const FaceEffects& face) { return {face.tracks_specular, face.varies_specular}; }
+inline PerVertexColor emission_of(const FaceEffects& face) { return {face.tracks_emission, face.varies_emission}; }
+inline PerVertexColor ambient_of(const FaceEffects& face) { return {face.tracks_ambient, face.varies_ambient}; }
+inline PerVertexColor diffuse_of(const FaceEffects& face) { return {face.tracks_diffuse, face.varies_diffuse}; }
+inline PerVertexColor specular_of(const FaceEffects& face) { return {face.tracks_specular, face.varies_specular}; }
 
-// One text lights the face that shows: of a fragment that is known.
+// Whether one function lights either face: in phong shading, where the fragment knows its face.
 bool shares_faces(const EffectSet& effects);
 
 class LightingNames {
   public:
     LightingNames(const EffectSet& effects, const Form& form) : effects_(effects), form_(form) {}
 
-    // Faces are "front", "back", or "shown" where shares_faces().
+    // "front" and "back", or "shown" if shares_faces().
     std::vector<std::string> faces() const;
     std::string is_front() const { return form_.surface.kind == SurfaceKind::kNone ? "gl_FrontFacing" : "is_front"; }
     std::string space() const { return form_.object_space ? "object" : "eye"; }
 
-    // The vertex in the vertex shader, the fragment's point in the fragment shader.
+    // The position and normal of the vertex, or of the fragment's point in a fragment shader.
     std::string position() const { return "surface.position_" + space(); }
     std::string normal() const { return "surface.normal_" + space(); }
 
-    // Of the i-th light: what = "attenuation" gives u_light0_attenuation, or u_light0_attenuation[i] where it stands for many.
+    // A value of the i-th light: what = "attenuation" gives u_light0_attenuation, or u_light0_attenuation[i] in a loop.
     std::string light(std::size_t i, const std::string& type, const std::string& what, const std::string& comment);
-    // The head of the light's block: a loop where it stands for many.
+    // The first line of the light's block: a loop if it represents many lights.
     std::string light_block(std::size_t i);
-    // light_color * material_color, or what the processor made of it.
-    std::string product(std::size_t i, const std::string& face, const std::string& term, BroughtColor brought);
-    // The same of the g-th three samples of the spectrum.
+    // light_color * material_color, or the uniform that has their product.
+    std::string product(std::size_t i, const std::string& face, const std::string& term, PerVertexColor per_vertex);
+    // The same for the g-th group of three spectral samples.
     std::string sample_product(std::size_t i, const std::string& face, const std::string& term);
 
     std::string scene_color(const std::string& face, const FaceEffects& varying);  // e_cm + a_cm a_cs
@@ -60,14 +62,15 @@ class LightingNames {
 
     // struct Surface and struct Lit.
     std::string structs() const;
-    // Surface(...): its position and normal, and of the vertex (prefix "a_") or fragment ("v_") what else it has.
+    // The constructor call Surface(...): position, normal and the other fields, of a vertex (prefix "a_") or fragment
+    // ("v_").
     std::string surface(const std::string& position, const std::string& normal, const std::string& prefix) const;
     bool has_surface() const;
 
   private:
     template <class Name>
     std::string of_face(const std::string& face, const Name& name);
-    std::string brought_color(const std::string& face, const std::string& property, BroughtColor brought);
+    std::string per_vertex_color(const std::string& face, const std::string& property, PerVertexColor per_vertex);
     std::string product_type() const { return effects_.spectral_products ? "mat3" : "vec3"; }
     int loop_length(std::size_t i) const;
 
@@ -77,7 +80,7 @@ class LightingNames {
     std::string declarations_;
 };
 
-// What the two that write the text of lights share: lighting_text.cpp and precise/precise_text.cpp.
+// Shared by the two writers of lighting text: lighting_text.cpp and precise/precise_text.cpp.
 class LightingWriter {
   public:
     LightingWriter(const EffectSet& effects, const Form& form)

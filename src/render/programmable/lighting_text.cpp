@@ -28,8 +28,8 @@ class Writer : LightingWriter {
             "//   c_pri = e_cm + a_cm a_cs + sum_i att_i spot_i [ a_cm a_cli + (n . VP_i) d_cm d_cli\n"
             "//                                                   + f_i (n . h_i)^s_rm s_cm s_cli ]\n"
             "//\n"
-            "// It has only what this Draw calls for. Products of a light's and a material's colour come from the\n"
-            "// processor; where the vertex brings the material's colour, they are multiplied here.\n"
+            "// Only the terms that this draw needs are here. Products of light and material colours are uniforms;\n"
+            "// material colours that come with each vertex are multiplied here.\n"
             "{}{}",
             names_.space(), names_.structs(), faces);
         text.uniforms = names_.declarations();
@@ -41,8 +41,8 @@ class Writer : LightingWriter {
 
     std::string face(const std::string& name) {
         const FaceEffects& varying = name == "back" ? effects_.back : effects_.front;
-        text_ = fmt::format("// The {} face: its material, and every light.\nLit light_{}({}) {{\n    Lit lit;\n", name,
-                            name, names_.has_surface() ? "Surface surface" : "");
+        text_ = fmt::format("// The colours of the {} face (section 2.14.1).\nLit light_{}({}) {{\n    Lit lit;\n",
+                            name, name, names_.has_surface() ? "Surface surface" : "");
         if (effects_.needs_primary()) {
             add("    lit.primary.rgb = {};  // e_cm + a_cm a_cs\n", names_.scene_color(name, varying));
             add("    lit.primary.a = {};\n", names_.alpha(name, varying));
@@ -57,15 +57,15 @@ class Writer : LightingWriter {
             if (effects_.clamp)
                 add("    lit.primary = clamp(lit.primary, 0.0, 1.0);  // section 2.14.6\n");
             else
-                // Never the uniform as it is: Mesa takes that out of what is interpolated, and surfaces that cross at a small
-                // angle then do so in other pixels than the fixed function's.
+                // The clamp keeps Mesa from treating the alpha as a constant instead of interpolating it. That would
+                // change which pixels show surfaces that cross at a small angle, compared with the fixed function.
                 add("    lit.primary.a = clamp(lit.primary.a, 0.0, 1.0);\n");
         }
         if (effects_.separate_specular && effects_.clamp) add("    lit.secondary = clamp(lit.secondary, 0.0, 1.0);\n");
         return text_ + "    return lit;\n}\n\n";
     }
 
-    // Reflection needs the direction to the viewer, and so does h_i where it is not the same at every vertex.
+    // The direction to the viewer is needed for reflection, and for h_i unless it is the same at every vertex.
     bool needs_vpe_dir() const {
         if (effects_.local_viewer) return true;
         bool near_light = false;
@@ -83,7 +83,7 @@ class Writer : LightingWriter {
 
     // ---- A light ----
 
-    // att_i spot_i; empty where both are 1.
+    // att_i spot_i; empty if both are 1.
     std::string reach(std::size_t i) {
         const LightEffects& light = effects_.lights[i];
         std::string reach;
@@ -98,7 +98,8 @@ class Writer : LightingWriter {
             const std::string slope = names_.light(i, "float", "cone_slope", "1 / (cos inner - cos outer)");
             return reach + fmt::format("smooth_cone({}, {}, {}, vp_dir)", spot_dir, cos_outer, slope);
         }
-        const std::string cos_cutoff = names_.light(i, "float", "cos_cutoff", "cos(c_rli), less rounding");
+        const std::string cos_cutoff =
+            names_.light(i, "float", "cos_cutoff", "cos(c_rli), minus a margin for rounding");
         std::string exponent = "0";
         if (light.spot_exponent != Power::kZero)
             exponent =
@@ -109,7 +110,7 @@ class Writer : LightingWriter {
     bool has_n_dot_vp(const LightEffects& light) const { return light.diffuse || (light.specular && !is_reflection()); }
     bool is_reflection() const { return effects_.highlight == Highlight::kReflection; }
 
-    // f_i (n . h_i)^s_rm, or the lecture's term.
+    // f_i (n . h_i)^s_rm, or the lecture's term with the reflection vector.
     std::string highlight(std::size_t i, const std::string& face, const FaceEffects& varying) {
         if (effects_.shininess == Power::kZero) return is_reflection() ? "1.0" : "f_i(n_dot_vp)";
         const std::string shininess = names_.shininess(face, varying);
@@ -153,7 +154,7 @@ class Writer : LightingWriter {
 
     // `factor` ends with " * ", or is empty.
     void term(std::size_t i, const std::string& face, const std::string& name, const std::string& factor,
-              BroughtColor brought) {
+              PerVertexColor per_vertex) {
         const bool is_secondary = effects_.separate_specular && name == "specular";
         std::string sum = is_secondary ? "        lit.secondary" : "        lit.primary.rgb", product;
         if (effects_.spectral_groups > 0) {
@@ -161,7 +162,7 @@ class Writer : LightingWriter {
                               is_secondary ? "secondary_samples" : "samples");
             product = names_.sample_product(i, face, name);
         } else {
-            product = names_.product(i, face, name, brought);
+            product = names_.product(i, face, name, per_vertex);
         }
         constexpr std::size_t kLongest = 120;
         const bool fits = sum.size() + factor.size() + product.size() < kLongest;
@@ -169,7 +170,7 @@ class Writer : LightingWriter {
             product);
     }
 
-    // ---- Samples of the spectrum: groups of three, like red, green and blue ----
+    // ---- Spectral samples: in groups of three, like red, green and blue ----
 
     std::vector<std::pair<const char*, const char*>> sampled_sums() const {
         std::vector<std::pair<const char*, const char*>> sums = {{"samples", "lit.primary.rgb"}};
@@ -179,7 +180,7 @@ class Writer : LightingWriter {
     void start_samples() {
         const int groups = effects_.spectral_groups;
         for (const auto& [samples, sum] : sampled_sums())
-            add("    vec3 {0}[{1}];  // of the spectrum, three in each\n"
+            add("    vec3 {0}[{1}];  // spectral samples, three in each vec3\n"
                 "    for (int g = 0; g < {1}; ++g) {0}[g] = vec3(0.0);\n",
                 samples, groups);
     }

@@ -1,4 +1,5 @@
-// LightingText: the GLSL that lights a vertex or a fragment, written for an EffectSet. What an effect does not call for is nowhere in it.
+// LightingText: the GLSL that lights a vertex or a fragment, written for an EffectSet. It has only what the effects
+// need.
 #pragma once
 
 #include <string>
@@ -11,17 +12,17 @@ namespace twinlight::programmable {
 
 struct LightingText {
     const char* version = "130";
-    // The files whose functions it calls; of two with one name the first counts.
+    // The files whose functions it calls; if two have the same name, the first counts.
     std::vector<const char*> libraries = {"equation.glsl"};
-    // The vertex shader's statement that sets gl_Position.
+    // The statement of the vertex shader that sets gl_Position.
     std::string clip_position;
-    // What the vertex shader makes of the vertex's position and normal: expressions.
+    // Expressions for the vertex's position and normal, transformed as lighting needs them.
     std::string vertex_position, vertex_normal;
-    // Where the Draw is lit: uniforms, struct Surface and Lit, light_front() and its like.
+    // For the stage that lights: uniforms, the structs Surface and Lit, light_front() and so on.
     std::string uniforms, functions;
 };
 
-// Functions have the names of src/lighting/equation.h; shaders/equation.glsl has those that every light shares.
+// Functions have the names of src/lighting/equation.h; those that lights share are in shaders/equation.glsl.
 LightingText lighting_text(const EffectSet& effects, const Form& form);
 
 }  // namespace twinlight::programmable

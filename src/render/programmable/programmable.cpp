@@ -17,9 +17,9 @@
 namespace twinlight::programmable {
 namespace {
 
-// What is left of a Draw once it is planned and its vertices are the driver's.
+// A Draw after planning, with its vertices in the driver's buffers.
 struct PreparedDraw {
-    // mesh_of: gives the mesh for an EffectSet and what positions are relative to.
+    // mesh_of(effects, origin_object) returns the mesh.
     template <class MeshOf>
     PreparedDraw(const Draw& draw, const Plan& plan, const Options& options, const MeshOf& mesh_of)
         : program(draw_program(draw, plan, options.precise)),
@@ -40,13 +40,13 @@ struct PreparedDraw {
 
     DrawProgram program;
     std::shared_ptr<const UploadedMesh> mesh;
-    Draw stages;  // without vertices: what is set as GL's state
+    Draw stages;  // without vertices: the state that is set in GL
 };
 
 }  // namespace
 
 struct UploadedFrame::Impl {
-    // kept: null where the frame shares nothing with others.
+    // kept: null if the frame shares no meshes with other frames.
     Impl(const Frame& frame, Options options, KeptMeshes* kept) : tier(options.tier) {
         if (options.precise) {
             options = precise_options(options);
@@ -65,7 +65,7 @@ struct UploadedFrame::Impl {
             const PlannedDraw place{number, draw.place, !last || !are_one_shape(*last, draw), {}};
             if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
                 add_mesh(draw, options, kept, place);
-            else if (place.begins_shape)  // the first part stands for all of the shape
+            else if (place.begins_shape)  // drawing the first part draws the whole shape
                 add_surfaces(draw, options, place);
             last = &draw;
         }
@@ -107,12 +107,12 @@ UploadedFrame::~UploadedFrame() = default;
 struct Renderer::Impl {
     explicit Impl(const KeptLimits& limits) : programs(limits.programs), meshes(limits.mesh_bytes) {}
 
-    void draw(const PreparedDraw& what, const FixedStages& stages, Tier tier) {
-        stages.set(what.stages);
-        const Code& code = what.program.code;
-        if (code.effects.has_texture()) textures.bind(what.stages.texture);
-        programs.use(code.effects, code.form, what.program.numbers, tier);
-        what.mesh->draw();
+    void draw(const PreparedDraw& prepared, const FixedStages& stages, Tier tier) {
+        stages.set(prepared.stages);
+        const Code& code = prepared.program.code;
+        if (code.effects.has_texture()) textures.bind(prepared.stages.texture);
+        programs.use(code.effects, code.form, prepared.program.numbers, tier);
+        prepared.mesh->draw();
     }
 
     KeptPrograms programs;

@@ -1,5 +1,5 @@
-// The shader path: GLSL assembled for the effects that each Draw calls for, in the current context.
-// Buffers, attributes and uniforms only: no built-in GL lighting or matrix state.
+// The programmable renderer: GLSL assembled for the effects that each Draw needs, in the current context. It uses only
+// buffers, attributes and uniforms, no built-in GL lighting or matrix state.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace twinlight::programmable {
 
-// A Frame made ready to be drawn again and again: planned, its vertices in the driver's buffers. Owns objects of the
-// context that is current; dies before that does.
+// A Frame prepared for drawing many times: planned, and with its vertices in the driver's buffers. Owns objects of the
+// current context, so it must be destroyed before the context.
 class UploadedFrame {
   public:
     UploadedFrame(const Frame& frame, const Options& options);
@@ -30,37 +30,37 @@ class UploadedFrame {
     std::unique_ptr<Impl> impl_;
 };
 
-// Since the Renderer was made, of Draws under Tier::kAuto: their vertices in the driver's buffers.
+// Meshes in the driver's buffers, for Draws under Tier::kAuto. Counted since the Renderer was made.
 struct MeshCounters {
     std::uint64_t made = 0;
-    std::uint64_t hits = 0;     // Draws whose vertices, all the same, were there
-    std::uint64_t evicted = 0;  // that gave way to others
-    std::size_t bytes = 0;      // that are kept now, with copies of the vertices
+    std::uint64_t hits = 0;     // Draws whose vertices were already uploaded
+    std::uint64_t evicted = 0;  // meshes deleted to make room
+    std::size_t bytes = 0;      // kept now, including copies of the vertices
 };
 
-// Since the Renderer was made.
+// Counted since the Renderer was made.
 struct Counters {
     std::uint64_t made = 0;      // programs with uniforms
     std::uint64_t baked = 0;     // programs with constants
-    std::uint64_t hits = 0;      // Draws whose program was there
-    std::uint64_t evicted = 0;   // programs that gave way to others
-    std::uint64_t textures = 0;  // uploaded
+    std::uint64_t hits = 0;      // Draws whose program already existed
+    std::uint64_t evicted = 0;   // programs deleted to make room
+    std::uint64_t textures = 0;  // textures uploaded
     MeshCounters meshes;
 };
 
-// What a Renderer keeps; of more, that goes which was not used for the longest time.
+// How much a Renderer keeps. Beyond this, the least recently used goes first.
 struct KeptLimits {
     std::size_t programs = 128;
-    std::size_t mesh_bytes = std::size_t{256} << 20;  // under Tier::kAuto, of frames before: 0 for none
+    std::size_t mesh_bytes = std::size_t{256} << 20;  // under Tier::kAuto; 0 keeps nothing between frames
 };
 
-// With what it was drawn from.
+// A picture and the plans it was drawn from.
 struct Picture {
     Image image;
     std::vector<PlannedDraw> plans;
 };
 
-// Owns the programs, textures and buffers that it made in the context that is current; dies before that context does.
+// Owns programs, textures and buffers of the current context, so it must be destroyed before the context.
 class Renderer {
   public:
     explicit Renderer(const KeptLimits& limits = {});
@@ -68,14 +68,14 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Clears to black and depth 1 and draws the frame into the current colour buffer, with the programs that its options'
-    // tier calls for. Throws std::runtime_error with the log, the numbered source and the EffectSet when the driver
-    // refuses a shader.
+    // Clears to black and depth 1 and draws the frame into the current colour buffer, with programs of the options'
+    // tier. Throws std::runtime_error with the log, the numbered source and the EffectSet if the driver refuses a
+    // shader.
     void draw(const UploadedFrame& frame);
-    // Under Tier::kAuto vertices that earlier frames had, bit by bit the same, are neither looked through nor sent to the
-    // driver again (kept_meshes.h).
+    // Under Tier::kAuto, vertices that are bit for bit the same as in earlier frames are not analysed or uploaded again
+    // (kept_meshes.h).
     void draw(const Frame& frame, const Options& options);
-    // The same, and reads the picture.
+    // The same, and reads the picture back.
     Picture render(const Frame& frame, const Options& options);
 
     Counters counters() const;
@@ -87,8 +87,8 @@ class Renderer {
     std::unique_ptr<Impl> impl_;
 };
 
-// The GLSL that draws the frame, for people to read: the program of each Draw, with its effects, what is left
-// out and why, and the uniforms' values in comments. Needs no context.
+// The GLSL that draws the frame, as text to read: each program with its effects, what is left out and why, and the
+// values of the uniforms in comments. Needs no context.
 std::string shader_source(const Frame& frame, const Options& options);
 
 }  // namespace twinlight::programmable

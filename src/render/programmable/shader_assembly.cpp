@@ -16,7 +16,7 @@ namespace {
 
 enum class Stage { kVertex, kFragment };
 
-// What the vertex shader gives, and the fragment shader takes.
+// A value that the vertex shader passes to the fragment shader.
 struct Varying {
     std::string type, name;
     std::string value;  // in the vertex shader
@@ -35,17 +35,17 @@ class Assembler {
     std::string text(Stage stage) const {
         const bool is_vertex = stage == Stage::kVertex, lights_here = lights_in(stage);
         const Scope scope = scope_of(stage);
-        std::string body = !is_vertex && has_ray() ? carried_out("surface_crossings.glsl", scope) : "";
+        std::string body = !is_vertex && has_ray() ? preprocessed("surface_crossings.glsl", scope) : "";
         if (lights_here) body += lighting_.functions;
-        body += carried_out(is_vertex ? "vertex.glsl" : "fragment.glsl", scope);
+        body += preprocessed(is_vertex ? "vertex.glsl" : "fragment.glsl", scope);
 
         std::string uniforms, functions;
-        for (const Definition& definition : called_for(library(scope.words), body))
+        for (const Definition& definition : used_definitions(library(scope.words), body))
             (definition.is_uniform ? uniforms : functions) += definition.text + (definition.is_uniform ? "" : "\n");
         if (lights_here) uniforms += lighting_.uniforms;
         for (int i = 0; is_vertex != has_ray() && i < effects_.clip_plane_count; ++i)
-            uniforms +=
-                fmt::format("uniform vec4 u_clip_plane{}_object;  // glClipPlane's, in object coordinates\n", i);
+            uniforms += fmt::format(
+                "uniform vec4 u_clip_plane{}_object;  // glClipPlane (section 2.12), in object coordinates\n", i);
         if (!uniforms.empty()) uniforms += "\n";
         return fmt::format("#version {}\n{}\n{}{}{}{}{}", lighting_.version, purpose(stage),
                            is_vertex ? attributes_text(body) : inputs_text(), uniforms, is_vertex ? outputs_text() : "",
@@ -61,32 +61,33 @@ class Assembler {
         const bool lights_here = lights_in(stage);
         if (stage == Stage::kFragment) {
             if (has_ray())
-                return lights_here
-                           ? "// The fragment shader: casts the pixel's ray at an exact surface and lights it where it "
-                             "is met (GL 2.1, section 2.14, of a vertex there).\n"
-                           : "// The fragment shader: casts the pixel's ray at an exact surface, and makes its colour "
-                             "there (GL 2.1, sections 3.8 to 3.10).\n";
-            return lights_here
-                       ? "// The fragment shader: lights each fragment (GL 2.1, section 2.14, of a vertex there).\n"
-                       : "// The fragment shader: from the interpolated colours to the fragment's (GL 2.1, sections "
-                         "3.8 to 3.10).\n";
+                return lights_here ? "// Fragment shader: finds where the pixel's ray meets an exact surface and "
+                                     "lights that point (GL 2.1, "
+                                     "section 2.14).\n"
+                                   : "// Fragment shader: finds where the pixel's ray meets an exact surface and "
+                                     "colours that point (GL 2.1, "
+                                     "sections 3.8 to 3.10).\n";
+            return lights_here ? "// Fragment shader: lights each fragment as section 2.14 of GL 2.1 lights a vertex.\n"
+                               : "// Fragment shader: textures, colour sum and fog for the interpolated colours (GL "
+                                 "2.1, sections "
+                                 "3.8 to 3.10).\n";
         }
         if (has_ray())
-            return lights_here ? "// The vertex shader: the rectangle of the window around an exact surface, all of "
-                                 "which is lit "
-                                 "alike: here (GL 2.1, section 2.14).\n"
-                               : "// The vertex shader: the rectangle of the window around an exact surface.\n";
+            return lights_here
+                       ? "// Vertex shader: a rectangle around an exact surface. The whole surface gets one colour, "
+                         "computed here (GL 2.1, section 2.14).\n"
+                       : "// Vertex shader: a rectangle around an exact surface.\n";
         if (!lights_here)
-            return "// The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11), and what "
-                   "fragments "
-                   "need.\n";
-        return form_.object_space
-                   ? "// The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11), and the "
-                     "vertex's "
-                     "light (section 2.14).\n"
-                     "// The modelview matrix keeps angles, so the lights are given in object coordinates.\n"
-                   : "// The vertex shader: object coordinates to clip coordinates (GL 2.1, section 2.11) and to eye "
-                     "coordinates, in which the vertex is\n// lit (section 2.14).\n";
+            return "// Vertex shader: transforms positions to clip coordinates (GL 2.1, section 2.11) and passes "
+                   "values to "
+                   "the fragment shader.\n";
+        return form_.object_space ? "// Vertex shader: transforms positions to clip coordinates (GL 2.1, section 2.11) "
+                                    "and lights vertices "
+                                    "(section 2.14).\n"
+                                    "// The modelview matrix keeps angles, so lighting works in object coordinates.\n"
+                                  : "// Vertex shader: transforms positions to clip coordinates (GL 2.1, section 2.11) "
+                                    "and lights vertices in "
+                                    "eye coordinates\n// (section 2.14).\n";
     }
 
     // ---- From the vertex to the fragment ----
@@ -96,11 +97,11 @@ class Assembler {
         for (const Attribute& attribute : attributes(effects_))
             all.push_back({attribute.name, fmt::format("in {} {};\n", attribute.type, attribute.name)});
         std::string text;
-        for (const Definition& definition : called_for(all, body)) text += definition.text;
+        for (const Definition& definition : used_definitions(all, body)) text += definition.text;
         return text + "\n";
     }
 
-    // Of a ray's rectangle only what is the same at all of its points, or has no ray's point to come from.
+    // For an exact surface only values that are the same on the whole rectangle, or that no point of the ray gives.
     std::vector<Varying> varyings() const {
         std::vector<Varying> list;
         if (is_phong() && effects_.lighting) {
@@ -153,7 +154,7 @@ class Assembler {
         if (effects_.clip_plane_count > 0 && !has_ray())
             text += fmt::format("out float gl_ClipDistance[{}];\n", effects_.clip_plane_count);
         return text + (text.empty() ? "" : "\n") +
-               "invariant gl_Position;  // what is drawn again, by another program, lies at the same depth\n\n";
+               "invariant gl_Position;  // another program with the same positions gets the same depths\n\n";
     }
     std::string inputs_text() const {
         const std::string text = declared("in");
@@ -165,20 +166,20 @@ class Assembler {
         return text;
     }
 
-    // The eye coordinate z of an object position, with w where that may be other than 1.
+    // The eye coordinate z of an object position, and w if it may differ from 1.
     std::string eye_z(const char* position) const {
         const std::string z = fmt::format("dot(u_eye_z_from_object, {})", position);
         return effects_.vertex_w ? fmt::format("vec2({}, dot(u_eye_w_from_object, {}))", z, position) : z;
     }
 
-    // ---- Lit, in main() ----
+    // ---- Lighting, in main() ----
 
     std::string divided(const std::string& position) const {
         if (effects_.vertex_w) return fmt::format("divided_by_w({})", position);
         return position.ends_with(')') ? position + ".xyz" : fmt::format("({}).xyz", position);
     }
 
-    // Statements that call light_front() and its like with a Surface.
+    // The statements that call light_front() or light_back() with a Surface.
     std::string lit_vertex() const {
         const std::string surface = names_.surface(
             form_.object_space ? "position.xyz" : divided(lighting_.vertex_position), lighting_.vertex_normal, "a_");
@@ -188,8 +189,8 @@ class Assembler {
         text += fmt::format("    Lit front = light_front({});\n", argument);
         if (!effects_.two_side) return text;
         text +=
-            "    // The back face has its own material and the opposite normal; which one shows is known per "
-            "fragment.\n";
+            "    // The back face has its own material and the opposite normal. The fragment shader picks the visible "
+            "face.\n";
         if (effects_.needs_normal()) text += fmt::format("    {0} = -{0};\n", names_.normal());
         return text + fmt::format("    Lit back = light_back({});\n", argument);
     }
@@ -249,11 +250,11 @@ class Assembler {
         const bool rgb = texture.has_color(), alpha = texture.has_alpha();
         if (!effects_.needs_primary()) return "    vec4 color = texel;\n";
         std::string text =
-            "    vec4 color = primary;  // and the texture's environment (section 3.8.13, tables 3.22 and 3.23)\n";
+            "    vec4 color = primary;  // the texture environment follows (section 3.8.13, tables 3.22 and 3.23)\n";
         const auto add = [&](bool has, const char* statement) {
             if (has) text += fmt::format("    {}\n", statement);
         };
-        // GL_BLEND and GL_ADD treat an intensity as they do a colour, and modulate any other alpha.
+        // GL_BLEND and GL_ADD treat the alpha of GL_INTENSITY like a colour, and multiply by any other alpha.
         const bool intensity = texture.texels == Texels::kIntensity;
         switch (texture.environment) {
             case TextureEnvironment::kNone: break;
@@ -282,7 +283,7 @@ class Assembler {
 
     std::string fog_factor() const {
         const std::string z = has_ray() ? eye_z("place") : "v_eye_z";
-        // To the plane of the eye: in eye coordinates, divided by w.
+        // The distance from the plane z = 0 of eye coordinates, after division by w.
         std::string fog_distance = fmt::format("abs({})", z);
         if (effects_.vertex_w)
             fog_distance = has_ray() ? "abs(dot(u_eye_z_from_object, place) / dot(u_eye_w_from_object, place))"
@@ -355,7 +356,7 @@ class Assembler {
                       {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"}}};
     }
 
-    // The uniforms, and the functions for each kind of exponent that the effects have.
+    // All uniforms, and the functions for each kind of exponent in the effects.
     std::vector<Definition> library(const Words& words) const {
         bool has_whole = effects_.shininess == Power::kWhole, has_real = effects_.shininess == Power::kReal;
         for (const LightEffects& light : effects_.lights)

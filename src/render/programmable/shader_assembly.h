@@ -1,14 +1,14 @@
-// Assembly: the GLSL of an EffectSet. C++ writes what lights (lighting_text.h) and what one stage hands to the next; the rest comes
-// from the files under shaders/.
+// Assembly: makes the GLSL of an EffectSet. C++ writes the lighting (lighting_text.h) and the values passed between the
+// stages; the rest comes from the files in shaders/.
 //
-// A file of functions or uniforms is a library: a program has those that its text names, directly or through others. The files
-// of main() have directives at the start of a line:
+// Libraries are files of functions or uniforms: a program has those that its text uses, directly or through others.
+// Files with a main() have directives at the start of a line:
 //
-//   #if EFFECT_A && !EFFECT_B || EFFECT_C  ... #elif ... #else ... #endif     lines for some effects alone
-//   #include "file.glsl"    the file
-//   #insert name            what C++ wrote under this name
+//   #if EFFECT_A && !EFFECT_B || EFFECT_C  ... #elif ... #else ... #endif     lines for some effects only
+//   #include "file.glsl"    inserts the file
+//   #insert name            inserts the text that C++ wrote under this name
 //
-// and words in capitals, such as TEX_COORD_S, for which C++ has an expression.
+// and words in capitals, such as TEX_COORD_S, that C++ replaces by an expression.
 #pragma once
 
 #include <string>

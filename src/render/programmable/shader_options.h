@@ -1,4 +1,4 @@
-// How shaders draw a Frame.
+// The options of the programmable renderer.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,19 @@
 
 namespace twinlight::programmable {
 
-// Which programs they draw with (programs.h).
+// How a program gets its numbers (kept_programs.h).
 enum class Tier : std::uint8_t {
-    kUniform,  // a Draw's numbers are uniforms: the same program for all that differ in them alone
-    kBaked,    // they are constants of a program of its own
-    kAuto,     // of frame after frame: uniforms, and constants for what has stood still for a while
+    kUniform,  // as uniforms: Draws that differ only in numbers share a program
+    kBaked,    // as constants: each Draw has its own program
+    kAuto,     // for many frames: uniforms, then constants for numbers that have not changed for a while
 };
 
 struct Options : PlanOptions {
     Tier tier = Tier::kUniform;
-    // Lit per vertex in the order of operations of Mesa's fixed function, every sum in floats (precise.h). Nothing of the
-    // lighting is left out then, whatever the budget.
+    // Lights per vertex, with every sum in floats and in the order of Mesa's fixed function (precise.h). Then no part
+    // of the lighting is left out, whatever the budget.
     bool precise = false;
-    // For an UploadedFrame: large meshes in patches (render/stages/elements.h).
+    // For an UploadedFrame: draws large meshes in patches (render/stages/elements.h).
     bool patches = true;
 };
 

@@ -35,7 +35,7 @@ std::string_view file_text(std::string_view name) {
 
 constexpr std::string_view kInIdentifiers = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
 
-// Gives each identifier (or number), and what is between them with is_identifier false.
+// Visits each identifier (or number), and the text between them with is_identifier false.
 template <class Visit>
 void for_each_token(std::string_view text, const Visit& visit) {
     while (!text.empty()) {
@@ -65,7 +65,7 @@ bool holds(std::string_view condition, const Scope& scope) {
         const bool negated = text.starts_with('!');
         const auto found = scope.switches.find(text.substr(negated));
         if (found == scope.switches.end())
-            throw std::logic_error(fmt::format("a shader file asks for an unknown effect: {}", text));
+            throw std::logic_error(fmt::format("unknown effect in a shader file: {}", text));
         return found->second != negated;
     };
     return std::ranges::any_of(split(condition, "||"), [&](std::string_view product) {
@@ -74,8 +74,8 @@ bool holds(std::string_view condition, const Scope& scope) {
 }
 
 struct Branch {
-    bool outer = true;   // the #if is in lines that are passed on
-    bool taken = false;  // this branch's lines are passed on
+    bool outer = true;   // the lines around the #if are kept
+    bool taken = false;  // this branch's lines are kept
     bool done = false;   // a branch of this #if has been taken
 
     void take(bool condition) {
@@ -86,7 +86,7 @@ struct Branch {
 
 }  // namespace
 
-std::string carried_out(std::string_view file, const Scope& scope) {
+std::string preprocessed(std::string_view file, const Scope& scope) {
     std::string text;
     std::vector<Branch> branches;
     const auto passes = [&] { return branches.empty() || branches.back().taken; };
@@ -106,11 +106,11 @@ std::string carried_out(std::string_view file, const Scope& scope) {
         } else if (!passes()) {
             continue;
         } else if (directive == "#include") {
-            text += carried_out(argument.substr(1, argument.size() - 2), scope);
+            text += preprocessed(argument.substr(1, argument.size() - 2), scope);
         } else if (directive == "#insert") {
             const auto insert = scope.inserts.find(argument);
             if (insert == scope.inserts.end())
-                throw std::logic_error(fmt::format("{} inserts {}, which nothing wrote", file, argument));
+                throw std::logic_error(fmt::format("{} inserts {}, but there is no text of that name", file, argument));
             text += insert->second;
         } else {
             text += with_words(line, scope.words) + "\n";
@@ -141,7 +141,7 @@ std::vector<Definition> definitions(std::string_view file, const Words& words) {
     return result;
 }
 
-std::vector<Definition> called_for(const std::vector<Definition>& library, std::string_view text) {
+std::vector<Definition> used_definitions(const std::vector<Definition>& library, std::string_view text) {
     std::set<std::string, std::less<>> named;
     const auto add = [&](std::string_view of) {
         for (const std::string_view line : split(of, "\n"))

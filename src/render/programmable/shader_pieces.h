@@ -1,4 +1,4 @@
-// Pieces of GLSL text: files with directives, and libraries of functions and uniforms (shader_assembly.h says what they are).
+// Pieces of GLSL text: files with directives, and libraries of functions and uniforms (described in shader_assembly.h).
 #pragma once
 
 #include <map>
@@ -11,15 +11,15 @@ namespace twinlight::programmable {
 using Words = std::map<std::string, std::string, std::less<>>;
 
 struct Scope {
-    std::map<std::string, bool, std::less<>> switches;  // of #if
-    Words inserts;                                      // of #insert: whole lines
-    Words words;                                        // whole identifiers, and what they become
+    std::map<std::string, bool, std::less<>> switches;  // for #if
+    Words inserts;                                      // for #insert: whole lines
+    Words words;                                        // identifiers and their replacements
 };
 
-// The file's text with its directives carried out.
-std::string carried_out(std::string_view file, const Scope& scope);
+// The file's text after its directives.
+std::string preprocessed(std::string_view file, const Scope& scope);
 
-// What a library defines: a function, or a uniform, with the comment above it.
+// One definition in a library, a function or a uniform, with the comment above it.
 struct Definition {
     std::string name;
     std::string text;
@@ -27,8 +27,8 @@ struct Definition {
 };
 std::vector<Definition> definitions(std::string_view file, const Words& words);
 
-// Those of the library that the text names, directly or through others, in the library's order. A library's functions name only
-// what is before them.
-std::vector<Definition> called_for(const std::vector<Definition>& library, std::string_view text);
+// The definitions of the library that the text uses, directly or through others, in the library's order. A function in
+// a library uses only definitions above it.
+std::vector<Definition> used_definitions(const std::vector<Definition>& library, std::string_view text);
 
 }  // namespace twinlight::programmable

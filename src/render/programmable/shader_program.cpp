@@ -39,7 +39,7 @@ std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetSha
         fmt::format("the driver refuses {}:\n{}\n{}\nfor these effects:\n{}", what, log, source, describe(effects)));
 }
 
-GLuint compiled_later(GLenum type, const std::string& source) {
+GLuint start_compiling(GLenum type, const std::string& source) {
     const GLuint shader = glCreateShader(type);
     const char* text = source.c_str();
     glShaderSource(shader, 1, &text, nullptr);
@@ -68,8 +68,8 @@ bool compiles_in_parallel() {
 
 ShaderProgram::ShaderProgram(ShaderSource source, EffectSet effects)
     : source_(std::move(source)), effects_(std::move(effects)) {
-    vertex_ = compiled_later(GL_VERTEX_SHADER, source_.vertex);
-    fragment_ = compiled_later(GL_FRAGMENT_SHADER, source_.fragment);
+    vertex_ = start_compiling(GL_VERTEX_SHADER, source_.vertex);
+    fragment_ = start_compiling(GL_FRAGMENT_SHADER, source_.fragment);
     program_ = glCreateProgram();
     glAttachShader(program_, vertex_);
     glAttachShader(program_, fragment_);
@@ -110,7 +110,7 @@ void ShaderProgram::link() {
         GLint size = 0;
         GLenum type = 0;
         glGetActiveUniform(program_, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
-        if (type == GL_SAMPLER_1D || type == GL_SAMPLER_2D) continue;  // it keeps its initial value, unit 0
+        if (type == GL_SAMPLER_1D || type == GL_SAMPLER_2D) continue;  // keeps its initial value, texture unit 0
         std::string text = name.data();
         text.resize(std::min(text.find('['), text.size()));  // "u_light3_position_eye[0]"
         slots_.push_back({std::move(text), glGetUniformLocation(program_, name.data()), type, size});
@@ -139,7 +139,7 @@ void ShaderProgram::use(const Uniforms& uniforms) {
             case GL_FLOAT_VEC4: glUniform4fv(slot.location, given(4), values); break;
             case GL_FLOAT_MAT3: glUniformMatrix3fv(slot.location, given(9), GL_FALSE, values); break;
             case GL_FLOAT_MAT4: glUniformMatrix4fv(slot.location, 1, GL_FALSE, values); break;
-            default: throw std::logic_error(fmt::format("the uniform {} has an odd type", slot.name));
+            default: throw std::logic_error(fmt::format("the uniform {} has an unsupported type", slot.name));
         }
     }
 }

@@ -11,17 +11,17 @@ namespace twinlight::programmable {
 
 class ShaderProgram {
   public:
-    // Starts to compile; a driver with GL_KHR_parallel_shader_compile goes on in threads of its own.
+    // Starts compiling; a driver with GL_KHR_parallel_shader_compile continues on its own threads.
     ShaderProgram(ShaderSource source, EffectSet effects);
     ~ShaderProgram();
     ShaderProgram(const ShaderProgram&) = delete;
     ShaderProgram& operator=(const ShaderProgram&) = delete;
 
-    // Whether use() would not wait for the compiler. True where the driver does not say. (llvmpipe makes its machine code
-    // later, in the first drawing command with a program, whatever it says.)
+    // Whether use() can run without waiting for the compiler. True if the driver cannot tell. (llvmpipe generates
+    // machine code later, in the program's first drawing command, whatever it answers.)
     bool is_ready() const;
-    // Makes it current and gives it the values of the uniforms it has. Throws std::runtime_error with the driver's log, the
-    // numbered source and the EffectSet when the driver refuses it.
+    // Makes the program current and sets its uniforms. Throws std::runtime_error with the driver's log, the numbered
+    // source and the EffectSet if the driver refuses it.
     void use(const Uniforms& uniforms);
 
   private:
@@ -30,12 +30,12 @@ class ShaderProgram {
         std::string name;
         int location = -1;
         unsigned type = 0;
-        int length = 1;  // of an array
+        int length = 1;  // more than 1 for an array
     };
-    ShaderSource source_;  // and the effects: to say what the driver refuses; until it is linked
+    ShaderSource source_;  // source and effects are kept for error messages until linking succeeds
     EffectSet effects_;
     unsigned program_ = 0;
-    unsigned vertex_ = 0, fragment_ = 0;  // 0 once it is linked
+    unsigned vertex_ = 0, fragment_ = 0;  // 0 after linking
     std::vector<Slot> slots_;             // the active uniforms
 };
 

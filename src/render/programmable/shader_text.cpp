@@ -1,4 +1,4 @@
-// The GLSL that draws a frame, for people to read.
+// The GLSL that draws a frame, as text to read.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::string commented(const std::string& text) {
     return result;
 }
 
-// What of the Draw no shader does, as far as it is not GL's initial state.
+// The state of the Draw that shaders do not handle, if it differs from GL's initial state.
 std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
     const RasterState& raster = draw.raster;
     const FragmentState& fragment = draw.fragment;
@@ -44,26 +44,26 @@ std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
     std::string text;
     for (const auto& [is_set, what] : rows)
         if (is_set) text += fmt::format("//   {}\n", what);
-    return text.empty() ? "" : "// What stays GL's state:\n" + text;
+    return text.empty() ? "" : "// State that is set in GL, not in the shaders:\n" + text;
 }
 
-// What the program has, and what the plan leaves out of it.
+// Comments that list the program's effects and what the plan leaves out.
 std::string heading(const Plan& plan, const Code& code) {
-    std::string text = "// What lights this Draw:\n" + commented(describe(plan.effects));
+    std::string text = "// Effects of this draw:\n" + commented(describe(plan.effects));
     for (std::size_t i = 0; i < code.lights.size(); ++i) {
         std::vector<std::string> names;
         for (const std::size_t planned : code.lights[i]) names.push_back(light_name(plan.lights[planned].number));
         text += fmt::format("// light{} is {}.\n", i, fmt::join(names, ", "));
     }
-    text += "// What is left out:\n";
+    text += "// Left out, with the reasons:\n";
     for (const std::vector<LeftOut>& list : {plan.left_out, lights_left_out(plan)})
         for (const LeftOut& left_out : list) text += fmt::format("//   {}: {}\n", left_out.what, left_out.why);
     return text;
 }
 
-// Nothing is left out of --precise.
+// --precise leaves nothing out.
 std::string precise_heading(const LightingState& lighting, const Code& code) {
-    std::string text = "// What lights this Draw:\n" + commented(describe(code.effects));
+    std::string text = "// Effects of this draw:\n" + commented(describe(code.effects));
     int count = 0;
     for (std::size_t i = 0; i < lighting.lights.size(); ++i)
         if (lighting.enabled && lighting.lights[i].enabled)
@@ -76,11 +76,11 @@ std::string program_text(const Draw& draw, const Plan& plan, const Code& code, c
     text += fixed_stages_text(draw, plan);
 
     if (const auto& origin = code.origin_object)
-        text += fmt::format("// a_position is relative to ({}, {}, {}), subtracted in double.\n", origin->x, origin->y,
-                            origin->z);
+        text += fmt::format("// a_position is relative to ({}, {}, {}), subtracted in double precision.\n", origin->x,
+                            origin->y, origin->z);
     const ShaderSource source = assemble(code.effects, code.form);
     const auto names = uniform_names(source);
-    text += "// The uniforms' values:\n";
+    text += "// Uniform values:\n";
     for (const auto& [name, values] : numbers)
         if (names.contains(name)) text += fmt::format("//   {} = {}\n", name, fmt::join(values, " "));
     text += fmt::format("\n// ---- Vertex shader ----\n\n{}\n// ---- Fragment shader ----\n\n{}", source.vertex,
@@ -92,7 +92,7 @@ std::string program_text(const Draw& draw, const Plan& plan, const Code& code, c
 
 std::string shader_source(const Frame& frame, const Options& asked) {
     const Options options = asked.precise ? precise_options(asked) : asked;
-    // The Draws of each program; the first of them gives the values.
+    // A program and its Draws; the first Draw provides the uniform values.
     struct Use {
         EffectSet effects;
         Form form;
@@ -116,9 +116,7 @@ std::string shader_source(const Frame& frame, const Options& asked) {
                             .text = program_text(draw, plan, code, numbers)});
     };
     const Draw* last = nullptr;
-    for (const auto& item : frame.items) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        if (!draw) continue;
+    for (const Draw* draw : frame.draws()) {
         ++number;
         if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
             const Plan plan = plan_effects(*draw, options);
@@ -133,7 +131,7 @@ std::string shader_source(const Frame& frame, const Options& asked) {
     std::string text;
     for (const Use& use : uses) {
         text += fmt::format("// ==== Draw {}, {}", use.number, use.place.str());
-        if (use.others > 0) text += fmt::format("; {} more with other values", use.others);
+        if (use.others > 0) text += fmt::format("; {} more draws use this program with other values", use.others);
         text += "\n" + use.text + "\n";
     }
     return text;

@@ -21,11 +21,11 @@ int most_points(const Surface& surface) {
     return std::holds_alternative<DiskSurface>(surface.equation) ? 1 : 2;
 }
 
-// Points come from far to near (scene/shape/surface.h), a fragment each.
+// A ray's points come from far to near (scene/shape/surface.h); each may be a fragment.
 enum class Points { kNearest, kFarthest, kAll };
 
-// Where one point hides the others whatever lies there already. Of two points the nearer has the smaller depth, unless depths
-// are turned around or offset by slopes.
+// Whether one point hides the others whatever was drawn before. The nearer of two points has the smaller depth, unless
+// the depth range is reversed or depths are offset by slopes.
 Points points_of(const Draw& draw) {
     const RasterState& raster = draw.raster;
     if (draw.fragment.blend || draw.fragment.alpha_test) return Points::kAll;
@@ -40,7 +40,7 @@ Points points_of(const Draw& draw) {
 
 // ---- Where the surface lies ----
 
-// The corners of the box around it, in clip coordinates.
+// The corners of the surface's bounding box, in clip coordinates.
 std::vector<glm::dvec4> clip_corners(const Surface& surface, const glm::dmat4& clip_from_surface) {
     const Reach reach = reach_of(surface);
     std::vector<glm::dvec4> corners;
@@ -55,13 +55,13 @@ struct Rectangle {  // window coordinates
     glm::dvec2 low{0}, high{0};
 };
 
-// What the surface covers lies in it, and a pixel around: floats may not lose one at its border. Nothing where that is outside of
-// the viewport.
+// The surface lies inside this rectangle, which includes a margin of one pixel for float rounding. Nothing if the
+// rectangle is outside the viewport.
 std::optional<Rectangle> window_rectangle(const Viewport& viewport, const std::vector<glm::dvec4>& corners) {
     const glm::dvec2 origin(viewport.x, viewport.y), size(viewport.width, viewport.height);
     Rectangle rectangle{origin + size, origin};
     for (const glm::dvec4& corner : corners) {
-        if (!(corner.w > 0)) {  // behind the eye: the projection of the box is no bound
+        if (!(corner.w > 0)) {  // behind the eye, so the projected box bounds nothing
             rectangle = {origin, origin + size};
             break;
         }
@@ -96,8 +96,8 @@ class SurfaceUniforms {
     void set(const char* name, const glm::dvec3& v) { set(name, {v.x, v.y, v.z}); }
     void set(const char* name, const glm::dvec4& v) { set(name, {v.x, v.y, v.z, v.w}); }
 
-    // The ray through a window position goes through h, which is where (x_ndc, y_ndc, z) comes from, for any z, and the point
-    // that the direction of depth comes from: the eye, or a direction.
+    // The ray through a window position goes through two points: h, the point that projects to (x_ndc, y_ndc, z) for
+    // some z, and the preimage of the depth direction: the eye, or a point at infinity.
     void rays(const Rectangle& rectangle) {
         const Viewport& viewport = draw_.raster.viewport;
         const glm::dvec2 origin(viewport.x, viewport.y), size(viewport.width, viewport.height);
@@ -107,7 +107,7 @@ class SurfaceUniforms {
         const glm::dvec2 middle_window = glm::floor((rectangle.low + rectangle.high) / 2.0) + 0.5;
         set("u_middle_window", {middle_window.x, middle_window.y});
 
-        // z of the surface's middle: h is near to it then.
+        // The z of the surface's middle, so that h is close to it.
         const glm::dvec4 middle_clip = clip_from_surface_[3];
         const double z = middle_clip.w > 0 ? std::clamp(middle_clip.z / middle_clip.w, -1.0, 1.0) : -1;
         const glm::dvec4 h = surface_from_clip_ * glm::dvec4(ndc(middle_window), z, 1);
@@ -125,20 +125,21 @@ class SurfaceUniforms {
         set("u_moment_per_x", unit * moment(per_x));
         set("u_moment_per_y", unit * moment(per_y));
 
-        // How the point that a window position comes from moves with it, and with depth: homogeneous.
+        // How the point that projects to a window position moves with x, y and depth; homogeneous.
         const double scale = 1 / clip_unit();
         set("u_step_x", scale * per_x);
         set("u_step_y", scale * per_y);
         set("u_step_depth", scale * depth);
     }
 
-    // Clip coordinates have no unit: that in which w is about 1.
+    // Clip coordinates have no unit; this one makes w about 1.
     double clip_unit() const {
         const glm::dvec4 w = glm::abs(glm::transpose(clip_from_surface_)[3]);
         return 1 / std::max({w.x, w.y, w.z, w.w, std::numeric_limits<double>::min()});
     }
 
-    // w - z and w + z, which are 0 on the far and the near plane: as they are, not as differences of floats.
+    // w - z and w + z are 0 on the far and near plane. They are uniforms, because the difference of floats would be
+    // inexact.
     void clip_space() {
         const glm::dmat4 rows = clip_unit() * glm::transpose(clip_from_surface_);
         set("u_clip_w", rows[3]);
@@ -147,14 +148,14 @@ class SurfaceUniforms {
         const RasterState& raster = draw_.raster;
         set("u_far_depth", {raster.depth_far});
         set("u_half_depth_range", {(raster.depth_far - raster.depth_near) / 2});
-        // 2.14.1: with the normal towards the eye a surface is seen counter-clockwise, unless a matrix mirrors it. Clip
-        // coordinates are left-handed.
+        // 2.14.1: seen with its outward normal towards the eye, a surface is counter-clockwise, unless a matrix mirrors
+        // it. Clip coordinates are left-handed.
         const double determinant = glm::determinant(draw_.eye_from_object) * glm::determinant(draw_.clip_from_eye);
         const bool turned = (raster.front_face == kGL_CW) != surface_.inside;
         const double front_side = (determinant > 0) != turned ? 1 : -1;
         set("u_front_side", {front_side});
         set("u_shown_side", {raster.cull_face == kGL_BACK ? front_side : -front_side});
-        constexpr double kDepthStep = 1.0 / (1 << 24);  // of a depth buffer of 24 bits: r of 3.5.5
+        constexpr double kDepthStep = 1.0 / (1 << 24);  // r of section 3.5.5, for a 24-bit depth buffer
         set("u_offset_factor", {raster.polygon_offset.factor});
         set("u_offset", {raster.polygon_offset.units * kDepthStep});
     }
@@ -196,7 +197,7 @@ SurfaceKind kind_of(const Surface& surface) {
 }
 
 SurfaceForm form_of(const SurfaceDraw& surface, const Plan& plan, const std::vector<glm::dvec4>& corners) {
-    constexpr double kMargin = 1e-6;  // more than floats take from it
+    constexpr double kMargin = 1e-6;  // more than the rounding error of floats
     const auto* disk = std::get_if<DiskSurface>(&surface.surface.equation);
     const RasterState& raster = surface.draw.raster;
     return {.kind = kind_of(surface.surface),
@@ -224,7 +225,7 @@ std::vector<SurfaceProgram> surface_programs(const Draw& draw, const PlanOptions
         SurfaceProgram program;
         program.plan = plan_effects(surface.draw, options, surface.facts);
         program.code = code_for(surface.draw, program.plan, form_of(surface, program.plan, corners));
-        // Fragments' normals are made unit in any case.
+        // The normals of fragments are scaled to length 1 anyway.
         if (program.code.effects.shading == Shading::kPhong) program.code.effects.normalize = false;
         Uniforms numbers =
             SurfaceUniforms(surface, uniforms(surface.draw, program.plan, program.code)).build(*rectangle);

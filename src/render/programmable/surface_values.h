@@ -1,12 +1,14 @@
-// Exact surfaces by shaders: a surface is drawn as the rectangle of the window around it, whose fragments cast their pixels' rays.
+// Exact surfaces by shaders: draws a rectangle around the surface in the window; each fragment casts its pixel's ray.
 //
-// A ray is given by its Pluecker coordinates, a direction d and the moment p x d of any of its points p, in the surface's space
-// (render/effect/surface_draw.h). Both are linear in window coordinates, so that matrices are inverted in double precision, once, for
-// the pixel in the middle of the rectangle, and floats add what a pixel is away from it: nothing is lost to an eye that is far
-// away or a near plane that is close. Discriminants are products in Pluecker coordinates, too (shaders/surface_crossings.glsl).
+// A ray is given by its Pluecker coordinates, a direction d and the moment p x d of any of its points p, in the
+// surface's space (render/effect/surface_draw.h). Both are linear in window coordinates. So matrices are inverted once,
+// in double precision, for the pixel in the middle of the rectangle, and floats add the difference for other pixels: a
+// distant eye or a close near plane loses no precision. Discriminants are products in Pluecker coordinates too
+// (shaders/surface_crossings.glsl).
 //
-// A ray meets a sphere or the side of a cone twice, a torus four times. Where colours are blended or tested each of these
-// points, from far to near, is a fragment of its own, drawn in a pass of its own; elsewhere the nearest is all that shows.
+// A ray meets a sphere or the side of a cone up to twice, a torus up to four times. If colours are blended or
+// alpha-tested, each of these points is a separate fragment, drawn in a separate pass, from far to near; otherwise only
+// the nearest is drawn.
 #pragma once
 
 #include <vector>
@@ -16,15 +18,14 @@
 namespace twinlight::programmable {
 
 struct SurfaceProgram {
-    Draw
-        draw;  // a SurfaceDraw's, without the state that the program takes the place of: culling, clip planes, polygon offset
+    Draw draw;  // a SurfaceDraw's, without the state that the shader handles: culling, clip planes, polygon offset
     Plan plan;
     Code code;
-    std::vector<Uniforms> passes;  // one for each time that it is drawn
+    std::vector<Uniforms> passes;  // the uniforms of each pass
 };
 
-// What is drawn in the place of a shape's mesh: one for each of its surfaces that may be seen. Of a Draw that has_exact_surfaces(),
-// of the first part of a shape.
+// One program for each surface of the shape that may be visible, drawn instead of its mesh. Takes the Draw that is the
+// first part of a shape; it must have exact surfaces (has_exact_surfaces()).
 std::vector<SurfaceProgram> surface_programs(const Draw& draw, const PlanOptions& options);
 
 }  // namespace twinlight::programmable

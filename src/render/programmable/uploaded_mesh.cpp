@@ -33,7 +33,7 @@ UploadedMesh::UploadedMesh(const Draw& draw, const EffectSet& effects, bool patc
                               buffer_offset(offset * sizeof(float)));
         offset += static_cast<std::size_t>(attribute.size);
     }
-    // They pass every program by: GL has no attribute of shaders for them.
+    // Edge flags bypass the shaders: GL has no shader attribute for them.
     if (needs_edge_flags(draw)) {
         std::vector<GLboolean> flags;
         for_each_vertex(draw, elements_.vertices(), [&](const Vertex& vertex) { flags.push_back(vertex.edge_flag); });

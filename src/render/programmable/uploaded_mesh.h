@@ -11,30 +11,30 @@
 
 namespace twinlight::programmable {
 
-// What decides an UploadedMesh beside the vertices, their order and materials.
+// Everything besides the vertices, their order and materials that determines an UploadedMesh.
 struct MeshForm {
     std::vector<Attribute> attributes;
     bool unit_normals = false;
-    bool borders = false;         // edge flags count
-    glm::dvec3 origin_object{0};  // that positions are relative to (draw_values.h)
+    bool borders = false;         // edge flags matter
+    glm::dvec3 origin_object{0};  // positions are relative to this (draw_values.h)
 
     friend bool operator==(const MeshForm&, const MeshForm&) = default;
 };
 MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const glm::dvec3& origin_object);
 
-// Dies before its context does.
+// Must be destroyed before its context.
 class UploadedMesh {
   public:
-    // The attributes that the program of these effects takes.
+    // Uploads the attributes that a program with these effects takes.
     UploadedMesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
     ~UploadedMesh();
     UploadedMesh(const UploadedMesh&) = delete;
     UploadedMesh& operator=(const UploadedMesh&) = delete;
 
-    // With the program that is current.
+    // Draws with the current program.
     void draw() const;
 
-    std::size_t bytes() const { return bytes_ + elements_.bytes(); }  // of the buffers
+    std::size_t bytes() const { return bytes_ + elements_.bytes(); }  // size of the buffers
 
   private:
     unsigned array_ = 0, vertices_ = 0, edge_flags_ = 0;

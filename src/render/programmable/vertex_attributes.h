@@ -1,4 +1,4 @@
-// Attributes: what the program of an EffectSet takes of each vertex.
+// Attributes: the vertex data that the program of an EffectSet takes.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace twinlight::programmable {
 
-// A property of a face's material that every vertex brings.
+// A material property of a face that comes with each vertex.
 struct VertexProperty {
     std::string name;  // "front_ambient"
-    int size = 3;      // in floats: 4 of the diffuse colour, whose alpha counts; 1 of the shininess
+    int size = 3;      // in floats: 4 for the diffuse colour, whose alpha counts, 1 for the shininess, else 3
     Material Materials::*face = nullptr;
     glm::dvec4 Material::*color = nullptr;  // null: the shininess
 
@@ -22,17 +22,17 @@ std::vector<VertexProperty> vertex_properties(const EffectSet& effects);
 
 struct Attribute {
     std::string name;  // "a_position"
-    int size = 4;  // in floats of the array; llvmpipe fetches four faster than three, so the normal has one to spare
+    int size = 4;      // in floats; the normal has a spare one, because llvmpipe fetches four faster than three
     std::string type = "vec4";  // in GLSL
 
     friend bool operator==(const Attribute&, const Attribute&) = default;
 };
 
-// Their numbers are their places in the list; a vertex's floats stand in this order, too: the position, then as they are
-// called for the normal, the colour, the texture coordinate, and the material's properties.
+// Attribute numbers are positions in this list. A vertex's floats have the same order: the position, then as needed the
+// normal, colour, texture coordinate and material properties.
 std::vector<Attribute> attributes(const EffectSet& effects);
 
-// Whether the program makes normals unit vectors: then the array may have them in any length.
+// Whether the program scales normals to length 1; then the array may have them in any length.
 bool makes_normals_unit(const EffectSet& effects);
 
 }  // namespace twinlight::programmable

@@ -1,11 +1,11 @@
-// The pixels where right implementations may differ, and by how much (docs/lighting.md, "Edges").
+// The pixels where correct implementations may differ, and by how much (docs/lighting.md, "Edges").
 //
-// The fragments of the picture once more, but over what each may come to all over a pixel's square:
+// Draws the fragments of the picture again, but with all values that they may have anywhere in a pixel's square:
 //   - coverage: a piece fills the square, or its border passes through it;
-//   - depth: an interval; where it overlaps what is stored, the outcome of the test is open;
-//   - colour: an interval a channel.
-// A pixel becomes open where a fragment may or may not change its colour, and certain again where one certainly
-// overwrites it. What is open at the end is an edge pixel.
+//   - depth: an interval; if it overlaps the stored one, the outcome of the depth test is open;
+//   - colour: an interval per channel.
+// A pixel becomes open if a fragment may or may not change its colour, and certain again if a fragment certainly
+// overwrites it. Pixels that are open at the end are edge pixels.
 #include <climits>
 #include <cmath>
 #include <glm/common.hpp>
@@ -21,20 +21,21 @@ namespace twinlight::reference {
 
 namespace {
 
-// The square grows by what snapping may move a border.
+// The square is enlarged by the distance that snapping may move a border.
 constexpr double kHalfSquare = 0.5 + kSnap;
-// Lines and points may choose the pixel beside (3.4.1 allows a line to be off by one).
+// Lines and points may cover the neighbouring pixel instead (3.4.1 allows lines to be off by one).
 constexpr double kHalfLineSquare = 1.5;
 
-// The same triangle, clipped alike, but perhaps for its polygon offset.
+// Whether both are the same triangle with the same clipping; polygon offsets may differ.
 bool same_triangle(const Piece& a, const Piece& b) {
     return a.shape == Shape::kTriangle && b.shape == Shape::kTriangle && a.corners == b.corners &&
            a.weight_over_w_planes == b.weight_over_w_planes && a.depth_plane.x == b.depth_plane.x &&
            a.depth_plane.y == b.depth_plane.y;
 }
 
-// How a polygon meets the square about `centre`, which is known to meet its bounding box: covers it, perhaps, or not.
-// Edges along the sides of the view volume are no border: every rasteriser has them at the viewport's rim.
+// Whether a polygon covers the square about `centre`: certainly, perhaps, or not. The square must meet the polygon's
+// bounding box. Edges along the sides of the view volume do not count: all rasterisers have them at the viewport's
+// border.
 Outcome covers(const std::vector<Edge>& edges, const glm::dvec2& centre) {
     Outcome result = Outcome::kPasses;
     for (const Edge& edge : edges) {
@@ -45,7 +46,7 @@ Outcome covers(const std::vector<Edge>& edges, const glm::dvec2& centre) {
     return result;
 }
 
-// What is kept of a pixel beside its colour: an interval of depths, and whether it is open. Of meshes.
+// The state of a pixel besides its colour: an interval of depths, and whether it is open. Only for meshes.
 class OpenPixels {
   public:
     using Real = Interval;
@@ -67,7 +68,7 @@ class OpenPixels {
         stages_.piece(id).shape == Shape::kTriangle ? polygon(id, within, visit) : thin(id, within, visit);
     }
 
-    // Over the square about the pixel's centre. A line's or point's own are widened by its slope.
+    // The depths over the pixel's square. For lines and points the slope widens the interval.
     static Interval depth(const Fragment& fragment) {
         const Piece& piece = *fragment.piece;
         double change = 0;
@@ -85,8 +86,8 @@ class OpenPixels {
         if (other_id >= 0) {
             const Piece &piece = *fragment.piece, &other = stages_.piece(other_id);
             const glm::dvec3 between = piece.depth_plane - other.depth_plane;
-            // Appendix A: what is drawn again has the same depths; 3.5.5: r keeps offsets apart. A driver may cut a
-            // quadrilateral that it shades flat, or has in a display list, otherwise than the same one shaded smooth, or not.
+            // Appendix A: geometry that is drawn twice has the same depths; 3.5.5: r keeps offset depths apart. But a
+            // driver may cut a quadrilateral differently depending on flat shading or display lists.
             if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
                 return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
             if (piece.shape == Shape::kTriangle && other.shape == Shape::kTriangle) {
@@ -120,7 +121,8 @@ class OpenPixels {
         });
     }
 
-    // Lines and points: certain are the pixels all around which it covers others; open the rest and those beside.
+    // Lines and points: a pixel is certain if the piece covers all its neighbours; other covered pixels and neighbours
+    // are open.
     template <class Visit>
     void thin(StepId id, const PixelRect& within, const Visit& visit) {
         const Piece& piece = stages_.piece(id);
@@ -128,7 +130,7 @@ class OpenPixels {
         std::vector<std::pair<int, int>> covered;
         const auto cover = [&](int x, int y) { covered.emplace_back(x, y); };
         for_each_pixel(piece, around, cover);
-        // A line that is too short to leave any diamond covers nothing, or one fragment elsewhere.
+        // A line that leaves no diamond covers nothing, or one fragment nearby.
         const bool nothing = covered.empty();
         if (nothing) for_each(point_square(glm::dvec2(piece.from.position_window), piece.size, around), cover);
         if (covered.empty()) return;
@@ -145,19 +147,20 @@ class OpenPixels {
             const char count = neighbours[box.index(x, y)];
             if (count == 0) return;
             const bool first = !again(id, window_.index(x, y));
-            // Whatever the depth test makes of it: in the other order there is more, or less, to blend with.
+            // With another order, blending would have more or less beneath it, whatever the depth test decides.
             if (!first && !overwrites_color(stages_.draw_of(piece).fragment)) open(window_.index(x, y));
             visit(id, x, y, count == kAll && !nothing && first ? Outcome::kPasses : Outcome::kOpen, nullptr);
         });
     }
 
-    // Whether another line or point of the same polygon's border has been at the pixel. The text says in no order how a
-    // border is drawn (3.5.4): which of two is seen where they lie on each other, at a corner, is open.
+    // Whether another line or point of the same polygon's border has covered the pixel. The specification gives no
+    // order for the border (3.5.4): where two overlap at a corner, either may be visible.
     bool again(StepId id, std::size_t at) {
         const StepId other_id = std::exchange(thin_[at], id);
         if (other_id == kNobody) return false;
         const Piece &piece = stages_.piece(id), &other = stages_.piece(other_id);
-        // Triangles that a quadrilateral or a polygon is cut to have one provoking vertex; those of a mesh their own.
+        // The triangles of one quadrilateral or polygon have the same provoking vertex; triangles of a mesh have
+        // different ones.
         return piece.draw == other.draw && piece.primitive.provoking == other.primitive.provoking;
     }
 
@@ -165,8 +168,8 @@ class OpenPixels {
     const PixelRect window_;
     std::vector<char> open_;
     std::vector<Interval> depth_;
-    std::vector<StepId> depth_of_;  // whose the depth is, where that is certain
-    std::vector<StepId> thin_;      // the last line or point there
+    std::vector<StepId> depth_of_;  // the piece with that depth, if certain
+    std::vector<StepId> thin_;      // the last line or point at the pixel
 };
 
 class IntervalBuffer : public FragmentLoop<OpenPixels> {
@@ -191,7 +194,7 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
 
 AllowedDifference allowed_with_cut(const Frame& frame, const Options& options) {
     AllowedDifference result{.edge = {}, .channels = Image(frame.width, frame.height)};
-    std::vector<char> edge(result.channels.pixels.size());  // bytes, not bits: bands write beside each other
+    std::vector<char> edge(result.channels.pixels.size());  // bytes, not bits: bands write concurrently
     const StagedFrame stages = run_stages(frame, options);
     draw_in_bands<IntervalBuffer>(stages, frame, options, [&](IntervalBuffer& buffer, const PixelRect& band) {
         for_each(band, [&](int x, int y) {
@@ -214,21 +217,20 @@ void join(AllowedDifference& allowed, const AllowedDifference& other) {
     }
 }
 
-// ---- Exact surfaces, whose silhouettes are not their meshes' ----
+// ---- Exact surfaces: their silhouettes differ from their meshes' ----
 
-// All that is drawn, moved in the window by that part of a pixel.
+// The frame with every Draw moved in the window by this fraction of a pixel.
 Frame moved(Frame frame, const glm::dvec2& pixels) {
-    for (auto& item : frame.items) {
-        Draw* draw = std::get_if<Draw>(&item);
-        if (!draw || draw->raster.viewport.width <= 0 || draw->raster.viewport.height <= 0) continue;
+    for (Draw* draw : frame.draws()) {
+        if (draw->raster.viewport.width <= 0 || draw->raster.viewport.height <= 0) continue;
         const glm::dvec2 ndc = 2.0 * pixels / glm::dvec2(draw->raster.viewport.width, draw->raster.viewport.height);
         draw->clip_from_eye = glm::translate(glm::dmat4(1), glm::dvec3(ndc, 0)) * draw->clip_from_eye;
     }
     return frame;
 }
 
-// Adds the pixels where so little beside the centre something else is seen: a thousandth of a pixel, by which colours otherwise
-// change by less than half a code.
+// Adds the pixels whose colour changes if the picture moves by a thousandth of a pixel. Away from edges colours change
+// by less than 0.5/255.
 void add_surface_edges(const Frame& frame, const Options& options, PixelMask& edge) {
     constexpr double kBeside = 1e-3;  // of a pixel
     constexpr float kHalfCode = 0.5F / 255;

@@ -6,8 +6,8 @@ namespace twinlight::reference {
 
 namespace {
 
-// The point where the edge meets the plane. Always computed from the inner to the outer vertex, so that two
-// triangles with a common edge get the same point.
+// The point where the edge meets the plane, always computed from the inner to the outer vertex, so that two triangles
+// with a common edge get the same point.
 ClipVertex crossing(const ClipVertex& inner, double inner_distance, const ClipVertex& outer, double outer_distance) {
     const double t = inner_distance / (inner_distance - outer_distance);
     return {.position_clip = inner.position_clip + t * (outer.position_clip - inner.position_clip),
@@ -51,17 +51,17 @@ std::vector<ClipVertex> ClipVolume::polygon(std::span<const ClipVertex> polygon)
             const ClipVertex &current = result[i], &next = result[(i + 1) % result.size()];
             const double d = plane.signed_distance(current), d_next = plane.signed_distance(next);
             if (d >= 0) kept.push_back(current);
-            if (d >= 0 && d_next < 0) {  // leaves: the next edge runs along the plane
+            if (d >= 0 && d_next < 0) {  // leaving: the next edge runs along the plane
                 if (d > 0) kept.push_back(crossing(current, d, next, d_next));
                 kept.back().edge_to_next = plane.origin;
-            } else if (d < 0 && d_next > 0) {  // comes back on the same edge
+            } else if (d < 0 && d_next > 0) {  // coming back on the same edge
                 kept.push_back(crossing(next, d_next, current, d));
                 kept.back().edge_to_next = current.edge_to_next;
             }
         }
         result = std::move(kept);
     }
-    // RULING: what touches w = 0 has no window position and is left out.
+    // RULING: points with w = 0 have no window position and are left out.
     for (const ClipVertex& v : result)
         if (!(v.position_clip.w > 0)) return {};
     return result;

@@ -1,9 +1,9 @@
-// Clipping (2.12): to the view volume -w <= x, y, z <= w of clip coordinates, and to the half-spaces of the enabled
-// clip planes, which stand in eye coordinates.
+// Clipping (2.12): to the view volume -w <= x, y, z <= w in clip coordinates, and to the half-spaces of the enabled
+// clip planes in eye coordinates.
 //
-// In: the positions of a primitive. Out: what of it lies inside, as convex polygon, piece of a line or point, together
-// with the weights of the primitive's own vertices there. All attributes are linear in clip space, so the weights are
-// all that interpolation needs, and a flat colour is not touched (2.14.8).
+// In: the positions of a primitive. Out: the part inside, as a convex polygon, part of a line, or point, with the
+// weights of the primitive's vertices at each corner. All attributes are linear in clip space, so interpolation needs
+// only these weights. Flat colours are not changed (2.14.8).
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@
 
 namespace twinlight::reference {
 
-// Where an edge of a clipped polygon comes from.
+// The origin of a clipped polygon's edge.
 enum class EdgeOrigin : std::uint8_t {
-    kBoundary,   // the border of what glBegin's primitive type describes
-    kInner,      // of the cut between two triangles of one quadrilateral or polygon, or with its edge flag false
+    kBoundary,   // a boundary edge of the primitive given to glBegin
+    kInner,      // between two triangles of one quadrilateral or polygon, or with edge flag false
     kNearFar,    // the near or far plane
     kSide,       // one of the four sides of the view volume
     kClipPlane,  // one of glClipPlane's
@@ -29,8 +29,8 @@ enum class EdgeOrigin : std::uint8_t {
 struct ClipVertex {
     glm::dvec4 position_clip{0};
     glm::dvec4 position_eye{0};
-    glm::dvec3 weights{0};                         // of the primitive's vertices
-    EdgeOrigin edge_to_next = EdgeOrigin::kInner;  // of the edge from this vertex to the next one
+    glm::dvec3 weights{0};                         // weights of the primitive's vertices
+    EdgeOrigin edge_to_next = EdgeOrigin::kInner;  // the edge from this vertex to the next
 };
 
 class ClipVolume {
@@ -38,14 +38,14 @@ class ClipVolume {
     explicit ClipVolume(const RasterState& raster);
 
     bool contains(const ClipVertex& v) const;
-    // Fewer than three vertices: nothing is left. The edges that clipping adds are boundary edges by 2.12 (Mesa leaves
-    // them out of lines); their origin says which they are.
+    // The part inside; fewer than three vertices mean nothing is left. By 2.12 the edges that clipping adds are
+    // boundary edges (Mesa does not draw them as lines); their origin tells them apart.
     std::vector<ClipVertex> polygon(std::span<const ClipVertex> polygon) const;
     // The part of the line that is inside: two vertices, or none.
     std::vector<ClipVertex> line(const ClipVertex& from, const ClipVertex& to) const;
 
   private:
-    struct Plane {  // inside where the dot products add up to no negative number
+    struct Plane {  // inside if the sum of the dot products is at least 0
         glm::dvec4 normal_clip, normal_eye;
         EdgeOrigin origin;
 

@@ -6,14 +6,14 @@ namespace twinlight::reference {
 
 namespace {
 
-// In pixels. Where an edge meets two clipping planes at once, rounding leaves an edge of no length and of any
+// In pixels. Where an edge meets two clipping planes at once, rounding leaves an edge of length 0 with a random
 // direction.
 constexpr double kShortestEdge = 1e-9;
 
 int floor_to_pixel(double x) { return static_cast<int>(std::floor(std::clamp(x, -1e9, 1e9))); }
 int ceil_to_pixel(double x) { return static_cast<int>(std::ceil(std::clamp(x, -1e9, 1e9))); }
 
-// The pixel column of a coordinate that is a little smaller than x: 3.4.1 moves every line by (-e, -e^2).
+// The pixel column of a coordinate slightly smaller than x: 3.4.1 moves every line by (-e, -e^2).
 int pixel_below(double x) { return ceil_to_pixel(x) - 1; }
 
 // Whether a point, moved by (-e, -e^2), lies in the diamond of its pixel.
@@ -63,12 +63,12 @@ std::vector<Edge> edges_of(const std::vector<Corner>& polygon) {
     return edges;
 }
 
-// 3.4.1, and 3.4.2.1 for other widths: the line is moved down (left, where it is higher than wide) by half of what the
-// width is beyond 1, and each fragment of the moved line is the lowest (leftmost) of `width` fragments.
+// 3.4.1, and 3.4.2.1 for other widths: the line is moved down (or left, if it is higher than wide) by (width - 1) / 2,
+// and each fragment of the moved line is the lowest (leftmost) of `width` fragments.
 //
-// A line that is wider than high passes one pixel a column: where it passes the column's centre line it is within that
-// pixel's diamond. What is left are the ends: a line also leaves the diamond that it starts in, and does not leave the
-// diamond that it ends in. A line that is higher than wide is the same with x and y exchanged.
+// A line that is wider than high covers one pixel per column: where it crosses the column's centre line, it is inside
+// that pixel's diamond. The ends need care: the line also leaves the diamond that it starts in, and does not leave the
+// diamond that it ends in. For a line that is higher than wide, x and y are exchanged.
 std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_given, const glm::dvec2& to_given, int width,
                                              const PixelRect& within) {
     const glm::dvec2 d = to_given - from_given;
@@ -77,9 +77,9 @@ std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_given, const
     glm::dvec2 from_window = from_given, to_window = to_given;
     for (glm::dvec2* end : {&from_window, &to_window}) (*end)[minor] -= (width - 1) / 2.0;
     const double slope = d[minor] / d[major];
-    const auto pixel_at = [&](int step) {  // where the line passes the centre of that column (row)
+    const auto pixel_at = [&](int step) {  // where the line crosses the centre of the column (row)
         const double at = from_window[minor] + (step + 0.5 - from_window[major]) * slope;
-        // On a border the shift by (-e, -e^2) decides; along a rising line -e weighs more than -e^2.
+        // On a border the shift by (-e, -e^2) decides; for a rising line -e outweighs -e^2.
         const bool rising = major == 0 && slope > 0;
         const int across = rising ? floor_to_pixel(at) : pixel_below(at);
         return major == 0 ? std::pair(step, across) : std::pair(across, step);

@@ -1,5 +1,5 @@
-// Which pixels a piece covers (3.3, 3.4.1, 3.5.1). In: a Piece. Out: calls, one a pixel; x and y are window
-// coordinates of the pixel's lower left corner, y up.
+// Which pixels a piece covers (3.3, 3.4.1, 3.5.1). In: a Piece. Out: one call per pixel, with the window coordinates of
+// its lower left corner, y up.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace twinlight::reference {
 
-// The pixels that may be touched: whole columns and rows, the upper bounds excluded.
+// A rectangle of pixels; the upper bounds are excluded.
 struct PixelRect {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
     bool is_empty() const { return x0 >= x1 || y0 >= y1; }
     bool contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
-    // Of what is kept of its pixels, row by row from y0 up.
+    // For arrays with one element per pixel, row by row from y0 up.
     std::size_t count() const { return static_cast<std::size_t>(x1 - x0) * static_cast<std::size_t>(y1 - y0); }
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(x1 - x0) + static_cast<std::size_t>(x - x0);
@@ -27,10 +27,10 @@ struct PixelRect {
 
 inline glm::dvec2 pixel_centre(int x, int y) { return {x + 0.5, y + 0.5}; }
 
-// The pixels whose squares, grown by `margin`, meet the polygon's bounding box.
+// The pixels whose squares, enlarged by `margin`, meet the polygon's bounding box.
 PixelRect bounds(const std::vector<Corner>& polygon, const PixelRect& within, double margin);
 
-// The pixels that may see the surface.
+// The pixels where the surface may be visible.
 PixelRect bounds(const SurfaceRays& rays, const PixelRect& within);
 
 // One edge of a counter-clockwise polygon.
@@ -38,16 +38,16 @@ class Edge {
   public:
     Edge(const Corner& from, const Corner& to);
 
-    // The cross product of the edge with the way from its start to `p`: positive inside. Two polygons that
-    // share the edge in opposite directions get exactly opposite values, for both compute it from the same end.
+    // The cross product of the edge and the vector from its start to `p`: positive inside. Polygons that share the edge
+    // in opposite directions get exactly opposite values, because both compute it from the same end.
     double side(const glm::dvec2& p) const { return sign_ * (way_.x * (p.y - start_.y) - way_.y * (p.x - start_.x)); }
-    // RULING (3.5.1: a centre on a common edge belongs to exactly one polygon; which one is open): left and
-    // bottom edges are inside, as llvmpipe has it.
+    // RULING (3.5.1: a centre on a common edge belongs to exactly one polygon, but not to which): left and bottom edges
+    // are inside, as in llvmpipe.
     bool covers(const glm::dvec2& centre) const {
         const double s = side(centre);
         return s > 0 || (s == 0 && owns_centres_);
     }
-    // The largest change of side() within a square of that half width about a point.
+    // The largest change of side() within a square of this half width about a point.
     double reach(double half_width) const { return half_width * (std::abs(way_.x) + std::abs(way_.y)); }
     EdgeOrigin origin() const { return origin_; }
 
@@ -58,16 +58,16 @@ class Edge {
     EdgeOrigin origin_;
 };
 
-// The edges that have a direction; fewer than two of a polygon that is a point.
+// The edges with a direction; fewer than two if the polygon is a point.
 std::vector<Edge> edges_of(const std::vector<Corner>& polygon);
 
-// The fragments of a line, in their order along it: of width 1 by the diamond exit rule; of another, that many side by
-// side across the line (3.4.2.1).
+// The fragments of a line, in their order along it. Width 1 follows the diamond exit rule; wider lines repeat each
+// fragment across the line (3.4.2.1).
 std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_window, const glm::dvec2& to_window, int width,
                                              const PixelRect& within);
 
-// The square of a point (3.3): about the pixel that holds it where the size is odd, about the nearest corner of a pixel
-// where it is even.
+// The square of a point (3.3): centred on the pixel that contains it if the size is odd, or on the nearest corner of a
+// pixel if the size is even.
 PixelRect point_square(const glm::dvec2& position_window, int size, const PixelRect& within);
 
 // Calls visit(x, y) for each pixel.
@@ -77,7 +77,7 @@ void for_each(const PixelRect& rect, const Visit& visit) {
         for (int x = rect.x0; x < rect.x1; ++x) visit(x, y);
 }
 
-// Calls fragment(x, y) for every pixel of `within` that a piece of a mesh covers.
+// Calls fragment(x, y) for every pixel of `within` that a mesh's piece covers.
 template <class Fragment>
 void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment& fragment) {
     switch (piece.shape) {
@@ -105,7 +105,7 @@ void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment&
     }
 }
 
-// Calls fragment(x, y, number, point) for every point of a surface that is seen at a pixel of `within`.
+// Calls fragment(x, y, number, point) for every visible point of a surface at the pixels of `within`.
 template <class Fragment>
 void for_each_point(const Piece& piece, const PixelRect& within, const Fragment& fragment) {
     for_each(bounds(*piece.rays, within), [&](int x, int y) {

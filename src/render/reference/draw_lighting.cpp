@@ -14,7 +14,7 @@ namespace {
 
 Vec rgb(const glm::dvec4& color) { return vec3_cast<Vec>(color); }
 
-// Table 2.10's parameters of one light. Cosines and the spot's unit vector are taken here, once.
+// Table 2.10: the parameters of one light. Cosines and the spot's unit vector are computed once, here.
 template <class Real>
 lighting::Light<Real> light_of(const LightSource& source, bool lecture_variants) {
     using Vec = Vec3<Real>;

@@ -1,7 +1,7 @@
-// From a Draw's lighting state to the structs of the lighting equation.
+// Converts a Draw's lighting state to the structs of the lighting equation.
 //
-// In: LightingState (GL's words, 2.14.2). Out: what equation.h takes, prepared once a Draw; then the two
-// colours of any point of a surface.
+// In: LightingState (GL's words, 2.14.2). Out: the inputs of equation.h, prepared once per Draw; then the two colours
+// of any point of a surface.
 #pragma once
 
 #include <array>
@@ -27,39 +27,39 @@ struct Colors {
 
 enum class Face : std::uint8_t { kFront, kBack };
 
-// The enabled lights as the equation takes them, with the rulings that they come from.
+// The enabled lights for the equation, marked with the rulings that they depend on.
 std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants);
 
-// What the equation takes of a point: V, and the normal, reversed for the back face (2.14.1).
+// The equation's inputs at a point: V, and the normal, reversed for the back face (2.14.1).
 lighting::SurfacePoint<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face);
 
 class DrawLighting {
   public:
-    // Without `lecture_variants` the lighting is GL's own.
+    // Without `lecture_variants`, lighting is GL's own.
     DrawLighting(const Draw& draw, bool lecture_variants);
 
-    // The colours, unclamped, of a vertex, or of a point of a surface that has all that a vertex has. The back face is
-    // lit with its own material and the normal reversed (2.14.1). Without lighting: the current colour.
+    // The unclamped colours of a vertex, or of a surface point with the same attributes. The back face has its own
+    // material and the reversed normal (2.14.1). Without lighting: the current colour.
     Colors colors(const StageVertex& v, Face face) const;
-    // With lighting, and with a material that need not be a vertex's.
+    // The same with lighting, and with any material.
     Colors lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
                Face face) const;
-    // The same as the equation has it, and its terms of each light.
+    // The same in the equation's types, with the terms of each light if `breakdown` is given.
     lighting::MeasuredLit<double> light_surface(const LitMaterial& material,
                                                 const lighting::SurfacePoint<double>& surface,
                                                 lighting::LightTerms<double>* breakdown = nullptr) const;
     Vec scene_ambient(const LitMaterial& material) const;
-    // What the vertex is lit with: its own material, with its colour where the material follows it (2.14.3).
+    // The vertex's material: its own, with the current colour for the properties that follow it (2.14.3).
     LitMaterial material(const StageVertex& v, Face face) const;
 
     const lighting::Model<double>& model() const { return model_; }
     const std::vector<lighting::Light<double>>& lights() const { return lights_; }  // the enabled ones
     bool enabled() const { return enabled_; }
-    // Whether the back face has colours of its own; GL uses the front's where it has not.
+    // Whether the back face has its own colours; if not, GL uses the front's.
     bool two_side() const { return enabled_ && two_side_; }
-    // Whether all points of a face have the same material, whatever their colour.
+    // Whether all points of a face have the same material, ignoring the current colour.
     bool has_one_material(Face face) const;
-    // Whether vertices may differ in more of their material than what follows the current colour.
+    // Whether materials of vertices may differ in more than the properties that follow the current colour.
     bool has_vertex_materials() const { return materials_.size() > 1; }
 
   private:
@@ -74,24 +74,23 @@ class DrawLighting {
     std::optional<SpectralLighting> spectral_;
 };
 
-// Points of a lit Draw that are lit together, on all lanes that the processor has (lighting/points.h). The DrawLighting must
-// outlive it.
+// Lights many points of a Draw together, using SIMD (lighting/points.h). The DrawLighting must outlive it.
 class PointBatch {
   public:
     enum class Normals : std::uint8_t { kAsTheyAre, kMadeUnit };
-    // Of many points so many at a time: enough to be worth a batch, and few enough to stay in the processor's cache.
+    // How many points to add at a time: enough for SIMD, few enough for the processor's cache.
     static constexpr std::size_t kPoints = 1024;
 
     PointBatch(const DrawLighting& lighting, Normals normals);
 
-    // material() is asked for only where points differ in it.
+    // Calls material() only if points differ in their material.
     template <class MaterialOf>
     void add(const StageVertex& v, Face face, const MaterialOf& material) {
         Side& side = sides_[face == Face::kFront ? 0 : 1];
         if (side.places.empty() || !lighting_.has_one_material(face)) add(material(), side);
         add(surface_of(v.position_eye, v.normal_eye, face), side);
     }
-    // Calls visit(i, primary, secondary) for each point, i as they were added: colours as DrawLighting::lit()'s.
+    // Calls visit(i, primary, secondary) for each point, numbered as added, with the colours of DrawLighting::lit().
     template <class Visit>
     void light(const Arithmetic& arithmetic, const Visit& visit) {
         for (const Side& side : sides_) {
@@ -104,13 +103,13 @@ class PointBatch {
                       glm::dvec4(secondary.x[i], secondary.y[i], secondary.z[i], 1));
         }
     }
-    // For other points in the same memory.
+    // Removes all points and keeps the memory.
     void clear();
 
   private:
-    struct Side {                              // of a face
-        std::vector<lighting::Points> points;  // one; or one for each group of samples (spectral_lighting.h)
-        std::vector<std::size_t> places;       // among all
+    struct Side {                              // one face
+        std::vector<lighting::Points> points;  // one, or one per group of samples (spectral_lighting.h)
+        std::vector<std::size_t> places;       // their numbers among all points
     };
     void add(const LitMaterial& material, Side& side) const;
     void add(const lighting::SurfacePoint<double>& point, Side& side);
@@ -122,10 +121,10 @@ class PointBatch {
     std::size_t count_ = 0;
 };
 
-// The material between three, as far as `weights` says.
+// The weighted mean of three materials.
 LitMaterial mixed(const glm::dvec3& weights, const std::array<LitMaterial, 3>& materials);
 
-// Every component to [0,1] (2.14.6).
+// Clamps every component to [0,1] (2.14.6).
 glm::dvec4 clamped(const glm::dvec4& color);
 
 }  // namespace twinlight::reference

@@ -1,4 +1,4 @@
-// Fog (3.10): f blends the fragment's colour with the fog's; alpha stays as it is.
+// Fog (3.10): f blends the fragment's colour with the fog's; alpha does not change.
 #pragma once
 
 #include <cmath>
@@ -8,9 +8,8 @@
 
 namespace twinlight::reference {
 
-// f, in [0,1], equations 3.24 to 3.26. `distance`: c, which is |z_eye| here; the text allows that in the place of the
-// distance from the eye.
-// RULING: linear fog that ends where it starts is the limit: none before, all fog from there on.
+// f, in [0,1], equations 3.24 to 3.26. `distance`: c. The specification allows |z_eye|, used here, instead of the
+// distance from the eye. RULING: linear fog with end = start is a step there: no fog before, full fog from there on.
 template <class Real>
 Real fog_factor(const Fog& fog, Real distance) {
     using lighting::select;

@@ -1,13 +1,13 @@
-// The fragments of a picture: pieces and clears in the order of the commands; of each piece coverage, depth test, shading, alpha
-// test, blending and masks (chapters 3 and 4).
+// The fragments of a picture: goes through pieces and clears in the order of the commands, and for each piece through
+// coverage, depth test, shading, alpha test, blending and masks (chapters 3 and 4).
 //
-// Written once, over what is kept of a pixel:
+// One template for two kinds of stored pixels:
 //   - numbers: the picture (framebuffer.h), and one pixel of it with its fragments (pixel_history.h);
-//   - intervals: how far apart right pictures may be (allowed_difference.cpp).
+//   - intervals: how much correct pictures may differ (allowed_difference.cpp).
 //
-// Colours wait where they can: a pixel holds either the step whose colour it has, to be lit once it is known that it is
-// seen, or a colour. A fragment whose colour depends on what lies beneath (blending, a colour mask) or decides whether
-// there is a fragment at all (the alpha test) is lit at once.
+// Lighting is delayed if possible: a pixel stores either a colour, or the step whose colour it has, which is lit only
+// if it stays visible. A fragment is lit at once if its colour depends on the colour beneath (blending, a colour mask),
+// or if it decides whether the fragment is drawn (the alpha test).
 #pragma once
 
 #include <algorithm>
@@ -22,21 +22,21 @@ namespace twinlight::reference {
 
 // Kept has
 //   Real                                      double or Interval
-//   for_each_fragment(id, within, visit)      calls visit(id, x, y, Outcome, surface point or null) for what the piece covers
-//   depth(fragment)                           the fragment's
-//   depth_outcome(func, fragment, depth, at)  against what is stored
+//   for_each_fragment(id, within, visit)      calls visit(id, x, y, Outcome, surface point or null) at each pixel
+//   depth(fragment)                           the fragment's depth
+//   depth_outcome(func, fragment, depth, at)  of the test against the stored depth
 //   set_depth(at, id, depth, outcome)
-//   open(at), settle(at)                      the colour is open; is one that certainly overwrites it
+//   open(at), settle(at)                      marks the colour as open; as certain
 template <class Kept>
 class FragmentLoop {
   public:
     using Real = typename Kept::Real;
 
-    // Of the window's pixels; y up. Stages and shaders must outlive it.
+    // `window`: the pixels to draw, y up. Stages and shaders must outlive it.
     FragmentLoop(const StagedFrame& stages, const std::vector<Shader>& shaders, const PixelRect& window)
         : stages_(stages), shaders_(shaders), window_(window), kept_(stages, window), step_(window.count()) {}
 
-    // All steps. Calls watch(fragment, outcome) after each fragment, whether it is drawn or not.
+    // Draws all steps. Calls watch(fragment, outcome) after each fragment, drawn or not.
     template <class Watch>
     void draw(const Watch& watch) {
         for (const Step& step : stages_.steps) {
@@ -49,7 +49,7 @@ class FragmentLoop {
     }
 
   private:
-    // 4.2.3: a clear obeys scissor and colour mask.
+    // 4.2.3: a clear obeys the scissor and the colour mask.
     void clear(StepId id) {
         const Clear& clear = stages_.clear(id);
         FragmentState mask;
@@ -74,7 +74,7 @@ class FragmentLoop {
         const FragmentState& state = draw.fragment;
         const bool writes = writes_color(state);
         const bool waits = overwrites_color(state) && !state.alpha_test;
-        // What becomes of a fragment that `covers` the pixel certainly, or perhaps.
+        // Draws a fragment that certainly or perhaps covers the pixel, and returns the outcome.
         const auto draw_fragment = [&](StepId id, const Fragment& fragment, int x, int y, Outcome covers) {
             const std::size_t at = window_.index(x, y);
             Outcome outcome = covers;
@@ -84,15 +84,15 @@ class FragmentLoop {
                 outcome = std::min(outcome, kept_.depth_outcome(raster.depth_func, fragment, depth, at));
                 if (outcome == Outcome::kFails) return outcome;
             }
-            // The alpha test comes before the depth test, but neither leaves anything unless both pass. Where the pixel is
-            // open anyway its colour is of no interest.
+            // The alpha test comes before the depth test, but the order does not matter: both must pass. If the pixel
+            // is open anyway, its colour is not needed.
             Shaded<Real> shaded;
             if (!waits && (writes || state.alpha_test) && outcome == Outcome::kPasses) {
                 shaded = shaders_[piece.draw].template shade<Real>(fragment);
                 if (state.alpha_test) outcome = alpha_outcome(state, shaded.color[3]);
                 if (outcome == Outcome::kFails) return outcome;
             }
-            // 4.1.5: without the test the depth buffer stays as it is.
+            // 4.1.5: without the depth test the depth buffer does not change.
             if (raster.depth_test && raster.depth_mask) kept_.set_depth(at, id, depth, outcome);
             if (!writes) return outcome;
             if (outcome == Outcome::kOpen)
@@ -110,7 +110,7 @@ class FragmentLoop {
                                 });
     }
 
-    // The pixel has the step's colour from now on.
+    // From now on the pixel has the step's colour, lit later.
     void wait(StepId id, std::size_t at) {
         step_[at] = id;
         kept_.settle(at);
@@ -121,7 +121,7 @@ class FragmentLoop {
         Channels<Real> beneath{};
         if (overwrites_color(state))
             kept_.settle(at);
-        else  // what the fragment needs of what lies beneath is what the colour buffer holds of it
+        else  // the fragment uses the colour beneath as the colour buffer stores it
             for (std::size_t i = 0; const Real& channel : resolved(x, y)) beneath[i++] = held(channel);
         if (colors_.empty()) colors_.resize(step_.size());
         colors_[at] = written(state, source.color, beneath);
@@ -132,7 +132,7 @@ class FragmentLoop {
   protected:
     static constexpr StepId kColor = std::numeric_limits<StepId>::min();
 
-    // The pixel's colour, lit where it has waited.
+    // The pixel's colour; lights the step if it was delayed.
     Channels<Real> resolved(int x, int y) {
         const std::size_t at = window_.index(x, y);
         const StepId id = step_[at];
@@ -148,11 +148,11 @@ class FragmentLoop {
     const std::vector<Shader>& shaders_;
     const PixelRect window_;
     Kept kept_;
-    std::vector<StepId> step_;            // of the colour, or kColor
-    std::vector<Channels<Real>> colors_;  // where the step is kColor; empty as long as nowhere
+    std::vector<StepId> step_;            // the step whose colour it has, or kColor
+    std::vector<Channels<Real>> colors_;  // valid where the step is kColor; empty until the first
 };
 
-// Draws the picture in bands of rows, and calls visit(buffer, band) for each; y as GL counts. Buffer: a FragmentLoop.
+// Draws the picture in bands of rows, and calls visit(buffer, band) for each band, y up. Buffer: a FragmentLoop.
 template <class Buffer, class Visit>
 void draw_in_bands(const StagedFrame& stages, const Frame& frame, const Options& options, const Visit& visit) {
     const std::vector<Shader> shaders = make_shaders(stages, options);

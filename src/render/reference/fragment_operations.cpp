@@ -9,14 +9,14 @@ namespace twinlight::reference {
 namespace {
 
 constexpr int kColorCodes = 255;
-// Two depths that a buffer of 24 bits may hold as the same number, each rounded.
+// Two depths closer than this may be stored as the same number in a 24-bit buffer, since each is rounded.
 constexpr double kDepthQuantum = 2 * kDepthStep;
-// A colour's error in float arithmetic (2.1.1: 1 part in 10^5 an operation), where it decides about a code.
+// The error of a colour in float arithmetic (2.1.1: 1 part in 10^5 per operation), for the alpha test.
 constexpr double kArithmetic = 1e-4;
 
 Outcome outcome(bool passes) { return passes ? Outcome::kPasses : Outcome::kFails; }
 
-// How many products of the blend equation round: all but those with 0 or 1.
+// The number of products in the blend equation that round: all except those with 0 or 1.
 int rounding_products(const FragmentState& state, std::size_t i) {
     const Enum equation = blend_equation(state, i);
     if (equation == kGL_MIN || equation == kGL_MAX) return 0;
@@ -42,7 +42,7 @@ bool compares(Enum func, double incoming, double stored) {
 
 PixelRect scissored(const Scissor& scissor, const PixelRect& rect) {
     if (!scissor.enabled) return rect;
-    const auto end = [](int start, int size) {  // the sum may be more than an int holds
+    const auto end = [](int start, int size) {  // the sum may overflow an int
         return static_cast<int>(std::min<std::int64_t>(std::int64_t{start} + size, INT32_MAX));
     };
     return {std::max(rect.x0, scissor.box.x), std::max(rect.y0, scissor.box.y),
@@ -68,7 +68,7 @@ Outcome depth_outcome(Enum depth_func, const Interval& difference) {
     if (depth_func == kGL_ALWAYS || depth_func == kGL_NEVER) return outcome(depth_func == kGL_ALWAYS);
     const bool nearer = difference.high<-kDepthQuantum, farther = difference.low> kDepthQuantum;
     if (!nearer && !farther) return Outcome::kOpen;
-    // Equality is out of the question now: one comparison stands for all.
+    // Equality is impossible here, so one comparison decides.
     return outcome(compares(depth_func, nearer ? -1 : 1, 0));
 }
 

@@ -1,8 +1,8 @@
-// The per-fragment operations (4.1): scissor, alpha test, depth test, blending; and the colour mask (4.2.2). Over numbers, or
-// over intervals of all that right implementations may have there.
+// The per-fragment operations (4.1): scissor, alpha test, depth test, blending; and the colour mask (4.2.2). They work
+// on numbers, or on intervals of all values that correct implementations may have.
 //
-// The colour buffer is that of Twinlight's contexts: red, green, blue and alpha of 8 bits each, as 2.14.9 describes them:
-// every write rounds a channel to the nearest k / 255, and what a later fragment reads is that.
+// The colour buffer is that of Twinlight's contexts: 8 bits each for red, green, blue and alpha (2.14.9). Every write
+// rounds a channel to the nearest k / 255, and later fragments read the rounded value.
 #pragma once
 
 #include "render/reference/coverage.h"
@@ -13,36 +13,36 @@ namespace twinlight::reference {
 
 // ---- Which fragments are drawn ----
 
-// Open: right implementations may differ, which only intervals can tell. In this order, so that the least of several is what
-// they come to together.
+// kOpen: correct implementations may differ; only intervals give it. In this order, so that the minimum of several
+// outcomes is their combined outcome.
 enum class Outcome : std::uint8_t { kFails, kOpen, kPasses };
 
 // GL_NEVER to GL_ALWAYS (4.1.4, 4.1.5).
 bool compares(Enum func, double incoming, double stored);
 
-// 4.1.2: of `rect`, the pixels that are drawn to.
+// 4.1.2: the part of `rect` inside the scissor.
 PixelRect scissored(const Scissor& scissor, const PixelRect& rect);
 
-// 4.1.4: fragment's and reference value are compared as the colour buffer would hold them: with as many bits as it has, at
-// least.
+// 4.1.4: compares the fragment's alpha and the reference value with at least as many bits as the colour buffer has.
 Outcome alpha_outcome(const FragmentState& state, double alpha);
 Outcome alpha_outcome(const FragmentState& state, const Interval& alpha);
 
-// 4.1.5. `difference`: of the fragment's depth and what is stored.
+// 4.1.5. `difference`: the fragment's depth minus the stored one.
 Outcome depth_outcome(Enum depth_func, const Interval& difference);
 
-// ---- What is written ----
+// ---- Writing colours ----
 
-// What the colour buffer holds of a channel.
+// A channel as the colour buffer stores it.
 double held(double channel);
 Interval held(const Interval& channel);
 
-// Whether the colour that is written does not depend on what it is written over, and whether there is one to write.
+// overwrites_color(): the new colour does not depend on the old one. writes_color(): the colour mask lets something
+// through.
 bool overwrites_color(const FragmentState& state);
 bool writes_color(const FragmentState& state);
 
-// Table 4.2: one channel of S or D. `i`: which channel, 3 for alpha. RULING: GL_SRC_ALPHA_SATURATE, which table 4.2 has
-// of the source alone, is the same of the destination.
+// Table 4.2: one channel of S or D. `i`: the channel's number, 3 for alpha. RULING: table 4.2 allows
+// GL_SRC_ALPHA_SATURATE only for the source; for the destination it is the same factor.
 template <class Real>
 Real blend_factor(Enum factor, std::size_t i, const Channels<Real>& source, const Channels<Real>& destination,
                   const Channels<Real>& constant) {
@@ -67,13 +67,13 @@ Real blend_factor(Enum factor, std::size_t i, const Channels<Real>& source, cons
     return Real(1);
 }
 
-// Table 4.1's equation for a channel.
+// The blend equation of a channel (table 4.1).
 inline Enum blend_equation(const FragmentState& state, std::size_t i) {
     return i == 3 ? state.blend_equation_alpha : state.blend_equation;
 }
 
-// 4.1.8, table 4.1: C_s S + C_d D of one channel, or what else the equation says, before it is clamped. `constant`: the
-// blend colour, in [0,1].
+// 4.1.8, table 4.1: C_s S + C_d D for one channel, or another equation, before clamping. `constant`: the blend colour,
+// in [0,1].
 template <class Real>
 Real blended(const FragmentState& state, std::size_t i, const Channels<Real>& source, const Channels<Real>& destination,
              const Channels<Real>& constant) {
@@ -89,14 +89,14 @@ Real blended(const FragmentState& state, std::size_t i, const Channels<Real>& so
     return from_source + from_destination;
 }
 
-// Blending in a buffer of 8 bits: drivers may round the fragment's colour and the blend colour to those bits before they
-// multiply, and each of the two products before they add them. What comes of that; numbers are not rounded.
+// Blending in an 8-bit buffer: drivers may round the fragment's colour and the blend colour to 8 bits before
+// multiplying, and both products before adding. Intervals include the results; numbers are not rounded.
 inline double rounded_factor(double channel) { return channel; }
 Interval rounded_factor(const Interval& channel);
 inline double rounded_products(const FragmentState&, std::size_t, double sum) { return sum; }
 Interval rounded_products(const FragmentState& state, std::size_t i, const Interval& sum);
 
-// The colour that a fragment leaves over `beneath`, which is what the colour buffer holds.
+// The colour after a fragment is drawn over `beneath`, a colour as the colour buffer stores it.
 template <class Real>
 Channels<Real> written(const FragmentState& state, const Channels<Real>& source, const Channels<Real>& beneath) {
     Channels<Real> result = beneath, fragment{}, constant{};

@@ -7,7 +7,7 @@ std::optional<StepId> Framebuffer::step(int x, int y) const {
     return id == kColor ? std::nullopt : std::optional(id);
 }
 
-// Those that wait are lit Draw by Draw, all at once.
+// Lights delayed pixels Draw by Draw, many at once.
 std::vector<Channels<double>> Framebuffer::colors() {
     std::vector<Channels<double>> colors(step_.size());
     struct Waiting {

@@ -1,4 +1,4 @@
-// The picture in a framebuffer of numbers.
+// The picture: a framebuffer of numbers.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace twinlight::reference {
 
-// What the picture keeps of a pixel beside its colour: one depth. Nothing is open.
+// The state of a pixel besides its colour: one depth. Nothing is ever open.
 class DrawnPixels {
   public:
     using Real = double;
 
     DrawnPixels(const StagedFrame& stages, const PixelRect& window) : stages_(stages), depth_(window.count()) {}
 
-    // What a surface's ray meets is drawn with the first of its pieces.
+    // All points of a surface are drawn with its first piece.
     template <class Visit>
     void for_each_fragment(StepId id, const PixelRect& within, const Visit& visit) const {
         const Piece& piece = stages_.piece(id);
@@ -41,7 +41,7 @@ class DrawnPixels {
     std::vector<double> depth_;
 };
 
-// As pictures have it.
+// The colour in the type of pictures.
 inline Rgba rgba(const Channels<double>& color) {
     return {static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2]),
             static_cast<float>(color[3])};
@@ -51,11 +51,10 @@ class Framebuffer : public FragmentLoop<DrawnPixels> {
   public:
     using FragmentLoop::FragmentLoop;
 
-    // The colours of all pixels, row by row from y0 up, before they are rounded to the bits of the colour buffer for the last
-    // time.
+    // The colours of all pixels, row by row from y0 up, before the last rounding to the bits of the colour buffer.
     std::vector<Channels<double>> colors();
 
-    // The step whose colour it has; nothing where colours were blended.
+    // The step whose colour the pixel has; nothing if colours were blended.
     std::optional<StepId> step(int x, int y) const;
 };
 

@@ -1,5 +1,5 @@
-// Numbers and intervals of numbers, so that what happens to a fragment is written once: over double it gives the colour,
-// over Interval all colours that right choices elsewhere (a texel's neighbour, a driver's rounding) can lead to.
+// Numbers and intervals, so that the operations on a fragment are written once: over double they give the colour, over
+// Interval all colours that correct choices (a neighbouring texel, a driver's rounding) can lead to.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace twinlight::reference {
 
 namespace {
 
-// 2.11.1: of depths, z_w = scale z_d + offset.
+// 2.11.1, for depths: z_w = scale z_d + offset.
 struct DepthRange {
     explicit DepthRange(const RasterState& raster)
         : scale((raster.depth_far - raster.depth_near) / 2), offset((raster.depth_far + raster.depth_near) / 2) {}
@@ -23,14 +23,14 @@ WindowVertex window_vertex(const RasterState& raster, const ClipVertex& v) {
     return {window_from_ndc(raster, glm::dvec3(v.position_clip) / v.position_clip.w), v.weights / v.position_clip.w};
 }
 
-// 3.3 and 3.4.2.1: widths without smoothing are rounded to whole pixels; what rounds to 0 is 1.
-// RULING: the largest width and size, which are the implementation's to choose, are llvmpipe's.
+// 3.3 and 3.4.2.1: widths without smoothing are rounded to whole pixels, at least 1.
+// RULING: the implementation chooses the largest width and size; here they are llvmpipe's.
 int whole_pixels(double width) {
     constexpr double kLargest = 255;
     return static_cast<int>(std::clamp(std::floor(width + 0.5), 1.0, kLargest));
 }
 
-// Twice the signed area in window coordinates, positive when counter-clockwise (2.14.1, equation 2.6).
+// Twice the signed area in window coordinates, positive if counter-clockwise (2.14.1, equation 2.6).
 double doubled_area(const std::vector<Corner>& corners) {
     double sum = 0;
     const glm::dvec2 origin = corners[0].position_window;
@@ -42,7 +42,7 @@ double doubled_area(const std::vector<Corner>& corners) {
     return sum;
 }
 
-// A counter-clockwise polygon from a clockwise one: each edge keeps its origin.
+// Makes a clockwise polygon counter-clockwise; each edge keeps its origin.
 void reverse(std::vector<Corner>& corners) {
     std::reverse(corners.begin(), corners.end());
     const EdgeOrigin first = corners[0].edge_to_next;
@@ -50,10 +50,9 @@ void reverse(std::vector<Corner>& corners) {
     corners.back().edge_to_next = first;
 }
 
-// With the columns of M the (x, y, w) of three clip positions, a point of weights b has M b = w (x_ndc,
-// y_ndc, 1): so b / w = M^-1 (x_ndc, y_ndc, 1), linear in the window, whichever part of the triangle clipping
-// leaves (Olano and Greer, "Triangle scan conversion using 2D homogeneous coordinates", 1997). False if the
-// triangle is seen edge on.
+// M has the (x, y, w) of the three clip positions as columns. A point with weights b has M b = w (x_ndc, y_ndc, 1), so
+// b / w = M^-1 (x_ndc, y_ndc, 1): linear in the window, whatever clipping removes (Olano and Greer, "Triangle scan
+// conversion using 2D homogeneous coordinates", 1997). Returns false if the triangle is seen edge on.
 bool set_planes(Piece& piece, const RasterState& raster, const std::array<glm::dvec4, 3>& clip) {
     const Viewport& viewport = raster.viewport;
     glm::dmat3 m;
@@ -79,7 +78,7 @@ double on_plane(const glm::dvec3& plane, const glm::dvec2& position_window) {
     return plane.x * position_window.x + plane.y * position_window.y + plane.z;
 }
 
-// How far along the line the nearest place to `position_window` is: 0 at `from`, 1 at `to`, by its major axis.
+// The position along the line nearest to `position_window`, measured on its major axis: 0 at `from`, 1 at `to`.
 double along(const Piece& line, const glm::dvec2& position_window) {
     const glm::dvec2 from(line.from.position_window), d = glm::dvec2(line.to.position_window) - from;
     const int major = std::abs(d.x) >= std::abs(d.y) ? 0 : 1;
@@ -144,7 +143,7 @@ class PieceMaker {
         for (const ClipVertex& v : polygon)
             corners.push_back({glm::dvec2(window_vertex(raster, v).position_window), v.edge_to_next});
 
-        // 2.14.1: an area that is not positive is a back face; GL_CW turns the sign.
+        // 2.14.1: a face with area <= 0 is a back face; GL_CW reverses the sign.
         const double area = doubled_area(corners);
         const Face face = (raster.front_face == kGL_CW ? -area : area) > 0 ? Face::kFront : Face::kBack;
         if (culled(raster, face)) return;
@@ -152,7 +151,7 @@ class PieceMaker {
         Piece piece{.primitive = primitive, .face = face, .draw = draw_index_, .shape = Shape::kTriangle};
         const bool has_planes =
             set_planes(piece, raster, {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip});
-        // RULING: the border of a polygon that is seen edge on has no slope to be offset by.
+        // RULING: a polygon that is seen edge on has no slope, so its border is not offset.
         const double offset = polygon_offset(raster, mode, has_planes ? glm::dvec2(piece.depth_plane) : glm::dvec2(0));
         if (mode == kGL_FILL) {
             if (!has_planes) return;
@@ -187,8 +186,8 @@ glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc) {
             ndc.z * depth.scale + depth.offset};
 }
 
-// o = m * factor + r * units, with m = max(|dz/dx|, |dz/dy|), which the text allows in the place of the length of the
-// gradient.
+// o = m * factor + r * units, with m = max(|dz/dx|, |dz/dy|), which the specification allows instead of the length of
+// the gradient.
 double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& slope) {
     const PolygonOffset& offset = raster.polygon_offset;
     if (!offset.is_enabled_for(mode)) return 0;

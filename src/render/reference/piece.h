@@ -1,9 +1,8 @@
 // Primitives in window coordinates: viewport and depth range (2.11.1), facing (2.14.1), culling (3.5.1), polygon mode
 // (3.5.4), polygon offset (3.5.5), the widths of lines and points (3.4.2.1, 3.3).
 //
-// In: a Draw's stage vertices and primitives. Out: Pieces, which is what the rasteriser covers pixels with: a clipped
-// polygon, a line, or a point. A piece answers for any window position what the depth is there, and the
-// perspective-correct weights of its primitive's vertices.
+// In: a Draw's stage vertices and primitives. Out: Pieces for the rasteriser: clipped polygons, lines and points. A
+// piece gives, at any window position, the depth and the perspective-correct weights of its primitive's vertices.
 #pragma once
 
 #include <array>
@@ -37,52 +36,54 @@ class SurfaceRays;  // surface_rays.h
 struct Piece {
     Primitive primitive;
     Face face = Face::kFront;
-    std::uint32_t draw = 0;  // which of the frame's Draws
+    std::uint32_t draw = 0;  // index of the Draw in the frame
 
     Shape shape = Shape::kPoint;    // how it is drawn: a triangle may be drawn as lines or points
     int size = 1;                   // the width of a line, the side of a point's square; in pixels
-    std::vector<Corner> corners{};  // of a polygon: convex, counter-clockwise (y up)
-    WindowVertex from{}, to{};      // of a line; a point has only `from`
+    std::vector<Corner> corners{};  // for a polygon: convex, counter-clockwise (y up)
+    WindowVertex from{}, to{};      // for a line; a point has only `from`
 
-    // Of a surface: which of the points that are seen at a pixel; each has its own face. The pieces of a surface follow each
-    // other in the order of their points.
+    // For a surface: the number of the visible point at a pixel; each point has its own face. The pieces of a surface
+    // follow each other in the order of their points.
     std::shared_ptr<const SurfaceRays> rays{};
     int point = 0;
 
-    // Of a polygon: linear functions of the window position, c.x * x + c.y * y + c.z.
+    // For a polygon: linear functions of the window position, c.x * x + c.y * y + c.z.
     std::array<glm::dvec3, 3> weight_over_w_planes{};
     glm::dvec3 depth_plane{0};
 };
 
-// A draw's face that is culled (3.5.1).
+// Whether this face is culled (3.5.1).
 bool culled(const RasterState& raster, Face face);
 
 // 2.11.1: the viewport and the depth range.
 glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc);
 
-// 3.5.5: what is added to depths; slope: how they change by a pixel along x and y. `mode`: how the polygon is drawn.
+// 3.5.5: the offset added to depths. `slope`: the change of depth per pixel in x and y. `mode`: how the polygon is
+// drawn.
 double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& slope);
 
 // The pieces of one Draw, in the order of its primitives.
 std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
                                QuadCut cut);
 
-// The same of the surfaces that a shape stands for: which fragments there are, only its rays tell.
+// The pieces of a shape's exact surfaces. Only their rays show which fragments there are.
 std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_index);
 
-// What keeps two depths apart in a depth buffer of 24 bits, which is what Twinlight's contexts have: r of 3.5.5.
+// r of 3.5.5: the smallest difference between two depths in the 24-bit depth buffer of Twinlight's contexts.
 inline constexpr double kDepthStep = 1.0 / (1 << 24);
 
-// Depth and weights of a mesh's piece at a window position, of a line or point at its nearest place. Weights add up to 1.
+// Depth and weights of a mesh's piece at a window position; for a line or point at its nearest place. The sum of the
+// weights is 1.
 double depth_at(const Piece& piece, const glm::dvec2& position_window);
 glm::dvec3 weights_at(const Piece& piece, const glm::dvec2& position_window);
 
-// A quantity that is linear over the window, and how it changes by one pixel along x and y: of a line, by one pixel
-// along the line and not at all across it; of a point, nowhere.
+// A quantity that is linear in the window, with its change per pixel in x and y. On a line it changes only along the
+// line, on a point not at all.
 struct Linear3 {
     glm::dvec3 value{0}, per_x{0}, per_y{0};
 };
-// The weights before they are made to add up to 1.
+// The weights before division by their sum.
 Linear3 weights_over_w_at(const Piece& piece, const glm::dvec2& position_window);
 
 }  // namespace twinlight::reference

@@ -11,7 +11,7 @@ using lighting::Marked;
 
 namespace {
 
-// Of the place that the fragment shows.
+// The fragment's position, as a vertex.
 VertexRulings rulings_of_place(const Draw& draw, const Fragment& fragment) {
     if (fragment.point) return vertex_rulings(draw, fragment.point->object, true);
     const glm::dvec3 weights = weights_at(*fragment.piece, fragment.position_window);
@@ -69,7 +69,7 @@ void add_points(const Draw& draw, const Shader& shader, const Fragment& seen, co
     }
 }
 
-// Lit, or the current colour, which no ruling decides: 2.14.6's clamp, then between the points.
+// The lit colour, or the current colour, which depends on no ruling: clamped (2.14.6), then interpolated.
 Shader::MarkedColors marked_colors(const PixelFragment& fragment) {
     Shader::MarkedColors colors;
     if (!fragment.is_lit) colors.primary.fill(1);

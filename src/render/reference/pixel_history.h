@@ -1,8 +1,8 @@
-// One pixel taken apart: which fragments were drawn there, every term of the lighting of each, and which rulings decided it.
+// One pixel in detail: which fragments were drawn there, every lighting term of each, and the rulings that affected it.
 //
-// In: a Frame and the pixel's window coordinates (y up). Out: its fragments in the order of the commands, with the terms of
-// the points that they were lit at: of gouraud shading the primitive's vertices, of flat shading the provoking one, of phong
-// shading the fragment itself. The fragments and their colours are the picture's: it is drawn here, one pixel wide.
+// In: a Frame and the pixel's window coordinates (y up). Out: its fragments in the order of the commands, with the
+// terms of the points where they were lit: the primitive's vertices (gouraud), the provoking vertex (flat), or the
+// fragment itself (phong). The fragments and colours are the picture's: this draws a picture of one pixel.
 #pragma once
 
 #include <vector>
@@ -16,45 +16,45 @@
 namespace twinlight::reference {
 
 struct LitPoint {
-    double weight = 1;  // in the fragment
+    double weight = 1;  // its share of the fragment's colour
     LitMaterial material;
     Vec scene_ambient{};
     std::vector<lighting::LightTerms<double>> terms{};  // one for each of PixelFragment::lights
-    lighting::Formulas formulas{};                      // of the terms
+    lighting::Formulas formulas{};                      // the formulas of the terms
     Vec primary{}, secondary{};                         // before the clamp
-    // The same with the rulings that they come from.
+    // The same, with the rulings that they depend on.
     std::vector<lighting::LightTerms<lighting::Marked>> marked_terms{};
     Vec3<lighting::Marked> marked_primary{}, marked_secondary{};
 };
 
 struct PixelFragment {
-    std::size_t draw = 0;  // which of the frame's Draws, from 0
+    std::size_t draw = 0;  // index of the Draw in the frame, from 0
     Face face = Face::kFront;
     double depth = 0;
-    bool passes = true;  // depth and alpha test; the last that does is seen
+    bool passes = true;  // passes the depth and alpha tests; the last such fragment is visible
     Shading shading = Shading::kGouraud;
     bool is_lit = false;
     std::vector<int> lights{};       // numbers of the enabled lights
-    std::vector<LitPoint> points{};  // none where nothing is lit
+    std::vector<LitPoint> points{};  // empty without lighting
     glm::dvec4 color{0};             // after clamp, texture, colour sum and fog; before blending
-    glm::dvec4 after{0};             // what the picture has after it
-    // What the specification leaves open and decided the colour.
+    glm::dvec4 after{0};             // the picture's colour after this fragment
+    // A ruling (our choice where the specification is silent) that affected the colour.
     struct Decided {
         lighting::Ruling ruling;
-        std::vector<int> lights;  // the numbers of the lights whose terms it decided
+        std::vector<int> lights;  // the numbers of the lights whose terms it affected
     };
     std::vector<Decided> rulings{};
 };
 
 struct PixelHistory {
     std::vector<PixelFragment> fragments;
-    Rgba color{};  // the picture's
+    Rgba color{};  // the pixel's final colour
 };
 
 PixelHistory pixel_history(const Frame& frame, const Options& options, int x, int y);
 
-// The terms of a fragment: those of its points by their weights. Linear in all but flat shading's one point, so the
-// products add up to the colour; factors such as attenuation are means.
+// The terms of a fragment: the weighted sum over its points. The products add up to the colour. Factors such as
+// attenuation are only means, except in flat shading, which has one point.
 LitPoint mean_of(const PixelFragment& fragment);
 
 }  // namespace twinlight::reference

@@ -8,7 +8,7 @@ namespace twinlight::reference {
 
 namespace {
 
-// Collects the primitives; its arguments count positions in the order of sending.
+// Collects the primitives. Its arguments are positions in the sequence of sent vertices.
 class Assembler {
   public:
     Assembler(const Draw& draw, QuadCut cut) : draw_(draw), cut_(cut) {}
@@ -24,7 +24,7 @@ class Assembler {
              .provoking = at(provoking),
              .boundary = boundary});
     }
-    // The corners in their order around the quadrilateral, and which of the edges from each to the next are boundary.
+    // The corners in order around the quadrilateral, and whether the edge from each to the next is a boundary edge.
     void quad(std::size_t a, std::size_t b, std::size_t c, std::size_t d, std::size_t provoking,
               std::array<bool, 4> boundary = {true, true, true, true}) {
         const auto [ab, bc, cd, da] = boundary;
@@ -56,10 +56,7 @@ class Assembler {
 bool is_quadrilaterals(const Draw& draw) { return draw.mode == kGL_QUADS || draw.mode == kGL_QUAD_STRIP; }
 
 bool has_quadrilaterals(const Frame& frame) {
-    return std::ranges::any_of(frame.items, [](const auto& item) {
-        const Draw* draw = std::get_if<Draw>(&item);
-        return draw && is_quadrilaterals(*draw);
-    });
+    return std::ranges::any_of(frame.draws(), [](const Draw* draw) { return is_quadrilaterals(*draw); });
 }
 
 std::vector<Primitive> assemble(const Draw& draw, QuadCut cut) {
@@ -81,7 +78,7 @@ std::vector<Primitive> assemble(const Draw& draw, QuadCut cut) {
             for (std::size_t i = 0; i + 2 < n; i += 3)
                 out.triangle(i, i + 1, i + 2, i + 2, {out.flag(i), out.flag(i + 1), out.flag(i + 2)});
             break;
-        case kGL_TRIANGLE_STRIP:  // every second triangle is turned, so that all face the same way
+        case kGL_TRIANGLE_STRIP:  // every second triangle is reversed, so that all face the same way
             for (std::size_t i = 0; i + 2 < n; ++i)
                 i % 2 == 0 ? out.triangle(i, i + 1, i + 2, i + 2) : out.triangle(i + 1, i, i + 2, i + 2);
             break;

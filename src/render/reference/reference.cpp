@@ -1,4 +1,4 @@
-// The picture.
+// Renders the picture of a frame, and finds its shapes.
 #include "render/reference/reference.h"
 
 #include "render/reference/framebuffer.h"

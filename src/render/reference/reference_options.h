@@ -1,4 +1,4 @@
-// How the reference draws a Frame.
+// The options of the reference renderer.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace twinlight::reference {
 
-// Where a quadrilateral is cut into triangles. The specification leaves it open (3.5: any correct algorithm), it shows
-// wherever colours do not vary linearly over it, and a driver may do now this, now that.
+// Where a quadrilateral is cut into triangles. The specification leaves it open (3.5: any correct algorithm). It is
+// visible if colours do not vary linearly over the quadrilateral, and a driver may use both.
 enum class QuadCut : std::uint8_t { kFirstToThird, kSecondToFourth };  // corners in their order around it
-// Whether there is a choice.
+// Whether the cut matters.
 bool has_quadrilaterals(const Frame& frame);
 
 struct Options : Look {
     QuadCut quad_cut = QuadCut::kFirstToThird;
-    Arithmetic arithmetic{};  // of the lighting
+    Arithmetic arithmetic{};  // used for lighting
 };
 
 }  // namespace twinlight::reference

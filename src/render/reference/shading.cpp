@@ -20,12 +20,13 @@ Shading shading_of(const Draw& draw, const Options& options) {
     return draw.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud;
 }
 
-// `#pragma twinlight transfer(srgb)`: what is linear light up to here is coded as the display takes it; alpha is no light.
+// `#pragma twinlight transfer(srgb)`: encodes a linear colour for the display as sRGB. Alpha is not light and is not
+// encoded.
 double coded(double linear) { return srgb_coded(linear); }
 Interval coded(Interval linear) { return {srgb_coded(linear.low), srgb_coded(linear.high)}; }
 Marked coded(Marked linear) { return {srgb_coded(linear.value), linear.rulings}; }
 
-// A surface's ray is cast once for all that is asked of its point.
+// Casts a surface's ray only once per fragment.
 template <class Visit>
 auto with_point(const Fragment& fragment, const Visit& visit) {
     const Piece& piece = *fragment.piece;
@@ -89,7 +90,7 @@ std::vector<Channels<double>> Shader::colors(std::span<const Fragment> fragments
         for (std::size_t i = 0; i < fragments.size(); ++i) result[i] = shade<double>(fragments[i]).color;
         return result;
     }
-    const bool is_exact = fragments.front().piece->rays != nullptr;  // all of a Draw are, or none
+    const bool is_exact = fragments.front().piece->rays != nullptr;  // the same for all fragments of a Draw
     PointBatch batch(lighting_, is_exact ? PointBatch::Normals::kAsTheyAre : PointBatch::Normals::kMadeUnit);
     std::vector<Finish<double>> finishes;
     for (std::size_t first = 0; first < fragments.size(); first += finishes.size()) {
@@ -179,8 +180,8 @@ Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColo
     return finished(lit, finish);
 }
 
-// 3.9: after texturing the secondary colour is added to the primary one; the alpha is the primary one's. The clamp to
-// [0,1] is for the sum; both colours were clamped before.
+// 3.9: after texturing, the secondary colour is added to the primary one; alpha is the primary one's. The sum is
+// clamped to [0,1]; both colours were clamped before.
 template <class Real, class Colors>
 Channels<Real> Shader::finished(const Colors& colors, const Finish<Real>& finish) const {
     Channels<Real> result;
@@ -195,7 +196,7 @@ Channels<Real> Shader::finished(const Colors& colors, const Finish<Real>& finish
     return result;
 }
 
-// Flat (2.14.7): one colour for the whole primitive. Gouraud: between those of the vertices.
+// Flat (2.14.7): one colour for the whole primitive. Gouraud: interpolated between the vertices.
 Shader::LitColors Shader::vertex_colors(const Fragment& fragment) const {
     const Piece& piece = *fragment.piece;
     const auto of_vertex = [&](std::uint32_t number) -> const LitColors& {
@@ -212,7 +213,7 @@ Shader::LitColors Shader::vertex_colors(const Fragment& fragment) const {
     return sum;
 }
 
-// A point of a surface is a vertex of its own; of a mesh, what lies between its vertices.
+// On an exact surface the point has its own attributes; on a mesh they are interpolated between the vertices.
 Shader::LitPlace Shader::lit_place(const Fragment& fragment) const {
     const Piece& piece = *fragment.piece;
     if (fragment.point) return {fragment.point->vertex, lit_face(fragment.point->face)};
@@ -227,7 +228,7 @@ Shader::LitPlace Shader::lit_place(const Fragment& fragment) const {
     return place;
 }
 
-// RULING (not GL's): the interpolated normal is made a unit vector.
+// RULING (not in GL): the interpolated normal is scaled to length 1.
 Shader::LitPlace Shader::lit_place_of_unit_normal(const Fragment& fragment) const {
     LitPlace place = lit_place(fragment);
     glm::dvec3& normal = place.vertex.normal_eye;
@@ -235,7 +236,8 @@ Shader::LitPlace Shader::lit_place_of_unit_normal(const Fragment& fragment) cons
     return place;
 }
 
-// RULING (not GL's): the material is interpolated as colours are, what of it tracks the current colour with that colour.
+// RULING (not in GL): materials are interpolated like colours; properties that track the current colour follow its
+// interpolation.
 LitMaterial Shader::material(const Fragment& fragment, const LitPlace& place) const {
     const Piece& piece = *fragment.piece;
     if (piece.rays || !lighting_.has_vertex_materials()) return lighting_.material(place.vertex, place.face);
@@ -244,7 +246,7 @@ LitMaterial Shader::material(const Fragment& fragment, const LitPlace& place) co
     return mixed(weights_at(piece, fragment.position_window), materials);
 }
 
-// RULING (not GL's): the clamp of 2.14.6 is the pixel's.
+// RULING (not in GL): the clamp of 2.14.6 applies to each pixel.
 Shader::LitColors Shader::lit(const Fragment& fragment) const {
     const LitPlace place = lit_place_of_unit_normal(fragment);
     const StageVertex& v = place.vertex;
@@ -252,7 +254,7 @@ Shader::LitColors Shader::lit(const Fragment& fragment) const {
     return clamped_colors(lighting_.lit(v.position_eye, v.normal_eye, material(fragment, place), place.face));
 }
 
-// What fog takes the distance from.
+// The eye coordinates z and w, from which fog computes the distance.
 glm::dvec2 Shader::eye_zw(const Fragment& fragment) const {
     if (fragment.point) return {fragment.point->vertex.position_eye.z, fragment.point->vertex.position_eye.w};
     const glm::dvec3 weights = weights_at(*fragment.piece, fragment.position_window);

@@ -1,5 +1,5 @@
-// The colour of a fragment before the per-fragment operations: lighting's colours interpolated (gouraud), of the
-// provoking vertex (flat), or lit for every pixel (phong and exact, which GL itself does not have); then texturing (3.8), the
+// The colour of a fragment before the per-fragment operations: colours interpolated from lit vertices (gouraud), taken
+// from the provoking vertex (flat), or lit for every pixel (phong and exact, which GL lacks); then texturing (3.8), the
 // colour sum (3.9) and fog (3.10).
 #pragma once
 
@@ -23,23 +23,23 @@ struct StagedDraw {
 struct Fragment {
     const Piece* piece;
     glm::dvec2 position_window;       // the pixel's centre
-    const RayPoint* point = nullptr;  // of a surface; where it is left out the ray is cast again
+    const RayPoint* point = nullptr;  // for a surface; if null, the ray is cast again
 };
 
-// A fragment's colour; over intervals all that right implementations may find.
+// A fragment's colour; over intervals, all colours that correct implementations may find.
 template <class Real>
 struct Shaded {
     Channels<Real> color{};
-    bool has_choice = false;  // of texels: texture_bounds.h
+    bool has_choice = false;  // there is a choice of texels (texture_bounds.h)
 };
 
-// A point that is lit for a fragment: of flat and gouraud shading a vertex, else the fragment's own place.
+// A point that is lit for a fragment: a vertex (flat, gouraud), or the fragment's own position (phong, exact).
 struct PointOfFragment {
     StageVertex vertex;
-    Face face = Face::kFront;  // which is lit: the front where lighting has one side
+    Face face = Face::kFront;  // the face to light; kFront if lighting is one-sided
     LitMaterial material;
     double weight = 1;
-    std::optional<std::uint32_t> number{};  // into Draw::vertices
+    std::optional<std::uint32_t> number{};  // index into Draw::vertices
 };
 
 // Colours one Draw's pieces. The StagedDraw must outlive it.
@@ -47,18 +47,20 @@ class Shader {
   public:
     Shader(const StagedDraw& staged, const Options& options);
 
-    // In [0,1]. Real: double or Interval.
+    // The colour, in [0,1]. Real: double or Interval.
     template <class Real>
     Shaded<Real> shade(const Fragment& fragment) const;
-    // Of many, those that light pixels together: the same as of each, to the last places of a double (lighting/points.h).
+    // The colours of many fragments, lit together where pixels are lit; equal to shade()'s except for the last places
+    // of a double (lighting/points.h).
     std::vector<Channels<double>> colors(std::span<const Fragment> fragments) const;
 
-    // What the colour is lit from; nothing without lighting. The weights add up to 1.
+    // The points that are lit for the colour; empty without lighting. The sum of the weights is 1.
     std::vector<PointOfFragment> points(const Fragment& fragment) const;
     const DrawLighting& lighting() const { return lighting_; }
     Shading shading() const { return shading_; }
 
-    // The colour of lit colours that know the rulings they come from, in [0,1], where `position` decided the position.
+    // The fragment's colour from lit colours, in [0,1], with the rulings that it depends on; `position`: the rulings of
+    // the position.
     struct MarkedColors {
         Channels<lighting::Marked> primary, secondary;
     };
@@ -69,17 +71,17 @@ class Shader {
     struct LitColors {
         glm::dvec4 primary{0}, secondary{0};
     };
-    struct LitFaces {  // of a vertex
+    struct LitFaces {  // the colours of a vertex
         LitColors front, back;
     };
-    // What the colour of a pixel needs beside its lighting.
+    // Everything besides lighting that a pixel's colour needs.
     template <class Real>
     struct Finish {
         Real fog = 1;
         std::optional<Channels<Real>> texel{};
         bool has_choice = false;
     };
-    // What phong and exact light at a pixel.
+    // The point that phong and exact shading light at a pixel.
     struct LitPlace {
         StageVertex vertex;
         Face face = Face::kFront;
@@ -111,7 +113,7 @@ class Shader {
     const DrawLighting lighting_;
     const bool srgb_coded_;
     const Arithmetic arithmetic_;
-    std::vector<LitFaces> lit_;  // by vertex, where those are what is lit
+    std::vector<LitFaces> lit_;  // one per vertex, if vertices are lit
 };
 
 }  // namespace twinlight::reference

@@ -9,7 +9,7 @@ namespace {
 
 using Vec = Vec3<double>;
 
-// The group's three; 0 behind the last.
+// The three samples of a group; 0 after the last sample.
 Vec three(std::span<const double> samples, std::size_t group) {
     const auto at = [&](std::size_t i) { return 3 * group + i < samples.size() ? samples[3 * group + i] : 0; };
     return {at(0), at(1), at(2)};

@@ -27,7 +27,7 @@ StagedFrame run_stages(const Frame& frame, const Options& options) {
         std::vector<Piece> pieces;
         if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
             pieces = make_pieces(draw, index, stages.draws.back().vertices, options.quad_cut);
-        else if (!last || !are_one_shape(*last, draw))  // the first part stands for all of the shape
+        else if (!last || !are_one_shape(*last, draw))  // drawing the first part draws the whole shape
             pieces = make_surface_pieces(draw, index);
         last = &draw;
         std::move(pieces.begin(), pieces.end(), std::back_inserter(stages.pieces));

@@ -1,6 +1,6 @@
-// The frame as the steps of one picture: what is drawn, one piece after the other, and what is cleared between.
+// The frame as a sequence of steps: pieces to draw, one after the other, and clears between them.
 //
-// In: a Frame. Out: every Draw after vertex stage, assembly, clipping and facing.
+// In: a Frame. Out: every Draw after the vertex stage, assembly, clipping and facing.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace twinlight::reference {
 
-// A step is named by one number: pieces from 0 up, clears from -1 down.
+// The number of a piece or clear: pieces count from 0 up, clears from -1 down.
 using StepId = std::int32_t;
 
 struct Step {
-    std::size_t first_piece = 0, end_piece = 0;  // of a Draw
-    StepId clear = 0;                            // negative: a Clear
+    std::size_t first_piece = 0, end_piece = 0;  // the pieces of a Draw
+    StepId clear = 0;                            // negative if the step is a Clear
 };
 
 struct StagedFrame {
     std::vector<StagedDraw> draws;
     std::vector<Piece> pieces;
-    std::vector<Clear> clears;  // clears[-1 - id]; the first is the black, deep picture that every frame starts from
+    std::vector<Clear> clears;  // clear `id` is clears[-1 - id]; the first clears to black and depth 1
     std::vector<Step> steps;
 
     const Clear& clear(StepId id) const { return clears[static_cast<std::size_t>(-1 - id)]; }
@@ -34,11 +34,11 @@ struct StagedFrame {
 // The frame must outlive the result.
 StagedFrame run_stages(const Frame& frame, const Options& options);
 
-// One for each Draw.
+// Makes one Shader per Draw.
 std::vector<Shader> make_shaders(const StagedFrame& stages, const Options& options);
 
-// Calls band(y0, y1) for bands of rows that together are [0, height), on all processors. What a band computes
-// must depend on nothing that another band writes; then the result is the same for any number of threads.
+// Calls band(y0, y1) for bands of rows that cover [0, height), on all processors. A band must not depend on anything
+// that another band writes; then the result is the same for any number of threads.
 void for_each_band(int height, const std::function<void(int y0, int y1)>& band);
 
 }  // namespace twinlight::reference

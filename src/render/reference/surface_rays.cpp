@@ -19,7 +19,7 @@ glm::dvec4 place_of(const Vec& v) { return glm::dvec4(glm_of(v), 1); }
 
 bool has_inverse(const glm::dmat4& m) { return std::isnormal(glm::determinant(m)); }
 
-// The corners of a box around the surface lie at these distances from the origin: across the axis, and along it.
+// The extent of a box around the surface: its distance across the axis, and its range along the axis.
 struct Extent {
     double across, low, high;
 };
@@ -33,7 +33,7 @@ Extent extent_of(const Surface& surface) {
     return {std::max(frustum.base, frustum.top), 0, frustum.height};
 }
 
-// From a clip position, moved along `step` in clip coordinates: how its ndc place changes.
+// The derivative of the ndc position if the clip position moves along `step`.
 glm::dvec3 ndc_change(const glm::dvec4& clip, const glm::dvec4& step) {
     return (glm::dvec3(step) - glm::dvec3(clip) / clip.w * step.w) / clip.w;
 }
@@ -60,7 +60,7 @@ void SurfaceRays::find_window_bounds() {
                         (corner & 2) != 0 ? extent.across : -extent.across,
                         (corner & 4) != 0 ? extent.high : extent.low};
         const glm::dvec4 c = clip(place_of(object_from_surface(surface_, place)));
-        if (!(c.w > 0)) {  // behind the eye: the projection of the box is no bound
+        if (!(c.w > 0)) {  // behind the eye, so the projected box bounds nothing
             low_window_ = origin;
             high_window_ = origin + size;
             return;
@@ -123,7 +123,7 @@ std::optional<RayPoint> SurfaceRays::point(const glm::dvec2& position_window, in
     return point;
 }
 
-// 2.12.
+// 2.12: the view volume and the clip planes.
 bool SurfaceRays::is_inside(const glm::dvec4& position_object) const {
     const glm::dvec4 c = clip(position_object);
     if (!(c.w > 0) || std::abs(c.x) > c.w || std::abs(c.y) > c.w || std::abs(c.z) > c.w) return false;
@@ -134,7 +134,7 @@ bool SurfaceRays::is_inside(const glm::dvec4& position_object) const {
 
 SurfaceRays::Tangents SurfaceRays::tangents(const glm::dvec4& position_object, const Vec& normal_object) const {
     const Vec& n = normal_object;
-    // Across the axis that n is farthest from.
+    // Perpendicular to the axis that n is farthest from.
     const bool x_is_least = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z);
     const bool y_is_least = std::abs(n.y) <= std::abs(n.z);
     const Vec axis = x_is_least ? Vec{1, 0, 0} : y_is_least ? Vec{0, 1, 0} : Vec{0, 0, 1};
@@ -160,13 +160,13 @@ glm::dvec3 SurfaceRays::Tangents::object_step(const glm::dvec2& window_step) con
     return uv.x * glm_of(u) + uv.y * glm_of(v);
 }
 
-// 2.14.1: what is not counter-clockwise is a back face; GL_CW, and a shape turned inside, turn it around.
+// 2.14.1: a clockwise face is a back face; GL_CW and an inverted shape reverse this.
 Face SurfaceRays::face(const Tangents& tangents) const {
     const bool turned = (draw_.raster.front_face == kGL_CW) != surface_.inside;
     return tangents.is_counter_clockwise != turned ? Face::kFront : Face::kBack;
 }
 
-// 3.5.5: the slope is that of the tangent plane.
+// 3.5.5: the slope is the tangent plane's.
 double SurfaceRays::depth(const glm::dvec4& position_object, const Tangents& tangents) const {
     const RasterState& raster = draw_.raster;
     const glm::dvec4 c = clip(position_object);
@@ -187,7 +187,8 @@ glm::dvec2 SurfaceRays::tex_coord(const glm::dvec3& position_object) const {
     return {s, t};
 }
 
-// The change by a pixel is that on the tangent plane: by a small part of one, for s may jump from 0 to 1 nearby.
+// The change per pixel is measured on the tangent plane over a small fraction of a pixel, because s may jump from 0 to
+// 1 nearby.
 TexturePlace SurfaceRays::texture_place(const glm::dvec3& position_object, const Tangents& tangents) const {
     constexpr double kPart = 1.0 / 1024;
     const glm::dvec4 fixed = draw_.vertices.front().tex_coord;

@@ -1,8 +1,8 @@
-// Exact surfaces: rays through window positions against the surfaces that a shape's mesh stands for.
+// Exact surfaces: casts rays through window positions at the surfaces that a shape's mesh approximates.
 //
-// In: a Draw, one of its surfaces, a window position. Out: the points that are seen there, with all that a vertex of a mesh
-// would have there: the surface's own normal, and depth, face and texture coordinates of that very point. What clips and
-// culls polygons (2.12, 3.5.1) does so here point by point. Silhouettes are the surface's: a pixel is covered where its centre is.
+// In: a Draw, one of its surfaces, a window position. Out: the visible points there, each with the attributes that a
+// vertex would have there: normal, depth, face and texture coordinates. Clipping and culling (2.12, 3.5.1) work point
+// by point. Silhouettes are the surface's own: a pixel is covered if its centre is.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -16,10 +16,10 @@
 
 namespace twinlight::reference {
 
-// Where a ray meets a surface.
+// A point where a ray meets a surface.
 struct RayPoint {
-    Vertex object;       // where it is, and its outward normal: a unit vector
-    StageVertex vertex;  // the normal is a unit vector
+    Vertex object;       // its position, and its outward normal of length 1
+    StageVertex vertex;  // the normal has length 1
     double depth = 0;    // in the window, with polygon offset
     Face face = Face::kFront;
     TexturePlace place;
@@ -27,28 +27,28 @@ struct RayPoint {
 
 class SurfaceRays {
   public:
-    // The Draw must outlive it. RULING: under matrices without an inverse a surface is not seen.
+    // The Draw must outlive it. RULING: if a matrix has no inverse, the surface is not visible.
     SurfaceRays(const Draw& draw, const Surface& surface);
 
-    // The points in the order of the ray, from far to near; and that which has this number.
+    // points(): the points along the ray, from far to near. point(): the one with this number.
     std::vector<RayPoint> points(const glm::dvec2& position_window) const;
     std::optional<RayPoint> point(const glm::dvec2& position_window, int number) const;
 
-    // A ray meets the surface so often at most.
+    // The most points where a ray can meet the surface.
     int most_points() const;
-    // Window positions outside of this rectangle see nothing of it.
+    // The surface is not visible outside this rectangle of the window.
     glm::dvec2 low_window() const { return low_window_; }
     glm::dvec2 high_window() const { return high_window_; }
 
   private:
-    // Two directions on the surface that with its outward normal make a right-handed system, and how the window position (x, y,
-    // depth) changes along them.
+    // Two directions on the surface that form a right-handed system with its outward normal, and the change of the
+    // window position (x, y, depth) along them.
     struct Tangents {
         Vec u, v;
         glm::dvec3 window_per_u, window_per_v;
-        bool is_counter_clockwise;  // what goes from u to v, as it is seen
+        bool is_counter_clockwise;  // whether the turn from u to v is counter-clockwise in the window
 
-        // Object space: how far one goes on the tangent plane for this change of the window position.
+        // The step on the tangent plane, in object space, that changes the window position by `window_step`.
         glm::dvec3 object_step(const glm::dvec2& window_step) const;
     };
 

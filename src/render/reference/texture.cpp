@@ -11,14 +11,14 @@ namespace twinlight::reference {
 
 namespace {
 
-// 3.8.7: the texture coordinate as the wrap mode leaves it, between 0 and 1 (and half a texel beyond for the border).
+// 3.8.7: the texture coordinate after the wrap mode, between 0 and 1 (with half a texel more for the border).
 double wrapped(Enum wrap, double coordinate, int size) {
     const double half_texel = 0.5 / size;
     switch (wrap) {
         case kGL_CLAMP: return std::clamp(coordinate, 0.0, 1.0);
         case kGL_CLAMP_TO_EDGE: return std::clamp(coordinate, half_texel, 1 - half_texel);
         case kGL_CLAMP_TO_BORDER: return std::clamp(coordinate, -half_texel, 1 + half_texel);
-        case kGL_MIRRORED_REPEAT: {  // every second period runs backwards
+        case kGL_MIRRORED_REPEAT: {  // every second period is reversed
             const double period = std::floor(coordinate), rest = coordinate - period;
             const bool backwards = std::fmod(period, 2) != 0;
             return std::clamp(backwards ? 1 - rest : rest, half_texel, 1 - half_texel);
@@ -49,7 +49,7 @@ const TextureImage& image_of(const Texture& texture, int level) {
 
 int nearest_texel(Enum wrap, double coordinate, int size) {
     const int i = floor_int(size * wrapped(wrap, countable(coordinate), size));
-    // A coordinate of 1 is in the last texel; rounding may take one below 1 there too.
+    // A coordinate of 1 is in the last texel; rounding may also take a smaller one there.
     return wrap == kGL_CLAMP_TO_BORDER ? i : std::min(i, size - 1);
 }
 
@@ -60,7 +60,7 @@ TexelPair linear_texels(Enum wrap, double coordinate, int size) {
         pair.first = (pair.first + size) % size;
         pair.second %= size;
     } else if (wrap == kGL_CLAMP_TO_EDGE || wrap == kGL_MIRRORED_REPEAT) {
-        // Beyond the last texel the weight is 0: no border, whichever texel is named.
+        // After the last texel the weight is 0, so the second texel does not matter.
         pair.first = std::clamp(pair.first, 0, size - 1);
         pair.second = std::clamp(pair.second, 0, size - 1);
     }
@@ -126,7 +126,7 @@ LevelChoice level_choice(Enum min_filter) {
     return nearest ? LevelChoice::kNearest : LevelChoice::kTwo;
 }
 
-// 3.8.8, equation 3.20: between two levels, the nearer one; half way, the finer one.
+// 3.8.8, equation 3.20: the nearer of two levels; the finer one if halfway.
 int nearest_level(const Texture& texture, double lambda) {
     const int last = last_level(texture);
     if (lambda <= 0.5) return 0;

@@ -1,7 +1,7 @@
 // Texturing (3.8.7 to 3.8.10): from texture coordinates to a filtered texel, in one and two dimensions.
 //
-// In: a complete texture (3.8.10), the place in it, and lambda, the level of detail. Out: (R, G, B, A) as the base
-// internal format has them; what table 3.21 makes of it, stands in texture_environment.h.
+// In: a complete texture (3.8.10), the place in it, and lambda, the level of detail. Out: (R, G, B, A) in the base
+// internal format. texture_environment.h applies table 3.21.
 #pragma once
 
 #include <cmath>
@@ -12,34 +12,34 @@
 
 namespace twinlight::reference {
 
-// Where a fragment lies in its texture: (s, t) divided by q, and how that changes by one pixel along x and y.
+// A fragment's place in its texture: (s, t) divided by q, and their change per pixel in x and y.
 struct TexturePlace {
     glm::dvec2 st{0};
     glm::dvec2 per_x{0}, per_y{0};
-    bool of_point = false;  // rho is 1 for all of a point (3.8.8)
+    bool of_point = false;  // the fragment is part of a point, where rho is 1 (3.8.8)
 };
 
-// rho of 3.8.8, equation 3.18 itself: not one of the functions near it that the text allows, which lie between half of
-// it and twice it. 3.8.8's lambda is log2 of it and the bias.
+// rho of 3.8.8, exactly by equation 3.18. (The specification also allows approximations between half and twice of it.)
+// lambda is log2(rho) plus the bias.
 double scale_factor(const Texture& texture, const TexturePlace& place);
 double level_of_detail(double rho, double lod_bias);
 
-// The constant c of 3.8.9: up to which lambda a texture is magnified.
+// The constant c of 3.8.9: the texture is magnified if lambda is at most c.
 double magnification_limit(const Texture& texture);
 
-// The number of the last level that is used: q of 3.8.8.
+// The number of the last level in use: q of 3.8.8.
 int last_level(const Texture& texture);
 
 glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda);
 
-// ---- Its parts ----
+// ---- The parts of sampling ----
 
-// One axis of an image under a wrap mode (table 3.19): which texels lie at a coordinate. -1 or `size`: the border's.
+// The texels at a coordinate on one axis, under a wrap mode (table 3.19). -1 or `size` means the border.
 struct TexelPair {
     int first = 0, second = 0;
-    double weight = 0;  // of the second; the first has the rest
+    double weight = 0;  // of the second; the first has 1 - weight
 };
-// RULING: a coordinate that is no number, or beyond what double can count, is 0.
+// RULING: a coordinate that is NaN or too large to count texels is replaced by 0.
 template <class Real>
 Real countable(Real coordinate) {
     using std::abs;
@@ -48,13 +48,13 @@ Real countable(Real coordinate) {
 int nearest_texel(Enum wrap, double coordinate, int size);
 TexelPair linear_texels(Enum wrap, double coordinate, int size);
 
-// The texel at i, j, or the border's colour outside (3.8.8), as the image's base internal format has it (table 3.15).
+// The texel at i, j, or the border colour outside (3.8.8), in the image's base internal format (table 3.15).
 glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, int i, int j);
 
-// tau of one image by one of the filters GL_NEAREST and GL_LINEAR.
+// tau of one image, filtered with GL_NEAREST or GL_LINEAR.
 glm::dvec4 sample_image(const Texture& texture, const TextureImage& image, Enum filter, const glm::dvec2& st);
 
-// What a minification filter is made of: how it filters an image, and how it chooses images.
+// The two parts of a minification filter: how it filters an image, and how it chooses images.
 Enum image_filter(Enum min_filter);  // GL_NEAREST or GL_LINEAR
 enum class LevelChoice : std::uint8_t { kBase, kNearest, kTwo };
 LevelChoice level_choice(Enum min_filter);

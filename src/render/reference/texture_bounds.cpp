@@ -9,12 +9,12 @@ namespace twinlight::reference {
 
 namespace {
 
-constexpr double kWeightStep = 1.0 / 256;   // of GL_LINEAR's weights
-constexpr double kRoundedMean = 0.5 / 255;  // what rounding a mean of two to 8 bits changes
-// Lambda between two levels, or with a bias: log2 of rho squared where the mantissa m of 1 to 2 stands for 1 + log2(m),
-// which is up to 0.0861 too little (at m = 1 / ln 2); and cut to the weights' 8 bits.
+constexpr double kWeightStep = 1.0 / 256;   // the precision of GL_LINEAR's weights
+constexpr double kRoundedMean = 0.5 / 255;  // the rounding error of a mean in 8 bits
+// The error of lambda between two levels, or with a bias: log2 of rho squared, where log2 of the mantissa m (1 to 2) is
+// replaced by m - 1, which is up to 0.0861 too small (at m = 1 / ln 2); plus truncation to the 8 bits of weights.
 constexpr double kLogTooSmall = 0.0861 / 2 + kWeightStep;
-constexpr double kSwitchError = 1.0 / 256;  // lambda's where it only chooses: drivers compare rho itself
+constexpr double kSwitchError = 1.0 / 256;  // the error of lambda where it only chooses: drivers compare rho itself
 
 void join(TexelBounds& all, const TexelBounds& more) {
     all.has_choice = all.has_choice || more.has_choice;
@@ -31,12 +31,12 @@ TexelBounds choice(const TexelBounds& a, const TexelBounds& b) {
     return result;
 }
 
-// Coordinates of one axis that together see all that an interval of it may show: of GL_NEAREST the ends; of GL_LINEAR
-// also the centres of texels between, where the weights turn.
+// Coordinates on one axis that together show everything in an interval: the ends; for GL_LINEAR also the centres of
+// texels between them, where the weights have corners.
 std::vector<double> looks(Enum filter, double coordinate, double error, int size) {
     std::vector<double> result = {coordinate - error, coordinate + error};
     if (filter == kGL_NEAREST) return result;
-    constexpr double kMost = 4;  // centres; an interval that holds more says nothing anyway
+    constexpr double kMost = 4;  // centres; a larger interval would bound nothing anyway
     const double first = std::ceil((coordinate - error) * size - 0.5);
     const double last = std::min(std::floor((coordinate + error) * size - 0.5), first + kMost);
     for (double centre = first; centre <= last; ++centre) result.push_back((centre + 0.5) / size);
@@ -68,7 +68,7 @@ class Sampler {
         return *all;
     }
 
-    // Between the levels of two lambdas: piecewise linear in it.
+    // The texels for an interval of lambda; between levels they are linear in lambda.
     TexelBounds between_levels(const Interval& lambda, Enum filter) const {
         const int last = last_level(texture_);
         std::vector<double> looked = {lambda.low, lambda.high};
@@ -93,7 +93,7 @@ class Sampler {
     }
 
   private:
-    // Means of equal texels stay what they are: only what has a width is rounded.
+    // Means of equal texels are exact, so only channels with a width are rounded.
     static void round_means(TexelBounds& bounds, int means) {
         for (Interval& channel : bounds.texel)
             if (channel.width() > 0) channel = clamp01(widened(channel, means * kRoundedMean));

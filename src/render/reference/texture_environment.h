@@ -1,8 +1,8 @@
-// How a texel and a fragment become one colour: texture functions (3.8.13, tables 3.21 to 3.23).
+// Combines a texel and a fragment's colour: the texture functions (3.8.13, tables 3.21 to 3.23).
 //
-// In: the fragment's colour (C_f, A_f), the filtered texel (C_s, A_s), the unit's environment. Out: (C_v, A_v) in [0,1].
-// A base internal format brings a colour, an alpha or both (table 3.21); what it does not bring, the fragment keeps in
-// every function. That and the five formulas are the tables.
+// In: the fragment's colour (C_f, A_f), the filtered texel (C_s, A_s), the unit's environment. Out: (C_v, A_v) in
+// [0,1]. A base internal format has a colour, an alpha or both (table 3.21); the fragment keeps what the format lacks.
+// With this rule, five formulas give the tables.
 #pragma once
 
 #include "render/reference/interval.h"
@@ -14,7 +14,7 @@ inline bool has_color(Enum base_format) { return base_format != kGL_ALPHA; }
 inline bool has_alpha(Enum base_format) { return base_format != kGL_LUMINANCE && base_format != kGL_RGB; }
 
 // One channel of a colour: C_v from C_f, C_s, A_s and C_c, the environment's colour.
-// RULING: DECAL is undefined but for RGB and RGBA; the fragment stays as it is.
+// RULING: DECAL is defined only for RGB and RGBA; with other formats the fragment does not change.
 template <class Real>
 Real textured_color(Enum env_mode, Enum base_format, Real fragment, Real texel, Real texel_alpha, double env_color) {
     switch (env_mode) {
@@ -30,7 +30,7 @@ Real textured_color(Enum env_mode, Enum base_format, Real fragment, Real texel, 
     return fragment;
 }
 
-// A_v. An intensity texture's alpha goes the way of its colour in BLEND and ADD.
+// A_v. BLEND and ADD treat the alpha of an intensity texture like a colour.
 template <class Real>
 Real textured_alpha(Enum env_mode, Enum base_format, Real fragment, Real texel, double env_alpha) {
     const bool as_color = base_format == kGL_INTENSITY;

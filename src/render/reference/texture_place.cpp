@@ -9,7 +9,7 @@ namespace twinlight::reference {
 
 namespace {
 
-// s, t and q over w, which are linear in the window.
+// s, t and q divided by w; they are linear in the window.
 Linear3 stq_over_w(const std::vector<StageVertex>& vertices, const Piece& piece, const glm::dvec2& position_window) {
     const Linear3 weights = weights_over_w_at(piece, position_window);
     Linear3 result;
@@ -25,8 +25,8 @@ Linear3 stq_over_w(const std::vector<StageVertex>& vertices, const Piece& piece,
 
 glm::dvec2 divided(const glm::dvec3& stq) { return {quotient(stq.x, stq.z), quotient(stq.y, stq.z)}; }
 
-// The rho of differences over any 2 x 2 pixels that hold this one: implementations take those for derivatives (3.8.8 lets
-// them approximate), and which 2 x 2 is theirs to choose. Together with that of the derivatives themselves.
+// The range of rho from differences over any 2 x 2 pixels that include this one, and from the derivatives themselves:
+// implementations use differences (3.8.8 allows approximations) and choose the 2 x 2 pixels.
 Interval rho_of_differences(const Texture& texture, const Linear3& stq, const TexturePlace& place, double st_error) {
     const auto at = [&](int x, int y) {
         return divided(stq.value + static_cast<double>(x) * stq.per_x + static_cast<double>(y) * stq.per_y);
@@ -66,8 +66,8 @@ lighting::RulingSet texture_rulings(const std::vector<StageVertex>& vertices, co
 
 TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices, const Piece& piece,
                                         const glm::dvec2& position_window, const Texture& texture) {
-    // Float arithmetic: the roundings of texture matrix, plane (a constant, a slope a pixel times the pixel's number) and
-    // division, each of them at most half a unit in the last place of what is added up.
+    // Float arithmetic: the rounding of the texture matrix, of the plane (a constant plus slope times pixel number) and
+    // of the division, each at most half a unit in the last place of the magnitudes added.
     constexpr double kRoundings = 8 * 0x1p-24;
     const TexturePlace place = texture_place(vertices, piece, position_window);
     Linear3 stq = stq_over_w(vertices, piece, position_window);
@@ -84,7 +84,7 @@ TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices
     const double st_error = std::max(arithmetic.x, arithmetic.y);
     bounds.rho = rho_of_differences(texture, stq, place, st_error);
     if (piece.shape == Shape::kLine) {
-        // 3.8.8 takes the change along the line; drivers take that along x or y, whichever the line is longer in.
+        // 3.8.8 uses the change along the line; drivers use the change along its longer axis, x or y.
         const glm::dvec2 way = glm::abs(glm::dvec2(piece.to.position_window - piece.from.position_window));
         const double longer = quotient(glm::length(way), std::max(way.x, way.y));
         stq.per_x *= longer;

@@ -15,7 +15,7 @@ namespace {
 
 glm::dvec3 unit(const glm::dvec3& v) { return vec3_cast<glm::dvec3>(lighting::unit(vec3_cast<Vec>(v))); }
 
-// 2.11.3: 1 / sqrt(m31^2 + m32^2 + m33^2), m the inverse of the modelview matrix. Its third row is the third
+// 2.11.3: 1 / sqrt(m31^2 + m32^2 + m33^2), where m is the inverse of the modelview matrix. Its third row is the third
 // column of the normal matrix.
 double rescale_factor(const glm::dmat3& normal_eye_from_object) {
     const double row = lighting::unit_and_length(vec3_cast<Vec>(normal_eye_from_object[2])).length;
@@ -25,7 +25,8 @@ double rescale_factor(const glm::dmat3& normal_eye_from_object) {
 }  // namespace
 
 glm::dmat3 normal_matrix(const glm::dmat4& eye_from_object) {
-    // Scaled by its largest element, so that neither a scale of 1e-120 nor of 1e120 loses the determinant.
+    // Divides by the largest element, so that the determinant does not underflow or overflow with scales of 1e-120 or
+    // 1e120.
     glm::dmat3 m(eye_from_object);
     double largest = 0;
     for (int column = 0; column < 3; ++column)
@@ -69,8 +70,8 @@ VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex, bool normal
     if (normalize)
         rulings.normal |= rulings_of(lighting::unit(vec3_cast<Vec3<lighting::Marked>>(normal_eye)));
     else if (state.rescale_normal && normal_eye != Vec{}) {
-        // Decides where the answer that 2.11.3 allows as well, a unit vector, is another.
-        constexpr double kRounding = 1e-6;  // of normals that a program calls unit
+        // The ruling matters if the other allowed answer (2.11.3), a unit vector, differs.
+        constexpr double kRounding = 1e-6;  // the rounding error of normals that a program means to be unit
         const double rescaled = lighting::unit_and_length(normal_eye).length * rescale_factor(normal_eye_from_object);
         if (std::abs(rescaled - 1) > kRounding) rulings.normal |= {Ruling::kRescaled};
     }
@@ -94,7 +95,7 @@ std::vector<LitVertex> light_vertices(const Draw& draw, const Options& options, 
                           .back_magnitude = back.magnitude});
     }
     if (options.arithmetic == Arithmetic{} || !lighting.enabled()) return result;
-    // In other numbers than double: as pictures are lit.
+    // With another arithmetic than double: lights the vertices as pictures are lit.
     const auto light = [&](Face face, glm::dvec4 LitVertex::*primary, glm::dvec4 LitVertex::*secondary) {
         PointBatch batch(lighting, PointBatch::Normals::kAsTheyAre);
         for (const StageVertex& v : vertices) batch.add(v, face, [&] { return lighting.material(v, face); });

@@ -1,4 +1,4 @@
-// Buffers of vertices, flags and indices that stay as they are.
+// Static buffers of vertices, flags and indices.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,12 @@
 
 namespace twinlight {
 
-inline const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }  // NOLINT: GL's
+inline const void* buffer_offset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);
+}  // NOLINT: GL's way
 
-// A new buffer with the values, bound to the target, GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER. The caller deletes it.
+// Creates a buffer with the values and binds it to the target, GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER. The caller
+// deletes it.
 template <class Value>
 GLuint filled_buffer(GLenum target, const std::vector<Value>& values) {
     GLuint name = 0;

@@ -9,11 +9,11 @@
 namespace twinlight {
 namespace {
 
-// Smaller meshes are hardly worth it.
+// Patches are hardly worth it for smaller meshes.
 constexpr std::size_t kFewIndices = 2 * kPatchIndices;
 
-// Of the triangles at a pixel the nearest shows, whichever comes first. (Where two have the same depth there, to the last
-// bit, the first or the last shows.)
+// Whether the order of triangles does not matter: at each pixel the nearest is visible. (Two with the same depth to the
+// last bit are the exception.)
 bool is_order_free(const Draw& draw) {
     const RasterState& raster = draw.raster;
     const bool nearest = raster.depth_test && raster.depth_mask &&
@@ -31,7 +31,7 @@ bool needs_edge_flags(const Draw& draw) {
 
 Elements::Elements(const Draw& draw, bool patches) : mode_(draw.mode), count_(static_cast<int>(draw.count())) {
     if (draw.indices.empty()) return;
-    // What is no whole triangle is not drawn (2.6.1).
+    // Incomplete triangles are not drawn (2.6.1).
     const std::size_t whole = draw.indices.size() / 3 * 3;
     if (patches && whole >= kFewIndices && is_order_free(draw))
         patched_ = patched(std::span(draw.indices).first(whole), draw.vertices.size());

@@ -1,4 +1,4 @@
-// Elements: what of a Draw's vertices is drawn in which order (2.8), in a buffer of the driver's.
+// Elements: which of a Draw's vertices are drawn, in which order (2.8), in a buffer of the driver.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,24 @@
 
 namespace twinlight {
 
-// Owns its buffer: dies before the context does.
+// Owns its buffer, so it must be destroyed before the context.
 class Elements {
   public:
-    // `patches`: a large mesh goes in patches that suit the driver's vertex cache (scene/shape/vertex_order.h), where the order
-    // of its triangles is free. Making them takes as long as some frames: for who draws the same vertices again and again.
+    // `patches`: draws a large mesh in patches that suit the driver's vertex cache (scene/shape/vertex_order.h), if the
+    // order of its triangles is free. Making patches takes as long as a few frames, so it pays for vertices that are
+    // drawn many times.
     Elements(const Draw& draw, bool patches);
     ~Elements();
     Elements(const Elements&) = delete;
     Elements& operator=(const Elements&) = delete;
 
-    // The numbers of the Draw's vertices as the arrays must have them; empty: as they are.
+    // The order in which the arrays must have the Draw's vertices; empty: unchanged.
     const std::vector<std::uint32_t>& vertices() const { return patched_.old_from_new; }
 
-    // From the arrays that are enabled. Binds the buffer of indices, where there is one.
+    // Draws from the enabled arrays. Binds the index buffer, if there is one.
     void draw() const;
 
-    std::size_t bytes() const { return bytes_; }  // of the buffer
+    std::size_t bytes() const { return bytes_; }  // size of the buffer
 
   private:
     Enum mode_;
@@ -35,7 +36,7 @@ class Elements {
     PatchedTriangles patched_;
 };
 
-// 2.6.2: edge flags count where polygons are drawn as their edges or corners, and only of these.
+// 2.6.2: edge flags matter only if polygons are drawn as edges or corners; strips and fans ignore them.
 bool needs_edge_flags(const Draw& draw);
 
 }  // namespace twinlight

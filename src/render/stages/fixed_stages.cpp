@@ -25,7 +25,7 @@ void set_raster(const RasterState& raster) {
     glPolygonOffset(static_cast<float>(offset.factor), static_cast<float>(offset.units));
     glLineWidth(static_cast<float>(raster.line_width));
     glPointSize(static_cast<float>(raster.point_size));
-    // The program has a clip distance for each plane that is enabled, without gaps.
+    // The program has one clip distance for each enabled plane, without gaps.
     const auto count = std::count_if(raster.clip_planes_eye.begin(), raster.clip_planes_eye.end(),
                                      [](const auto& plane) { return plane.has_value(); });
     for (int i = 0; i < kMaxClipPlanes; ++i) set_enabled(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i), i < count);
@@ -81,15 +81,15 @@ void FixedStages::set(const Draw& draw) {
     set_fragment_operations(draw.fragment);
 }
 
-// 4.2.3: what clearing obeys.
-void FixedStages::clear(const Clear& what) const {
-    set_scissor(what.scissor);
-    set_color_mask(what.color_mask);
-    glDepthMask(GL_TRUE);  // a Clear of depth that the mask keeps from it has no `depth`
-    const glm::vec4 color(what.clear_color);
+// 4.2.3: clearing obeys the scissor and the colour mask.
+void FixedStages::clear(const Clear& clear) const {
+    set_scissor(clear.scissor);
+    set_color_mask(clear.color_mask);
+    glDepthMask(GL_TRUE);  // if the depth mask was off, the Clear has `depth` = false
+    const glm::vec4 color(clear.clear_color);
     glClearColor(color.r, color.g, color.b, color.a);
-    glClearDepth(what.clear_depth);
-    glClear((what.color ? GL_COLOR_BUFFER_BIT : 0u) | (what.depth ? GL_DEPTH_BUFFER_BIT : 0u));
+    glClearDepth(clear.clear_depth);
+    glClear((clear.color ? GL_COLOR_BUFFER_BIT : 0u) | (clear.depth ? GL_DEPTH_BUFFER_BIT : 0u));
 }
 
 }  // namespace twinlight

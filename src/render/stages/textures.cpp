@@ -12,7 +12,7 @@
 namespace twinlight {
 namespace {
 
-// The texels lie in order, as nothing else is said to glPixelStore and glPixelTransfer.
+// Texels are stored without gaps, so glPixelStore and glPixelTransfer get their initial values.
 void set_unpacking() {
     for (GLenum name : {GL_UNPACK_SWAP_BYTES, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS})
         glPixelStorei(name, 0);
@@ -25,7 +25,7 @@ void upload(const Texture& texture) {
     for (std::size_t i = 0; i < texture.levels.size(); ++i) {
         const TextureImage& image = texture.levels[i];
         if (image.texels.empty()) continue;
-        // The internal format that was asked for: the driver then has as many bits as for the commands themselves.
+        // The requested internal format: the driver then uses as many bits as for the commands themselves.
         const auto level = static_cast<GLint>(i), format = static_cast<GLint>(image.internal_format);
         if (texture.target == kGL_TEXTURE_1D)
             glTexImage1D(GL_TEXTURE_1D, level, format, image.width, 0, GL_RGBA, GL_FLOAT, image.texels.data());
@@ -43,7 +43,7 @@ void set_parameters(const Texture& texture, Clamping clamping) {
     const auto set = [&](GLenum name, Enum value) { glTexParameteri(texture.target, name, static_cast<GLint>(value)); };
     set(GL_TEXTURE_MIN_FILTER, texture.min_filter);
     set(GL_TEXTURE_MAG_FILTER, texture.mag_filter);
-    // Where the shader clamps, half of the border is in a linear filter's sight.
+    // If the shader clamps, a linear filter must see half of the border.
     Enum clamped = texture.filters_linearly() ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
     if (clamping == Clamping::kDriver) clamped = kGL_CLAMP;
     set(GL_TEXTURE_WRAP_S, texture.wrap_s == kGL_CLAMP ? clamped : texture.wrap_s);
@@ -52,10 +52,10 @@ void set_parameters(const Texture& texture, Clamping clamping) {
     glTexParameterfv(texture.target, GL_TEXTURE_BORDER_COLOR, &border[0]);
 }
 
-// A texture object that has all of it.
+// A texture object with all images and parameters of the texture.
 GLuint uploaded(const Texture& texture, Clamping clamping) {
-    constexpr int kErrorsOfOthers = 16;
-    for (int i = 0; i < kErrorsOfOthers && glGetError() != GL_NO_ERROR; ++i) {
+    constexpr int kMostOldErrors = 16;
+    for (int i = 0; i < kMostOldErrors && glGetError() != GL_NO_ERROR; ++i) {
     }
     GLuint name = 0;
     glGenTextures(1, &name);
@@ -70,7 +70,7 @@ GLuint uploaded(const Texture& texture, Clamping clamping) {
     return name;
 }
 
-// All of two images; a member more would not compile.
+// Compares all members; the structured binding fails to compile if one is added.
 bool are_same(const TextureImage& a, const TextureImage& b) {
     const auto& [width, height, base_format, internal_format, texels] = a;
     static_assert(sizeof(glm::vec4) == 4 * sizeof(float));
@@ -79,7 +79,7 @@ bool are_same(const TextureImage& a, const TextureImage& b) {
            (texels.empty() || std::memcmp(texels.data(), b.texels.data(), texels.size() * sizeof(glm::vec4)) == 0);
 }
 
-// The same of two textures.
+// Compares all members, as above.
 bool are_same(const Texture& a, const Texture& b) {
     const auto& [target, levels, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority, generate_mipmap] = a;
     return target == b.target && min_filter == b.min_filter && mag_filter == b.mag_filter && wrap_s == b.wrap_s &&
@@ -98,7 +98,7 @@ Textures::~Textures() {
 void Textures::bind(const TextureUnit& unit) {
     const Texture& texture = *unit.texture;
     auto found = uploaded_.find(&texture);
-    if (found == uploaded_.end()) found = known_again(unit.texture);
+    if (found == uploaded_.end()) found = find_equal(unit.texture);
     if (found == uploaded_.end()) {
         ++upload_count_;
         found =
@@ -106,11 +106,11 @@ void Textures::bind(const TextureUnit& unit) {
     }
     found->second.used = true;
     glBindTexture(texture.target, found->second.name);
-    // 3.8.8 adds the unit's bias to the texture's own, which a Texture does not have.
+    // 3.8.8 adds the unit's bias to the texture's own, but a Texture has none.
     glTexParameterf(texture.target, GL_TEXTURE_LOD_BIAS, static_cast<float>(unit.lod_bias));
 }
 
-Textures::Map::iterator Textures::known_again(const std::shared_ptr<const Texture>& texture) {
+Textures::Map::iterator Textures::find_equal(const std::shared_ptr<const Texture>& texture) {
     const auto same = std::ranges::find_if(
         uploaded_, [&](const auto& entry) { return !entry.second.used && are_same(*entry.second.texture, *texture); });
     if (same == uploaded_.end()) return same;

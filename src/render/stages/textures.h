@@ -1,4 +1,4 @@
-// Textures: the textures of a Frame, uploaded to texture objects of the current context.
+// Textures: a Frame's textures, uploaded to texture objects of the current context.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace twinlight {
 
-// GL_CLAMP, which core GL and shaders do not have: by the driver's own sampler, or left to a shader that clamps the
-// coordinates to where the border begins.
+// How GL_CLAMP is done, which core GL and shaders lack: by the driver's sampler, or by a shader that clamps coordinates
+// to the start of the border.
 enum class Clamping : std::uint8_t { kDriver, kShader };
 
-// Owns its texture objects: dies before the context does.
+// Owns its texture objects, so it must be destroyed before the context.
 class Textures {
   public:
     explicit Textures(Clamping clamping) : clamping_(clamping) {}
@@ -21,24 +21,24 @@ class Textures {
     Textures(const Textures&) = delete;
     Textures& operator=(const Textures&) = delete;
 
-    // Binds the unit's texture to the active unit, with its sampling parameters; uploads it at its first use. Throws
-    // std::runtime_error when the driver refuses an image.
+    // Binds the unit's texture to the active unit and sets its sampling parameters; uploads it at its first use. Throws
+    // std::runtime_error if the driver refuses an image.
     void bind(const TextureUnit& unit);
-    // Deletes what no bind() asked for since the last call: the end of a frame. Of the next frame, whose textures State made
-    // anew, those that are the same texel by texel are not uploaded again.
+    // Ends a frame: deletes textures that were not bound since the last call. State creates textures again for each
+    // frame; those that are the same texel by texel are not uploaded again.
     void drop_unused();
 
     std::uint64_t upload_count() const { return upload_count_; }
 
   private:
     struct Uploaded {
-        // Keeps it from changing: State changes a texture in place only where nobody else has it.
+        // Holding it keeps it unchanged: State changes a texture in place only if nobody else holds it.
         std::shared_ptr<const Texture> texture;
         unsigned name = 0;
         bool used = true;
     };
     using Map = std::map<const Texture*, Uploaded>;
-    Map::iterator known_again(const std::shared_ptr<const Texture>& texture);
+    Map::iterator find_equal(const std::shared_ptr<const Texture>& texture);
 
     Clamping clamping_;
     Map uploaded_;

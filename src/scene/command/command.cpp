@@ -57,7 +57,7 @@ bool is_single(const Parameter& parameter) {
            parameter.extent == Extent::kOutputMemory || parameter.extent == Extent::kResult;
 }
 
-// 5.1: how many coordinates a control point has; 0 for what is no target of glMap.
+// The number of coordinates of a control point (section 5.1); 0 if `target` is not a target of glMap.
 int coordinates_of_map(Enum target) {
     const bool is_two = target >= kGL_MAP2_COLOR_4;
     switch (is_two ? target - kGL_MAP2_COLOR_4 + kGL_MAP1_COLOR_4 : target) {
@@ -74,11 +74,11 @@ int coordinates_of_map(Enum target) {
     }
 }
 
-// The values from the first control point's to the last one's; 0 where the command is wrong and GL reads none.
+// The number of values from the first control point to the last; 0 if the command has an error, so that GL reads none.
 std::size_t control_point_values(const Command& c) {
-    constexpr double kMaxOrder = 64;  // GL_MAX_EVAL_ORDER is less in any driver (8 at least)
+    constexpr double kMaxOrder = 64;  // above GL_MAX_EVAL_ORDER of any driver (at least 8)
     const int coordinates = coordinates_of_map(c.enumerant(0));
-    double last = 0;  // where the last point starts
+    double last = 0;  // the index of the last point's first value
     for (std::size_t stride = 3; stride + 1 < c.sig().parameters.size(); stride += 4) {
         const double order = c.number(stride + 1);
         if (order < 1 || order > kMaxOrder || c.number(stride) < coordinates) return 0;
@@ -167,7 +167,7 @@ std::optional<CommandId> find_command(std::string_view name) {
 
 std::optional<CommandId> find_command_or_extension(std::string_view name) {
     if (const auto id = find_command(name)) return id;
-    // EXT_vertex_array counts the elements, EXT_polygon_offset's bias is a depth.
+    // These differ from the core: EXT_vertex_array also takes a count, and the bias of EXT_polygon_offset is a depth.
     for (std::string_view other : {"glVertexPointerEXT", "glNormalPointerEXT", "glColorPointerEXT",
                                    "glTexCoordPointerEXT", "glEdgeFlagPointerEXT", "glPolygonOffsetEXT"}) {
         if (name == other) return std::nullopt;

@@ -1,6 +1,6 @@
-// Command: an entry point, its arguments and the place it came from. CommandList: a recording.
+// Command: a GL call with its arguments and its place in the text. CommandList: the commands of a scene.
 //
-// What a command looks like (its Signature) stands in commands.def, once; CommandId enumerates the rows.
+// commands.def is the table of all commands. CommandId enumerates its rows; Signature describes a row.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ enum class CommandId : std::uint16_t {
 #include "scene/command/commands.def"
 };
 
-// The types of arguments: GL's (2.2), GLU's quadric, and kWord, a word of a pragma.
+// The types of arguments: GL's types (2.2), GLU's quadrics, and kWord for the words of pragmas (words.def).
 enum class Kind : std::uint8_t {
     kEnum,
     kBitfield,
@@ -38,70 +38,71 @@ enum class Kind : std::uint8_t {
     kUint,
     kFloat,
     kDouble,
-    kSizeiptr,  // of sizes and offsets in buffer objects (2.9)
-    kQuadric,   // GLUquadric*: its number
+    kSizeiptr,  // sizes and offsets in buffer objects (2.9)
+    kQuadric,   // a GLUquadric*, by its number
     kWord,
 };
 
-// What a parameter is. Outputs are arrays that the command writes: none of their values are arguments.
+// How many values a parameter has, and whether the command reads or writes them. An output is an array that the command
+// writes; it adds no values to Command::arguments.
 enum class Extent : std::uint8_t {
     kValue,          // one value
     kArray,          // an array of `count` values
-    kArrayByPname,   // an array whose length the argument pname decides
-    kArrayByCount,   // an array whose length the last GLsizei argument before it gives
-    kControlPoints,  // of glMap: as many values as its order and its stride say
-    kOutput,         // `count` values
-    kOutputByPname,  // as many as the argument pname decides
-    kOutputByCount,  // as many as the last GLsizei argument before it says
-    kOutputMemory,   // memory that the command writes: one value, how many bytes there are
-    kNewNames,       // an array by count that the command writes: the names of new objects, which are recorded
-    kPointer,  // a pointer to memory, or an offset into a buffer object: one value, the offset; see Command::memory
-    kImage,    // the name of an image's file: its width and its height are the values; see Command::memory
-    kRest,     // any number of values
-    kResult,   // what the command returned, one value, which is recorded; no argument in C
+    kArrayByPname,   // an array whose length follows from the argument pname
+    kArrayByCount,   // an array whose length is the last GLsizei argument before it
+    kControlPoints,  // control points of glMap: their number follows from order and stride
+    kOutput,         // an output of `count` values
+    kOutputByPname,  // an output whose length follows from the argument pname
+    kOutputByCount,  // an output whose length is the last GLsizei argument before it
+    kOutputMemory,   // memory that the command writes: one value, its size in bytes
+    kNewNames,  // an array of new objects' names, by count; the command writes them, and they are recorded as values
+    kPointer,   // a pointer to memory, or an offset into a buffer object: one value, the offset; see Command::memory
+    kImage,     // the file name of an image: two values, width and height; see Command::memory
+    kRest,      // any number of values
+    kResult,    // the value that the command returned, which is recorded; not an argument in C
 };
 
 struct Parameter {
     std::string_view name;
     Kind kind = Kind::kInt;
     Extent extent = Extent::kValue;
-    int count = 1;  // of values: of a kArray, a kOutput or a kImage
+    int count = 1;  // number of values of a kArray, kOutput or kImage
 
     bool is_output() const {
         return extent == Extent::kOutput || extent == Extent::kOutputByPname || extent == Extent::kOutputByCount;
     }
     bool is_by_pname() const { return extent == Extent::kArrayByPname || extent == Extent::kOutputByPname; }
-    bool is_array() const;  // of any length, read or written; memory and pointers are none
+    bool is_array() const;  // an array that the command reads or writes; not memory, pointers or images
 };
 
 enum class Family : std::uint8_t { kGl, kShape, kQuadric, kPragma };
 
 struct Signature {
-    std::string_view name;  // "glLightfv"; of a pragma its bare name
+    std::string_view name;  // "glLightfv"; a pragma's name without "#pragma twinlight"
     Family family = Family::kGl;
     std::vector<Parameter> parameters;
 
-    // Where the first array stands among the parameters; how many there are where there is none. Only arrays of a
-    // fixed or a counted length may have others after them.
+    // The index of the first array parameter, or the number of parameters if there is none. Other parameters may follow
+    // it only if its length is fixed or counted.
     std::size_t first_array() const;
-    // How many arguments a C program gives: all parameters but the result.
+    // The number of arguments in C: all parameters except the result.
     std::size_t c_arguments() const;
-    // "glLightfv(light, pname, params)": for messages.
+    // "glLightfv(light, pname, params)", for messages.
     std::string usage() const;
 };
 
-// The row of the table; `id` indexes it.
+// The row `id` of the table.
 const Signature& signature(CommandId id);
 std::span<const Signature> signatures();
 
-std::optional<CommandId> find_command(std::string_view name);  // of GL, GLU and GLUT
-// The same; for a name with the suffix of an extension, glActiveTextureARB, the core command of the same meaning, where it
-// has the same parameters.
+std::optional<CommandId> find_command(std::string_view name);  // a function of GL, GLU or GLUT
+// The same, and for the name of an extension such as glActiveTextureARB the core command with the same meaning and
+// parameters.
 std::optional<CommandId> find_command_or_extension(std::string_view name);
 std::optional<CommandId> find_pragma(std::string_view name);
 
-// Where a command stands in its text; lines and columns count from 1, 0 means unknown. A command of a recorded program
-// has its number there instead of a line, and kCallNumber for a column.
+// The place of a command in its text. Lines and columns count from 1; 0 means unknown. For a command of a recorded
+// program, `line` is the number of the call and `column` is kCallNumber.
 struct Place {
     static constexpr int kCallNumber = -1;
 
@@ -114,24 +115,23 @@ struct Place {
     friend bool operator==(const Place&, const Place&) = default;
 };
 
-// What a pointer argument points into: the bytes of an array, from its start. `kind` is the C type that they were declared
-// with (kUbyte where that is not known), for printing; what a command does depends on the bytes alone. Commands that
-// name the same array share one.
+// The bytes of the array that a pointer argument points into. `kind` is the declared C type (kUbyte if unknown) and
+// only affects printing. Commands that use the same array share one Memory.
 struct Memory {
     Kind kind = Kind::kUbyte;
     std::vector<std::byte> bytes;
-    std::string file{};  // of an image that was read from one: its name
+    std::string file{};  // for an image: the name of its file
 };
 
-// The arguments one after the other, an array as its elements, the result (if any) last. Each is held as a double that has
-// exactly the value the C type of its parameter would have (every GL type fits into a double).
+// `arguments` lists all values in order: an array as its elements, the result (if any) last. Each is a double with
+// exactly the value that the parameter's C type would have (every GL type fits into a double).
 struct Command {
     CommandId id{};
     std::vector<double> arguments;
     Place place;
-    // Of a command with a pointer argument: null for a null pointer or an offset into a buffer object. The argument
-    // itself is the offset in bytes, into the memory or into the buffer object that is bound. Of a command with an image:
-    // its pixels, four bytes each, the lowest row first.
+    // For a pointer argument: the memory that it points into; null for a null pointer or an offset into a buffer
+    // object. The argument's value is the offset in bytes into this memory or into the bound buffer object. For an
+    // image: its pixels, four bytes each, the bottom row first.
     std::shared_ptr<const Memory> memory = nullptr;
 
     const Signature& sig() const { return signature(id); }
@@ -139,16 +139,16 @@ struct Command {
     double number(std::size_t i) const { return arguments[i]; }
     Enum enumerant(std::size_t i) const { return static_cast<Enum>(arguments[i]); }
     Word word(std::size_t i) const { return static_cast<Word>(enumerant(i)); }
-    // Where the values of a parameter start, and how many there are.
+    // The index of a parameter's first value in `arguments`, and the number of its values.
     std::size_t first(std::size_t parameter) const;
     std::size_t count(std::size_t parameter) const;
     std::span<const double> values(std::size_t parameter) const;
-    // What the last GLsizei argument before a parameter says, and 0 where that is less.
+    // The last GLsizei argument before a parameter; 0 if it is negative.
     std::size_t counted(std::size_t parameter) const;
-    // The elements of the first array argument (empty if the command has none).
+    // The elements of the first array argument; empty if there is none.
     std::span<const double> array() const;
 
-    // Equal commands do the same; where they stand does not matter.
+    // Equal commands have the same effect. Their places are not compared.
     friend bool operator==(const Command& a, const Command& b);
 };
 
@@ -157,31 +157,31 @@ struct Step {
     enum class Kind : std::uint8_t {
         kCommand,
         kFrameEnd,  // the program showed its picture (SwapBuffers); what the buffers hold next is undefined
-        kOutside,   // a call of a function that commands.def does not have: `text` names it
-        kCutOff,    // the recording breaks off here: `text` says how
+        kOutside,   // a call of a function that is not in commands.def: `text` is its name
+        kCutOff,    // the recording ends abruptly: `text` describes how
     };
     Kind kind = Kind::kCommand;
-    const Command& command;  // of all but kCommand only its place
+    const Command& command;  // only its place is valid for kinds other than kCommand
     std::string_view text{};
 };
 
 struct CommandList;
 
-// Commands that can be gone through again and again, one at a time: a list, or a recorded program that is too long to be
-// held.
+// Commands that can be visited any number of times, one after the other: a list, or a recorded program that may be too
+// long for memory.
 struct Recording {
-    std::string name;  // of the scene: "report", "scene.gl"
+    std::string name;  // the scene's name: "report", "scene.gl"
 
     Recording() = default;
     explicit Recording(std::string given_name) : name(std::move(given_name)) {}
     virtual ~Recording() = default;
 
-    // Hands every step to `visit`, until that answers false. Throws SceneError where the recording cannot be read.
+    // Calls `visit` for each step until it returns false. Throws SceneError if the recording cannot be read.
     virtual void for_each(const std::function<bool(const Step&)>& visit) const = 0;
-    // The scene in C text that it is; null for a recorded program.
+    // This recording as a CommandList; null for a recorded program.
     virtual const CommandList* command_list() const { return nullptr; }
 
-  protected:  // copied as what they are, or not at all
+  protected:  // only derived types may be copied
     Recording(const Recording&) = default;
     Recording& operator=(const Recording&) = default;
     Recording(Recording&&) = default;
@@ -223,20 +223,20 @@ struct ParameterInfo {
 };
 
 std::span<const ParameterInfo> parameter_infos();
-const ParameterInfo* find_parameter(Owner owner,
-                                    Enum pname);  // null for a pname that the owner does not have
+// Null if the owner has no such parameter.
+const ParameterInfo* find_parameter(Owner owner, Enum pname);
 
-// Whose parameters the argument pname of this command names (glLight*, glGetLight*: kLight, ...).
+// The owner of the parameters that this command sets or returns: kLight for glLight* and glGetLight*, ...
 std::optional<Owner> owner_of(CommandId id);
 
-// The parameter that the argument pname of this command names; null where it has none, or names none of its owner's.
+// The parameter that the argument pname names; null if the command has no pname or its owner no such parameter.
 const ParameterInfo* parameter_info(const Command& command);
 
-// How many values glGet* gives for a name; nothing where that is one, or not known here.
+// How many values glGet* returns for a name; nullopt if that is one or not in the table.
 std::optional<int> query_length(Enum pname);
 
-// How many elements the command's array argument has; the pname decides where the table says so. For an unknown pname
-// the answer is nothing (the driver would raise GL_INVALID_ENUM and read none).
+// The length of the command's array argument, which may depend on pname. Returns nullopt for an unknown pname (the
+// driver would raise GL_INVALID_ENUM and read nothing).
 std::optional<int> array_length(CommandId id, std::optional<Enum> pname);
 
 }  // namespace twinlight

@@ -1,4 +1,4 @@
-// CommandSet: the commands of the table that are told by their effects.
+// CommandSet: a set of commands, given by their effects (the second column of commands.def).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace twinlight {
 
-// By CommandId.
+// Indexed by CommandId.
 inline constexpr std::string_view kEffects[] = {
 #define GL_COMMAND(name, effect, ...) #effect,
 #include "scene/command/commands.def"
@@ -20,7 +20,7 @@ inline constexpr std::string_view kEffects[] = {
 
 class CommandSet {
   public:
-    // An effect that no command has does not compile.
+    // An unknown effect is a compile error.
     static consteval CommandSet of(std::initializer_list<std::string_view> effects) {
         CommandSet set;
         for (const std::string_view effect : effects) {

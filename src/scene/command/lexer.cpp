@@ -40,7 +40,7 @@ Lexer::Lexer(std::string_view text, const std::string& file) : text_(text) {
     if (at(kByteOrderMark)) position_ = kByteOrderMark.size();
 }
 
-// One byte on; columns count characters, so the later bytes of a UTF-8 character do not count.
+// Moves on by one byte. Columns count characters, so the later bytes of a UTF-8 character do not count.
 void Lexer::advance() {
     const char c = text_[position_++];
     if (c == '\n') {
@@ -71,7 +71,7 @@ void Lexer::skip_space_and_comments() {
     }
 }
 
-// A line that starts with '#'. Afterwards either pragma_found_ is set or the line has been passed over.
+// Reads a line that starts with '#': sets pragma_found_, or skips the line.
 void Lexer::directive() {
     const Place start = place_;
     const std::size_t line_end = std::min(text_.find('\n', position_), text_.size());
@@ -94,11 +94,11 @@ void Lexer::directive() {
     }
     const bool asks_for_prototypes = name == "define" && line.ends_with("GL_GLEXT_PROTOTYPES");
     if (name != "include" && name != "pragma" && !asks_for_prototypes)
-        fail(start, "#{} is not part of a scene; only #include (passed over) and #pragma twinlight are", name);
+        fail(start, "a scene cannot use #{}; only #include (which is ignored) and #pragma twinlight are allowed", name);
     while (position_ < line_end) advance();
 }
 
-// From '"' to '"'. Strings are names of files: they have no escapes.
+// Reads from '"' to '"'. Strings are file names, so they have no escapes.
 void Lexer::string() {
     const Place start = place_;
     advance();
@@ -106,11 +106,11 @@ void Lexer::string() {
         const auto byte = static_cast<unsigned char>(text_[position_]);
         if (byte == '\n') break;
         if (byte < 0x20 || byte == 0x7F || byte == '\\')
-            fail(place_, "a string cannot hold {}", in_quotes(text_.substr(position_, 1)));
+            fail(place_, "a string cannot contain {}", in_quotes(text_.substr(position_, 1)));
         advance();
     }
     if (position_ >= text_.size() || text_[position_] != '"')
-        fail(start, "this string is not closed on its line; end it with \"");
+        fail(start, "this string has no end on its line; end it with \"");
     advance();
 }
 
@@ -155,7 +155,7 @@ Token Lexer::next() {
     } else if (std::string_view("(){}[],;=+-*/|&").find(c) != std::string_view::npos) {
         advance();
     } else {
-        fail(place_, "{} has no place in a scene; expected C statements such as glEnable(GL_LIGHTING);",
+        fail(place_, "unexpected {}; a scene consists of C statements such as glEnable(GL_LIGHTING);",
              in_quotes(text_.substr(position_, 1)));
     }
     token.text = text_.substr(start, position_ - start);

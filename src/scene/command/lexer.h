@@ -14,7 +14,7 @@ enum class TokenKind : std::uint8_t { kName, kNumber, kString, kPunctuation, kPr
 
 struct Token {
     TokenKind kind = TokenKind::kEnd;
-    // Of a pragma: "#pragma twinlight" itself; the words after it are tokens of their own. Of a string: with its quotes.
+    // A pragma's text is "#pragma twinlight"; the words after it are separate tokens. A string includes its quotes.
     std::string_view text;
     Place place;
 
@@ -24,13 +24,14 @@ struct Token {
     }
 };
 
-// Cuts text into tokens, one at a time. Comments, white space, #include lines and pragmas of others are passed over.
-// A pragma's words end with a token ";" of its own at the line's end, so a pragma reads like a call.
+// Splits text into tokens. Skips comments, white space, #include lines and foreign pragmas. At the end of a Twinlight
+// pragma's line it adds a token ";", so a pragma can be parsed like a call.
 class Lexer {
   public:
     Lexer(std::string_view text, const std::string& file);
 
-    // Throws SceneError for bytes that are no C, an unclosed comment, a directive that scenes do not have.
+    // Throws SceneError for a character that C does not use, an unclosed comment or string, or a directive not allowed
+    // in scenes.
     Token next();
 
   private:
@@ -48,7 +49,7 @@ class Lexer {
     bool pragma_found_ = false;
 };
 
-// What may be shown of untrusted text: printable, one line, not too long; in quotes.
+// Untrusted text for a message: in quotes, one line, only printable characters, shortened if long.
 std::string in_quotes(std::string_view text);
 
 // Throws SceneError. The message is formatted by fmt.

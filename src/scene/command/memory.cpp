@@ -42,7 +42,7 @@ std::string_view c_type_name(Kind kind) {
         case Kind::kDouble: return "GLdouble";
         case Kind::kSizeiptr: return "GLsizeiptr";
         case Kind::kQuadric: return "GLUquadric*";
-        case Kind::kWord: break;  // words stand in pragmas only, never in arrays
+        case Kind::kWord: break;  // words occur only in pragmas, never in arrays
     }
     return "";
 }
@@ -71,7 +71,7 @@ std::optional<Kind> kind_of_type(Enum type) {
 namespace {
 
 constexpr WholeRange range_of(Kind kind) {
-    if (kind == Kind::kSizeiptr) return {-0x1p53, 0x1p53};  // what a double holds exactly
+    if (kind == Kind::kSizeiptr) return {-0x1p53, 0x1p53};  // doubles hold these whole numbers exactly
     return with_type(kind, []<class T>(T) -> WholeRange {
         if constexpr (!std::is_integral_v<T>) return {0, 0};
         return {static_cast<double>(std::numeric_limits<T>::min()), static_cast<double>(std::numeric_limits<T>::max())};
@@ -83,7 +83,7 @@ constexpr std::array<WholeRange, sizeof...(i)> ranges(std::index_sequence<i...> 
     return {range_of(static_cast<Kind>(i))...};
 }
 
-// By kind: a recording asks for every whole number in it.
+// Indexed by kind. A table, because reading a recording looks up the range of every whole number.
 constexpr auto kRanges = ranges(std::make_index_sequence<std::tuple_size_v<CTypes>>());
 
 }  // namespace

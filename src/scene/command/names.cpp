@@ -66,7 +66,7 @@ std::string enum_name(Enum value) {
     static const auto index = [] {
         std::unordered_map<Enum, std::string_view> names;
         for (const NamedValue& row : gl_names()) {
-            // Bits of glClear share values with GL_LIGHT0 and GL_NEVER; bit_names gives theirs.
+            // Some bits of glClear have the same values as GL_LIGHT0 and GL_NEVER; bit_names() prints those.
             const bool is_bit = row.name.ends_with("_BIT");
             if (row.value > kGL_POLYGON && !is_bit) names.emplace(row.value, row.name);
         }
@@ -98,8 +98,8 @@ std::string primitive_name(Enum mode) {
 
 namespace {
 
-// The edit distance with transpositions (optimal string alignment), two rows and one more for the swaps; `limit` where it is
-// that or more.
+// The edit distance with transpositions (optimal string alignment), at most `limit`. Keeps three rows of the table:
+// two, and one more for transpositions.
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
     if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= limit) return limit;
     std::size_t least_of_last = 0;
@@ -114,7 +114,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
         }
         before.swap(last);
         last.swap(row);
-        // A row is made from the two before it, and no value is less than the one that it is made from.
+        // A row depends on the two rows before it, and its values are never less than theirs.
         const std::size_t least = *std::ranges::min_element(last);
         if (std::min(least, least_of_last) >= limit) return limit;
         least_of_last = least;
@@ -125,7 +125,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
 }  // namespace
 
 std::optional<std::string_view> nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
-    // A suggestion must share most of the letters: a third of them may differ, three at the most.
+    // A suggestion may differ in a third of the letters, at most three.
     constexpr std::size_t kLongestName = 80;
     if (name.empty() || name.size() > kLongestName) return std::nullopt;
     const std::size_t limit = std::min<std::size_t>(3, (name.size() + 2) / 3);

@@ -16,7 +16,8 @@ std::uint32_t ObjectNames::next(ObjectType type, std::uint32_t count) const {
     constexpr std::uint64_t kNames = std::uint64_t{1} << 32;
     std::uint64_t candidate = 1;
     if (const auto rows = taken_.find(type); rows != taken_.end()) {
-        // Names are never given back, so the search goes on from where one for as many, or fewer, ended.
+        // Names are never freed, so the search continues where an earlier one for the same count, or a smaller one,
+        // stopped.
         auto& ends = searched_[type];
         if (const auto more = ends.upper_bound(count); more != ends.begin()) candidate = std::prev(more)->second;
         auto row = rows->second.upper_bound(candidate);
@@ -33,7 +34,7 @@ void ObjectNames::take(ObjectType type, double first, double count) {
     if (first < 1 || count < 1) return;
     auto from = static_cast<std::uint64_t>(first), end = from + static_cast<std::uint64_t>(count);
     auto& rows = taken_[type];
-    // Rows that overlap this one, or touch it, become one with it.
+    // Merges ranges that overlap or touch.
     auto row = rows.upper_bound(from);
     if (row != rows.begin() && std::prev(row)->second >= from) --row;
     while (row != rows.end() && row->first <= end) {
@@ -46,7 +47,7 @@ void ObjectNames::take(ObjectType type, double first, double count) {
 
 void ObjectNames::follow(const Command& command) {
     const Signature& sig = command.sig();
-    // A row of lists: glGenLists(range), and the result.
+    // glGenLists(range) returns the first of consecutive names.
     if (!sig.parameters.empty() && sig.parameters.back().extent == Extent::kResult) {
         if (named_objects(sig.parameters.back())) {
             take(ObjectType::kList, command.arguments.back(), command.number(0));

@@ -1,4 +1,4 @@
-// Printing commands as C. What is printed compiles, and reads back as the same commands.
+// Prints commands as C. The text compiles, and reading it gives the same commands.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,8 +20,8 @@ std::string print_real(double value, bool is_float) {
     if (std::isinf(value)) return value < 0 ? "-INFINITY" : "INFINITY";
     if (value == 0 && std::signbit(value)) return "-0.0";
     if (is_float) {
-        // A decimal that is shortest for the float is read as a double first and rounded again: it nearly always comes
-        // back the same; where it does not, the double's own digits do.
+        // The shortest decimal of the float is read as a double and then rounded. That nearly always gives the same
+        // float; if not, print the digits of the double.
         const std::string shortest = fmt::format("{}", static_cast<float>(value));
         if (static_cast<double>(static_cast<float>(std::strtod(shortest.c_str(), nullptr))) == value) return shortest;
     }
@@ -39,13 +39,13 @@ std::string print_number(double value, Kind kind) {
     }
 }
 
-// Whether the values that a pname asks for are names: glFogi(GL_FOG_MODE, GL_LINEAR).
+// Whether the values for this pname are GL names: glFogi(GL_FOG_MODE, GL_LINEAR).
 bool takes_names(const Command& command) {
     const ParameterInfo* info = parameter_info(command);
     return info && info->meaning == Meaning::kEnum;
 }
 
-// glPushClientAttrib's bits share values with glPushAttrib's.
+// The bits of glPushClientAttrib have the same values as some of glPushAttrib.
 std::string client_bit_names(Enum mask) {
     if (mask == kGL_CLIENT_ALL_ATTRIB_BITS) return "GL_CLIENT_ALL_ATTRIB_BITS";
     if (mask == kGL_CLIENT_PIXEL_STORE_BIT) return "GL_CLIENT_PIXEL_STORE_BIT";
@@ -70,7 +70,7 @@ std::string print_array(const Command& command, std::size_t i) {
     const Parameter& parameter = command.sig().parameters[i];
     const std::string_view type = c_type_name(parameter.kind);
     if (parameter.extent == Extent::kOutput || parameter.extent == Extent::kOutputByPname) {
-        constexpr int kLongestAnswer = 64;  // longer than GL's answers to any name that the table lacks
+        constexpr int kLongestAnswer = 64;  // longer than the result for any name that is not in the table
         const std::optional<Enum> pname =
             parameter.is_by_pname() ? std::optional(command.enumerant(command.first(i) - 1)) : std::nullopt;
         return fmt::format("({}[{}]){{0}}", type, array_length(command.id, pname).value_or(kLongestAnswer));
@@ -88,10 +88,10 @@ std::string print_array(const Command& command, std::size_t i) {
 
 // ---- Memory ----
 
-// Memory of so many bytes for a command to write to.
+// An array of this many bytes for a command to write to.
 std::string print_written(double bytes) { return bytes == 0 ? "NULL" : fmt::format("(GLubyte[{}]){{0}}", bytes); }
 
-// The values, broken into lines that start with `indent` where that is given.
+// The values, separated by commas. If `indent` is not empty, they are broken into lines that start with it.
 std::string print_values(const Memory& memory, Kind kind, std::string_view indent) {
     constexpr std::size_t kColumns = 110;
     std::string printed;
@@ -114,11 +114,11 @@ std::string print_values(const Memory& memory, Kind kind, std::string_view inden
     return printed;
 }
 
-// Whether every value reads back with its own bits (a NaN may not), and none is left over.
+// Whether reading the printed values gives the same bytes. A NaN may change, and a part of a value may be left over.
 bool survives(const Memory& memory) {
     const std::size_t size = size_of(memory.kind);
     if (memory.bytes.size() % size != 0) return false;
-    if (memory.kind == Kind::kSizeiptr) {  // more digits than a double has
+    if (memory.kind == Kind::kSizeiptr) {  // a double has too few digits for large values
         for (std::size_t at = 0; at < memory.bytes.size(); at += size) {
             if (std::abs(load(std::span(memory.bytes).subspan(at), memory.kind)) >= 0x1p53) return false;
         }
@@ -130,7 +130,7 @@ bool survives(const Memory& memory) {
     return true;
 }
 
-// A memory in C: the name of an array or a compound literal, and the kind of its values.
+// A Memory in C: the name of an array or a compound literal, and the kind of its values.
 struct PrintedArray {
     std::string text;
     Kind kind = Kind::kUbyte;
@@ -141,16 +141,16 @@ PrintedArray print_literal(const Memory& memory) {
     return {fmt::format("(const {}[]){{{}}}", c_type_name(kind), print_values(memory, kind, "")), kind};
 }
 
-// The arrays that a printed scene declares: each memory once, however many commands use it.
+// The arrays that a printed scene declares: each Memory once, even if several commands use it.
 class MemoryNames {
   public:
-    // The declaration is added to `text` where the memory is new.
+    // Adds the declaration to `text` if the memory is new.
     PrintedArray name(const Memory& memory, std::string_view indent, std::string& text) {
-        if (memory.bytes.empty()) return print_literal(memory);  // C declares no such array
+        if (memory.bytes.empty()) return print_literal(memory);  // C has no empty arrays
         const auto [known, is_new] = names_.try_emplace(&memory);
         if (!is_new) return known->second;
         const std::string_view bytes(reinterpret_cast<const char*>(memory.bytes.data()), memory.bytes.size());
-        PrintedArray& equal = equals_[{memory.kind, bytes}];  // the same bytes need not stand twice
+        PrintedArray& equal = equals_[{memory.kind, bytes}];  // equal bytes are declared once
         if (equal.text.empty()) {
             equal = {fmt::format("memory{}", equals_.size()), survives(memory) ? memory.kind : Kind::kUbyte};
             text += fmt::format("{}static const {} {}[] = {{{}}};\n", indent, c_type_name(equal.kind), equal.text,
@@ -164,7 +164,7 @@ class MemoryNames {
     std::map<std::pair<Kind, std::string_view>, PrintedArray> equals_;
 };
 
-// `array` is the command's memory, if it has one.
+// `array` is the command's memory, if it has any.
 std::string print_pointer(const Command& command, std::size_t i, const PrintedArray& array) {
     const auto offset = static_cast<std::int64_t>(command.number(command.first(i)));
     if (!command.memory) return offset == 0 ? "NULL" : fmt::format("(const void*){}", offset);
@@ -202,7 +202,7 @@ std::string print(const Command& command, const PrintedArray& array) {
     return fmt::format("{}({});", sig.name, fmt::join(arguments, ", "));
 }
 
-// Line by line, each from `indent` on; pragmas stand at the left.
+// One line per command, indented by `indent`; pragmas are not indented.
 std::string print_lines(const CommandList& scene, std::string_view indent) {
     std::string text;
     MemoryNames memories;
@@ -210,7 +210,7 @@ std::string print_lines(const CommandList& scene, std::string_view indent) {
     for (const Command& command : scene.commands) {
         const bool has_array = command.memory && command.id != CommandId::pragma_texture;
         const PrintedArray array = has_array ? memories.name(*command.memory, indent, text) : PrintedArray{};
-        // What a reader could not know.
+        // The result of a call, if it differs from the one that the reader would choose.
         const Signature& sig = command.sig();
         const bool has_result = sig.c_arguments() < sig.parameters.size();
         const auto type = has_result ? named_objects(sig.parameters.back()) : std::nullopt;
@@ -242,7 +242,7 @@ std::string print_c_function(const CommandList& scene) {
 }
 
 std::string print_c_program(const CommandList& scene) {
-    std::string title;  // a name must not end the comment
+    std::string title;  // without '*', so that the name cannot end the comment
     for (char c : scene.name) title += (c >= 0x20 && c < 0x7F && c != '*') ? c : '_';
     std::string text = fmt::format(
         "/* {}: a scene of Twinlight as a C program.\n"
@@ -254,7 +254,7 @@ std::string print_c_program(const CommandList& scene) {
     text +=
         "\n"
         "static void display(void) {\n"
-        "    /* The scene sets all its state itself, so start each picture from GL's own. */\n"
+        "    /* The scene sets all its state itself, so each picture starts from GL's initial state. */\n"
         "    glPushAttrib(GL_ALL_ATTRIB_BITS);\n"
         "    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
         "    glMatrixMode(GL_PROJECTION);\n    glLoadIdentity();\n"

@@ -1,5 +1,5 @@
-// Reading the C dialect: declarations of scalars and arrays, calls, pragmas. A recursive-descent parser over Lexer's
-// tokens; expressions are evaluated as they are read, with C's types (so 4/3 is 1).
+// Reads the C dialect: declarations of scalars and arrays, calls, pragmas. A recursive-descent parser over the tokens
+// of Lexer. It evaluates expressions as it reads them, with C's types (so 4/3 is 1).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,8 +60,7 @@ void Reader::statement() {
         fail(token_.place, "expected a statement such as glEnable(GL_LIGHTING); found {}", shown(token_));
     if (token_.is("void") || (token_.is("static") && ahead_.is("void"))) return program();
     for (std::string_view word : {"for", "while", "do", "if", "else", "switch", "return", "struct", "char"})
-        if (token_.is(word))
-            fail(token_.place, "'{}' is not part of a scene: write the calls out one after the other", word);
+        if (token_.is(word)) fail(token_.place, "a scene cannot use '{}'; write out each call instead", word);
     if (token_.is("const") || token_.is("static") || at_type()) return declaration();
     if (ahead_.is("=") || ahead_.is("[")) return assignment();
     const std::string name(token_.text);
@@ -69,11 +68,11 @@ void Reader::statement() {
     expect(";", fmt::format("after {}(...)", name));
 }
 
-// A scene in a function: void display(void) { ... }. Of a program as print_c_program writes it, which has its scene in
-// draw_scene, what follows only opens a window, and is not read.
+// Reads a scene in a function: void display(void) { ... }. In a program from print_c_program the function is
+// draw_scene; the rest only opens a window and is skipped.
 void Reader::program() {
     const Token first = token_;
-    if (in_program_) fail(first.place, "a function cannot stand inside another");
+    if (in_program_) fail(first.place, "a function cannot be inside another function; end the first one with }}");
     in_program_ = true;
     accept("static");
     advance();
@@ -81,7 +80,7 @@ void Reader::program() {
     advance();
     expect("(", "after the function's name");
     accept("void");
-    expect(")", fmt::format("after {}(: the function around a scene has no parameters", name.text));
+    expect(")", fmt::format("after {}(, because the function of a scene has no parameters", name.text));
     expect("{", fmt::format("after {}(void)", name.text));
     while (!token_.is("}")) {
         if (token_.kind == TokenKind::kEnd) fail(first.place, "this function is never closed; end it with }}");
@@ -91,8 +90,7 @@ void Reader::program() {
     if (program_read_) return;
     advance();
     if (token_.kind == TokenKind::kEnd) return;
-    fail(token_.place, "nothing may follow {}, which is the scene: write what other functions call into it",
-         in_quotes(name.text));
+    fail(token_.place, "only the function {} is read; move the calls of other functions into it", in_quotes(name.text));
 }
 
 void Reader::declaration() {
@@ -103,7 +101,7 @@ void Reader::declaration() {
     }
     const Kind kind = type_name();
     do {
-        if (kind == Kind::kQuadric) expect("*", "after GLUquadric: scenes have pointers to quadrics only");
+        if (kind == Kind::kQuadric) expect("*", "after GLUquadric, as in GLUquadric* name = gluNewQuadric();");
         const Token name = token_;
         if (name.kind != TokenKind::kName) {
             fail(name.place, "expected a variable's name, found {}{}", shown(name),
@@ -111,11 +109,13 @@ void Reader::declaration() {
         }
         advance();
         if (token_.is("(")) {
-            fail(name.place, "functions are not part of a scene: write what {} calls one after the other",
+            fail(name.place,
+                 "a scene cannot define the function {}; write its calls directly, or inside void display(void) {{ ... "
+                 "}}",
                  in_quotes(name.text));
         }
         if (variables_.contains(name.text))
-            fail(name.place, "{} is declared already, at {}", in_quotes(name.text),
+            fail(name.place, "{} is already declared at {}; use another name", in_quotes(name.text),
                  variables_.at(name.text).place.str());
         Object object{.kind = kind,
                       .dimensions = dimensions_in_brackets(),
@@ -129,7 +129,7 @@ void Reader::declaration() {
     expect(";", "after the declaration");
 }
 
-// The rest of a declaration from its "=" on, if there is one.
+// The rest of a declaration, after the name.
 void Reader::initialise(Object& object, const Token& name) {
     if (object.kind == Kind::kQuadric) return quadric_declaration(object);
     if (object.dimensions.empty()) {
@@ -152,17 +152,17 @@ void Reader::initialise(Object& object, const Token& name) {
         if (values.size() > object.length())
             fail(name.place, "{} has {} values, but its length is {}", object.shown, values.size(), object.length());
     }
-    if (object.length() == 0) fail(name.place, "{} needs a length or values: GLfloat {}[4];", object.shown, name.text);
+    if (object.length() == 0)
+        fail(name.place, "{} needs a length or values, as in GLfloat {}[4];", object.shown, name.text);
     allocate(object, name.place);
     if (has_values) fill(object, values);
 }
 
-// The one assignment there is: of what a command returns.
+// The only assignment in scenes: name = the result of a call.
 void Reader::assignment() {
     const Token name = token_;
     const auto refuse = [&] {
-        fail(name.place, "assignments are not part of a scene: give {} its value where it is declared",
-             in_quotes(name.text));
+        fail(name.place, "a scene cannot assign to {}; give it its value in its declaration", in_quotes(name.text));
     };
     advance();
     const std::optional<Lvalue> target = lvalue(name);
@@ -177,15 +177,16 @@ void Reader::assign_result(const Lvalue& target) {
     const Token name = token_;
     const Command& command = call();
     const Signature& sig = command.sig();
-    if (sig.c_arguments() == sig.parameters.size()) fail(name.place, "{} returns nothing", sig.name);
+    if (sig.c_arguments() == sig.parameters.size())
+        fail(name.place, "{} returns no value; call it without =", sig.name);
     if (sig.parameters.back().kind == Kind::kQuadric)
-        fail(name.place, "{} returns a quadric: declare {} as a GLUquadric*", sig.name, target.object->shown);
+        fail(name.place, "{} returns a quadric; declare {} as a GLUquadric*", sig.name, target.object->shown);
     const double value = converted(integer(static_cast<std::int64_t>(command.arguments.back())), target.object->kind,
-                                   name.place, fmt::format("what {} returns", sig.name));
+                                   name.place, fmt::format("the result of {}", sig.name));
     const std::span<std::byte> bytes = writable(*target.object).bytes;
     store(bytes.subspan(target.offset), target.object->kind, value);
     target.object->known = named_objects(sig.parameters.back()).has_value();
-    target.object->unknown_because = fmt::format("what {} returns is known only when it runs", sig.name);
+    target.object->unknown_because = fmt::format("the result of {} is known only when the program runs", sig.name);
 }
 
 const Command& Reader::call() {
@@ -196,9 +197,8 @@ const Command& Reader::call() {
         for (const Signature& sig : signatures())
             if (sig.family != Family::kPragma) names.push_back(sig.name);
         const auto near = nearest(name.text, names);
-        fail(
-            name.place, "unknown command {}{}", in_quotes(name.text),
-            near ? fmt::format("; did you mean {}?", *near) : "; docs/scene-language.md lists the commands of a scene");
+        fail(name.place, "unknown command {}{}", in_quotes(name.text),
+             near ? fmt::format("; did you mean {}?", *near) : "; docs/scene-language.md lists the known commands");
     }
     advance();
     Command command{*id, {}, name.place};
@@ -221,30 +221,30 @@ void Reader::pragma() {
             if (sig.family == Family::kPragma) names.push_back(sig.name);
         const auto near = nearest(name.text, names);
         fail(name.place, "unknown pragma {}; {}", shown(name),
-             near ? fmt::format("did you mean {}?", *near) : fmt::format("Twinlight knows {}", fmt::join(names, ", ")));
+             near ? fmt::format("did you mean {}?", *near) : fmt::format("the pragmas are {}", fmt::join(names, ", ")));
     }
     advance();
     Command command{*id, {}, place};
     expect("(", fmt::format("after #pragma twinlight {}", name.text));
     arguments(command, signature(*id));
-    expect(";", fmt::format("or the line's end after {}(...)", name.text));
+    expect(";", fmt::format("or the end of the line after {}(...)", name.text));
     commands_.push_back(std::move(command));
 }
 
-// #pragma twinlight returns(7): the names that the next glGenLists gives start at 7.
+// #pragma twinlight returns(7): the result of the next glGenLists is 7.
 void Reader::returns_pragma() {
     returns_place_ = token_.place;
     advance();
     expect("(", "after #pragma twinlight returns");
     const Place place = token_.place;
-    returns_ = converted(number(), Kind::kUint, place, "what the next call returns");
+    returns_ = converted(number(), Kind::kUint, place, "the number in returns(...)");
     expect(")", "after the number");
-    expect(";", "or the line's end after returns(...)");
+    expect(";", "or the end of the line after returns(...)");
 }
 
 // ---- Objects ----
 
-// "[8][3]", "[][3]" or nothing; a length that is left open is 0.
+// Reads "[8][3]", "[][3]" or nothing. An omitted length is 0.
 Dimensions Reader::dimensions_in_brackets() {
     constexpr std::size_t kMaxDimensions = 8;
     Dimensions dimensions;
@@ -252,7 +252,7 @@ Dimensions Reader::dimensions_in_brackets() {
     while (token_.is("[")) {
         const Place place = token_.place;
         advance();
-        if (dimensions.size() == kMaxDimensions) fail(place, "an array has at most {} dimensions", kMaxDimensions);
+        if (dimensions.size() == kMaxDimensions) fail(place, "an array can have at most {} dimensions", kMaxDimensions);
         if (dimensions.empty() && accept("]")) {
             dimensions.push_back(0);
             continue;
@@ -262,15 +262,15 @@ Dimensions Reader::dimensions_in_brackets() {
         expect("]", "after the array's length");
         if (!length.is_integer() || length.integer < 1 ||
             length.integer > static_cast<std::int64_t>(kMaxArrayLength / total))
-            fail(length_place, "an array's length is a whole number from 1 to {}", kMaxArrayLength);
+            fail(length_place, "an array's length must be a whole number from 1 to {}", kMaxArrayLength);
         dimensions.push_back(static_cast<std::size_t>(length.integer));
         total *= dimensions.back();
     }
     return dimensions;
 }
 
-// {1, 2, 3}, {{1, 2}, {3, 4}}: into values[start...]. Rows may stand without braces of their own, as in C. Only the
-// outermost array (is_open) may be longer than its dimensions say; the caller tells that.
+// Reads {1, 2, 3} or {{1, 2}, {3, 4}} into values[start...]. As in C, rows need no braces. Only the outermost array
+// (is_open) may become longer than its dimensions; the caller checks that.
 void Reader::arrays_values(Kind kind, std::span<const std::size_t> dimensions, std::vector<double>& values,
                            std::size_t start, bool is_open) {
     const std::size_t row =
@@ -280,11 +280,12 @@ void Reader::arrays_values(Kind kind, std::span<const std::size_t> dimensions, s
     expect("{", "at the start of the array's values");
     while (!token_.is("}")) {
         const Place place = token_.place;
-        if (position >= end && is_open) fail(place, "an array has at most {} values", kMaxArrayLength);
+        if (position >= end && is_open) fail(place, "an array can have at most {} values", kMaxArrayLength);
         if (position >= end) fail(place, "this row has more than {} values", end - start);
         if (token_.is("{")) {
-            if (dimensions.size() == 1) fail(place, "these braces are one level too deep: expected a value");
-            if ((position - start) % row != 0) fail(place, "this row starts in the middle of another");
+            if (dimensions.size() == 1) fail(place, "these braces are one level too deep; expected a value");
+            if ((position - start) % row != 0)
+                fail(place, "this row starts before the previous one is complete; put the previous row in braces too");
             arrays_values(kind, dimensions.subspan(1), values, position, false);
             position += row;
         } else {
@@ -300,7 +301,7 @@ void Reader::arrays_values(Kind kind, std::span<const std::size_t> dimensions, s
 
 void Reader::hold(std::size_t bytes, const Place& place) {
     if (bytes > kMaxMemoryBytes - bytes_)
-        fail(place, "all arrays of a scene hold {} MiB at the most together", kMaxMemoryBytes >> 20);
+        fail(place, "all arrays and pictures of a scene together can have at most {} MiB", kMaxMemoryBytes >> 20);
     bytes_ += bytes;
 }
 
@@ -310,7 +311,7 @@ void Reader::allocate(Object& object, const Place& place) {
     object.memory = std::make_shared<Memory>(Memory{object.kind, std::vector<std::byte>(bytes)});
 }
 
-// C sets what is not given to 0.
+// Missing values become 0, as in C.
 void Reader::fill(Object& object, const std::vector<double>& values) {
     const std::size_t size = size_of(object.kind);
     const std::span<std::byte> bytes = object.memory->bytes;
@@ -326,7 +327,7 @@ Memory& Reader::writable(Object& object) {
     return *object.memory;
 }
 
-// Compound literals live as long as their statement, and as the commands that point into them.
+// A compound literal lives to the end of its statement, or as long as a command that points into it.
 void Reader::forget_literals() {
     for (const Object& literal : literals_)
         if (literal.memory.use_count() == 1) bytes_ -= literal.memory->bytes.size();
@@ -335,14 +336,14 @@ void Reader::forget_literals() {
 
 ImageFile no_images(const std::string&) {
     throw std::runtime_error(
-        "this scene stands in no folder that the picture could be read from; save it to a file beside the picture");
+        "this scene has no folder to read the picture from; save the scene in a file next to the picture");
 }
 
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
                        const ImageLoader& load_image) {
     if (text.size() > kMaxSceneBytes) {
         throw SceneError(
-            fmt::format("{}: this scene has {} bytes; at most {} are read", file, text.size(), kMaxSceneBytes));
+            fmt::format("{}: this scene has {} bytes; the limit is {}", file, text.size(), kMaxSceneBytes));
     }
     return {name, Reader(text, file, load_image).read()};
 }

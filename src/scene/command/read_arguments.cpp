@@ -1,4 +1,4 @@
-// Reading the arguments of a call, each as the table of commands says.
+// Reads the arguments of a call as the table of commands describes them.
 #include <fmt/format.h>
 
 #include "scene/command/memory.h"
@@ -7,7 +7,7 @@
 
 namespace twinlight {
 
-// The arguments after "(", and the ")".
+// Reads the arguments after "(" and the ")".
 void Reader::arguments(Command& command, const Signature& sig) {
     const std::size_t wanted = sig.c_arguments();
     const auto wrong_count = [&](const Place& place, std::string_view found) {
@@ -19,9 +19,11 @@ void Reader::arguments(Command& command, const Signature& sig) {
             rest_arguments(command, sig.parameters[given]);
             break;
         }
-        if (token_.is(")")) wrong_count(token_.place, fmt::format("only {} given", given));
+        if (token_.is(")"))
+            wrong_count(token_.place, fmt::format("only {} {} given", given, given == 1 ? "is" : "are"));
         if (given > 0) expect(",", fmt::format("between the arguments of {}", sig.name));
-        if (token_.is(")")) wrong_count(token_.place, fmt::format("only {} given", given));
+        if (token_.is(")"))
+            wrong_count(token_.place, fmt::format("only {} {} given", given, given == 1 ? "is" : "are"));
         argument(command, given);
     }
     if (token_.is(",")) wrong_count(token_.place, "more are given");
@@ -29,7 +31,8 @@ void Reader::arguments(Command& command, const Signature& sig) {
     if (wanted < sig.parameters.size())
         command.arguments.push_back(result(command, sig.parameters.back()));
     else if (returns_)
-        fail(returns_place_, "the next call is {}, which returns nothing", sig.name);
+        fail(returns_place_, "returns(...) must come before a call that returns a value; the next call is {}",
+             sig.name);
 }
 
 void Reader::argument(Command& command, std::size_t i) {
@@ -68,20 +71,19 @@ double Reader::word_argument(const Parameter& parameter) {
         for (const NamedValue& known : words()) names.push_back(known.name);
         const auto near = nearest(token_.text, names);
         fail(token_.place, "expected a word for {}, found {}{}", parameter.name, shown(token_),
-             near ? fmt::format("; did you mean {}?", *near) : "");
+             near ? fmt::format("; did you mean {}?", *near) : "; docs/scene-language.md lists the words");
     }
     advance();
     return *word;
 }
 
-// An array, a place in one, NULL, or an offset into a buffer object in a pointer's clothes: (const void*)12.
+// Reads an array, a place in an array, NULL, or an offset into a buffer object: (const void*)12.
 void Reader::pointer_argument(Command& command, const Parameter& parameter) {
     const Token start = token_;
     const Value given = expression();
     if (!given.is_pointer() && !(given.is_integer() && given.integer == 0)) {
         fail(start.place,
-             "the argument {} of {} is a pointer: an array, NULL, or an offset into a buffer "
-             "object such as (const void*)12",
+             "the argument {} of {} must be an array, NULL, or an offset into a buffer object such as (const void*)12",
              parameter.name, command.name());
     }
     if (given.object) {
@@ -92,7 +94,8 @@ void Reader::pointer_argument(Command& command, const Parameter& parameter) {
     command.arguments.push_back(static_cast<double>(given.offset));
 }
 
-// A picture's file in the scene's folder, "brick.png", read once however often it is named.
+// Reads the name of a picture in the scene's folder, "brick.png". Each picture is loaded once, even if it is named
+// again.
 void Reader::image_argument(Command& command) {
     const Token name = token_;
     if (name.kind != TokenKind::kString)
@@ -105,7 +108,7 @@ void Reader::image_argument(Command& command) {
             ImageFile image = load_image_(file);
             if (image.rgba.size() > kMaxMemoryBytes - bytes_) {
                 throw std::runtime_error(fmt::format(
-                    "all arrays and pictures of a scene hold {} MiB at the most together", kMaxMemoryBytes >> 20));
+                    "all arrays and pictures of a scene together can have at most {} MiB", kMaxMemoryBytes >> 20));
             }
             bytes_ += image.rgba.size();
             auto memory = std::make_shared<const Memory>(Memory{Kind::kUbyte, std::move(image.rgba), file});
@@ -121,21 +124,21 @@ void Reader::image_argument(Command& command) {
 
 namespace {
 
-// "glLightfv with GL_POSITION": for messages.
+// For messages: "glLightfv with GL_POSITION".
 std::string with_pname(std::string_view name, std::optional<Enum> pname) {
     for (const NamedValue& row : gl_names())
         if (pname && row.value == *pname) return fmt::format("{} with {}", name, row.name);
     return std::string(name);
 }
 
-// The object holds what a driver answered.
+// Marks the object's values as unknown, because the command writes to it.
 void forget_values(Object& object, const Command& command) {
     object.known = false;
     object.unknown_because =
-        fmt::format("{} at {} writes to it, and a scene cannot use the answer", command.name(), command.place.str());
+        fmt::format("{} at {} writes to it, and a scene cannot use the result", command.name(), command.place.str());
 }
 
-// How many values of an array the command reads or writes; nothing where that is not known.
+// How many values of an array the command reads or writes; nullopt if that is not known.
 std::optional<std::size_t> length_of(const Command& command, std::size_t i, std::optional<Enum> pname) {
     switch (command.sig().parameters[i].extent) {
         case Extent::kArrayByPname:
@@ -151,7 +154,7 @@ std::optional<std::size_t> length_of(const Command& command, std::size_t i, std:
 
 }  // namespace
 
-// An array of any type that the command writes to, or NULL. What is kept is how many bytes there are.
+// Reads an array of any type that the command writes to, or NULL. The argument's value is the size in bytes.
 void Reader::written_argument(Command& command, const Parameter& parameter) {
     const Token start = token_;
     const Value given = expression();
@@ -159,8 +162,8 @@ void Reader::written_argument(Command& command, const Parameter& parameter) {
                          (given.is_pointer() ? given.offset : given.integer) == 0;
     if (!given.object && !is_null) {
         fail(start.place,
-             "the argument {} of {} is an array that it writes to, or NULL; a scene reads nothing "
-             "back into buffer objects",
+             "the argument {} of {} must be an array for the result, or NULL; a scene cannot read back into buffer "
+             "objects",
              parameter.name, command.name());
     }
     if (given.object) forget_values(*given.object, command);
@@ -181,8 +184,8 @@ void Reader::array_argument(Command& command, std::size_t i) {
     Object& object = *given.object;
     const Kind kind = given.kind.value_or(parameter.kind);
     if (c_type(kind) != c_type(parameter.kind)) {
-        fail(start.place, "{} takes an array of {}, but {} is one of {}", name, c_type_name(c_type(parameter.kind)),
-             object.shown, c_type_name(c_type(kind)));
+        fail(start.place, "{} takes an array of {}, but {} is an array of {}", name,
+             c_type_name(c_type(parameter.kind)), object.shown, c_type_name(c_type(kind)));
     }
     const std::size_t size = size_of(kind);
     const std::size_t available = (object.memory->bytes.size() - static_cast<std::size_t>(given.offset)) / size;
@@ -196,7 +199,7 @@ void Reader::array_argument(Command& command, std::size_t i) {
              length, length == 1 ? "" : "s", object.shown, available);
     }
     if (parameter.is_output()) return forget_values(object, command);
-    constexpr std::size_t kShort = 16;  // what the text itself has room for
+    constexpr std::size_t kShort = 16;  // the limit on the text covers shorter arrays
     if (length > kShort) hold(length * sizeof(double), start.place);
     if (parameter.extent == Extent::kNewNames) return give_names(command, *named_objects(parameter), given, length);
     if (!object.known && length > 0)
@@ -206,8 +209,8 @@ void Reader::array_argument(Command& command, std::size_t i) {
         command.arguments.push_back(load(bytes.subspan(static_cast<std::size_t>(given.offset) + n * size), kind));
 }
 
-// The names of `count` new objects, recorded and written to the array. A compound literal may say them itself: where it
-// is not 0, (GLuint[]){7, 9}.
+// Records the names of `count` new objects and writes them to the array. A compound literal may give the names:
+// (GLuint[]){7, 9}; 0 means that the reader chooses.
 void Reader::give_names(Command& command, ObjectType type, const Value& array, std::size_t count) {
     const std::span<std::byte> bytes =
         std::span(writable(*array.object).bytes).subspan(static_cast<std::size_t>(array.offset));
@@ -225,7 +228,7 @@ void Reader::give_names(Command& command, ObjectType type, const Value& array, s
     command.arguments.insert(command.arguments.end(), names.begin(), names.end());
 }
 
-// What a command returns, as far as a scene can know: the names of new lists.
+// The result of a command, if the reader can know it: the names of new lists; otherwise 0.
 double Reader::result(const Command& command, const Parameter& parameter) {
     if (returns_) {
         const double said = *returns_;

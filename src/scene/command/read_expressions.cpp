@@ -1,4 +1,4 @@
-// Reading expressions: numbers with C's types, and pointers into arrays.
+// Reads expressions: numbers with C's types, and pointers into arrays.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -47,7 +47,7 @@ constexpr NamedType kTypes[] = {
     {"GLUquadricObj", Kind::kQuadric},
 };
 
-// Types that only pointers point at here, byte by byte.
+// Types that occur only behind pointers; their size is 1.
 bool is_byte_type(const Token& token) {
     return token.is("void") || token.is("GLvoid") || token.is("char") || token.is("GLchar");
 }
@@ -109,7 +109,7 @@ Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) {
             case '*': overflow = __builtin_mul_overflow(a.integer, b.integer, &result); break;
             case '|': result = a.integer | b.integer; break;
             default:
-                if (b.integer == 0) fail(op.place, "division of whole numbers by 0");
+                if (b.integer == 0) fail(op.place, "this divides a whole number by 0");
                 overflow = a.integer == std::numeric_limits<std::int64_t>::min() && b.integer == -1;
                 if (!overflow) result = a.integer / b.integer;
         }
@@ -119,14 +119,14 @@ Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) {
     if (a.is_pointer() && b.is_integer() && (o == '+' || o == '-')) return moved(op, a, b);
     if (b.is_pointer() && a.is_integer() && o == '+') return moved(op, b, a);
     if (a.is_pointer() || b.is_pointer())
-        fail(op.place, "'{}' cannot join an array and this; a whole number is added to an array's name", o);
-    if (o == '|') fail(op.place, "'|' joins whole numbers, such as GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
+        fail(op.place, "'{}' cannot combine an array with this value; only a whole number can be added to an array", o);
+    if (o == '|') fail(op.place, "'|' combines only whole numbers, as in GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
     const bool is_float = a.type != Value::Type::kDouble && b.type != Value::Type::kDouble;
     const double x = a.number(), y = b.number();
     return real(o == '+' ? x + y : o == '-' ? x - y : o == '*' ? x * y : x / y, is_float);
 }
 
-// A pointer some elements further on, or back.
+// The pointer moved by a number of elements.
 Value Reader::moved(const Token& op, Value pointer, const Value& by) {
     const auto step = static_cast<std::int64_t>(pointer.step);
     std::int64_t bytes = 0;
@@ -136,8 +136,8 @@ Value Reader::moved(const Token& op, Value pointer, const Value& by) {
     const auto last = pointer.object ? static_cast<std::int64_t>(pointer.object->memory->bytes.size())
                                      : static_cast<std::int64_t>(whole_range(Kind::kSizeiptr).largest);
     if (!overflow && pointer.offset >= 0 && pointer.offset <= last) return pointer;
-    if (!pointer.object) fail(op.place, "this offset is too large, or below 0");
-    fail(op.place, "this place lies outside {}, which has {} values", pointer.object->shown, pointer.object->length());
+    if (!pointer.object) fail(op.place, "this offset is too large or negative");
+    fail(op.place, "this pointer is outside {}, which has {} values", pointer.object->shown, pointer.object->length());
 }
 
 // Operands with one of the operators between each two.
@@ -153,7 +153,7 @@ Value Reader::left_to_right(const Operand& operand, Operators... operators) {
 }
 
 Value Reader::expression() {
-    if (++nesting_ > kMaxNesting) fail(token_.place, "this expression is nested deeper than {}", kMaxNesting);
+    if (++nesting_ > kMaxNesting) fail(token_.place, "this expression is nested more than {} levels deep", kMaxNesting);
     const Value value = left_to_right([this] { return sum(); }, "|");
     --nesting_;
     return value;
@@ -163,9 +163,9 @@ Value Reader::number() {
     const Token start = token_;
     const Value value = expression();
     if (!value.is_pointer()) return value;
-    if (!value.object) fail(start.place, "a pointer stands here, and a number is needed");
-    fail(start.place, "{} is an array, and a single number is needed here; choose an element{}", value.object->shown,
-         value.object->is_literal ? "" : fmt::format(": {}[0]", start.text));
+    if (!value.object) fail(start.place, "this is a pointer, but a number is needed here");
+    fail(start.place, "{} is an array, but a single number is needed here; choose an element{}", value.object->shown,
+         value.object->is_literal ? "" : fmt::format(", such as {}[0]", start.text));
 }
 
 Value Reader::sum() {
@@ -181,7 +181,7 @@ Value Reader::unary() {
     }
     const bool has_sign = token_.place.column != start.place.column || token_.place.line != start.place.line;
     Value value = primary();
-    if (has_sign && value.is_pointer()) fail(start.place, "an array has no sign");
+    if (has_sign && value.is_pointer()) fail(start.place, "an array cannot have a sign");
     if (!negative) return value;
     if (value.integer == std::numeric_limits<std::int64_t>::min()) fail(token_.place, "this whole number is too large");
     value.integer = -value.integer;
@@ -197,11 +197,12 @@ Value Reader::primary() {
     advance();
     if (token.is("&")) {
         const Token name = token_;
-        if (name.kind != TokenKind::kName) fail(name.place, "'&' stands before the name of an array or a variable");
+        if (name.kind != TokenKind::kName)
+            fail(name.place, "'&' must be followed by the name of an array or a variable");
         advance();
         const std::optional<Lvalue> place = lvalue(name);
         if (!place) unknown_name(name);
-        if (place->object->kind == Kind::kQuadric) fail(name.place, "a scene has no pointers to pointers to quadrics");
+        if (place->object->kind == Kind::kQuadric) fail(name.place, "a scene cannot take the address of a GLUquadric*");
         return address_of(*place);
     }
     if (token.kind == TokenKind::kNumber) return literal(token);
@@ -212,7 +213,7 @@ Value Reader::primary() {
 
 // (1 + 2), (GLfloat)1, (const void*)12, (GLfloat[]){1, 0, 0, 1}
 Value Reader::parenthesis() {
-    if (++nesting_ > kMaxNesting) fail(token_.place, "this expression is nested deeper than {}", kMaxNesting);
+    if (++nesting_ > kMaxNesting) fail(token_.place, "this expression is nested more than {} levels deep", kMaxNesting);
     const Place place = token_.place;
     advance();
     Value value;
@@ -226,7 +227,7 @@ Value Reader::parenthesis() {
     return value;
 }
 
-// The rest of a cast or a compound literal after its "(".
+// The rest of a cast or compound literal after "(".
 Value Reader::cast(const Place& place) {
     while (accept("const")) {
     }
@@ -247,15 +248,16 @@ Value Reader::cast(const Place& place) {
     expect(")", "after the type");
     Value value = unary();
     if (stars == 0) {
-        if (value.is_pointer() || !kind) fail(place, "this cast makes no number");
+        if (value.is_pointer() || !kind) fail(place, "this cast does not give a number");
         if (is_real(*kind)) return real(value.number(), *kind == Kind::kFloat);
         const double whole = std::trunc(value.number());
         if (!(std::abs(whole) <= 0x1p53)) fail(place, "this number is too large for the cast");
         return integer(static_cast<std::int64_t>(
-            converted(integer(static_cast<std::int64_t>(whole)), *kind, place, "what is cast")));
+            converted(integer(static_cast<std::int64_t>(whole)), *kind, place, "the number in this cast")));
     }
     if (!value.is_pointer()) {
-        if (!value.is_integer() || value.integer < 0) fail(place, "a pointer is an array, NULL or an offset from 0 on");
+        if (!value.is_integer() || value.integer < 0)
+            fail(place, "a pointer must be an array, NULL or an offset of 0 or more");
         value = {.type = Value::Type::kPointer, .offset = value.integer};
     }
     value.kind = kind;
@@ -296,7 +298,7 @@ Value Reader::literal(const Token& token) {
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (end != digits.data() + digits.size() || error == std::errc::invalid_argument) bad();
         if (error == std::errc::result_out_of_range) {
-            // Too small is 0 or a denormal, as in C; too large is an error.
+            // A too small number becomes 0 or a denormal, as in C; a too large one is an error.
             value = std::strtod(std::string(digits).c_str(), nullptr);
             if (std::isinf(value)) fail(token.place, "{} is too large for a double", in_quotes(token.text));
         }
@@ -311,7 +313,7 @@ Value Reader::literal(const Token& token) {
                                               : octal ? 8
                                                       : 10);
     if (error == std::errc::result_out_of_range)
-        fail(token.place, "{} is too large; write it with a point for a double", in_quotes(token.text));
+        fail(token.place, "{} is too large for a whole number; write it with a decimal point", in_quotes(token.text));
     if (significant.empty() || end != significant.data() + significant.size()) bad();
     return integer(value);
 }
@@ -345,7 +347,7 @@ Value Reader::size_of_operand() {
 
 // ---- Names ----
 
-// A variable's name, which has been read, with the subscripts after it; nothing for what is no variable.
+// Reads the subscripts after a variable's name. Returns nullopt if `name` is not a variable.
 std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
     const auto found = variables_.find(name.text);
     if (name.kind != TokenKind::kName || found == variables_.end()) return std::nullopt;
@@ -357,8 +359,8 @@ std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
         expect("]", "after the index");
         const std::size_t length = result.dimensions.front();
         if (!index.is_integer() || index.integer < 0 || index.integer >= static_cast<std::int64_t>(length)) {
-            fail(place, "this index lies outside {}, which has {} {}", object.shown, length,
-                 result.dimensions.size() > 1 ? "rows" : "values");
+            fail(place, "this index is outside {}, which has {} {}{}; indices start at 0", object.shown, length,
+                 result.dimensions.size() > 1 ? "row" : "value", length == 1 ? "" : "s");
         }
         result.dimensions.erase(result.dimensions.begin());
         result.offset += static_cast<std::size_t>(index.integer) * product_of(result.dimensions) * size_of(object.kind);
@@ -366,7 +368,7 @@ std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
     return result;
 }
 
-// What an lvalue is worth: a number, or, of an array, a pointer to its first element.
+// The value of an lvalue: a number, or for an array a pointer to its first element.
 Value Reader::value_of(const Lvalue& lvalue, const Place& place) {
     Object& object = *lvalue.object;
     if (!lvalue.dimensions.empty()) {
@@ -376,7 +378,7 @@ Value Reader::value_of(const Lvalue& lvalue, const Place& place) {
                 .kind = object.kind,
                 .step = size_of(object.kind) * product_of(std::span(lvalue.dimensions).subspan(1))};
     }
-    if (object.kind == Kind::kQuadric) fail(place, "{} is a quadric, and a number is needed here", object.shown);
+    if (object.kind == Kind::kQuadric) fail(place, "{} is a quadric, but a number is needed here", object.shown);
     if (!object.known) fail(place, "{} has no value here: {}", object.shown, object.unknown_because);
     const double value = load(std::span(object.memory->bytes).subspan(lvalue.offset), object.kind);
     if (is_real(object.kind)) return real(value, object.kind == Kind::kFloat);
@@ -408,10 +410,17 @@ Value Reader::named_value(const Token& name) {
 void Reader::unknown_name(const Token& name) {
     std::vector<std::string_view> names = visible_names();
     for (const NamedValue& row : gl_names()) names.push_back(row.name);
+    // The nearest name to GL_LIGHT8 is another light, which is not what the scene means.
+    constexpr std::string_view kLight = "GL_LIGHT";
+    const bool is_light = name.text.starts_with(kLight) && name.text.size() > kLight.size() &&
+                          name.text.find_first_not_of("0123456789", kLight.size()) == std::string_view::npos;
+    if (is_light)
+        fail(name.place, "unknown name {}; GL has GL_LIGHT0 to GL_LIGHT7, others need #pragma twinlight light(8, ...)",
+             in_quotes(name.text));
     const auto near = nearest(name.text, names);
     fail(name.place, "unknown name {}{}", in_quotes(name.text),
          near             ? fmt::format("; did you mean {}?", *near)
-         : token_.is("(") ? "; a call cannot stand inside an expression"
+         : token_.is("(") ? "; a call cannot be part of an expression"
                           : "");
 }
 
@@ -423,7 +432,7 @@ std::vector<std::string_view> Reader::visible_names() const {
 
 // ---- Conversion ----
 
-// The value as the C type of `kind` holds it.
+// The value converted to the C type of `kind`. `what` names it in messages.
 double Reader::converted(const Value& number, Kind kind, const Place& place, std::string_view what) {
     const double value = number.number();
     if (is_real(kind)) {

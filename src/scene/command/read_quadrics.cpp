@@ -1,4 +1,5 @@
-// Reading GLU's quadrics: variables that point to them, gluNewQuadric(). They are numbered from 1 as they are made.
+// Reads GLU's quadrics: variables that point to them, and gluNewQuadric(). Quadrics are numbered from 1 in order of
+// creation.
 #include <fmt/format.h>
 
 #include "scene/command/memory.h"
@@ -6,22 +7,22 @@
 
 namespace twinlight {
 
-// The rest of GLUquadric* q = gluNewQuadric(); after the name.
+// The rest of the declaration GLUquadric* q = gluNewQuadric(); after the name.
 void Reader::quadric_declaration(Object& object) {
-    if (!object.dimensions.empty()) fail(object.place, "arrays of quadrics are not part of a scene: declare each");
+    if (!object.dimensions.empty()) fail(object.place, "a scene cannot use arrays of quadrics; declare each quadric");
     allocate(object, object.place);
     if (!accept("=")) return;
     fill(object, {quadric_value()});
 }
 
-// The rest of q = gluNewQuadric(); after the name.
+// The rest of the assignment q = gluNewQuadric(); after the name.
 void Reader::quadric_assignment(Object& object) {
     expect("=", fmt::format("after {}", object.shown));
     fill(object, {quadric_value()});
     expect(";", "after the assignment");
 }
 
-// gluNewQuadric(), the name of a quadric, NULL or 0 for none.
+// Reads gluNewQuadric(), the name of a quadric, or NULL or 0 for none.
 double Reader::quadric_value() {
     const Token token = token_;
     if (token.is("gluNewQuadric")) return call().arguments.back();
@@ -44,7 +45,7 @@ double Reader::quadric_value() {
 double Reader::quadric_argument(const Command& command) {
     const Place place = token_.place;
     const double quadric = quadric_value();
-    if (quadric == 0) fail(place, "{} is given no quadric; make one by gluNewQuadric()", command.name());
+    if (quadric == 0) fail(place, "{} needs a quadric; create one with gluNewQuadric()", command.name());
     return quadric;
 }
 

@@ -1,4 +1,4 @@
-// Reader: the parser of the C dialect, and what its expressions come to. Used by read*.cpp alone.
+// Reader: parses the C dialect and evaluates its expressions. Used only by read*.cpp.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +19,21 @@ namespace twinlight {
 // The lengths of an array of arrays, the outermost first; none for a single value.
 using Dimensions = std::vector<std::size_t>;
 
-// What a declaration or a compound literal makes: its bytes, and whether they mean anything.
+// A variable, an array or a compound literal: its bytes, and whether their values are known.
 struct Object {
     Kind kind{};
     Dimensions dimensions;
-    std::shared_ptr<Memory> memory{};  // shared with the commands that point into it; copied before it changes then
+    std::shared_ptr<Memory> memory{};  // shared with the commands that point into it; if shared, copied before a change
     std::string shown;                 // for messages: its name, or "this array"
     Place place;
     bool is_literal = false;
-    bool known = false;  // false: declared without a value, or written by a glGet*
+    bool known = false;  // false if declared without a value, or written by glGet*
     std::string unknown_because{};
 
-    std::size_t length() const;  // in values
+    std::size_t length() const;  // number of values
 };
 
-// What an expression comes to: a number with its C type - int (64 bits here, so that every GL type fits), float or
+// The value of an expression: a number with its C type - int (64 bits here, so that every GL type fits), float or
 // double - or a pointer.
 struct Value {
     enum class Type : std::uint8_t { kInteger, kFloat, kDouble, kPointer };
@@ -41,8 +41,8 @@ struct Value {
     std::int64_t integer = 0;
     double real = 0;
 
-    // Of a pointer: where it points, in bytes from the object's start (from 0, without an object: NULL is 0); the type
-    // that it points at (none for void and char, of size 1), and that type's size.
+    // For a pointer: the object and the offset in bytes from its start (without an object, NULL is offset 0); the type
+    // that it points at (nullopt for void and char) and the size of that type (1 for void and char).
     Object* object = nullptr;
     std::int64_t offset = 0;
     std::optional<Kind> kind{};
@@ -63,7 +63,7 @@ class Reader {
     std::vector<Command> read();
 
   private:
-    // An object's part that a name with its subscripts stands for; without dimensions it is one value.
+    // The object or part of an object that a name with subscripts denotes. Without dimensions it is a single value.
     struct Lvalue {
         Object* object = nullptr;
         std::size_t offset = 0;  // in bytes
@@ -83,9 +83,9 @@ class Reader {
     void program();
     void pragma();
     void returns_pragma();
-    // name(arguments): the command is recorded; the answer is its place among the commands.
+    // Reads name(arguments), adds the command to commands_ and returns it.
     const Command& call();
-    // A call on the right of "=".
+    // Reads the call on the right of "=" and stores its result.
     void assign_result(const Lvalue& target);
     void arrays_values(Kind kind, std::span<const std::size_t> dimensions, std::vector<double>& values,
                        std::size_t start, bool is_open);
@@ -116,7 +116,7 @@ class Reader {
 
     // -- expressions: bitwise or, sum, product, unary, primary; C's precedence (read_expressions.cpp) --
     Value expression();
-    Value number();  // an expression that is no pointer
+    Value number();  // an expression that must not be a pointer
     template <class Operand, class... Operators>
     Value left_to_right(const Operand& operand, Operators... operators);
     Value sum();
@@ -148,25 +148,25 @@ class Reader {
     bool program_read_ = false;
     std::map<std::string_view, Object> variables_;
     std::deque<Object> literals_;  // of the statement that is being read
-    // That all objects and images hold, older contents of objects that commands point into, and long arguments.
+    // The size of all objects, images, long arguments, and earlier contents of objects that commands point into.
     std::size_t bytes_ = 0;
     const ImageLoader& load_image_;
     struct LoadedImage {
         int width = 0, height = 0;
         std::shared_ptr<const Memory> memory;
     };
-    std::map<std::string, LoadedImage, std::less<>> images_;  // by their files' names
+    std::map<std::string, LoadedImage, std::less<>> images_;  // by file name
     ObjectNames names_;
-    std::optional<double> returns_;  // what the next call returns, where a pragma says so
+    std::optional<double> returns_;  // the result of the next call, if a pragma gives it
     Place returns_place_;
     std::vector<Command> commands_;
-    double quadrics_ = 0;  // made so far
+    double quadrics_ = 0;  // number created so far
 };
 
-// "'GL_LIGHTT0'", or "the end of the scene".
+// For messages: "'GL_LIGHTT0'", or "the end of the scene".
 std::string shown(const Token& token);
 
-// The kind of a GL or C type's name.
+// The kind of a GL or C type, by name.
 std::optional<Kind> find_type(std::string_view name);
 
 Value integer(std::int64_t value);

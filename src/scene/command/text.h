@@ -1,5 +1,5 @@
-// Scenes as text: reading C statements, and printing them as C that compiles (docs/scene-language.md). Reading what was
-// printed gives the same commands.
+// Reads scenes from C text, and prints them as C that compiles (docs/scene-language.md). Reading printed text gives the
+// same commands again.
 #pragma once
 
 #include <cstddef>
@@ -22,24 +22,24 @@ struct SceneError : std::runtime_error {
 inline constexpr std::size_t kMaxSceneBytes = 64u << 20;
 inline constexpr std::size_t kMaxNesting = 64;  // parentheses in an expression
 inline constexpr std::size_t kMaxArrayLength = 1 << 24;
-inline constexpr std::size_t kMaxMemoryBytes = 256u << 20;  // of all arrays together
+inline constexpr std::size_t kMaxMemoryBytes = 256u << 20;  // all arrays together
 
-// Red, green, blue and alpha of each pixel, a byte each; row by row, the lowest first, as GL has them.
+// Red, green, blue and alpha of each pixel, one byte each; row by row, the bottom row first, as in GL.
 struct ImageFile {
     int width = 0, height = 0;
     std::vector<std::byte> rgba;
 };
-// Reads the image that #pragma twinlight texture(...) names. Throws std::runtime_error: why it cannot, and what to do.
+// Reads the image that #pragma twinlight texture(...) names. Throws std::runtime_error with the reason and a remedy.
 using ImageLoader = std::function<ImageFile(const std::string& name)>;
-// For scenes that stand in no folder: refuses every name.
+// For scenes without a folder, such as those from standard input: refuses every name.
 ImageFile no_images(const std::string& name);
 
-// Reads the C dialect. `file` is used in places; `name` in reports. Throws SceneError.
+// Reads the C dialect. `file` appears in error messages, `name` in reports. Throws SceneError.
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
                        const ImageLoader& load_image = no_images);
 
 std::string print_command(const Command& command);       // "glEnable(GL_LIGHT0);", no newline
-std::string print_scene(const CommandList& scene);       // a line a command
+std::string print_scene(const CommandList& scene);       // one line per command
 std::string print_c_function(const CommandList& scene);  // "static void draw_scene(void) { ... }"
 std::string print_c_program(const CommandList& scene);   // a freeglut program that draws the scene
 

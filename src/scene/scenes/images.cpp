@@ -14,32 +14,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file itself, links followed.
+// The path of the picture, with links followed.
 fs::path place_of(const fs::path& folder, const std::string& name) {
     const bool is_bare = !name.empty() && name.find_first_of("/\\") == std::string::npos && name != "." && name != "..";
     if (!is_bare) {
         throw std::runtime_error(
-            "a picture lies in the scene's own folder; give its name alone, such as \"brick.png\"");
+            "a picture must be in the folder of the scene; give only its file name, such as \"brick.png\"");
     }
     std::error_code error;
     const fs::path home = fs::canonical(folder.empty() ? "." : folder, error);
     const fs::path file = error ? fs::path() : fs::canonical(home / name, error);
-    if (error) throw std::runtime_error(error.message() + "; the picture must lie beside the scene");
+    if (error) throw std::runtime_error(error.message() + "; the picture must be in the folder of the scene");
     if (file.parent_path() != home) {
-        throw std::runtime_error("a link leads out of the scene's folder; copy the picture itself there");
+        throw std::runtime_error("this link points outside the folder of the scene; copy the picture into that folder");
     }
-    if (!fs::is_regular_file(file, error)) throw std::runtime_error("it is no file; name a PNG");
+    if (!fs::is_regular_file(file, error)) throw std::runtime_error("this is not a file; give the name of a PNG file");
     return file;
 }
 
 ImageFile read_image(const fs::path& file) {
     const std::string bytes = read_file(file.string(), kMaxImageFileBytes + 1);
     if (bytes.size() > kMaxImageFileBytes) {
-        throw std::runtime_error("it has more than " + std::to_string(kMaxImageFileBytes >> 20) +
+        throw std::runtime_error("the file has more than " + std::to_string(kMaxImageFileBytes >> 20) +
                                  " MiB; make the picture smaller");
     }
     const PngPixels pixels = decode_png_pixels(bytes, kMaxImageSide);
-    // A PNG begins with the highest row, an image of GL with the lowest.
+    // The first row of a PNG is the top one, the first row of a GL image the bottom one.
     ImageFile image{pixels.width, pixels.height, std::vector<std::byte>(pixels.rgba.size())};
     const std::size_t row = static_cast<std::size_t>(pixels.width) * 4, rows = static_cast<std::size_t>(pixels.height);
     for (std::size_t y = 0; y < rows; ++y) {

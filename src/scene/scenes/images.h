@@ -1,4 +1,4 @@
-// The pictures that #pragma twinlight texture(...) reads.
+// Loads the pictures for #pragma twinlight texture(...).
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,12 @@
 
 namespace twinlight {
 
-// Limits on a picture, which is untrusted as its scene is.
+// Limits on a picture. Pictures are untrusted, like scenes.
 inline constexpr std::size_t kMaxImageFileBytes = 32u << 20;
 inline constexpr int kMaxImageSide = 2048;
 
-// Reads PNGs that lie in the scene's own folder, and no others: a name with a folder in it, and a link that leads out of
-// the folder, are refused.
+// Returns a loader for the PNGs in the folder of `scene`. It refuses names that contain a folder, and links to other
+// folders.
 ImageLoader images_beside(const std::filesystem::path& scene);
 
 }  // namespace twinlight

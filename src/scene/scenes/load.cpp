@@ -14,25 +14,25 @@ namespace twinlight {
 
 namespace {
 
-// One byte more than the limit tells a text that is too long from one that just fits.
+// One byte more than the limit, to detect texts that are too long.
 constexpr std::size_t kReadAtMost = kMaxSceneBytes + 1;
 
 CommandList read_limited(const std::string& text, const std::string& file, const std::string& name,
                          const ImageLoader& load_image = no_images) {
     if (text.size() > kMaxSceneBytes) {
         throw SceneError(file + ": is larger than " + std::to_string(kMaxSceneBytes >> 20) +
-                         " MiB; a scene is a program's commands, without its data");
+                         " MiB, the limit for a scene");
     }
     return read_scene(text, file, name, load_image);
 }
 
-// What the front of a file, or of standard input, says that it is. apitrace's newest containers have no mark of their own.
+// Whether the front of a file or of standard input looks like a .trace. The newest format of apitrace has no signature.
 bool holds_trace(std::string_view front, const std::filesystem::path& path) {
     return trace::is_trace(front) || (path.extension() == ".trace" && !trace::is_dump(front));
 }
 
 std::shared_ptr<const Recording> load_standard_input() {
-    const std::string front = read_standard_input(trace::kTellingBytes);
+    const std::string front = read_standard_input(trace::kFrontBytes);
     if (trace::is_trace(front) || trace::is_dump(front)) return trace::open_standard_input(front);
     return std::make_shared<CommandList>(
         read_limited(front + read_standard_input(kReadAtMost - front.size()), "<stdin>", "stdin"));
@@ -50,18 +50,21 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene) {
         }
     }
     const std::filesystem::path path = scene;
-    // A word that is no file was meant as a name.
+    // A plain word that is not a file was meant as the name of a built-in scene.
     std::error_code ignored;
     if (!path.has_parent_path() && !path.has_extension() && !std::filesystem::exists(path, ignored)) {
         const auto near = nearest(scene, names);
-        throw SceneError(scene + ": there is no built-in scene and no file of this name; " +
+        throw SceneError(scene + ": there is no built-in scene and no file with this name; " +
                          (near ? "did you mean '" + std::string(*near) + "'?" : "'twinlight scenes' lists the scenes"));
     }
-    // A pipe can be read once.
+    // A pipe can be read only once.
     const bool again = std::filesystem::is_regular_file(path, ignored);
-    const std::string front = read_file(scene, again ? trace::kTellingBytes : kReadAtMost);
+    const std::string front = read_file(scene, again ? trace::kFrontBytes : kReadAtMost);
     if (holds_trace(front, path) || trace::is_dump(front)) {
-        if (!again) throw SceneError(scene + ": a recorded program is read from a file, or from standard input as -");
+        if (!again)
+            throw SceneError(
+                scene +
+                ": cannot read a recorded program from a pipe or a device; give a file, or - for standard input");
         return holds_trace(front, path) ? trace::open_trace(scene) : trace::open_dump(scene);
     }
     return std::make_shared<CommandList>(read_limited(again ? read_file(scene, kReadAtMost) : front, scene,
@@ -73,8 +76,7 @@ std::shared_ptr<const CommandList> load_commands(const std::string& scene) {
     const std::shared_ptr<const Recording> recording = load_recording(scene);
     if (!recording->command_list()) {
         throw SceneError(scene +
-                         ": a recorded program cannot be shown here; 'twinlight render', 'compare' and 'export' "
-                         "read it");
+                         ": a recorded program cannot be used here; use 'twinlight render', 'compare' or 'export'");
     }
     return {recording, recording->command_list()};
 }

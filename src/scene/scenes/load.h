@@ -1,4 +1,4 @@
-// SCENE as both programs take it on their command lines.
+// Loads the SCENE that both programs take on the command line.
 #pragma once
 
 #include <memory>
@@ -13,12 +13,11 @@ namespace twinlight {
 // The built-in scenes, NAME.gl.
 extern const std::vector<EmbeddedFile> kSceneFiles;
 
-// A built-in scene's name, a file, or - for standard input; what it holds tells what it is. Throws SceneError, and
-// FileError where a file cannot be read.
-//
-// A scene in C is a CommandList; an apitrace .trace, or the text of its dump, is read as it is gone through.
+// `scene` is the name of a built-in scene, a file, or - for standard input. The content decides how it is read: a scene
+// in C gives a CommandList; an apitrace .trace or the text of its dump gives a recording that is read each time it is
+// visited. Throws SceneError, and FileError if a file cannot be read.
 std::shared_ptr<const Recording> load_recording(const std::string& scene);
-// The same; refuses recorded programs.
+// The same, but refuses recorded programs.
 std::shared_ptr<const CommandList> load_commands(const std::string& scene);
 
 }  // namespace twinlight

@@ -1,7 +1,8 @@
-// freeglut 3.4's solids with flat faces: one GL_TRIANGLES for a solid, a GL_LINE_LOOP a face for its wires.
+// freeglut 3.4's solids with flat faces: one GL_TRIANGLES for a solid, one GL_LINE_LOOP per face for wires.
 //
-// Numbers, order and normals are those of freeglut's src/fg_geometry.c. Not all of its normals have length 1, and light that
-// is not told to GL_NORMALIZE shows it: those of the icosahedron are 0.957 long, eight of the rhombic dodecahedron's 0.707.
+// Numbers, order and normals are those of freeglut's src/fg_geometry.c. Some of its normals are shorter than 1, which
+// is visible without GL_NORMALIZE: those of the icosahedron have length 0.957, eight of the rhombic dodecahedron's have
+// 0.707.
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -18,7 +19,7 @@ struct Face {
     std::vector<std::size_t> corners;  // counter-clockwise
 };
 
-// How freeglut cuts a face of 3, 4 or 5 corners.
+// How freeglut cuts a face with 3, 4 or 5 corners into triangles.
 std::span<const std::uint32_t> triangles_of(std::size_t corners) {
     static constexpr std::array<std::uint32_t, 3> kTriangle{0, 1, 2};
     static constexpr std::array<std::uint32_t, 6> kQuad{0, 1, 2, 0, 2, 3};
@@ -28,7 +29,7 @@ std::span<const std::uint32_t> triangles_of(std::size_t corners) {
     return kPentagon;
 }
 
-// The solid's part is one for all faces, so it grows; triangles need no indices.
+// Adds faces. A solid has one part for all its faces; triangles need no indices.
 void send(std::vector<ShapePart>& parts, std::span<const glm::dvec3> points, std::span<const Face> faces, bool wire) {
     if (!wire && parts.empty()) parts.push_back({kGL_TRIANGLES, {}, {}});
     for (const Face& face : faces) {
@@ -47,14 +48,14 @@ std::vector<ShapePart> polyhedron(std::span<const glm::dvec3> points, std::span<
     return parts;
 }
 
-// ---- The tetrahedron, and the sponge that is made of it ----
+// ---- The tetrahedron, and the sponge of tetrahedra ----
 
 struct Tetrahedron {
     std::array<glm::dvec3, 4> points;
     std::array<Face, 4> faces;
 };
 
-// Its corners are at distance 1 from the origin; a face looks away from the corner that it does not have.
+// The corners are at distance 1 from the origin. Each face points away from the corner opposite to it.
 Tetrahedron tetrahedron() {
     const double x = -1.0 / 3, y = std::sqrt(2.0) / 3, z = std::sqrt(6.0) / 3;
     const std::array<glm::dvec3, 4> points{{{1, 0, 0}, {x, 2 * y, 0}, {x, -y, z}, {x, -y, -z}}};
@@ -62,7 +63,7 @@ Tetrahedron tetrahedron() {
             {{{-points[0], {1, 3, 2}}, {-points[1], {0, 2, 3}}, {-points[2], {0, 3, 1}}, {-points[3], {0, 1, 2}}}}};
 }
 
-// A sponge of a level is four of the level below, one at each corner and half as large.
+// A sponge consists of four sponges of the level below, one at each corner, half as large.
 void send_sponge(std::vector<ShapePart>& parts, const Tetrahedron& whole, int levels, const glm::dvec3& offset,
                  double scale, bool wire) {
     if (levels > 0) {
@@ -135,7 +136,7 @@ std::vector<ShapePart> freeglut_dodecahedron(bool wire) {
 }
 
 std::vector<ShapePart> freeglut_icosahedron(bool wire) {
-    // Two tips on the x axis, and between them two rings of five, turned against each other.
+    // Two corners on the x axis, and between them two rings of five corners, one turned by half a step.
     const double x = 1 / std::sqrt(5.0), radius = 2 * x;
     std::array<glm::dvec3, 12> points;
     points[0] = {1, 0, 0};
@@ -151,7 +152,7 @@ std::vector<ShapePart> freeglut_icosahedron(bool wire) {
                                                     {1, 8, 2},   {2, 7, 3},  {3, 6, 4},  {4, 10, 5}, {5, 9, 1},
                                                     {1, 9, 8},   {2, 8, 7},  {3, 7, 6},  {4, 6, 10}, {5, 10, 9},
                                                     {11, 9, 10}, {11, 8, 9}, {11, 7, 8}, {11, 6, 7}, {11, 10, 6}};
-    for (const auto& [a, b, c] : kCorners) {  // normals as long as twice the face's area
+    for (const auto& [a, b, c] : kCorners) {  // the length of the normal is twice the face's area
         faces.push_back({glm::cross(points[b] - points[a], points[c] - points[a]), {a, b, c}});
     }
     return polyhedron(points, faces, wire);

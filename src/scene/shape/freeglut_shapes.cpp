@@ -1,10 +1,10 @@
-// freeglut 3.4's round shapes, vertex by vertex in the order in which it sends them.
+// freeglut 3.4's round shapes, with the vertices in freeglut's order.
 //
-// Every round shape is a table of vertices in rings around its axis (z). A solid sends one GL_TRIANGLE_STRIP
-// between each pair of neighbouring rings, closed by a repeated first pair; a wire shape sends its meridians,
-// then its rings. freeglut computes in float, here everything is double: the two agree within the float's
-// rounding, which tests/window/freeglut_shapes_test.cpp bounds. Its indices are 16 bits wide and wrap beyond
-// 65535 vertices ("too many slices or stacks", it warns): that is copied, because the picture shows it.
+// A round shape is a table of vertices in rings around its axis (z). A solid has one GL_TRIANGLE_STRIP between each
+// pair of neighbouring rings; its first pair of vertices is repeated at the end. A wire shape has its meridians, then
+// its rings. freeglut computes in float, this code in double; tests/window/freeglut_shapes_test.cpp bounds the
+// difference by the rounding of floats. freeglut's indices have 16 bits and wrap beyond 65535 vertices (it warns "too
+// many slices or stacks"). This is copied, because it is visible.
 #include "scene/shape/freeglut_shapes.h"
 
 #include <cmath>
@@ -27,7 +27,7 @@ CirclePoint circle_point(int i, int n, int direction) {
 constexpr int kCounterClockwise = 1;
 constexpr int kClockwise = -1;
 
-// Vertices of the table at first, first + stride, ...: around the axis, along a meridian, or one alone on the axis.
+// The vertices first, first + stride, ... of the table: around the axis, along a meridian, or a single one on the axis.
 struct Ring {
     std::size_t first = 0;
     int count = 1;
@@ -45,7 +45,7 @@ class Table {
         return {vertices_.size() - 1, 1};
     }
 
-    // vertex_at(cosine, sine) for `slices` points clockwise around z.
+    // Adds vertex_at(cosine, sine) for `slices` points clockwise around z.
     template <class VertexAt>
     Ring add_ring(int slices, const VertexAt& vertex_at) {
         const Ring ring{vertices_.size(), slices};
@@ -56,7 +56,7 @@ class Table {
         return ring;
     }
 
-    // One turn, first ring's vertex before the second's, and the first pair again.
+    // Once around: vertices of the first and the second ring alternate, and the first pair is repeated.
     void send_strip(const Ring& first, const Ring& second, int slices) {
         open(kGL_TRIANGLE_STRIP);
         for (int i = 0; i <= slices; ++i) {
@@ -81,7 +81,7 @@ class Table {
     std::vector<ShapeVertex> vertices_;
 };
 
-// The sides of a cone or cylinder as wires: one GL_LINES from end to end, and the rings given.
+// The side of a cone or cylinder as wires: one GL_LINES from end to end, and the given rings.
 void send_side_wires(Table& table, const std::vector<Ring>& side, std::size_t loops) {
     table.open(kGL_LINES);
     for (int i = 0; i < side.front().count; ++i) {
@@ -124,7 +124,7 @@ std::vector<ShapePart> freeglut_sphere(double radius, int slices, int stacks, bo
 std::vector<ShapePart> freeglut_cone(double base, double height, int slices, int stacks, bool wire) {
     if (slices < 1 || stacks < 1) return {};
 
-    // The side's normal leans by the slope base / height. A cone of no size has none (freeglut divides by zero).
+    // The side's normal leans by the slope base / height. It is 0 for a cone of size 0, where freeglut divides by 0.
     const double slant = std::hypot(base, height);
     const double outward = slant == 0 ? 0 : height / slant;
     const double upward = slant == 0 ? 0 : base / slant;
@@ -187,10 +187,11 @@ std::vector<ShapePart> freeglut_cylinder(double radius, double height, int slice
 std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, int sides, int rings, bool wire) {
     if (sides < 2 || rings < 2) return {};
 
-    // inner_radius is the tube's, outer_radius that of the circle around which the tube runs.
+    // inner_radius is the radius of the tube, outer_radius that of the circle along which the tube runs.
     Table table;
     for (int ring = 0; ring < rings; ++ring) {
-        const CirclePoint turn = circle_point(ring, rings, kCounterClockwise);  // no bindings: clang 14 captures none
+        const CirclePoint turn =
+            circle_point(ring, rings, kCounterClockwise);  // not a structured binding: clang 14 cannot capture those
         table.add_ring(sides, [&](double cosine, double sine) {
             const double from_axis = outer_radius + inner_radius * cosine;
             return ShapeVertex{{turn.cosine * from_axis, turn.sine * from_axis, inner_radius * sine},

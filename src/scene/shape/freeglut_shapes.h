@@ -1,4 +1,4 @@
-// What freeglut 3.4 sends for its glutSolid* and glutWire* shapes.
+// The vertices that freeglut 3.4 sends for its glutSolid* and glutWire* shapes.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,15 @@
 
 namespace twinlight {
 
-// Lengths in object units; `wire` chooses glutWire*. Counts that freeglut does nothing for give no parts. So
-// do negative counts, for which freeglut stops the program or writes outside its arrays.
+// Lengths are in object units; `wire` chooses glutWire*. Counts for which freeglut draws nothing give no parts. So do
+// negative counts, for which freeglut stops the program or writes outside its arrays.
 std::vector<ShapePart> freeglut_sphere(double radius, int slices, int stacks, bool wire);
 std::vector<ShapePart> freeglut_cone(double base, double height, int slices, int stacks, bool wire);
 std::vector<ShapePart> freeglut_cylinder(double radius, double height, int slices, int stacks, bool wire);
 std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, int sides, int rings, bool wire);
 
-// Solids with flat faces. All but the cube have their corners at distance 1 from the origin, or sqrt(3) (the dodecahedron).
+// Solids with flat faces. Corners are at distance 1 from the origin, for the dodecahedron at sqrt(3); not so for the
+// cube.
 std::vector<ShapePart> freeglut_cube(double size, bool wire);
 std::vector<ShapePart> freeglut_tetrahedron(bool wire);
 std::vector<ShapePart> freeglut_octahedron(bool wire);
@@ -24,7 +25,7 @@ std::vector<ShapePart> freeglut_rhombic_dodecahedron(bool wire);
 // 4^levels tetrahedra; none for negative levels.
 std::vector<ShapePart> freeglut_sponge(int levels, const glm::dvec3& offset, double scale, bool wire);
 
-// Newell's tea set: the only ones of freeglut's solids with texture coordinates, (0,0) to (1,1) on each patch.
+// Newell's tea set. Of freeglut's solids only these have texture coordinates: (0,0) to (1,1) on each patch.
 std::vector<ShapePart> freeglut_teapot(double size, bool wire);
 std::vector<ShapePart> freeglut_teacup(double size, bool wire);
 std::vector<ShapePart> freeglut_teaspoon(double size, bool wire);

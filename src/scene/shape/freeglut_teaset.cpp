@@ -1,8 +1,8 @@
 // freeglut 3.4's teapot, teacup and teaspoon (its src/fg_teapot.c): Bezier patches, each evaluated on a grid of 8 x 8
 // vertices for a solid and 10 x 10 for wires.
 //
-// A solid is one GL_TRIANGLES, two triangles a cell of the grid; seen from outside they turn clockwise, which glFrontFace
-// has to be told where it matters. Wires are a GL_LINE_STRIP for each row and column of each grid.
+// A solid is one GL_TRIANGLES with two triangles per cell of the grid. Seen from outside they are clockwise, so
+// programs may need glFrontFace(GL_CW). Wires are one GL_LINE_STRIP for each row and column of each grid.
 #include <array>
 #include <glm/geometric.hpp>
 
@@ -16,9 +16,9 @@ namespace {
 struct Teaset {
     const BezierPatches& patches;
     double size;
-    double z_offset;  // the height that comes to lie in the origin
-    bool copies;      // the first patches are turned to all four quadrants, the others mirrored
-    bool has_poles;   // patches 3 and 5 begin with a row that is one point, the top and the bottom
+    double z_offset;  // the height that moves to the origin
+    bool copies;      // the first patches are rotated to all four quadrants, the others mirrored
+    bool has_poles;   // the first rows of patches 3 and 5 are single points: the top and the bottom
 };
 
 constexpr std::size_t kQuarterPatches = 6;
@@ -36,14 +36,14 @@ Row bernstein_derivative(double x) {
     return {-3 * y * y, 3 * y * y - 6 * x * y, 6 * x * y - 3 * x * x, 3 * x * x};
 }
 
-// sum over rows i and columns j of u_i v_j p_ij.
+// The sum over rows i and columns j of u_i v_j p_ij.
 glm::dvec3 weighted(const std::array<glm::dvec3, 16>& points, const Row& u, const Row& v) {
     glm::dvec3 sum(0);
     for (std::size_t i = 0; i < 16; ++i) sum += u[i / 4] * v[i % 4] * points[i];
     return sum;
 }
 
-// A patch as vertices, row by row.
+// The vertices of a patch, row by row.
 class Grid {
   public:
     explicit Grid(std::size_t side) : side_(side), vertices_(side * side) {}
@@ -56,24 +56,24 @@ class Grid {
             const double u = static_cast<double>(row) / last, v = static_cast<double>(column) / last;
             const glm::dvec3 along_v = weighted(points, bernstein(u), bernstein_derivative(v));
             const glm::dvec3 along_u = weighted(points, bernstein_derivative(u), bernstein(v));
-            // RULING: where a patch has no normal (freeglut divides 0 by 0), it is 0.
+            // RULING: the normal is 0 where a patch has none (freeglut divides 0 by 0).
             grid.vertices_[i] = {
                 weighted(points, bernstein(u), bernstein(v)), unit(glm::cross(along_v, along_u)), {u, v}};
         }
         return grid;
     }
 
-    // freeglut computes normals once, for the size that it draws first: they are the same for all.
+    // Normals do not depend on the size, as in freeglut.
     void scale(double size) {
         for (ShapeVertex& vertex : vertices_) vertex.position_object *= size;
     }
 
-    // Where the first row is one point, there is no tangent along it.
+    // If the first row is a single point, it has no tangent, so its normals cannot be computed.
     void set_normals_of_first_row(const glm::dvec3& normal) {
         for (std::size_t i = 0; i < side_; ++i) vertices_[i].normal_object = normal;
     }
 
-    // Turned by `quarters` of a turn around y.
+    // The grid rotated by `quarters` * 90 degrees around y.
     Grid turned(int quarters) const {
         Grid grid = *this;
         for (ShapeVertex& vertex : grid.vertices_) {
@@ -84,7 +84,8 @@ class Grid {
         return grid;
     }
 
-    // Mirrored in z, the rows in reverse order so that triangles turn as before; texture coordinates are the grid's still.
+    // The grid mirrored in z. The rows are reversed, so that triangles keep their orientation; texture coordinates
+    // stay.
     Grid mirrored() const {
         Grid grid = *this;
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
@@ -164,7 +165,7 @@ std::vector<ShapePart> wires(const Teaset& set) {
 
 std::vector<ShapePart> parts_of(const Teaset& set, bool wire) { return wire ? wires(set) : solid(set); }
 
-// What freeglut divides the sizes of cup and spoon by.
+// freeglut divides the sizes of cup and spoon by this.
 constexpr double kSmaller = 2.5;
 
 }  // namespace

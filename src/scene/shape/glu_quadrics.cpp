@@ -1,14 +1,14 @@
-// GLU 9.0.2's quadrics (its src/libutil/quad.c), call by call. GLU computes in float, here everything is double: the two
-// agree within the float's rounding, which tests/window/glu_quadrics_test.cpp bounds.
+// The quadrics of GLU 9.0.2 (its src/libutil/quad.c), call by call. GLU computes in float, this code in double;
+// tests/window/glu_quadrics_test.cpp bounds the difference by the rounding of floats.
 //
-// Angles around z start at +y and turn towards +x. Three things that GLU does and GLU's specification does not say are copied,
-// because the picture shows them: more than 239 slices (of a sphere also stacks) are taken as 239; turned inside, a cylinder's
-// normals keep their z; and of GLU_FLAT, whose normals belong to facets, the first vertices of a sphere come ahead of the first
-// normal, so they have whichever normal was current before.
+// Angles around z start at +y and turn towards +x. Three visible details of GLU that its specification does not mention
+// are copied: more than 239 slices (for a sphere also stacks) become 239; with GLU_INSIDE the normals of a cylinder
+// keep their z; with GLU_FLAT the first vertices of a sphere are sent before the first normal, so they have the normal
+// that was current before.
 //
-// RULING: GLU 9.0.2 reads normals that it never computed where GLU_FLAT meets GLU_POINT (sphere and cylinder) or GLU_SILHOUETTE
-// (the lines along a cylinder, all lines of a sphere). Here points have the surface's own normals, and silhouettes those
-// of GLU_LINE.
+// RULING: GLU 9.0.2 reads uninitialised normals for GLU_FLAT with GLU_POINT (sphere and cylinder) or GLU_SILHOUETTE
+// (the lines along a cylinder, all lines of a sphere). Here points get the normals of the surface, silhouettes those of
+// GLU_LINE.
 #include "scene/shape/glu_quadrics.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kMostSlices = 239;
 
-// What stands between glBegin and glEnd, gathered into parts.
+// Collects the commands between glBegin and glEnd into parts.
 class Sender {
   public:
     explicit Sender(const Quadric& quadric) : quadric_(quadric) {}
@@ -48,7 +48,7 @@ class Sender {
     bool is(Enum choice) const {
         return choice == quadric_.normals || choice == quadric_.orientation || choice == quadric_.draw_style;
     }
-    // The sign of normals that look along the surface's own, or against it.
+    // The sign of the normals: 1 for GLU_OUTSIDE, -1 for GLU_INSIDE.
     double side() const { return is(kGLU_OUTSIDE) ? 1 : -1; }
 
     std::vector<ShapePart> parts() { return std::move(parts_); }
@@ -64,7 +64,7 @@ void refuse_unless(bool allowed, std::string_view name, std::string_view needs) 
     if (!allowed) throw std::invalid_argument(fmt::format("{} needs {}", name, needs));
 }
 
-// (sin, cos) of step i of n around a turn; i may lie between steps.
+// (sin, cos) of step i of n in a full turn; i need not be whole.
 glm::dvec2 around(double i, int n) {
     const double angle = 2 * std::numbers::pi * i / n;
     return {std::sin(angle), std::cos(angle)};
@@ -72,7 +72,7 @@ glm::dvec2 around(double i, int n) {
 
 double fraction(int i, int n) { return static_cast<double>(i) / n; }
 
-// ---- The sphere: slices around z, stacks from the pole at +z to that at -z ----
+// ---- The sphere: slices around z, stacks from the pole at +z to the pole at -z ----
 
 class Sphere : public Sender {
   public:
@@ -133,13 +133,13 @@ class Sphere : public Sender {
         vertex(radius_ * unit_at(slice, stack), {1 - fraction(slice, slices_), 1 - fraction(stack, stacks_)});
     }
 
-    // Around a pole, one way or the other.
+    // A fan around a pole, in either direction.
     void fan(int pole, int rim, bool backwards) {
         begin(kGL_TRIANGLE_FAN);
         send(0, pole, is(kGLU_SMOOTH));
         for (int n = 0; n <= slices_; ++n) {
             const int i = backwards ? slices_ - n : n;
-            // Backwards, a facet's normal comes with its second corner on the rim.
+            // In the backward direction, a facet's normal is sent with its second corner on the rim.
             if (is(kGLU_FLAT) && !(backwards && n == 0)) {
                 normal_at(backwards ? i + 0.5 : i - 0.5, (pole + rim) / 2.0);
             }
@@ -285,7 +285,7 @@ class Disk : public Sender {
         const double angle = (start_deg_ + sweep_deg_ * fraction(slice, slices_)) / 180 * std::numbers::pi;
         const glm::dvec2 turn(std::sin(angle), std::cos(angle));
         const double radius = outer_ - (outer_ - inner_) * fraction(loop, loops_);
-        // The texture lies flat on the disk, its border around the outer radius.
+        // The texture covers the square around the disk.
         vertex({radius * turn.x, radius * turn.y, 0}, radius / outer_ / 2 * turn + 0.5);
     }
 
@@ -300,7 +300,7 @@ std::vector<ShapePart> glu_sphere(const Quadric& quadric, double radius, int sli
     refuse_unless(slices >= 2 && stacks >= 1 && radius >= 0, "gluSphere", "slices >= 2, stacks >= 1 and radius >= 0");
     Sphere sphere(quadric, radius, std::min(slices, kMostSlices), std::min(stacks, kMostSlices));
     if (sphere.is(kGLU_FILL)) {
-        // A texture's coordinate at a pole differs from slice to slice, which a fan could not say.
+        // With a texture there are no fans: at a pole, each slice needs its own texture coordinate.
         sphere.fill(!quadric.texture);
     } else if (sphere.is(kGLU_POINT)) {
         sphere.points();
@@ -315,7 +315,7 @@ std::vector<ShapePart> glu_cylinder(const Quadric& quadric, double base, double 
     refuse_unless(slices >= 2 && stacks >= 1 && base >= 0 && top >= 0 && height >= 0, "gluCylinder",
                   "slices >= 2, stacks >= 1, and radii and height >= 0");
     const double slant = (base - top) * (base - top) + height * height;
-    refuse_unless(slant > 0, "gluCylinder", "a height above 0, or two radii that differ");
+    refuse_unless(slant > 0, "gluCylinder", "a height above 0 or two different radii");
     slices = std::min(slices, kMostSlices);
     limit_shape("gluCylinder", slices, stacks);
     Cylinder cylinder(quadric, base, top, height, slices, stacks);
@@ -334,7 +334,7 @@ namespace {
 std::vector<ShapePart> disk(std::string_view name, const Quadric& quadric, double inner, double outer, int slices,
                             int loops, double start_deg, double sweep_deg) {
     refuse_unless(slices >= 2 && loops >= 1 && outer > 0 && inner >= 0 && inner <= outer, name,
-                  "slices >= 2, loops >= 1, an outer radius above 0, and an inner one from 0 to the outer");
+                  "slices >= 2, loops >= 1, an outer radius above 0, and an inner radius from 0 to the outer one");
     slices = std::min(slices, kMostSlices);
     limit_shape(name, slices, loops);
     if (std::abs(sweep_deg) > Disk::kTurn) sweep_deg = Disk::kTurn;

@@ -1,4 +1,4 @@
-// What GLU sends for gluSphere, gluCylinder, gluDisk and gluPartialDisk.
+// The vertices that GLU sends for gluSphere, gluCylinder, gluDisk and gluPartialDisk.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace twinlight {
 
-// Lengths in object units, angles in degrees. Throw std::invalid_argument, with a message, for arguments that GLU refuses
-// with GLU_INVALID_VALUE, and for shapes beyond the limits of shape.h.
+// Lengths are in object units, angles in degrees. They throw std::invalid_argument with a message for arguments that
+// GLU refuses with GLU_INVALID_VALUE, and ShapeTooLarge for shapes beyond the limits of shape.h.
 std::vector<ShapePart> glu_sphere(const Quadric& quadric, double radius, int slices, int stacks);
 std::vector<ShapePart> glu_cylinder(const Quadric& quadric, double base, double top, double height, int slices,
                                     int stacks);

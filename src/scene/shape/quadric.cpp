@@ -60,7 +60,7 @@ std::vector<ShapePart> quadric_parts(const Quadric& quadric, const Command& comm
         case CommandId::gluDisk: return glu_disk(quadric, number(1), number(2), count(3), count(4));
         case CommandId::gluPartialDisk:
             return glu_partial_disk(quadric, number(1), number(2), count(3), count(4), number(5), number(6));
-        default: throw std::invalid_argument(fmt::format("{} draws no quadric", command.name()));
+        default: throw std::invalid_argument(fmt::format("{} does not draw a quadric", command.name()));
     }
 }
 

@@ -1,4 +1,4 @@
-// A quadric of GLU: how gluSphere and its kin are sent.
+// A quadric of GLU: the settings for gluSphere, gluCylinder, gluDisk and gluPartialDisk.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace twinlight {
 
-// With GLU's initial values (GLU 1.3, chapter 6).
+// The initial values are GLU's (GLU 1.3, chapter 6).
 struct Quadric {
     Enum normals = kGLU_SMOOTH;
     bool texture = false;
@@ -17,16 +17,16 @@ struct Quadric {
     Enum draw_style = kGLU_FILL;
 };
 
-// Carries gluQuadricNormals and its kin out; false, and no change, for a value that GLU refuses with GLU_INVALID_ENUM.
+// Executes gluQuadricNormals, gluQuadricTexture, ... Returns false and changes nothing if GLU raises GLU_INVALID_ENUM.
 bool set(Quadric& quadric, const Command& command);
-// What the command may be given: "GLU_SMOOTH, GLU_FLAT, GLU_NONE".
+// The allowed values of the command, for messages: "GLU_SMOOTH, GLU_FLAT, GLU_NONE".
 std::string choices(CommandId id);
 
-// Whether a command is gluSphere, gluCylinder, gluDisk or gluPartialDisk; what it sends.
+// Whether a command is gluSphere, gluCylinder, gluDisk or gluPartialDisk; and the parts that it sends.
 bool draws_quadric(const Command& command);
 std::vector<ShapePart> quadric_parts(const Quadric& quadric, const Command& command);
-// The surface that it stands for; nothing where it is not filled or has no normals. Its normals are the surface's own: turned
-// inside, GLU's of a cone lean the wrong way.
+// The curved surface that the command draws; none if it is not filled or has no normals. Normals are those of the
+// surface itself; GLU's normals of a cone with GLU_INSIDE lean the wrong way.
 std::vector<Surface> quadric_surfaces(const Quadric& quadric, const Command& command);
 
 }  // namespace twinlight

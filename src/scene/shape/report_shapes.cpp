@@ -1,4 +1,4 @@
-// The course report's constructions of cube, cylinder, cone and sphere.
+// The course report's cube, cylinder, cone and sphere.
 #include "scene/shape/report_shapes.h"
 
 #include <array>
@@ -17,8 +17,8 @@ glm::dvec3 around_y(double i, int n) {
     return {std::cos(theta), 0, std::sin(theta)};
 }
 
-// A fan around `centre` through the vertices rim(0), ..., rim(n) = rim(0), or the other way round, so that it
-// is counter-clockwise seen from above or from below.
+// A fan around `centre` through the vertices rim(0), ..., rim(n) = rim(0), or in reverse order, so that it is
+// counter-clockwise seen from the given side.
 enum class SeenFrom { kAbove, kBelow };
 
 template <class Rim>

@@ -1,4 +1,4 @@
-// Which construction a command asks for, and the checks that stand before it.
+// Chooses the shape for a command and checks its arguments.
 #include "scene/shape/shape.h"
 
 #include <fmt/format.h>
@@ -19,12 +19,13 @@ template <class... Parts>
 
 // ---- The pragma: shape(kind, sizes...) ----
 
-// The sizes after the kind, checked against what the usage names.
+// The sizes after the kind. `usage` names them for messages.
 class Sizes {
   public:
     Sizes(const Command& command, std::string_view usage, std::size_t expected) : command_(command), usage_(usage) {
         const std::size_t given = command.arguments.size() - 1;
-        if (given != expected) refuse("sizes given: {}; write shape({})", given, usage_);
+        if (given != expected)
+            refuse("shape({}) needs {} size{}, not {}", usage_, expected, expected == 1 ? "" : "s", given);
     }
 
     double length(std::size_t i, std::string_view name) const {
@@ -36,7 +37,7 @@ class Sizes {
     int count(std::size_t i, std::string_view name, int least) const {
         const double value = command_.number(i);
         if (!(value >= least) || value != std::floor(value)) {
-            refuse("{} of shape({}) is {}; it must be a whole number, {} or more", name, usage_, value, least);
+            refuse("{} of shape({}) is {}; it must be a whole number of {} or more", name, usage_, value, least);
         }
         limit_shape(fmt::format("shape({})", usage_), value, 1);
         return static_cast<int>(value);
@@ -48,7 +49,7 @@ class Sizes {
 };
 
 constexpr std::string_view kKinds = "cube, cylinder, cylinder_triangles, cone or sphere";
-constexpr int kLeastSlices = 3;  // fewer enclose nothing
+constexpr int kLeastSlices = 3;  // fewer do not enclose a volume
 constexpr int kLeastStacks = 2;
 
 // cylinder, cylinder_triangles and cone have the same sizes.
@@ -74,24 +75,24 @@ std::vector<ShapePart> pragma_shape(const Command& command) {
             limit_shape("shape(sphere)", slices, stacks);
             return report_sphere(sizes.length(1, "radius"), slices, stacks);
         }
-        default: break;  // a word of other pragmas
+        default: break;  // a word for other pragmas
     }
-    refuse("{} is no shape; a shape is {}", word_name(command.word(0)), kKinds);
+    refuse("{} is not a shape; expected {}", word_name(command.word(0)), kKinds);
 }
 
 // ---- freeglut's ----
 
-// 12 vertices and 4 faces a tetrahedron, 4 times as many with each level.
+// A tetrahedron has 12 vertices and 4 faces; each level multiplies the number of tetrahedra by 4.
 void limit_sponge(std::string_view name, double levels, bool wire) {
     const double tetrahedra = std::exp2(2 * levels);
     if (12 * tetrahedra <= static_cast<double>(kMaxShapeVertices) &&
         (!wire || 4 * tetrahedra <= static_cast<double>(kMaxShapeParts))) {
         return;
     }
-    refuse("{} of {} levels would have {:.3g} tetrahedra; give it fewer levels", name, levels, tetrahedra);
+    refuse("{} with {} levels would have {:.3g} tetrahedra; use fewer levels", name, levels, tetrahedra);
 }
 
-// Its name says what is drawn, "glutSolid" or "glutWire" and the kind of shape.
+// The command's name is "glutSolid" or "glutWire" and the kind of shape.
 std::vector<ShapePart> freeglut_shape(const Command& command) {
     constexpr std::string_view kSolid = "glutSolid", kWire = "glutWire";
     const bool wire = command.name().starts_with(kWire);
@@ -112,29 +113,29 @@ std::vector<ShapePart> freeglut_shape(const Command& command) {
         limit_sponge(command.name(), number(0), wire);
         return freeglut_sponge(count(0), {number(1), number(2), number(3)}, number(4), wire);
     }
-    // Of all others the last two arguments are the counts.
+    // For all other shapes the last two arguments are counts.
     const std::size_t counts = command.arguments.size() - 2;
     limit_shape(command.name(), std::max(number(counts), 0.0), std::max(number(counts + 1), 0.0));
     if (kind == "Sphere") return freeglut_sphere(number(0), count(1), count(2), wire);
     if (kind == "Cone") return freeglut_cone(number(0), number(1), count(2), count(3), wire);
     if (kind == "Cylinder") return freeglut_cylinder(number(0), number(1), count(2), count(3), wire);
     if (kind == "Torus") return freeglut_torus(number(0), number(1), count(2), count(3), wire);
-    refuse("{} draws no shape", command.name());
+    refuse("{} does not draw a shape", command.name());
 }
 
 }  // namespace
 
-// A solid sends about two vertices for each of slices * stacks, and a part a stack; wires have a part for each of both. In
-// double, where nothing overflows.
+// A solid has about 2 * slices * stacks vertices and one part per stack; wires have one part per slice and per stack.
+// Computed in double, which does not overflow.
 void limit_shape(std::string_view name, double slices, double stacks) {
-    constexpr double kCapStacks = 3;  // both caps of a cylinder, and the closing of each turn
+    constexpr double kCapStacks = 3;  // both caps of a cylinder, and the repeated vertices
     if (2 * (slices + 1) * (stacks + kCapStacks) > static_cast<double>(kMaxShapeVertices)) {
-        throw ShapeTooLarge(fmt::format("{} would have more than {} vertices; give it fewer slices or stacks", name,
-                                        kMaxShapeVertices));
+        throw ShapeTooLarge(
+            fmt::format("{} would have more than {} vertices; use fewer slices or stacks", name, kMaxShapeVertices));
     }
     if (slices + stacks + kCapStacks > static_cast<double>(kMaxShapeParts)) {
-        throw ShapeTooLarge(fmt::format("{} would have more than {} strips and loops; give it fewer slices or stacks",
-                                        name, kMaxShapeParts));
+        throw ShapeTooLarge(fmt::format("{} would have more than {} strips and loops; use fewer slices or stacks", name,
+                                        kMaxShapeParts));
     }
 }
 

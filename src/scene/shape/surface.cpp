@@ -1,4 +1,4 @@
-// Which surfaces the commands stand for.
+// Chooses the surfaces for a command.
 #include "scene/shape/surface.h"
 
 #include "scene/shape/quadric.h"
@@ -34,7 +34,7 @@ std::vector<Surface> of_pragma(const Command& command) {
         case Word::cylinder: return closed_cylinder(number(1), number(2), true);
         case Word::cone: return closed_cone(number(1), number(2), true);
         case Word::sphere: return {{.equation = SphereSurface{number(1)}, .y_up = true}};
-        default: return {};  // the cube is flat; cylinder_triangles shows what its normals do
+        default: return {};  // the cube is flat, and cylinder_triangles is about the normals of its mesh
     }
 }
 
@@ -49,7 +49,7 @@ std::vector<Surface> of_freeglut(const Command& command) {
     }
 }
 
-// A torus whose tube meets itself in the middle is a surface, too.
+// A torus may intersect itself in the middle.
 bool has_size(const Surface& surface) {
     if (const auto* sphere = std::get_if<SphereSurface>(&surface.equation)) return sphere->radius > 0;
     if (const auto* torus = std::get_if<TorusSurface>(&surface.equation)) return torus->tube > 0 && torus->ring > 0;

@@ -1,6 +1,6 @@
-// The curved surfaces that shapes stand for, by their equations: what their meshes come near to.
+// The equations of the curved surfaces that the meshes of shapes approximate.
 //
-// Surface space: the axis is z. Object space is that, or has y for the axis. Lengths are in units of the object space.
+// In surface space the axis is z. Object space is the same, or its axis is y. Lengths are in units of object space.
 #pragma once
 
 #include <algorithm>
@@ -15,33 +15,33 @@
 
 namespace twinlight {
 
-struct SphereSurface {  // around the origin
+struct SphereSurface {  // centred at the origin
     double radius;
 };
-struct FrustumSurface {  // the side of a cylinder or a cone, from z = 0 to z = height > 0; radii along it
+struct FrustumSurface {  // the side of a cylinder or cone, from radius `base` at z = 0 to `top` at z = height > 0
     double base, top, height;
 };
-struct DiskSurface {  // the plane z = `z` between two radii; angles from +y towards +x, in degrees
+struct DiskSurface {  // the part of the plane z = `z` between two radii; angles from +y towards +x, in degrees
     double inner, outer, z;
-    bool faces_up;  // the normal is +z, or -z
+    bool faces_up;  // the normal is +z; otherwise -z
     double start_deg = 0, sweep_deg = 360;
 };
-struct TorusSurface {  // a tube around the circle of radius `ring` about z
+struct TorusSurface {  // a tube of radius `tube` along the circle of radius `ring` around z
     double tube, ring;
 };
 
 struct Surface {
     std::variant<SphereSurface, FrustumSurface, DiskSurface, TorusSurface> equation;
-    bool y_up = false;      // the axis in object space
-    bool inside = false;    // GLU_INSIDE: normals and front faces look inwards
-    bool textured = false;  // has texture coordinates of its own, as GLU's quadrics have
+    bool y_up = false;      // whether the axis in object space is y, not z
+    bool inside = false;    // GLU_INSIDE: normals and front faces point inwards
+    bool textured = false;  // has its own texture coordinates, like GLU's quadrics
 };
 
-// What a SHAPE_COMMAND or the pragma `shape` stands for, in the order in which its parts are sent; nothing where it is flat
-// between its edges, sent as lines, or of a size that is not positive: there the mesh itself is the shape.
+// The surfaces of a SHAPE_COMMAND or of the pragma `shape`, in drawing order. None if the mesh itself is the shape: it
+// has flat faces, is drawn as lines, or has a size that is not positive.
 std::vector<Surface> shape_surfaces(const Command& command);
 
-// ---- A ray against a surface: all in surface space ----
+// ---- Intersection of a ray with a surface, in surface space ----
 
 template <class Real>
 Vec3<Real> surface_from_object(const Surface& surface, Vec3<Real> v) {
@@ -52,7 +52,8 @@ Vec3<Real> object_from_surface(const Surface& surface, Vec3<Real> v) {
     return surface.y_up ? Vec3<Real>{v.x, v.z, -v.y} : v;
 }
 
-// Where a ray origin + s direction meets a surface: at most four values of s, ascending. Tangent ones may be missing.
+// The points origin + s direction of a ray on a surface: at most four values of s, ascending. Points where the ray only
+// touches the surface may be missing.
 template <class Real>
 struct Crossings {
     std::array<Real, 4> s{};
@@ -61,8 +62,9 @@ struct Crossings {
     void add(Real value) { s[static_cast<std::size_t>(count++)] = value; }
 };
 
-// The real roots of c[0] + c[1] s + ... + c[N-1] s^(N-1) between low and high, ascending: those of the derivative part the
-// interval into pieces where the polynomial rises or falls. A root where it only touches 0 may be missed.
+// The real roots of c[0] + c[1] s + ... + c[N-1] s^(N-1) between low and high, ascending. The roots of the derivative
+// divide the interval into pieces in which the polynomial only rises or only falls, and each piece is searched by
+// bisection. A root where the polynomial only touches 0 may be missed.
 template <class Real, std::size_t N>
 int roots_between(const std::array<Real, N>& c, Real low, Real high, std::array<Real, N - 1>& roots) {
     const auto value = [&](Real s) {
@@ -85,7 +87,7 @@ int roots_between(const std::array<Real, N>& c, Real low, Real high, std::array<
         Real from = borders[i], to = i + 1 < count ? borders[i + 1] : high;
         const bool rises = value(from) < 0;
         if (rises == (value(to) < 0)) continue;
-        while (true) {  // halved until there is no number between
+        while (true) {  // bisect until no number lies between
             const Real middle = from + (to - from) / 2;
             if (!(middle > from && middle < to)) break;
             ((value(middle) < 0) == rises ? from : to) = middle;
@@ -97,7 +99,7 @@ int roots_between(const std::array<Real, N>& c, Real low, Real high, std::array<
 
 namespace surface_parts {
 
-// The roots of a s^2 + 2 b s + c, without the difference of two nearly equal numbers.
+// The roots of a s^2 + 2 b s + c, computed without subtracting nearly equal numbers.
 template <class Real>
 Crossings<Real> quadratic(Real a, Real b, Real c) {
     using std::sqrt;
@@ -124,7 +126,8 @@ Crossings<Real> crossings_of(const SphereSurface& sphere, Vec3<Real> o, Vec3<Rea
 template <class Real>
 Crossings<Real> crossings_of(const FrustumSurface& f, Vec3<Real> o, Vec3<Real> d) {
     const Real slope = (Real(f.top) - Real(f.base)) / Real(f.height);
-    const Real radius = Real(f.base) + slope * o.z, widening = slope * d.z;  // along the ray: radius + s widening
+    const Real radius = Real(f.base) + slope * o.z,
+               widening = slope * d.z;  // the radius at the ray's height is radius + s widening
     const Crossings<Real> of_cone =
         quadratic(d.x * d.x + d.y * d.y - widening * widening, o.x * d.x + o.y * d.y - radius * widening,
                   o.x * o.x + o.y * o.y - radius * radius);
@@ -161,7 +164,7 @@ Crossings<Real> crossings_of(const TorusSurface& torus, Vec3<Real> o, Vec3<Real>
     Crossings<Real> crossings;
     const Real tube(torus.tube), ring(torus.ring), length_of_d = length(d);
     const Vec3<Real> u = d / length_of_d;
-    // In o the ray is nearest to the origin, and half as long as the sphere around the torus lets it be.
+    // o is the ray's point nearest to the origin. Inside the sphere around the torus, s is between -reach and reach.
     const Real outer = ring + tube, square = outer * outer - dot(o, o);
     if (!(square > 0)) return crossings;
     const Real reach = sqrt(square), k = dot(o, o) + ring * ring - tube * tube, along = dot(o, u),
@@ -182,7 +185,7 @@ Vec3<Real> normal_of(const SphereSurface& /*sphere*/, Vec3<Real> p) {
 template <class Real>
 Vec3<Real> normal_of(const FrustumSurface& f, Vec3<Real> p) {
     using std::sqrt;
-    // At the apex all are right, and that along the axis stands for them.
+    // At the apex, where every normal of the side is possible, the axis is chosen.
     const Real from_axis = sqrt(p.x * p.x + p.y * p.y), height(f.height), narrows = Real(f.base) - Real(f.top);
     if (from_axis == 0) return {0, 0, narrows};
     return {height * p.x / from_axis, height * p.y / from_axis, narrows};
@@ -202,7 +205,7 @@ Vec3<Real> normal_of(const TorusSurface& torus, Vec3<Real> p) {
 
 template <class Real>
 Crossings<Real> crossings(const Surface& surface, Vec3<Real> origin, Vec3<Real> direction) {
-    // From the point nearest to the centre, where a far origin costs no digits.
+    // Starts at the ray's point nearest to the centre, so that a far origin loses no digits.
     const Real nearest = -dot(origin, direction) / dot(direction, direction);
     const Vec3<Real> o = origin + nearest * direction;
     Crossings<Real> result = std::visit(
@@ -211,14 +214,15 @@ Crossings<Real> crossings(const Surface& surface, Vec3<Real> origin, Vec3<Real> 
     return result;
 }
 
-// The outward normal at a point of the surface, of any length.
+// The outward normal at a point of the surface. Its length is arbitrary.
 template <class Real>
 Vec3<Real> outward_normal(const Surface& surface, Vec3<Real> position) {
     return std::visit([&](const auto& equation) { return surface_parts::normal_of(equation, position); },
                       surface.equation);
 }
 
-// (s, t) at a point of the surface, as GLU's quadrics have them; s of sphere and frustum jumps from 1 to 0 at +y.
+// The texture coordinates (s, t) at a point of the surface, as for GLU's quadrics. On spheres and frustums s jumps from
+// 1 to 0 at +y.
 template <class Real>
 std::array<Real, 2> surface_tex_coord(const Surface& surface, Vec3<Real> p) {
     using std::acos, std::atan2, std::sqrt;
@@ -229,7 +233,7 @@ std::array<Real, 2> surface_tex_coord(const Surface& surface, Vec3<Real> p) {
     }
     const Real angle = atan2(p.x, p.y), s = 1 - (angle < 0 ? angle + turn : angle) / turn;
     if (const auto* frustum = std::get_if<FrustumSurface>(&surface.equation)) return {s, p.z / Real(frustum->height)};
-    // From the two sides of the polar angle, which acos(z / r) would lose near the poles.
+    // The polar angle by atan2, because acos(z / r) is inexact near the poles.
     return {s, 1 - atan2(sqrt(p.x * p.x + p.y * p.y), p.z) / std::numbers::pi_v<Real>};
 }
 

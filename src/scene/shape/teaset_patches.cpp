@@ -1,4 +1,4 @@
-// The numbers are freeglut's, from src/fg_teapot_data.h, under its licence:
+// The numbers are those of freeglut's src/fg_teapot_data.h, under its licence:
 //
 //   Copyright (c) 1999-2000 Pawel W. Olszta. All Rights Reserved.
 //

@@ -11,7 +11,7 @@ namespace {
 
 constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
 
-// Which triangles each vertex has: those of vertex v are triangles[first[v]] to triangles[first[v + 1] - 1].
+// The triangles of each vertex: those of vertex v are triangles[first[v]] to triangles[first[v + 1] - 1].
 struct Neighbours {
     Neighbours(std::span<const std::uint32_t> indices, std::size_t vertex_count)
         : first(vertex_count + 1), triangles(indices.size()) {
@@ -50,7 +50,7 @@ class Grower {
     }
 
   private:
-    // The new patch lies beside what is there: it starts with what the old one would have gone on with.
+    // The new patch starts with the triangles that the old one would have continued with, so that they are neighbours.
     void begin_patch(const std::vector<std::uint32_t>& order) {
         ++patch_;
         const std::optional<std::uint32_t> start = order.empty() ? std::nullopt : waiting();
@@ -58,7 +58,7 @@ class Grower {
         if (start) queues_[1].push_back(*start);
     }
 
-    // The triangle that has waited longest, of those that bring the fewest new vertices.
+    // The triangle that adds the fewest new vertices; of several, the one that has waited longest.
     std::optional<std::uint32_t> waiting() {
         for (std::size_t known = 3; known-- > 0;) {
             std::deque<std::uint32_t>& queue = queues_[known];
@@ -77,7 +77,7 @@ class Grower {
         return first_left_;
     }
 
-    // The vertex is in the patch: its triangles have one more that is.
+    // Adds the vertex to the patch: its triangles now have one more known vertex.
     void take(std::uint32_t vertex) {
         if (patch_of_vertex_[vertex] == patch_) return;
         patch_of_vertex_[vertex] = patch_;
@@ -94,12 +94,12 @@ class Grower {
     Neighbours neighbours_;
     std::vector<std::uint32_t> patch_of_vertex_;
     std::vector<bool> placed_;
-    // Of a triangle's vertices, how many are in the patch of that number.
+    // How many vertices of a triangle are in the patch with that number.
     struct Known {
         std::uint32_t patch = 0, count = 0;
     };
     std::vector<Known> known_;
-    // Triangles with one, two, three known vertices, and some that have been placed or have more meanwhile.
+    // Triangles with one, two and three known vertices. Some entries are outdated: placed, or with more known vertices.
     std::array<std::deque<std::uint32_t>, 3> queues_;
     std::uint32_t patch_ = 0, first_left_ = 0;
 };
@@ -110,7 +110,7 @@ PatchedTriangles patched(std::span<const std::uint32_t> indices, std::size_t ver
     PatchedTriangles result;
     result.indices.reserve(indices.size());
     struct InPatch {
-        std::size_t patch = 0;  // the number of patches then
+        std::size_t patch = 0;  // the number of patches at that time
         std::uint32_t index = 0;
     };
     std::vector<InPatch> in_patch(vertex_count);

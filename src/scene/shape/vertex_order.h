@@ -1,4 +1,4 @@
-// Triangles in another order, so that a driver runs its vertex shader less often for a vertex that several share.
+// Reorders triangles so that a driver runs its vertex shader less often for shared vertices.
 #pragma once
 
 #include <cstddef>
@@ -8,25 +8,28 @@
 
 namespace twinlight {
 
-// A list of triangles in patches that a driver may draw on their own. A vertex on the border of two patches is there twice.
+// Triangles grouped into patches that can be drawn separately. A vertex on the border of two patches is in both.
 struct PatchedTriangles {
     struct Patch {
         std::uint32_t first_vertex = 0, vertex_count = 0;  // into old_from_new
         std::uint32_t first_index = 0, index_count = 0;    // into indices
     };
     std::vector<Patch> patches;
-    // Three a triangle, each triangle's in their own order (its provoking vertex stays), counted from its patch's first vertex.
+    // Three per triangle, counted from the first vertex of its patch. A triangle keeps the order of its vertices, and
+    // so its provoking vertex.
     std::vector<std::uint16_t> indices;
-    std::vector<std::uint32_t> old_from_new;  // the number of each vertex in what was given
+    std::vector<std::uint32_t> old_from_new;  // the original number of each vertex
 };
 
-// What Mesa's draw module (22.3, draw_pt_vsplit.c) shades in one go: a draw of 16-bit indices, of this many at most, whose range
-// the program gives (glDrawRangeElementsBaseVertex) and which has more indices than vertices. Others it cuts into runs of 1,023
-// indices, and within a run finds a vertex again as long as no other with the same number modulo 256 has come.
+// The largest draw that Mesa's draw module shades in one piece (22.3, draw_pt_vsplit.c). It must also have 16-bit
+// indices, a range given by the program (glDrawRangeElementsBaseVertex) and more indices than vertices. Mesa splits
+// other draws into runs of 1,023 indices. Within a run it reuses a vertex until another one with the same number modulo
+// 256 replaces it.
 inline constexpr std::size_t kPatchIndices = 4096 / 3 * 3;
 
-// Patches that grow from triangle to neighbour: of a grid some 26 by 26 squares, with 1.1 vertices for each of the grid's.
-// `indices` has three for each triangle, all below vertex_count. Linear time.
+// Grows patches from triangle to neighbouring triangle. On a grid a patch has about 26 by 26 squares, and the patches
+// together have 1.1 times as many vertices as the grid. `indices` has three entries per triangle, all below
+// vertex_count. Linear time.
 PatchedTriangles patched(std::span<const std::uint32_t> indices, std::size_t vertex_count);
 
 }  // namespace twinlight

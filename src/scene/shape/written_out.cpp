@@ -9,7 +9,7 @@ namespace twinlight {
 
 namespace {
 
-// As GL takes them: in floats.
+// The command with the colour rounded to floats, as GL takes it.
 Command with_color(const Command& pragma, CommandId id, Vec3<double> rgb) {
     Command command{id, {pragma.arguments[0], pragma.arguments[1]}, pragma.place, {}};
     for (const double c : {rgb.x, rgb.y, rgb.z, 1.0}) command.arguments.push_back(static_cast<float>(c));

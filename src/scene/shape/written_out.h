@@ -1,4 +1,4 @@
-// Pragmas written out as commands of GL and GLU: for a driver, and for a C compiler.
+// Converts pragmas to commands of GL and GLU, for a driver and for a C compiler.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 
 namespace twinlight {
 
-// `texture(file)` is gluBuild2DMipmaps with the picture's pixels, `reflectance(face, pname, name)` glMaterialfv with the colour
-// under D65, `illuminant(light, pname, name, scale)` glLightfv with the colour on white: linear sRGB. Nothing for other
-// commands, and where State refuses the arguments.
+// `texture(file)` becomes gluBuild2DMipmaps with the picture's pixels; `reflectance(face, pname, name)` becomes
+// glMaterialfv with the colour under D65; `illuminant(light, pname, name, scale)` becomes glLightfv with the colour on
+// white. Colours are linear sRGB. Returns nullopt for other commands, and for arguments that State refuses.
 std::optional<Command> gl_command_of(const Command& pragma);
 
-// The same scene with those, and each `#pragma twinlight shape(...)` replaced by the primitives that it stands for.
+// The scene with these pragmas converted, and with each `#pragma twinlight shape(...)` replaced by its primitives.
 CommandList with_pragmas_written_out(const CommandList& scene);
 
 }  // namespace twinlight

@@ -8,7 +8,7 @@ namespace twinlight {
 
 namespace {
 
-// How much of each line lies in each band; over all bands 1.
+// The share of each line in each band; the shares of a line sum to 1.
 std::vector<Lines> bands(int count) {
     const auto n = static_cast<std::size_t>(count);
     std::vector<Lines> parts(n, Lines{});
@@ -19,7 +19,7 @@ std::vector<Lines> bands(int count) {
     Lines density;
     double whole = 0;
     for (std::size_t i = 0; i < kLines; ++i) whole += density[i] = std::cbrt(observer_sum()[i]);
-    double begin = 0;  // in bands
+    double begin = 0;  // in units of bands
     for (std::size_t i = 0; i < kLines; ++i) {
         const double width = density[i] / whole * count, end = begin + width;
         for (std::size_t band = 0; band < n; ++band) {
@@ -32,7 +32,7 @@ std::vector<Lines> bands(int count) {
     return parts;
 }
 
-// Of the matrix with these columns.
+// The inverse of the matrix with these columns.
 ColorMatrix inverse(Vec3<double> a, Vec3<double> b, Vec3<double> c) {
     const double determinant = dot(a, cross(b, c));
     return {cross(b, c) / determinant, cross(c, a) / determinant, cross(a, b) / determinant};
@@ -53,8 +53,8 @@ SpectralSamples::SpectralSamples(int count) : shares_(bands(count)) {
         for (double& s : share) s /= whole;
         rgb_.push_back(rgb);
     }
-    // The means of the primaries, mixed so that they have the primaries' colours. White stays n ones: its colour is exact as it
-    // is.
+    // Mixes the means of the primaries so that they get the primaries' colours. White stays n ones, because its colour
+    // is already exact.
     std::array<std::vector<double>, 3> mean;
     for (std::size_t i = 0; i < 3; ++i) mean[i] = means(primaries()[i].lines);
     const ColorMatrix mixing = inverse(color(mean[0]), color(mean[1]), color(mean[2]));

@@ -50,7 +50,7 @@ constexpr std::array<Spectrum, 3> kPrimaries = {
 // clang-format on
 static_assert(std::size(kReflectances) == 24);
 
-// CIE 15:2004, 3.1: relative to 560 nm, of Planck's radiator as 1931 had its constant.
+// CIE 15:2004, section 3.1: Planck's radiator with the constant of 1931, relative to 560 nm.
 Spectrum illuminant_a() {
     Spectrum a{"A", {}};
     const auto planck = [](double nm) { return std::expm1(1.435e7 / (2848 * nm)); };

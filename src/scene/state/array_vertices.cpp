@@ -1,4 +1,4 @@
-// The vertices of glDrawArrays, glDrawElements and glArrayElement (2.8), element by element from the arrays.
+// Reads the vertices of glDrawArrays, glDrawElements and glArrayElement (2.8) from the arrays.
 
 #include <algorithm>
 #include <unordered_map>
@@ -35,7 +35,7 @@ struct Drawing {
     }
     Enum mode;
     double first = 0, count = 0, offset = 0;
-    Enum type = 0;  // of the indices; 0: none
+    Enum type = 0;  // type of the indices; 0: no indices
 };
 
 struct Named {
@@ -58,7 +58,7 @@ std::vector<Named> enabled_arrays(const ClientArrays& client) {
 std::optional<std::span<const std::byte>> VertexArrays::bytes(const ArrayPointer& array) const {
     if (array.buffer != 0) {
         const BufferObject* object = buffer(array.buffer);
-        if (!object || array.memory) return std::nullopt;  // an array's address is no offset
+        if (!object || array.memory) return std::nullopt;  // the address of an array is not an offset
         return object->bytes;
     }
     if (!array.memory) return std::nullopt;
@@ -81,19 +81,19 @@ std::optional<GlError> VertexArrays::check_memory(const Command& draw, std::uint
         const ArrayPointer& array = *one.array;
         const auto available = bytes(array);
         if (!available) {
-            return undefined(kGL_INVALID_OPERATION, draw, "{} reads an array that leads nowhere: {} was given {}",
-                             draw.name(), one.name,
+            return undefined(kGL_INVALID_OPERATION, draw, "{} cannot read its array: {} was given {}", draw.name(),
+                             one.name,
                              array.buffer != 0 ? "an array while a buffer object is bound; give an offset"
                                                : "NULL, or its buffer object was deleted");
         }
-        // In double, where nothing overflows (strides are below 2^31, indices below 2^32, offsets below 2^53) and what a
-        // memory may have is exact.
+        // Doubles do not overflow here (strides are below 2^31, indices below 2^32, offsets below 2^53), and they hold
+        // the sizes of all possible arrays exactly.
         const auto stride = static_cast<double>(step(array)), size = static_cast<double>(available->size());
         const double needed = static_cast<double>(largest) * stride + static_cast<double>(element_bytes(array));
         if (array.offset + static_cast<double>(smallest) * stride >= 0 && array.offset + needed <= size) continue;
         return undefined(kGL_INVALID_OPERATION, draw,
-                         "{} reads element {} of the array that {} was given, {} bytes from its start on, but "
-                         "it has {} bytes from there; mind the count, the indices and the stride",
+                         "{} reads element {} of the array given to {}, which needs {} bytes, but there are {}; check "
+                         "the count, the indices and the stride",
                          draw.name(), largest, one.name, needed, size - array.offset);
     }
     return std::nullopt;
@@ -110,7 +110,7 @@ std::optional<GlError> VertexArrays::check_elements(const Command& draw) const {
     const double needed = d.count * static_cast<double>(size_of(kind_of(d.type)));
     if (d.count > 0 && (!available || d.offset < 0 || d.offset + needed > static_cast<double>(available->size()))) {
         return undefined(kGL_INVALID_OPERATION, draw,
-                         "{} reads {} bytes of indices, but there are {}; mind the count and the type", draw.name(),
+                         "{} reads {} bytes of indices, but there are {}; check the count and the type", draw.name(),
                          needed, available ? std::max(0.0, static_cast<double>(available->size()) - d.offset) : 0.0);
     }
     return std::nullopt;
@@ -120,12 +120,14 @@ std::optional<GlError> VertexArrays::check(const Command& draw) const {
     for (const Named& one : enabled_arrays(client_)) {
         const BufferObject* object = one.array->buffer == 0 ? nullptr : buffer(one.array->buffer);
         if (object && object->mapped) {
-            return refused(kGL_INVALID_OPERATION, draw, "{} draws from a mapped buffer; a glUnmapBuffer is missing",
+            return refused(kGL_INVALID_OPERATION, draw, "{} reads a mapped buffer; call glUnmapBuffer first",
                            draw.name());
         }
     }
     if (draw.id == CommandId::glArrayElement) {
-        if (draw.number(0) < 0) return undefined(kGL_INVALID_VALUE, draw, "glArrayElement is given {}", draw.number(0));
+        if (draw.number(0) < 0)
+            return undefined(kGL_INVALID_VALUE, draw, "glArrayElement is given the index {}; it must be 0 or more",
+                             draw.number(0));
         const auto index = static_cast<std::uint64_t>(draw.number(0));
         return check_memory(draw, index, index);
     }
@@ -134,17 +136,20 @@ std::optional<GlError> VertexArrays::check(const Command& draw) const {
                        draw.number(2), draw.number(1));
     }
     const Drawing d(draw);
-    if (d.count < 0) return refused(kGL_INVALID_VALUE, draw, "the count of {} is {}", draw.name(), d.count);
+    if (d.count < 0)
+        return refused(kGL_INVALID_VALUE, draw, "the count of {} is {}; it must be 0 or more", draw.name(), d.count);
     if (d.mode > kGL_POLYGON) {
         return refused(kGL_INVALID_ENUM, draw, "{} is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
                        draw.name(), enum_name(d.mode));
     }
     if (d.count > kMaxDrawVertices) {
-        return undefined(kGL_OUT_OF_MEMORY, draw, "{} draws {} vertices; {} are the most", draw.name(), d.count,
+        return undefined(kGL_OUT_OF_MEMORY, draw, "{} draws {} vertices; the limit is {}", draw.name(), d.count,
                          kMaxDrawVertices);
     }
     if (draw.id == CommandId::glDrawArrays) {
-        if (d.first < 0) return undefined(kGL_INVALID_VALUE, draw, "{} starts at {}", draw.name(), d.first);
+        if (d.first < 0)
+            return undefined(kGL_INVALID_VALUE, draw, "{} starts at element {}; it must be 0 or more", draw.name(),
+                             d.first);
         if (d.count == 0) return std::nullopt;
         const auto first = static_cast<std::uint64_t>(d.first), count = static_cast<std::uint64_t>(d.count);
         return check_memory(draw, first, first + count - 1);

@@ -1,4 +1,4 @@
-// The commands that say where vertex arrays are (2.8), and the client's attribute stack (6.1.14).
+// The commands that set vertex arrays (2.8), and the client attribute stack (6.1.14).
 #include "scene/state/arrays.h"
 
 #include <fmt/format.h>
@@ -29,8 +29,8 @@ Allowed allowed_for(CommandId id) {
     }
 }
 
-// Table 2.5: the formats of glInterleavedArrays, from GL_V2F on. Sizes of 0: no such array. Offsets in floats: c, four
-// bytes of colour, takes the place of one.
+// Table 2.5: the formats of glInterleavedArrays, from GL_V2F on. A size of 0 means that there is no such array. Offsets
+// are in floats; four bytes of colour (c) count as one float.
 struct Interleaved {
     int tex_coord, color, vertex;
     bool bytes_of_color, normal;
@@ -120,7 +120,7 @@ void VertexArrays::point(ArrayPointer& array, int size, Enum type, int stride, c
     array.offset = offset;
 }
 
-// glVertexPointer(size, type, stride, pointer); a normal has no size, an edge flag no type either.
+// glVertexPointer(size, type, stride, pointer); normals have no size, edge flags neither size nor type.
 std::optional<GlError> VertexArrays::set_pointer(const Command& c) {
     const Allowed allowed = allowed_for(c.id);
     const bool has_size = allowed.smallest != allowed.largest, has_type = allowed.types.size() > 1;
@@ -128,7 +128,8 @@ std::optional<GlError> VertexArrays::set_pointer(const Command& c) {
     const double size = has_size ? c.number(next++) : allowed.smallest;
     const Enum type = has_type ? c.enumerant(next++) : allowed.types[0];
     const double stride = c.number(next++), offset = c.number(next);
-    if (stride < 0) return refused(kGL_INVALID_VALUE, c, "the stride of {} is {}", c.name(), stride);
+    if (stride < 0)
+        return refused(kGL_INVALID_VALUE, c, "the stride of {} is {}; it must be 0 or more", c.name(), stride);
     if (std::find(allowed.types.begin(), allowed.types.end(), type) == allowed.types.end()) {
         std::vector<std::string> names;
         for (Enum one : allowed.types) names.push_back(enum_name(one));
@@ -151,7 +152,8 @@ std::optional<GlError> VertexArrays::set_pointer(const Command& c) {
 std::optional<GlError> VertexArrays::interleaved(const Command& c) {
     const Enum format = c.enumerant(0);
     const double stride = c.number(1), offset = c.number(2);
-    if (stride < 0) return refused(kGL_INVALID_VALUE, c, "the stride of {} is {}", c.name(), stride);
+    if (stride < 0)
+        return refused(kGL_INVALID_VALUE, c, "the stride of {} is {}; it must be 0 or more", c.name(), stride);
     if (format < kGL_V2F || format > kGL_T4F_C4F_N3F_V4F) {
         return refused(kGL_INVALID_ENUM, c, "{} is given the format {}; expected GL_V2F to GL_T4F_C4F_N3F_V4F",
                        c.name(), enum_name(format));
@@ -183,12 +185,12 @@ std::optional<GlError> VertexArrays::active_texture(const Command& c) {
     return error;
 }
 
-// ---- The client's attribute stack; what GL_CLIENT_PIXEL_STORE_BIT saves is State's ----
+// ---- The client attribute stack; State handles GL_CLIENT_PIXEL_STORE_BIT ----
 
 std::optional<GlError> VertexArrays::push(const Command& c) {
     if (stack_.size() >= kClientAttributeStackDepth) {
         return refused(kGL_STACK_OVERFLOW, c,
-                       "the client's attribute stack holds {} levels; a glPopClientAttrib is missing",
+                       "the client attribute stack is full ({} levels); a glPopClientAttrib is missing",
                        kClientAttributeStackDepth);
     }
     stack_.push_back({client_, c.enumerant(0)});

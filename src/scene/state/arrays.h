@@ -1,5 +1,6 @@
-// VertexArrays: the client's side of GL (2.8, 2.9): array pointers, buffer objects, glPushClientAttrib's stack; and the
-// vertices that they come to. State draws with it; the fixed renderer asks it whether a driver may read what it is told to.
+// VertexArrays: GL's client state (2.8, 2.9): array pointers, buffer objects and the stack of glPushClientAttrib. It
+// reads the vertices for State, and checks for the fixed renderer that the driver reads no memory beyond an array's
+// end.
 #pragma once
 
 #include <array>
@@ -15,9 +16,9 @@
 
 namespace twinlight {
 
-// What all buffer objects may hold together; more is GL_OUT_OF_MEMORY.
+// The limit on the size of all buffer objects together; more is GL_OUT_OF_MEMORY.
 inline constexpr std::size_t kMaxBufferBytes = std::size_t{1} << 28;
-// The vertices of one draw.
+// The limit on the vertices of one draw.
 inline constexpr double kMaxDrawVertices = 1 << 22;
 
 struct BufferObject {
@@ -26,29 +27,29 @@ struct BufferObject {
     bool mapped = false;
 };
 
-// One array: where its elements are (2.8; tables 6.6 to 6.9).
+// The pointer to an array and its layout (2.8; tables 6.6 to 6.9).
 struct ArrayPointer {
     bool enabled = false;
-    int size = 4;  // values an element
+    int size = 4;  // values per element
     Enum type = kGL_FLOAT;
     int stride = 0;
-    std::uint32_t buffer = 0;                // the buffer object that was bound at glXxxPointer
-    std::shared_ptr<const Memory> memory{};  // else the client's memory; null for a null pointer
-    double offset = 0;                       // in bytes, into the one or the other
+    std::uint32_t buffer = 0;                // the buffer object that was bound when the pointer was set; 0: none
+    std::shared_ptr<const Memory> memory{};  // without a buffer: the client's memory; null for a null pointer
+    double offset = 0;                       // in bytes, into the buffer or the memory
 };
 
-// What glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT) saves.
+// The state that glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT) saves.
 struct ClientArrays {
     ArrayPointer vertex, normal{.size = 3}, color, edge_flag{.size = 1, .type = kGL_UNSIGNED_BYTE};
     std::array<ArrayPointer, kMaxTextureUnits> tex_coord;
-    // Arrays of what Twinlight does not follow (color indexes, secondary colours, fog coordinates): whether they are on.
+    // Whether the arrays that only the driver supports are enabled: color indexes, secondary colours, fog coordinates.
     std::array<bool, 3> driver_only{};
-    std::size_t active_unit = 0;  // glClientActiveTexture's
+    std::size_t active_unit = 0;  // glClientActiveTexture
     std::uint32_t array_buffer = 0, element_buffer = 0;
 };
 
-// The vertices of a glDrawArrays, glDrawElements or glArrayElement, read from the arrays that were enabled. What the
-// others have (a bool below is false) comes from the current values when they are drawn.
+// The vertices of a glDrawArrays, glDrawElements or glArrayElement, read from the enabled arrays. A missing attribute
+// (its bool is false) gets the current value when the vertices are drawn.
 struct ArrayVertices {
     Enum mode = kGL_POINTS;
     std::vector<Vertex> vertices{};
@@ -58,20 +59,20 @@ struct ArrayVertices {
 
 class VertexArrays {
   public:
-    // The commands on arrays and buffers, but for those that draw; what is raised, if they are refused.
+    // Executes a command on arrays or buffers, but not one that draws. Returns its error, if any.
     std::optional<GlError> apply(const Command& command);
 
-    // Whether a command that draws from arrays is legal, and reads nothing but what the memory and the buffers hold.
+    // The error of a command that draws from arrays: it is illegal, or reads beyond the end of memory or a buffer.
     std::optional<GlError> check(const Command& draw) const;
-    // What it reads; check() was passed. Elements of the same index are one vertex.
+    // The vertices that the command reads; check() must have succeeded. Equal indices share one vertex.
     ArrayVertices read(const Command& draw, SignedRule rule) const;
 
-    // The smallest and the largest index of glDrawElements or glDrawRangeElements; check() was passed.
+    // The smallest and the largest index of glDrawElements or glDrawRangeElements; check() must have succeeded.
     std::pair<double, double> index_range(const Command& draw) const;
 
     const ClientArrays& client() const { return client_; }
-    const BufferObject* buffer(std::uint32_t name) const;  // null for a name without an object
-    // The buffer that texture images are read from, where one is bound (3.6.1); null: the client's memory.
+    const BufferObject* buffer(std::uint32_t name) const;  // null if there is no such object
+    // The buffer object that texture images are read from (3.6.1); null: they are read from client memory.
     const BufferObject* pixel_unpack_buffer() const { return pixel_unpack_ == 0 ? nullptr : buffer(pixel_unpack_); }
     std::uint32_t pixel_unpack_name() const { return pixel_unpack_; }
     std::uint32_t pixel_pack_name() const { return pixel_pack_; }
@@ -85,16 +86,17 @@ class VertexArrays {
     Change generate, remove, bind, data, sub_data, map, unmap;
 
     std::uint32_t* binding(Enum target);
-    BufferObject* bound(const Command& c, Result& error);  // of the target; null, and the error, where none is bound
-    bool* enabled(Enum array);                             // null for what is no array
+    BufferObject* bound(const Command& c,
+                        Result& error);  // for the target; sets `error` and returns null if none is bound
+    bool* enabled(Enum array);           // null if `array` is not an array
     void point(ArrayPointer& array, int size, Enum type, int stride, const Command& c, double offset) const;
 
-    // The bytes that an array lies in; nothing where it leads nowhere.
+    // The bytes of an array's buffer or memory; nullopt if it has none.
     std::optional<std::span<const std::byte>> bytes(const ArrayPointer& array) const;
     std::optional<std::span<const std::byte>> index_bytes(const Command& draw) const;
     std::vector<std::uint32_t> elements(const Command& draw) const;
     Result check_elements(const Command& draw) const;
-    // Whether the enabled arrays hold the elements from `smallest` to `largest`.
+    // The error if an enabled array does not contain all elements from `smallest` to `largest`.
     Result check_memory(const Command& draw, std::uint64_t smallest, std::uint64_t largest) const;
     void read_element(std::uint64_t index, SignedRule rule, Vertex& vertex) const;
 
@@ -106,11 +108,11 @@ class VertexArrays {
     ClientArrays client_;
     std::vector<Saved> stack_;
     std::uint32_t pixel_pack_ = 0, pixel_unpack_ = 0;
-    std::map<std::uint32_t, std::shared_ptr<BufferObject>> buffers_;  // null: generated, not bound yet
+    std::map<std::uint32_t, std::shared_ptr<BufferObject>> buffers_;  // null: generated but not yet bound
     std::size_t buffer_bytes_ = 0;
 };
 
-// The error of a command whose first argument should be a texture unit (3.8.16), and is none.
+// The error of a command whose first argument is not a valid texture unit (3.8.16).
 std::optional<GlError> wrong_texture_unit(const Command& command);
 
 // Whether a command draws from arrays: glDrawArrays, glDrawElements, glDrawRangeElements, glArrayElement.

@@ -1,4 +1,4 @@
-// glPushAttrib and glPopAttrib (6.1.14): which bit saves what, after tables 6.5 to 6.35.
+// glPushAttrib and glPopAttrib (6.1.14). Tables 6.5 to 6.35 list the state that each bit saves.
 
 #include <algorithm>
 #include <iterator>
@@ -11,9 +11,9 @@ namespace twinlight {
 
 namespace {
 
-// Groups of attributes, as references: a group of what is now is assigned the same group of what was saved.
+// Groups of attributes as tuples of references, so that a saved group can be assigned to the current one.
 
-auto capabilities(auto& a) {  // of GL_ENABLE_BIT, but for those that there are several of
+auto capabilities(auto& a) {  // GL_ENABLE_BIT, without lights, clip planes and textures
     return std::tie(a.lighting.enabled, a.lighting.color_material.enabled, a.lighting.normalize,
                     a.lighting.rescale_normal, a.raster.cull_enabled, a.raster.depth_test,
                     a.raster.polygon_offset.point, a.raster.polygon_offset.line, a.raster.polygon_offset.fill,
@@ -36,7 +36,7 @@ auto transform(auto& a) {
 
 auto viewport(auto& a) { return std::tie(a.raster.viewport, a.raster.depth_near, a.raster.depth_far); }
 
-// The parameters of a texture (table 6.16 and 6.17), not its images.
+// The parameters of a texture (tables 6.16 and 6.17), without its images.
 auto parameters(auto& texture) {
     return std::tie(texture.min_filter, texture.mag_filter, texture.wrap_s, texture.wrap_t, texture.border_color,
                     texture.priority, texture.generate_mipmap);
@@ -54,15 +54,15 @@ void restore_enables(Attributes& now, const Attributes& saved) {
 }
 
 void restore_lighting(LightingState& now, const LightingState& saved) {
-    const bool normalize = now.normalize, rescale = now.rescale_normal;  // of GL_TRANSFORM_BIT
+    const bool normalize = now.normalize, rescale = now.rescale_normal;  // these belong to GL_TRANSFORM_BIT
     now = saved;
     now.normalize = normalize;
     now.rescale_normal = rescale;
 }
 
 void restore_color_buffer(Attributes& now, const Attributes& saved) {
-    const Scissor scissor = now.fragment.scissor;   // of GL_SCISSOR_BIT
-    const bool color_sum = now.fragment.color_sum;  // of GL_FOG_BIT
+    const Scissor scissor = now.fragment.scissor;   // belongs to GL_SCISSOR_BIT
+    const bool color_sum = now.fragment.color_sum;  // belongs to GL_FOG_BIT
     now.fragment = saved.fragment;
     now.fragment.scissor = scissor;
     now.fragment.color_sum = color_sum;
@@ -113,7 +113,7 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
 
 void State::push_attrib(const Command& c) {
     if (attribute_stack_.size() >= kAttributeStackDepth) {
-        return raise(kGL_STACK_OVERFLOW, c, "the attribute stack holds {} levels; a glPopAttrib is missing",
+        return raise(kGL_STACK_OVERFLOW, c, "the attribute stack is full ({} levels); a glPopAttrib is missing",
                      kAttributeStackDepth);
     }
     SavedAttributes saved{a_, c.enumerant(0), {}, {}, c.place};
@@ -128,7 +128,7 @@ void State::pop_attrib(const Command& c) {
     attribute_stack_.pop_back();
     restore(a_, saved.attributes, saved.mask);
     if ((saved.mask & kGL_TEXTURE_BIT) == 0) return;
-    // What was deleted in between is bound no more (3.8.12), though another may have its name now.
+    // A texture that was deleted in between is no longer bound (3.8.12), even if a new one has its name.
     const auto keep = [this](std::uint32_t& bound, Enum target) {
         const auto found = textures_.named.find(bound);
         if (found == textures_.named.end() || !found->second || found->second->target != target) bound = 0;
@@ -138,7 +138,7 @@ void State::pop_attrib(const Command& c) {
         keep(one.bound_2d, kGL_TEXTURE_2D);
     }
     const auto put_back = [&](Enum target, const Texture& before) {
-        if (parameters(bound_texture(target)) == parameters(before)) return;  // a copy would be for nothing
+        if (parameters(bound_texture(target)) == parameters(before)) return;  // avoids a copy
         if (Texture* texture = writable_texture(c, target)) parameters(*texture) = parameters(before);
     };
     put_back(kGL_TEXTURE_1D, saved.texture_1d);

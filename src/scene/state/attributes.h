@@ -1,4 +1,4 @@
-// What State holds beside what a Draw does: the texture objects, the pixel store, the hints, and what glPushAttrib saves.
+// State that is not part of a Draw: texture objects, pixel storage, hints, and all attributes that glPushAttrib saves.
 #pragma once
 
 #include <array>
@@ -10,26 +10,25 @@
 
 namespace twinlight {
 
-// 3.8: the texture objects. They are shared with the Draws that use them, and copied before they are changed where a
-// Draw holds one.
+// The texture objects (3.8). Draws share them; a shared one is copied before it is changed.
 struct TextureObjects {
-    std::map<std::uint32_t, std::shared_ptr<Texture>> named;  // null: a name that was generated and not bound yet
+    std::map<std::uint32_t, std::shared_ptr<Texture>> named;  // null: the name was generated but not yet bound
     // The textures of name 0 (3.8.12).
     std::shared_ptr<Texture> default_1d = std::make_shared<Texture>(Texture{.target = kGL_TEXTURE_1D});
     std::shared_ptr<Texture> default_2d = std::make_shared<Texture>();
-    std::size_t texels = 0;  // of all of them
+    std::size_t texels = 0;  // in all of them
 };
 
-std::size_t texels_of(const Texture& texture);  // of all its images
+std::size_t texels_of(const Texture& texture);  // in all its images
 
-// The stacks of glPushAttrib and glPushClientAttrib (table 6.33: at least this; Mesa's).
+// The depth of the stacks of glPushAttrib and glPushClientAttrib: at least 16 (table 6.33); 16 in Mesa.
 inline constexpr std::size_t kAttributeStackDepth = 16;
 inline constexpr std::size_t kClientAttributeStackDepth = 16;
 
-inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: two at least (table 6.31), eight in Mesa
+inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: at least 2 (table 6.31); 8 in Mesa
 
-// A texture unit: its bindings, capabilities and environment (3.8.13, 3.8.16). Draws are textured by unit 0; where
-// another is on, that is named as unsupported.
+// The bindings, capabilities and environment of a texture unit (3.8.13, 3.8.16). Draws use only unit 0; another enabled
+// unit is reported as unsupported.
 struct TextureBindings {
     std::uint32_t bound_1d = 0, bound_2d = 0;
     bool enabled_1d = false, enabled_2d = false;
@@ -38,10 +37,10 @@ struct TextureBindings {
     double lod_bias = 0;
 };
 
-// Whether this is a target of textures that State does not follow: a picture that is drawn with one enabled says so.
+// Whether only the driver supports this texture target. A picture with one enabled is reported as partial.
 bool is_driver_only_texture(Enum target);
 
-// How pixels lie in client memory (3.6.1, table 3.1); glPixelStore sets them by name.
+// The layout of pixels in client memory (3.6.1, table 3.1), set by glPixelStore.
 struct PixelStore {
     bool unpack_swap_bytes = false, unpack_lsb_first = false;
     int unpack_row_length = 0, unpack_skip_rows = 0, unpack_skip_pixels = 0, unpack_alignment = 4;
@@ -51,7 +50,7 @@ struct PixelStore {
     int pack_image_height = 0, pack_skip_images = 0;
 };
 
-// The members of PixelStore by the names of glPixelStore.
+// The member of PixelStore for each pname of glPixelStore.
 struct PixelStoreRow {
     Enum pname;
     std::variant<bool PixelStore::*, int PixelStore::*> member;
@@ -84,10 +83,10 @@ struct ClipPlane {  // 2.12
     glm::dvec4 equation_eye{0, 0, 0, 0};
 };
 
-// 5.6: hints change no pixel here; they can be asked for. By target.
+// Hints (5.6), by target. They change no pixel, but can be queried.
 using Hints = std::map<Enum, Enum>;
 
-// All that a bit of glPushAttrib saves (6.1.14, tables 6.5 to 6.35): State's own copy of it is what commands change.
+// All state that some bit of glPushAttrib saves (6.1.14, tables 6.5 to 6.35).
 struct Attributes {
     LightingState lighting;
     RasterState raster;  // without the clip planes, which a Draw gets from clip_planes
@@ -99,10 +98,10 @@ struct Attributes {
     Vertex current;           // colour, normal, texture coordinates, edge flag
     Clear clear;              // the clear colour and depth
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
-    // What a picture is partial by, where it is drawn with it: values of which Draws have none, and where they were set.
-    std::optional<Place> secondary_color;    // other than black
+    // Places where values were set that only the driver supports; a picture that is drawn with them is partial.
+    std::optional<Place> secondary_color;    // not black
     std::optional<Place> fog_coordinates;    // GL_FOG_COORD_SRC is GL_FOG_COORD
-    std::map<Enum, Place> point_parameters;  // that are not GL's initial ones
+    std::map<Enum, Place> point_parameters;  // those that differ from GL's initial values
     Hints hints{{kGL_PERSPECTIVE_CORRECTION_HINT, kGL_DONT_CARE},
                 {kGL_POINT_SMOOTH_HINT, kGL_DONT_CARE},
                 {kGL_LINE_SMOOTH_HINT, kGL_DONT_CARE},
@@ -112,8 +111,8 @@ struct Attributes {
                 {kGL_TEXTURE_COMPRESSION_HINT, kGL_DONT_CARE}};
     Enum matrix_mode = kGL_MODELVIEW;
     std::uint32_t list_base = 0;
-    // Capabilities that State does not follow and that are on, with where that was said: by the capability and its
-    // texture unit, 0 for those that have none.
+    // The enabled capabilities that only the driver supports, with the place of glEnable. The key is the capability and
+    // its texture unit (0 for capabilities without units).
     std::map<std::pair<Enum, std::size_t>, Place> driver_only{{{kGL_DITHER, 0}, {}}, {{kGL_MULTISAMPLE, 0}, {}}};
 };
 

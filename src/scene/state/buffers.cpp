@@ -11,7 +11,7 @@ namespace {
 constexpr Enum kUsages[] = {kGL_STREAM_DRAW, kGL_STREAM_READ,  kGL_STREAM_COPY,  kGL_STATIC_DRAW, kGL_STATIC_READ,
                             kGL_STATIC_COPY, kGL_DYNAMIC_DRAW, kGL_DYNAMIC_READ, kGL_DYNAMIC_COPY};
 
-// The bytes that a command copies from its memory; nothing where the memory has not so many.
+// The bytes that a command copies from its memory; nullopt if the memory is too small.
 std::optional<std::span<const std::byte>> source(const Command& c, double offset, double size) {
     if (!c.memory || offset < 0 || offset + size > static_cast<double>(c.memory->bytes.size())) return std::nullopt;
     return std::span(c.memory->bytes).subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
@@ -25,8 +25,7 @@ GlError wrong_target(const Command& c) {
 
 GlError beyond_memory(const Command& c, double offset, double size) {
     const double available = c.memory ? static_cast<double>(c.memory->bytes.size()) - offset : 0;
-    return undefined(kGL_INVALID_OPERATION, c, "{} reads {} bytes, but the memory it is given has {}", c.name(), size,
-                     available);
+    return undefined(kGL_INVALID_OPERATION, c, "{} reads {} bytes, but its array has {}", c.name(), size, available);
 }
 
 }  // namespace
@@ -47,14 +46,17 @@ std::uint32_t* VertexArrays::binding(Enum target) {
 }
 
 std::optional<GlError> VertexArrays::generate(const Command& c) {
-    if (c.number(0) < 0) return refused(kGL_INVALID_VALUE, c, "glGenBuffers is asked for {} buffers", c.number(0));
+    if (c.number(0) < 0)
+        return refused(kGL_INVALID_VALUE, c, "glGenBuffers is given the count {}; it must be 0 or more", c.number(0));
     for (double name : c.array()) buffers_.try_emplace(static_cast<std::uint32_t>(name), nullptr);
     return std::nullopt;
 }
 
-// What was bound is bound no more, in the arrays' pointers too; 0 and names that are not in use are passed over.
+// Deleted buffers are unbound everywhere, also from array pointers. 0 and unused names are ignored.
 std::optional<GlError> VertexArrays::remove(const Command& c) {
-    if (c.number(0) < 0) return refused(kGL_INVALID_VALUE, c, "glDeleteBuffers is given {} buffers", c.number(0));
+    if (c.number(0) < 0)
+        return refused(kGL_INVALID_VALUE, c, "glDeleteBuffers is given the count {}; it must be 0 or more",
+                       c.number(0));
     for (double value : c.array()) {
         const auto name = static_cast<std::uint32_t>(value);
         const auto found = buffers_.find(name);
@@ -63,7 +65,7 @@ std::optional<GlError> VertexArrays::remove(const Command& c) {
         buffers_.erase(found);
         for (std::uint32_t* bound : {&client_.array_buffer, &client_.element_buffer, &pixel_pack_, &pixel_unpack_})
             if (*bound == name) *bound = 0;
-        // An array that lay in it leads nowhere.
+        // An array in this buffer has no memory any more.
         const auto leave = [name](ArrayPointer& array) {
             if (array.buffer != name) return;
             array.buffer = 0;
@@ -76,7 +78,7 @@ std::optional<GlError> VertexArrays::remove(const Command& c) {
     return std::nullopt;
 }
 
-// A name that was never generated may be bound as well.
+// GL allows names that were never generated.
 std::optional<GlError> VertexArrays::bind(const Command& c) {
     std::uint32_t* bound = binding(c.enumerant(0));
     if (!bound) return wrong_target(c);
@@ -91,8 +93,8 @@ BufferObject* VertexArrays::bound(const Command& c, Result& error) {
     const std::uint32_t* name = binding(c.enumerant(0));
     if (name && *name != 0) return buffers_.at(*name).get();
     error = !name ? wrong_target(c)
-                  : refused(kGL_INVALID_OPERATION, c, "{}: no buffer is bound to {}; a glBindBuffer is missing",
-                            c.name(), enum_name(c.enumerant(0)));
+                  : refused(kGL_INVALID_OPERATION, c, "{}: no buffer is bound to {}; call glBindBuffer first", c.name(),
+                            enum_name(c.enumerant(0)));
     return nullptr;
 }
 
@@ -103,7 +105,7 @@ std::optional<GlError> VertexArrays::data(const Command& c) {
     if (!buffer) return error;
     const double size = c.number(1), offset = c.number(2);
     const Enum usage = c.enumerant(3);
-    if (size < 0) return refused(kGL_INVALID_VALUE, c, "the size of glBufferData is {}", size);
+    if (size < 0) return refused(kGL_INVALID_VALUE, c, "the size of glBufferData is {}; it must be 0 or more", size);
     if (std::find(std::begin(kUsages), std::end(kUsages), usage) == std::end(kUsages)) {
         return refused(kGL_INVALID_ENUM, c,
                        "glBufferData is given the usage {}; expected GL_STATIC_DRAW, GL_DYNAMIC_DRAW, "
@@ -111,14 +113,14 @@ std::optional<GlError> VertexArrays::data(const Command& c) {
                        enum_name(usage));
     }
     if (size > static_cast<double>(kMaxBufferBytes - (buffer_bytes_ - buffer->bytes.size()))) {
-        return undefined(kGL_OUT_OF_MEMORY, c, "all buffer objects hold {} MiB at the most together",
+        return undefined(kGL_OUT_OF_MEMORY, c, "all buffer objects together can have at most {} MiB",
                          kMaxBufferBytes >> 20);
     }
     const bool is_null = !c.memory && offset == 0;
     const auto given = source(c, offset, size);
     if (!is_null && !given) return beyond_memory(c, offset, size);
     buffer_bytes_ -= buffer->bytes.size();
-    // RULING: 2.9 leaves open what a buffer holds that was given no data; here 0.
+    // RULING: without data the buffer is filled with 0; section 2.9 leaves this open.
     buffer->bytes.assign(static_cast<std::size_t>(size), std::byte{0});
     if (given) std::copy(given->begin(), given->end(), buffer->bytes.begin());
     buffer_bytes_ += buffer->bytes.size();
@@ -134,11 +136,11 @@ std::optional<GlError> VertexArrays::sub_data(const Command& c) {
     if (!buffer) return error;
     const double at = c.number(1), size = c.number(2), offset = c.number(3);
     if (at < 0 || size < 0 || at + size > static_cast<double>(buffer->bytes.size())) {
-        return refused(kGL_INVALID_VALUE, c, "glBufferSubData writes {} bytes from {} on, but the buffer holds {}",
+        return refused(kGL_INVALID_VALUE, c, "glBufferSubData writes {} bytes at offset {}, but the buffer has {}",
                        size, at, buffer->bytes.size());
     }
     if (buffer->mapped)
-        return refused(kGL_INVALID_OPERATION, c, "glBufferSubData on a mapped buffer; a glUnmapBuffer is missing");
+        return refused(kGL_INVALID_OPERATION, c, "glBufferSubData writes to a mapped buffer; call glUnmapBuffer first");
     if (size == 0) return std::nullopt;
     const auto given = source(c, offset, size);
     if (!given) return beyond_memory(c, offset, size);
@@ -146,8 +148,8 @@ std::optional<GlError> VertexArrays::sub_data(const Command& c) {
     return std::nullopt;
 }
 
-// What a program writes to the mapped bytes, no command says: a recorded program's writes come as glBufferSubData after
-// the glUnmapBuffer.
+// No command shows what a program writes to mapped memory. In a recording the writes appear as glBufferSubData after
+// glUnmapBuffer.
 std::optional<GlError> VertexArrays::map(const Command& c) {
     const Enum access = c.enumerant(1);
     if (access != kGL_READ_ONLY && access != kGL_WRITE_ONLY && access != kGL_READ_WRITE) {
@@ -159,7 +161,7 @@ std::optional<GlError> VertexArrays::map(const Command& c) {
     BufferObject* buffer = bound(c, error);
     if (!buffer) return error;
     if (buffer->mapped)
-        return refused(kGL_INVALID_OPERATION, c, "this buffer is mapped already; a glUnmapBuffer is missing");
+        return refused(kGL_INVALID_OPERATION, c, "this buffer is already mapped; call glUnmapBuffer first");
     buffer->mapped = true;
     return std::nullopt;
 }

@@ -1,4 +1,4 @@
-// glEnable and glDisable: which capabilities there are, and which of them State follows.
+// glEnable and glDisable: the list of capabilities, and which of them State supports.
 #include "scene/state/capabilities.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace twinlight {
 
-// Those marked false change no pixel of what Twinlight draws.
+// The last column: whether the capability can change a pixel of what Twinlight draws.
 std::span<const DriverOnlyCapability> driver_only_capabilities() {
     static constexpr DriverOnlyCapability kRows[] = {
         {kGL_POINT_SMOOTH, kGL_POINT_BIT, true},
@@ -21,7 +21,7 @@ std::span<const DriverOnlyCapability> driver_only_capabilities() {
         {kGL_DITHER, kGL_COLOR_BUFFER_BIT, false},
         {kGL_TEXTURE_GEN_S, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_GEN_T, kGL_TEXTURE_BIT, true},
-        {kGL_TEXTURE_GEN_R, kGL_TEXTURE_BIT, false},  // of no use to textures of one and two dimensions
+        {kGL_TEXTURE_GEN_R, kGL_TEXTURE_BIT, false},  // not used by textures of one and two dimensions
         {kGL_TEXTURE_GEN_Q, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_3D, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_CUBE_MAP, kGL_TEXTURE_BIT, true},
@@ -31,7 +31,7 @@ std::span<const DriverOnlyCapability> driver_only_capabilities() {
         {kGL_SAMPLE_ALPHA_TO_ONE, kGL_MULTISAMPLE_BIT, false},
         {kGL_SAMPLE_COVERAGE, kGL_MULTISAMPLE_BIT, false},
         {kGL_AUTO_NORMAL, kGL_EVAL_BIT, false},
-        // Evaluators draw only where a command says so, which is named.
+        // Evaluators draw only by commands that are themselves reported as unsupported.
         {kGL_MAP1_COLOR_4, kGL_EVAL_BIT, false},
         {kGL_MAP1_INDEX, kGL_EVAL_BIT, false},
         {kGL_MAP1_NORMAL, kGL_EVAL_BIT, false},
@@ -64,9 +64,9 @@ const DriverOnlyCapability& driver_only_capability(Enum cap) {
 
 namespace {
 
-// The place of a capability that State follows; null for others.
+// A pointer to the flag of a capability that State supports; null for others.
 template <class A>
-auto* followed(A& a, Enum cap) {
+auto* supported_flag(A& a, Enum cap) {
     using Flag = decltype(&a.lighting.enabled);
     if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMaxLights) return &a.lighting.lights[cap - kGL_LIGHT0].enabled;
     if (cap >= kGL_CLIP_PLANE0 && cap < kGL_CLIP_PLANE0 + kMaxClipPlanes)
@@ -95,23 +95,23 @@ auto* followed(A& a, Enum cap) {
 }  // namespace
 
 std::optional<bool> State::capability(Enum cap) const {
-    if (const bool* on = followed(a_, cap)) return *on;
+    if (const bool* on = supported_flag(a_, cap)) return *on;
     for (const DriverOnlyCapability& row : driver_only_capabilities())
-        if (row.cap == cap) return a_.driver_only.contains({cap, row.of_unit() ? a_.active_unit : 0});
+        if (row.cap == cap) return a_.driver_only.contains({cap, row.is_per_unit() ? a_.active_unit : 0});
     return std::nullopt;
 }
 
 void State::set_capability(const Command& c, bool enabled) {
     const Enum cap = c.enumerant(0);
-    if (bool* on = followed(a_, cap)) {
+    if (bool* on = supported_flag(a_, cap)) {
         *on = enabled;
-        // 2.14.3: from the moment of glEnable on the material follows the colour.
+        // 2.14.3: from glEnable on, the material tracks the current colour.
         if (cap == kGL_COLOR_MATERIAL) track_color();
         return;
     }
     if (!known_capability(c)) return;
     const DriverOnlyCapability& row = driver_only_capability(cap);
-    const std::pair key(cap, row.of_unit() ? a_.active_unit : 0);
+    const std::pair key(cap, row.is_per_unit() ? a_.active_unit : 0);
     if (enabled)
         a_.driver_only.emplace(key, c.place);
     else
@@ -121,8 +121,15 @@ void State::set_capability(const Command& c, bool enabled) {
 bool State::known_capability(const Command& c) {
     const Enum cap = c.enumerant(0);
     if (capability(cap)) return true;
+    constexpr Enum kMostNumbered = 256;
+    if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMostNumbered) {
+        raise(kGL_INVALID_ENUM, c,
+              "{} is given GL_LIGHT0 + {}; GL has GL_LIGHT0 to GL_LIGHT7, others need #pragma twinlight light(8, ...)",
+              c.name(), cap - kGL_LIGHT0);
+        return false;
+    }
     raise(kGL_INVALID_ENUM, c,
-          "{} is given {}, which is no capability; expected GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, ...", c.name(),
+          "{} is given {}, which is not a capability; expected GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, ...", c.name(),
           enum_name(cap));
     return false;
 }

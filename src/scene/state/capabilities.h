@@ -1,5 +1,4 @@
-// Capabilities that State does not follow: the fixed renderer obeys them, and a picture made under one of them is
-// reported as partial.
+// Capabilities that only the driver supports. State ignores them, and reports a picture that uses one as partial.
 #pragma once
 
 #include <span>
@@ -10,15 +9,15 @@ namespace twinlight {
 
 struct DriverOnlyCapability {
     Enum cap;
-    Enum group;  // the bit of glPushAttrib that saves it, beside GL_ENABLE_BIT; 0: that one alone
+    Enum group;  // the bit of glPushAttrib that saves it besides GL_ENABLE_BIT; 0 if there is none
     bool changes_pixels;
 
-    bool of_unit() const { return group == kGL_TEXTURE_BIT; }  // each texture unit has its own
-    // Whether it gives coordinates to a texture, and so changes nothing without one.
+    bool is_per_unit() const { return group == kGL_TEXTURE_BIT; }  // each texture unit has its own
+    // Whether it generates texture coordinates, which have no effect without a texture.
     bool generates_coordinates() const { return cap >= kGL_TEXTURE_GEN_S && cap <= kGL_TEXTURE_GEN_Q; }
 };
 
 std::span<const DriverOnlyCapability> driver_only_capabilities();
-const DriverOnlyCapability& driver_only_capability(Enum cap);  // one of them
+const DriverOnlyCapability& driver_only_capability(Enum cap);  // `cap` must be in that list
 
 }  // namespace twinlight

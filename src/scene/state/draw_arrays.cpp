@@ -1,4 +1,4 @@
-// Drawing from vertex arrays (2.8): what the arrays hold becomes Draws; for the arrays themselves see arrays.h.
+// Drawing from vertex arrays (2.8). arrays.h handles the arrays themselves.
 #include <fmt/format.h>
 
 #include "scene/state/state.h"
@@ -7,7 +7,7 @@ namespace twinlight {
 
 void State::client_arrays(const Command& c) {
     if (const auto error = arrays_.apply(c)) return raise(*error);
-    // The other half of the client's attributes (6.1.14).
+    // State saves the pixel storage modes (6.1.14).
     if (c.id == CommandId::glPushClientAttrib) {
         saved_pixel_stores_.push_back((c.enumerant(0) & kGL_CLIENT_PIXEL_STORE_BIT) != 0 ? std::optional(pixel_store_)
                                                                                          : std::nullopt);
@@ -33,7 +33,7 @@ std::optional<ArrayVertices> State::array_vertices(const Command& c) {
 
 namespace {
 
-// What no array gives has the current values.
+// Fills attributes that no array provides with the current values.
 Vertex complete(Vertex vertex, const ArrayVertices& read, const Vertex& current) {
     if (!read.has_normal) vertex.normal_object = current.normal_object;
     if (!read.has_color) vertex.color = current.color;
@@ -44,7 +44,7 @@ Vertex complete(Vertex vertex, const ArrayVertices& read, const Vertex& current)
 
 }  // namespace
 
-// The current values afterwards are left open by 2.8. RULING: they stay.
+// RULING: drawing leaves the current values unchanged; section 2.8 leaves this open.
 void State::draw_arrays(const Command& c) {
     if (const auto read = array_vertices(c)) draw(c, *read);
 }
@@ -62,7 +62,7 @@ void State::draw(const Command& c, const ArrayVertices& read) {
     show(std::move(draw));
 }
 
-// 2.8: as if glEdgeFlag, glTexCoord, glColor, glNormal and, last, glVertex were called, for the arrays that are enabled.
+// 2.8: calls glEdgeFlag, glTexCoord, glColor, glNormal and finally glVertex, for the arrays that are enabled.
 void State::array_element(const Command& c) {
     if (const auto read = array_vertices(c)) send_element(c, *read);
 }

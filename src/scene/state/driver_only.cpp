@@ -1,4 +1,4 @@
-// Commands that the driver carries out and State does not follow.
+// Commands that only the driver supports. State notes them as unsupported if they can change the picture.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,8 @@ namespace twinlight {
 
 namespace {
 
-// How many points of a map a command evaluates (5.1). A count up to the largest integer never ends in Mesa.
+// The number of points of a map that a command evaluates (5.1). If the range ends at the largest integer, Mesa loops
+// forever.
 double evaluated_points(const Command& c) {
     const auto between = [&c](std::size_t from) {
         constexpr double kLargest = 2147483647;
@@ -24,12 +25,12 @@ double evaluated_points(const Command& c) {
 
 }  // namespace
 
-// These set what changes a picture only under a capability, or for a command, that is named itself.
+// These set state that affects pictures only together with a capability or a command that is itself noted.
 void State::driver_only_state(const Command&) {}
-// The same, and legal between Begin and End: fog coordinates, and the indices of color index mode.
+// The same, but also allowed between Begin and End: fog coordinates, and the indices of color index mode.
 void State::driver_only_attribute(const Command&) {}
 
-// What these answer a scene cannot use, and what names they know is the driver's.
+// A scene cannot use the results of queries, and only the driver knows all their names.
 void State::driver_only_query(const Command&) {}
 
 // These change the picture.
@@ -38,10 +39,10 @@ void State::driver_only_drawing(const Command& c) {
     note_unsupported(std::string(c.name()), c.place);
 }
 
-// The same, and legal between Begin and End.
+// The same, but also allowed between Begin and End.
 void State::driver_only_vertex(const Command& c) { driver_only_drawing(c); }
 
-// ---- Values that change what is drawn with them ----
+// ---- Values that change later drawing ----
 
 namespace {
 
@@ -49,7 +50,7 @@ bool adds_secondary_color(const Draw& draw) { return draw.fragment.color_sum && 
 
 }  // namespace
 
-// 3.9: the current secondary colour is added without lighting only, and with GL_COLOR_SUM.
+// 3.9: the current secondary colour is added only if lighting is off and GL_COLOR_SUM is on.
 void State::driver_only_secondary_color(const Command& c) {
     const bool is_black = std::all_of(c.arguments.begin(), c.arguments.end(), [](double v) { return v == 0; });
     a_.secondary_color.reset();
@@ -58,17 +59,17 @@ void State::driver_only_secondary_color(const Command& c) {
     if (open_ && adds_secondary_color(*open_)) note_unsupported("glSecondaryColor", c.place);
 }
 
-// 3.3, table 6.12.
+// Section 3.3, table 6.12.
 void State::driver_only_point_parameter(const Command& c) {
     const Enum pname = c.enumerant(0);
     const auto values = parameter_values(c, Owner::kPoint, pname);
     if (!values) return;
-    // The largest size and the fading are the driver's own choice at first: they are taken as changed.
+    // The driver chooses the initial maximum size, so setting it always counts as a change.
     const bool is_initial = pname == kGL_POINT_SIZE_MIN               ? values->front() == 0
                             : pname == kGL_POINT_DISTANCE_ATTENUATION ? *values == std::vector<double>{1, 0, 0}
                             : pname == kGL_POINT_SPRITE_COORD_ORIGIN
                                 ? values->front() == kGL_UPPER_LEFT
-                                : pname == kGL_POINT_FADE_THRESHOLD_SIZE;  // of multisampling only
+                                : pname == kGL_POINT_FADE_THRESHOLD_SIZE;  // only affects multisampling
     if (is_initial)
         a_.point_parameters.erase(pname);
     else
@@ -84,7 +85,7 @@ void State::note_driver_only_values(const Draw& draw) {
         note(fmt::format("glPointParameter({})", enum_name(pname)), place);
 }
 
-// 3.6.3: scales and biases what every glTexImage gives.
+// 3.6.3: scales and biases the pixels of every glTexImage.
 void State::driver_only_pixel_transfer(const Command& c) {
     const Enum pname = c.enumerant(0);
     if (!known(c, pname,
@@ -99,33 +100,34 @@ void State::driver_only_pixel_transfer(const Command& c) {
 
 // ---- Pixels ----
 
-// 3.7. Without pixels it moves the raster position, and nothing is drawn.
+// Section 3.7. A bitmap without pixels only moves the raster position.
 void State::driver_only_bitmap(const Command& c) {
     const int width = static_cast<int>(c.number(0)), height = static_cast<int>(c.number(1));
     if (width < 0 || height < 0)
-        return raise(kGL_INVALID_VALUE, c, "glBitmap is given the size {} x {}", width, height);
+        return raise(kGL_INVALID_VALUE, c, "glBitmap is given the size {} x {}; it cannot be negative", width, height);
     const std::size_t needed = bitmap_bytes(width, height, pixel_store_);
     if (needed == 0) return;
     const double there = c.memory ? static_cast<double>(c.memory->bytes.size()) - c.number(6) : 0;
     if (!arrays_.pixel_unpack_buffer() && static_cast<double>(needed) > there) {
         return raise(kGL_INVALID_OPERATION, c,
-                     "glBitmap reads {} bytes, but the memory it is given has {}; mind GL_UNPACK_ALIGNMENT, {} here",
-                     needed, there, pixel_store_.unpack_alignment);
+                     "glBitmap reads {} bytes, but its array has {}; check GL_UNPACK_ALIGNMENT, which is {}", needed,
+                     there, pixel_store_.unpack_alignment);
     }
     driver_only_drawing(c);
 }
 
-// 3.5.2: 32 x 32 bits, unpacked as a bitmap is. GL_POLYGON_STIPPLE is named where it is on.
+// 3.5.2: 32 x 32 bits, unpacked like a bitmap. GL_POLYGON_STIPPLE is noted when it is enabled.
 void State::driver_only_stipple(const Command& c) {
     constexpr int kSide = 32;
     const std::size_t needed = bitmap_bytes(kSide, kSide, pixel_store_);
     if (needed > c.array().size()) {
-        raise(kGL_INVALID_OPERATION, c, "glPolygonStipple reads {} bytes with this glPixelStore, but it is given {}",
-              needed, c.array().size());
+        raise(kGL_INVALID_OPERATION, c,
+              "glPolygonStipple reads {} bytes with these glPixelStore values, but its array has {}", needed,
+              c.array().size());
     }
 }
 
-// 3.8.2: the image is there from now on, and what it shows only the driver knows.
+// 3.8.2: the image exists from now on, but only the driver knows its contents.
 void State::driver_only_copy_image(const Command& c) {
     note_lasting(c.name(), c.place);
     const bool two = c.id == CommandId::glCopyTexImage2D;
@@ -138,10 +140,11 @@ void State::driver_only_copy_image(const Command& c) {
                       width <= kMaxTextureSize >> level && height <= kMaxTextureSize >> level;
     const auto count = static_cast<std::size_t>(std::max(0, width)) * static_cast<std::size_t>(std::max(0, height));
     if (!fits) {
-        return raise(kGL_INVALID_VALUE, c, "{} is given the level {} and the size {} x {}", c.name(), level, width,
-                     height);
+        return raise(kGL_INVALID_VALUE, c,
+                     "{} cannot make level {} with {} x {} texels; each side of level 0 can have at most {}", c.name(),
+                     level, width, height, kMaxTextureSize);
     }
-    if (!format) return;  // of depth, say
+    if (!format) return;  // for example a depth format
     if (!has_texels(c, static_cast<double>(count))) return;
     Texture* texture = writable_texture(c, c.enumerant(0));
     if (!texture) return;
@@ -153,7 +156,7 @@ void State::driver_only_copy_image(const Command& c) {
     textures_.texels += texels_of(*texture);
 }
 
-// 4.2.1. A picture here has one colour buffer, whatever its name.
+// 4.2.1. There is one colour buffer, so all names but GL_NONE mean the same.
 void State::draw_buffer(const Command& c) {
     const Enum mode = c.enumerant(0);
     if (!known(c, mode,

@@ -1,5 +1,5 @@
-// Objects far from the origin of their coordinates, with the eye beside them: eye coordinates are then what is left of numbers
-// that cancel, and floats have lost it.
+// Detects objects far from the origin with the eye near them. Their eye coordinates are small differences of large
+// numbers, and floats lose their digits.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,11 @@
 
 namespace twinlight {
 
-// Whether that is so at this place of the Draw, or as near to the eye as `reach_eye` around it.
+// Whether this holds at a point of the Draw (object coordinates), or within the distance `reach_eye` (eye coordinates)
+// of it.
 inline bool is_far_from_origin(const Draw& draw, const glm::dvec4& place_object, double reach_eye = 0) {
-    // Of 24 bits, eight are lost: what is left is 1e-5 of the distance from the eye, 2.1.1's measure.
+    // Then a float loses 8 of its 24 bits. The remaining error is 1e-5 of the distance from the eye, the limit of
+    // section 2.1.1.
     constexpr double kCancels = 256;
     const glm::dvec3 turned = glm::dmat3(draw.eye_from_object) * glm::dvec3(place_object);
     const glm::dvec3 moved = glm::dvec3(draw.eye_from_object[3]) * place_object.w;

@@ -16,7 +16,8 @@ glm::dvec4 four(const Command& c) { return {c.number(0), c.number(1), c.number(2
 
 void State::scissor(const Command& c) {
     if (c.number(2) < 0 || c.number(3) < 0)
-        return raise(kGL_INVALID_VALUE, c, "glScissor is given the size {} x {}", c.number(2), c.number(3));
+        return raise(kGL_INVALID_VALUE, c, "glScissor is given the size {} x {}; it cannot be negative", c.number(2),
+                     c.number(3));
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     a_.fragment.scissor.box = {whole(0), whole(1), whole(2), whole(3)};
 }
@@ -29,7 +30,8 @@ void State::alpha_func(const Command& c) {
     a_.fragment.alpha_ref = std::clamp(c.number(1), 0.0, 1.0);
 }
 
-// Tables 4.1 and 4.2: SRC_ALPHA_SATURATE is a source factor only (in 2.1; drivers of GL 3 and later allow both).
+// Tables 4.1 and 4.2. GL 2.1 allows SRC_ALPHA_SATURATE only for the source; drivers of GL 3 and later allow it for
+// both.
 void State::blend_func(const Command& c) {
     for (std::size_t i = 0; i < c.arguments.size(); ++i)
         if (!known(c, c.enumerant(i),

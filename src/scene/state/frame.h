@@ -1,6 +1,7 @@
-// Frame: what the commands of one picture come to. The programmable and the reference renderer see only this.
+// Frame: one picture as a list of clears and draws, with all state resolved. The programmable and the reference
+// renderer see only this, not the commands.
 //
-// Everything is in double precision, in GL's words, with GL's initial values (GL 2.1 tables 6.5 to 6.13).
+// All numbers are doubles. Names and initial values are those of GL (GL 2.1 tables 6.5 to 6.13).
 // Spaces: object -> eye (modelview) -> clip (projection) -> ndc -> window (viewport, depth range).
 #pragma once
 
@@ -22,11 +23,11 @@
 
 namespace twinlight {
 
-inline constexpr int kMaxLights = 8;  // GL_MAX_LIGHTS (table 6.29: 8 at least)
-// The numbers of lights that GL does not have, `#pragma twinlight light(i, ...)`, end before this.
+inline constexpr int kMaxLights = 8;  // GL_MAX_LIGHTS: at least 8 (table 6.29)
+// `#pragma twinlight light(i, ...)` adds lights that GL lacks; their numbers are below this.
 inline constexpr int kMaxExtraLights = 1 << 16;
 
-// ---- What lights a Draw ----
+// ---- Lighting ----
 
 struct Material {  // 2.14.2, table 2.10
     glm::dvec4 ambient{0.2, 0.2, 0.2, 1};
@@ -34,9 +35,10 @@ struct Material {  // 2.14.2, table 2.10
     glm::dvec4 specular{0, 0, 0, 1};
     glm::dvec4 emission{0, 0, 0, 1};
     double shininess = 0;
-    glm::dvec3 color_indexes{0, 1, 1};  // of color index mode: changes nothing here
+    glm::dvec3 color_indexes{0, 1, 1};  // only for color index mode: no effect here
 
-    // The reflectances whose colours these are, `#pragma twinlight reflectance(face, pname, name)`; null: just a colour. Not in GL.
+    // Not in GL: `#pragma twinlight reflectance(face, pname, name)`. The spectra that the colours above were computed
+    // from; null if a colour was given as numbers.
     struct Reflectances {
         const Spectrum* ambient = nullptr;
         const Spectrum* diffuse = nullptr;
@@ -58,22 +60,23 @@ struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and spe
     double linear_attenuation = 0;
     double quadratic_attenuation = 0;
 
-    // The lecture's smooth cone, `#pragma twinlight spot_cone(light, inner_deg, outer_deg)`: not in GL.
+    // Not in GL: the lecture's smooth cone, `#pragma twinlight spot_cone(light, inner_deg, outer_deg)`.
     struct SmoothCone {
         double inner_deg = 0;
         double outer_deg = 0;
     };
     std::optional<SmoothCone> smooth_cone;
 
-    // The light whose colours these are, `#pragma twinlight illuminant(light, pname, name, scale)`: not in GL.
+    // Not in GL: `#pragma twinlight illuminant(light, pname, name, scale)`. The spectrum that a colour was computed
+    // from.
     struct Illuminant {
-        const Spectrum* spectrum = nullptr;  // null: just a colour
+        const Spectrum* spectrum = nullptr;  // null if the colour was given as numbers
         double scale = 1;
     };
     Illuminant diffuse_illuminant, specular_illuminant;
 };
 
-// "GL_LIGHT3"; "light(8)" for one that GL does not have.
+// "GL_LIGHT3"; "light(8)" for a light that GL lacks.
 inline std::string light_name(int number) {
     return number < kMaxLights ? "GL_LIGHT" + std::to_string(number) : "light(" + std::to_string(number) + ")";
 }
@@ -84,10 +87,11 @@ struct LightModel {  // 2.14.2, table 2.10
     bool two_side = false;
     Enum color_control = kGL_SINGLE_COLOR;
 
-    // The lecture's variants: not in GL.
+    // Not in GL: the lecture's variants.
     Word specular = Word::half_vector;      // or Word::reflection: (r.v)^n
-    Word light_ambient = Word::attenuated;  // or Word::unattenuated: ambient outside attenuation and spot
-    // `#pragma twinlight spectrum(n)`: what colours are multiplied in, and red, green and blue made from; null: in these.
+    Word light_ambient = Word::attenuated;  // or Word::unattenuated: the ambient term ignores attenuation and spot
+    // `#pragma twinlight spectrum(n)`: colours are multiplied as spectra with these samples and then converted to red,
+    // green and blue. Null: red, green and blue are multiplied directly.
     std::shared_ptr<const SpectralSamples> spectrum;
 };
 
@@ -101,11 +105,11 @@ struct LightingState {
     LightingState() : lights(kMaxLights) { lights[0].diffuse = lights[0].specular = glm::dvec4(1); }
 
     bool enabled = false;  // GL_LIGHTING
-    // GL_LIGHT0 to GL_LIGHT7, and behind them those that a scene defines by pragmas: kMaxLights or more.
+    // GL_LIGHT0 to GL_LIGHT7, followed by the lights that pragmas define. At least kMaxLights.
     std::vector<LightSource> lights;
     LightModel light_model;
-    // The materials at the start of the Draw; where color_material is enabled, each vertex's colour replaces the
-    // property that it tracks (2.14.3).
+    // The materials at the start of the Draw. If color_material is enabled, each vertex's colour replaces the
+    // properties that track it (2.14.3).
     Material front, back;
     ColorMaterial color_material;
     bool normalize = false;
@@ -113,7 +117,7 @@ struct LightingState {
     Enum shade_model = kGL_SMOOTH;
 };
 
-// ---- How it is rasterised ----
+// ---- Rasterisation ----
 
 struct Viewport {
     int x = 0, y = 0;  // the lower left corner, in window coordinates (y up)
@@ -130,7 +134,7 @@ struct PolygonOffset {  // 3.5.5
     }
 };
 
-inline constexpr int kMaxClipPlanes = 8;  // GL asks for six at least (table 6.29); Mesa has eight
+inline constexpr int kMaxClipPlanes = 8;  // GL requires at least 6 (table 6.29); Mesa has 8
 
 struct RasterState {
     Viewport viewport;
@@ -141,7 +145,7 @@ struct RasterState {
     Enum polygon_mode_front = kGL_FILL;
     Enum polygon_mode_back = kGL_FILL;
     PolygonOffset polygon_offset;
-    double line_width = 1;  // 3.4: rounded to a whole number of pixels, 1 at least, without smoothing
+    double line_width = 1;  // 3.4: without smoothing, rounded to a whole number of pixels, at least 1
     double point_size = 1;  // 3.3: the same
     std::array<std::optional<glm::dvec4>, kMaxClipPlanes>
         clip_planes_eye;  // the enabled ones (2.12), in eye coordinates
@@ -150,16 +154,15 @@ struct RasterState {
     bool depth_mask = true;
 };
 
-// ---- What happens to its fragments: textures (3.8), fog (3.10), the per-fragment operations (4.1) ----
+// ---- Fragments: textures (3.8), fog (3.10), per-fragment operations (4.1) ----
 
-// One level of a texture. Texels are what GL keeps of the image after its transfer: the components of the base
-// internal format (table 3.15) as numbers in [0,1], rounded to the bits of the internal format; the others are 0
-// (alpha 1). Row 0 is t = 0.
+// One level of a texture. The texels hold the components of the base internal format (table 3.15) as numbers in [0,1],
+// rounded to the bits of the internal format; other components are 0 (alpha 1). Row 0 is t = 0.
 struct TextureImage {
-    int width = 0, height = 1;        // without the border (borders are refused)
+    int width = 0, height = 1;        // without the border
     Enum base_format = kGL_RGBA;      // GL_ALPHA, _LUMINANCE, _LUMINANCE_ALPHA, _INTENSITY, _RGB or _RGBA
-    Enum internal_format = kGL_RGBA;  // as it was asked for: the levels of a complete texture have the same
-    std::vector<glm::vec4> texels{};  // (R, G, B, A); of luminance or intensity R = G = B = the value
+    Enum internal_format = kGL_RGBA;  // as given; all levels of a complete texture have the same
+    std::vector<glm::vec4> texels{};  // (R, G, B, A); luminance and intensity have R = G = B = the value
 
     const glm::vec4& texel(int x, int y) const {
         return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
@@ -168,7 +171,7 @@ struct TextureImage {
 
 struct Texture {                         // 3.8.4, table 3.18
     Enum target = kGL_TEXTURE_2D;        // or GL_TEXTURE_1D
-    std::vector<TextureImage> levels{};  // levels[0] is the base; empty images where none was given
+    std::vector<TextureImage> levels{};  // levels[0] is the base; missing levels are empty images
     Enum min_filter = kGL_NEAREST_MIPMAP_LINEAR;
     Enum mag_filter = kGL_LINEAR;
     Enum wrap_s = kGL_REPEAT;
@@ -177,7 +180,8 @@ struct Texture {                         // 3.8.4, table 3.18
     double priority = 1;
     bool generate_mipmap = false;
 
-    // Whether a filter is linear: then GL_CLAMP takes in the border's colour (3.8.7), else it is GL_CLAMP_TO_EDGE.
+    // Whether a filter is linear. Then GL_CLAMP blends in the border colour (3.8.7); otherwise it equals
+    // GL_CLAMP_TO_EDGE.
     bool filters_linearly() const {
         return mag_filter == kGL_LINEAR || min_filter == kGL_LINEAR || min_filter == kGL_LINEAR_MIPMAP_NEAREST ||
                min_filter == kGL_LINEAR_MIPMAP_LINEAR;
@@ -185,15 +189,14 @@ struct Texture {                         // 3.8.4, table 3.18
 };
 
 struct TextureUnit {
-    std::shared_ptr<const Texture>
-        texture;                   // what the Draw is textured with: null where that is off, or incomplete (3.8.10)
-    Enum env_mode = kGL_MODULATE;  // 3.8.13: or GL_DECAL, GL_REPLACE, GL_BLEND, GL_ADD
+    std::shared_ptr<const Texture> texture;  // null if texturing is disabled or the texture incomplete (3.8.10)
+    Enum env_mode = kGL_MODULATE;            // 3.8.13: or GL_DECAL, GL_REPLACE, GL_BLEND, GL_ADD
     glm::dvec4 env_color{0, 0, 0, 0};
-    double lod_bias = 0;           // of GL_TEXTURE_FILTER_CONTROL
-    glm::dmat4 texture_matrix{1};  // what every texture coordinate is multiplied by (2.11.2)
+    double lod_bias = 0;           // GL_TEXTURE_LOD_BIAS of the unit
+    glm::dmat4 texture_matrix{1};  // multiplies every texture coordinate (2.11.2)
 };
 
-struct Fog {  // 3.10; the colour is blended in with f by the distance to the eye's plane, |z_eye|
+struct Fog {  // 3.10; the factor f depends on the distance |z_eye|
     bool enabled = false;
     Enum mode = kGL_EXP;  // or GL_LINEAR, GL_EXP2
     double density = 1;
@@ -214,13 +217,13 @@ struct FragmentState {
     double alpha_ref = 0;
     bool blend = false;                        // 4.1.8
     Enum blend_equation = kGL_FUNC_ADD;        // or GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX
-    Enum blend_equation_alpha = kGL_FUNC_ADD;  // the same, but for glBlendEquationSeparate
+    Enum blend_equation_alpha = kGL_FUNC_ADD;  // differs only by glBlendEquationSeparate
     Enum blend_src = kGL_ONE, blend_dst = kGL_ZERO;
-    Enum blend_src_alpha = kGL_ONE, blend_dst_alpha = kGL_ZERO;  // the same, but for glBlendFuncSeparate
+    Enum blend_src_alpha = kGL_ONE, blend_dst_alpha = kGL_ZERO;  // differ only by glBlendFuncSeparate
     glm::dvec4 blend_color{0, 0, 0, 0};
     std::array<bool, 4> color_mask{true, true, true, true};  // 4.2.2
-    bool color_sum = false;  // 3.9: without lighting; with it the secondary colour is always added
-    // `#pragma twinlight transfer(srgb)`, not in GL: a fragment's colour is linear light, and coded as sRGB behind the fog.
+    bool color_sum = false;  // 3.9: only without lighting; with lighting the secondary colour is always added
+    // Not in GL: `#pragma twinlight transfer(srgb)`. Colours are linear light and are converted to sRGB after fog.
     bool srgb_coded = false;
 };
 
@@ -231,50 +234,51 @@ struct Vertex {
     glm::dvec3 normal_object{0, 0, 1};
     glm::dvec4 color{1, 1, 1, 1};
     glm::dvec4 tex_coord{0, 0, 0, 1};
-    bool edge_flag = true;  // 2.6.2: of independent triangles, quadrilaterals and polygons; the edge to the next vertex
-    std::uint32_t material = 0;  // which of Draw::materials; 0 where there are none
+    bool edge_flag =
+        true;  // 2.6.2: whether the edge to the next vertex is drawn; for separate triangles, quads and polygons
+    std::uint32_t material = 0;  // index into Draw::materials; 0 if that is empty
 };
 
-// Both faces' materials.
+// The materials of both faces.
 struct Materials {
     Material front, back;
 };
 
-// Whether glBegin's mode draws polygons (2.6.1), which have two faces, and not points or lines.
+// Whether a mode of glBegin draws polygons (2.6.1), which have two faces, rather than points or lines.
 inline bool draws_polygons(Enum mode) { return mode >= kGL_TRIANGLES; }
 
-// One batch of primitives, with the state that draws it.
+// One batch of primitives with all state that affects it.
 struct Draw {
     Enum mode = kGL_TRIANGLES;  // glBegin's primitive type
     std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices;  // into vertices, in the order they are sent; empty: 0, 1, 2, ...
+    std::vector<std::uint32_t> indices;  // into vertices, in drawing order; empty: 0, 1, 2, ...
 
     LightingState lighting;
     RasterState raster;
     TextureUnit texture;
     Fog fog;
     FragmentState fragment;
-    // Where glMaterial stands between glBegin and glEnd: the materials that the vertices name. materials[0] is then
-    // lighting.front and lighting.back. Empty where the whole Draw has one material.
+    // The materials of the vertices, if glMaterial is called between glBegin and glEnd. Then materials[0] equals
+    // lighting.front and lighting.back. Empty if the whole Draw has one material.
     std::vector<Materials> materials;
     glm::dmat4 eye_from_object{1};
     glm::dmat4 clip_from_eye{1};
-    Place place;  // of the glBegin or the shape
-    // The curved surfaces that a shape's mesh stands for; null where the mesh is the shape. The Draws that share them are the
-    // parts of one shape, and follow each other.
+    Place place;  // the place of glBegin or of the shape
+    // The curved surfaces that the mesh approximates; null if the mesh is exact. Draws that share them are the parts of
+    // one shape and follow each other.
     std::shared_ptr<const std::vector<Surface>> surfaces;
 
-    // Whether there are polygons of a face that glPolygonMode has drawn so (3.5.4), if nothing culls them.
+    // Whether glPolygonMode draws a face of polygons in this mode (3.5.4), unless culling removes it.
     bool draws_polygons_as(Enum polygon_mode) const {
         return draws_polygons(mode) &&
                (raster.polygon_mode_front == polygon_mode || raster.polygon_mode_back == polygon_mode);
     }
-    // Polygons as their edges or corners.
+    // Whether polygons are drawn as edges or corners.
     bool draws_borders() const { return draws_polygons_as(kGL_LINE) || draws_polygons_as(kGL_POINT); }
     bool draws_points() const { return mode == kGL_POINTS || draws_polygons_as(kGL_POINT); }
     bool draws_lines() const { return (mode != kGL_POINTS && !draws_polygons(mode)) || draws_polygons_as(kGL_LINE); }
 
-    // Whether it has surfaces that Shading::kExact draws in the place of its mesh: only filled ones have equations.
+    // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons.
     bool has_exact_surfaces() const {
         return surfaces && !draws_borders() && raster.viewport.width > 0 && raster.viewport.height > 0;
     }
@@ -283,12 +287,12 @@ struct Draw {
     std::uint32_t index(std::size_t i) const { return indices.empty() ? static_cast<std::uint32_t>(i) : indices[i]; }
 };
 
-// Whether a Draw and the next are parts of one shape, or of one glBegin.
+// Whether a Draw and the next one are parts of one shape or of one glBegin.
 inline bool are_one_shape(const Draw& draw, const Draw& next) {
     return draw.place == next.place && draw.surfaces == next.surfaces;
 }
 
-// The Draw's vertices of these numbers in this order; all of them where there is none.
+// Visits the vertices with these numbers in this order; all vertices if `numbers` is empty.
 template <class Visit>
 void for_each_vertex(const Draw& draw, const std::vector<std::uint32_t>& numbers, const Visit& visit) {
     if (numbers.empty()) {
@@ -307,15 +311,15 @@ struct Clear {
     double clear_depth = 1;
 };
 
-// Where a command or state of the scene is missing.
+// Which renderers lack a command or state of the scene.
 enum class MissingFrom : std::uint8_t {
-    kFrame,          // only the driver carries it out: whatever is drawn from the Frame lacks it
-    kEverything,     // not even the driver is sent it
-    kShaders,        // the Frame has it
-    kFixedFunction,  // the Frame has it
+    kFrame,          // the Frame lacks it, so shaders and the reference do; the driver executes it
+    kEverything,     // all renderers lack it; it is not sent to the driver either
+    kShaders,        // only the shaders lack it
+    kFixedFunction,  // only the fixed function lacks it
 };
 
-// A command or state that not everything draws: named, counted, placed.
+// A command or state that some renderer lacks: its name, how often it occurs, and its first place.
 struct Unsupported {
     std::string name;  // "glEnable(GL_FOG)"
     int count = 0;
@@ -323,14 +327,27 @@ struct Unsupported {
     MissingFrom missing_from = MissingFrom::kFrame;
 };
 
-// The picture that State makes of a scene's commands.
+// The picture that State builds from a scene's commands.
 struct Frame {
     int width = 0;
     int height = 0;
     std::vector<std::variant<Clear, Draw>> items{};  // in the order of the commands
     std::vector<Unsupported> unsupported{};
-    // The names of display lists that other lists call, but that were not there yet when these were compiled.
+    // The names of display lists that another list called before they existed.
     std::vector<std::uint32_t> lists_called_before_made{};
+
+    // The Draws alone.
+    std::vector<const Draw*> draws() const { return draws_of<const Draw>(items); }
+    std::vector<Draw*> draws() { return draws_of<Draw>(items); }
+
+  private:
+    template <class Type, class Items>
+    static std::vector<Type*> draws_of(Items& items) {
+        std::vector<Type*> draws;
+        for (auto& item : items)
+            if (Type* draw = std::get_if<Draw>(&item)) draws.push_back(draw);
+        return draws;
+    }
 };
 
 }  // namespace twinlight

@@ -5,7 +5,7 @@
 
 namespace twinlight {
 
-// Table 2.9.
+// GL 2.1, table 2.9.
 double real_from(double c, Kind kind, SignedRule rule) {
     const auto from_signed = [&](int bits) {
         const double largest = std::exp2(bits - 1) - 1;

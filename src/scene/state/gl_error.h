@@ -1,4 +1,4 @@
-// An error as GL raises it (2.5), with the place of the command and what to do about it.
+// An error as GL raises it (2.5), with the place of the command and a message that says how to fix it.
 #pragma once
 
 #include <fmt/core.h>
@@ -14,8 +14,8 @@ struct GlError {
     Enum code = kGL_NO_ERROR;  // GL_INVALID_ENUM, ...
     Place place;
     std::string message;  // "GL_SPOT_CUTOFF is 120; it must be in [0, 90] or 180"
-    // GL raises no such error: it leaves open what happens, such as a read beyond the memory that a command is given. No
-    // driver must see the command.
+    // True if GL does not raise this error but leaves the result undefined, for example a read beyond the end of an
+    // array. Such a command must not reach a driver.
     bool is_undefined = false;
 };
 
@@ -34,7 +34,7 @@ GlError undefined(Enum code, const Command& command, fmt::format_string<Values..
 // (GL 2.1 table 2.9; GL 4.2 section 2.3.4.1).
 enum class SignedRule : std::uint8_t { kGl21, kGl42 };
 
-// A colour's or a normal's component as a real number: integers become [-1,1] or [0,1].
+// A component of a colour or a normal as a real number: integers become [-1,1] or [0,1].
 double real_from(double c, Kind kind, SignedRule rule);
 
 }  // namespace twinlight

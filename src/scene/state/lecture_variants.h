@@ -1,4 +1,5 @@
-// The lectures' variants, which GL does not have: shaders and the reference follow them, the fixed function cannot.
+// Detects the lectures' variants of lighting. GL lacks them: shaders and the reference draw them, the fixed function
+// cannot.
 #pragma once
 
 #include <algorithm>

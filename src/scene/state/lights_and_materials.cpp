@@ -16,7 +16,7 @@ namespace {
 
 glm::dvec4 vec4(const std::vector<double>& v) { return {v[0], v[1], v[2], v[3]}; }
 
-// The property of a material that a pname names; null for GL_SHININESS and GL_AMBIENT_AND_DIFFUSE.
+// The colour that a pname names; null for GL_SHININESS and GL_AMBIENT_AND_DIFFUSE.
 glm::dvec4* color_of(Material& material, Enum pname) {
     switch (pname) {
         case kGL_AMBIENT: return &material.ambient;
@@ -27,7 +27,7 @@ glm::dvec4* color_of(Material& material, Enum pname) {
     }
 }
 
-// Which of the reflectances; null where a material has none of that property.
+// The reflectance that a pname names; null for other properties.
 const Spectrum** reflectance_of(Material& material, Enum pname) {
     switch (pname) {
         case kGL_AMBIENT: return &material.reflectances.ambient;
@@ -37,13 +37,13 @@ const Spectrum** reflectance_of(Material& material, Enum pname) {
     }
 }
 
-// What has a colour of its own is no spectrum's any more.
+// Sets a colour and the reflectance it was computed from (null if it was given as numbers).
 void set_color(Material& material, Enum pname, const glm::dvec4& color, const Spectrum* reflectance = nullptr) {
     *color_of(material, pname) = color;
     if (const Spectrum** of = reflectance_of(material, pname)) *of = reflectance;
 }
 
-// Which simple properties a pname or colour-material mode stands for.
+// The properties that a pname or a mode of glColorMaterial includes.
 std::vector<Enum> properties(Enum pname) {
     if (pname == kGL_AMBIENT_AND_DIFFUSE) return {kGL_AMBIENT, kGL_DIFFUSE};
     return {pname};
@@ -57,7 +57,7 @@ bool tracks(const ColorMaterial& color_material, Enum one_face, Enum property) {
            std::find(tracked.begin(), tracked.end(), property) != tracked.end();
 }
 
-// The numbers that a light's parameter has; none for another pname.
+// The members of a light that a pname sets; none for an unknown pname.
 template <class Source>
 auto numbers_of(Source& source, Enum pname) {
     using Numbers = std::span<std::conditional_t<std::is_const_v<Source>, const double, double>>;
@@ -84,7 +84,7 @@ LightSource* State::light_source(const Command& c, Enum light) {
     return nullptr;
 }
 
-// 2.14.2: which pnames there are, which of them take a single value, their ranges; table 2.9 for integer colours.
+// 2.14.2: checks the pname, the number of values and their range, and converts integer colours (table 2.9).
 std::optional<std::vector<double>> State::parameter_values(const Command& c, Owner owner, Enum pname) {
     const ParameterInfo* info = find_parameter(owner, pname);
     const Parameter& last = c.sig().parameters.back();
@@ -97,8 +97,8 @@ std::optional<std::vector<double>> State::parameter_values(const Command& c, Own
         return std::nullopt;
     }
     if (!is_vector && info->count > 1) {
-        raise(kGL_INVALID_ENUM, c, "{} sets one value, and {} has {}; use {}v", c.name(), enum_name(pname), info->count,
-              c.name());
+        raise(kGL_INVALID_ENUM, c, "{} sets a single value, but {} has {}; use {}v", c.name(), enum_name(pname),
+              info->count, c.name());
         return std::nullopt;
     }
     const std::size_t first = c.sig().parameters.size() - 1;
@@ -130,7 +130,7 @@ void State::light(const Command& c) {
 }
 
 void State::set_light(LightSource& source, Enum pname, const std::vector<double>& values) const {
-    // 2.14.1: transformed by the modelview matrix in force at the call; a direction by its upper left 3x3.
+    // 2.14.1: positions are transformed by the current modelview matrix, directions by its upper left 3x3.
     if (pname == kGL_POSITION)
         source.position_eye = modelview() * vec4(values);
     else if (pname == kGL_SPOT_DIRECTION)
@@ -154,24 +154,25 @@ void State::set_material(const Command& c, const Spectrum* reflectance) {
         if (pname == kGL_SHININESS) material.shininess = values->front();
         if (pname == kGL_COLOR_INDEXES) material.color_indexes = {(*values)[0], (*values)[1], (*values)[2]};
         for (Enum property : properties(pname)) {
-            // 2.14.3: what tracks the current colour is not changed by glMaterial.
+            // 2.14.3: glMaterial does not change a property that tracks the current colour.
             if (color_of(material, property) && !tracks(a_.lighting.color_material, one_face, property))
                 set_color(material, property, vec4(*values), reflectance);
         }
     }
     if (!open_) return;
-    // 2.14.2: legal between Begin and End. Before the first vertex it is the Draw's material, after it the vertices'.
+    // 2.14.2: allowed between Begin and End. Before the first vertex it sets the Draw's material, later that of the
+    // next vertices.
     if (open_->vertices.empty()) {
         open_->lighting = a_.lighting;
         return;
     }
-    // Shaders take one reflectance for a whole Draw, and vertices' colours.
+    // Shaders support one reflectance for a whole Draw, but a colour for each vertex.
     const auto has_reflectance = [](const Material& m) {
         return m.reflectances.ambient || m.reflectances.diffuse || m.reflectances.specular;
     };
     if (a_.lighting.light_model.spectrum &&
         (has_reflectance(open_->lighting.front) || has_reflectance(open_->lighting.back)))
-        note_unsupported("glMaterial between glBegin and glEnd, where the material has a reflectance", c.place,
+        note_unsupported("glMaterial between glBegin and glEnd for a material with a reflectance", c.place,
                          MissingFrom::kShaders);
     std::vector<Materials>& materials = open_->materials;
     if (materials.empty()) materials.push_back({open_->lighting.front, open_->lighting.back});
@@ -180,7 +181,7 @@ void State::set_material(const Command& c, const Spectrum* reflectance) {
         if (!has_room(c, sizeof(Materials))) return;
         materials.push_back(now);
     } else {
-        materials.back() = now;  // no vertex had the last one
+        materials.back() = now;  // no vertex used the last one
     }
     a_.current.material = static_cast<std::uint32_t>(materials.size() - 1);
 }
@@ -249,32 +250,33 @@ void State::get_light(const Command& c) {
     const auto self = static_cast<const State*>(this);
     if (!light_source(c, c.enumerant(0))) return;
     if (self->get_light(c.enumerant(0), c.enumerant(1)).empty())
-        raise(kGL_INVALID_ENUM, c, "{} is given {}, which lights do not have", c.name(), enum_name(c.enumerant(1)));
+        raise(kGL_INVALID_ENUM, c, "{} is given {}, which is not a parameter of lights", c.name(),
+              enum_name(c.enumerant(1)));
 }
 
 void State::get_material(const Command& c) {
     const auto self = static_cast<const State*>(this);
     if (!known(c, c.enumerant(0), {kGL_FRONT, kGL_BACK})) return;
     if (self->get_material(c.enumerant(0), c.enumerant(1)).empty()) {
-        raise(kGL_INVALID_ENUM, c, "{} is given {}, which cannot be asked of a material", c.name(),
+        raise(kGL_INVALID_ENUM, c, "{} is given {}, which is not a parameter of materials", c.name(),
               enum_name(c.enumerant(1)));
     }
 }
 
-// ---- The lecture's variants: pragmas ----
+// ---- The lecture's variants (pragmas) ----
 
 void State::specular_model(const Command& c) {
     if (c.word(0) == Word::half_vector || c.word(0) == Word::reflection)
         a_.lighting.light_model.specular = c.word(0);
     else
-        raise(kGL_INVALID_ENUM, c, "specular({}); expected half_vector or reflection", word_name(c.word(0)));
+        raise(kGL_INVALID_ENUM, c, "specular({}) is unknown; expected half_vector or reflection", word_name(c.word(0)));
 }
 
 void State::ambient_model(const Command& c) {
     if (c.word(0) == Word::attenuated || c.word(0) == Word::unattenuated)
         a_.lighting.light_model.light_ambient = c.word(0);
     else
-        raise(kGL_INVALID_ENUM, c, "ambient({}); expected attenuated or unattenuated", word_name(c.word(0)));
+        raise(kGL_INVALID_ENUM, c, "ambient({}) is unknown; expected attenuated or unattenuated", word_name(c.word(0)));
 }
 
 void State::spot_cone(const Command& c) {
@@ -286,18 +288,18 @@ void State::spot_cone(const Command& c) {
     source->smooth_cone = LightSource::SmoothCone{c.number(1), c.number(2)};
 }
 
-// A light that GL does not have: it is there, and on, from the first time that it is named.
+// A light that GL lacks. Its first use creates and enables it.
 void State::extra_light(const Command& c) {
     const double number = c.number(0);
     if (!(number >= kMaxLights && number < kMaxExtraLights)) {
         return raise(kGL_INVALID_ENUM, c,
-                     "light({}); expected a number from {} to {}: GL_LIGHT0 to GL_LIGHT7 are glLight's", number,
+                     "light({}): the number must be from {} to {}; use glLight for GL_LIGHT0 to GL_LIGHT7", number,
                      kMaxLights, kMaxExtraLights - 1);
     }
     const Enum pname = c.enumerant(1);
     const ParameterInfo* info = find_parameter(Owner::kLight, pname);
     if (info && c.arguments.size() != 2 + static_cast<std::size_t>(info->count)) {
-        return raise(kGL_INVALID_VALUE, c, "{} has {} value{}, here {}", enum_name(pname), info->count,
+        return raise(kGL_INVALID_VALUE, c, "{} needs {} value{}, not {}", enum_name(pname), info->count,
                      info->count == 1 ? "" : "s", c.arguments.size() - 2);
     }
     const auto values = parameter_values(c, Owner::kLight, pname);

@@ -1,4 +1,4 @@
-// glNewList, glCallList and what belongs to them (5.4).
+// Display lists: glNewList, glCallList and related commands (5.4).
 #include "scene/state/lists.h"
 
 #include <algorithm>
@@ -13,15 +13,15 @@ namespace twinlight {
 
 namespace {
 
-// 5.4: commands that are executed at once while a list is compiled: those on lists, on the client's state, on objects'
-// names, and the queries. GLU's quadrics are no GL.
+// 5.4: commands that are executed immediately, even while a list is compiled: those on lists, client state and objects'
+// names, and queries. GLU's functions for quadrics are not GL commands.
 constexpr CommandSet kNeverCompiled = CommandSet::of(
     {"new_list",     "end_list",        "gen_lists",        "delete_lists",  "pixel_store",         "flush",
      "gen_textures", "delete_textures", "client_arrays",    "get_light",     "get_material",        "render_mode",
      "hit_buffer",   "is_enabled",      "query_clip_plane", "query_tex_env", "query_tex_parameter", "driver_only_query",
      "new_quadric",  "delete_quadric",  "set_quadric"});
 
-// Commands that send vertices or what belongs to them.
+// Commands that send vertices or their attributes.
 constexpr CommandSet kSendsVertices =
     CommandSet::of({"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element",
                     "draw_arrays", "rect", "shape", "quadric_shape", "driver_only_vertex"});
@@ -64,14 +64,15 @@ std::size_t ListedCommand::bytes() const {
     return bytes + (error ? sizeof *error + error->message.size() : 0);
 }
 
-// Whether a command goes into the list that is open and is done with that. GL_COMPILE_AND_EXECUTE does both.
+// Adds a command to the open list. Returns true if it must not be executed now; GL_COMPILE_AND_EXECUTE also executes
+// it.
 bool State::compile(const Command& c) {
     if (lists_.open_name == 0 || lists_.nesting > 0 || kNeverCompiled.contains(c.id)) return false;
-    if (draws_quadric(c) && !can_send(c)) return true;  // GLU itself refuses it, and calls nothing
+    if (draws_quadric(c) && !can_send(c)) return true;  // GLU refuses it and calls no GL command
     ListedCommand listed{.command = c};
-    std::size_t bytes = 0;  // beside those that the listed command counts
+    std::size_t bytes = 0;  // in addition to those of the listed command
     if (draws_arrays(c.id)) {
-        // The arrays are read now (5.4). What is wrong with the arguments is told when the list is executed.
+        // The arrays are read now (5.4). Errors of the arguments are raised when the list is executed.
         auto error = arrays_.check(c);
         if (error && error->is_undefined) {
             raise(*error);
@@ -96,7 +97,7 @@ bool State::compile(const Command& c) {
     lists_.open->sends_vertices |= kSendsVertices.contains(c.id);
     bytes += listed.bytes();
     if (bytes > kMaxListedBytes - lists_.bytes - lists_.open->bytes) {
-        raise(kGL_OUT_OF_MEMORY, c, "all display lists hold {} MiB at the most together", kMaxListedBytes >> 20);
+        raise(kGL_OUT_OF_MEMORY, c, "all display lists together can have at most {} MiB", kMaxListedBytes >> 20);
         return true;
     }
     lists_.open->bytes += bytes;
@@ -104,7 +105,7 @@ bool State::compile(const Command& c) {
     return lists_.open_mode == kGL_COMPILE;
 }
 
-// What the list that is being compiled calls; how many bytes are kept of it.
+// Notes which lists the open list calls. Returns the number of bytes that this takes.
 std::size_t State::compile_calls(const Command& c) {
     std::vector<std::uint32_t> names;
     if (c.id == CommandId::glCallList) {
@@ -116,7 +117,7 @@ std::size_t State::compile_calls(const Command& c) {
         for (double i = 0; i < count; ++i, at += size)
             names.push_back(list_name({at, static_cast<std::size_t>(size)}, c.enumerant(1)));
         if (std::ranges::find(names, 0U) != names.end())
-            note_unsupported("glCallLists with a name 0, in a list", c.place, MissingFrom::kFixedFunction);
+            note_unsupported("glCallLists with the name 0 in a display list", c.place, MissingFrom::kFixedFunction);
     }
     std::vector<std::uint32_t>& calls = lists_.open->calls;
     for (std::uint32_t name : names) {
@@ -127,8 +128,9 @@ std::size_t State::compile_calls(const Command& c) {
     return names.size() * kBytesOfName;
 }
 
-// Where a list sends vertices, Mesa (22.3) goes at its glEndList through all lists that it calls and that these call, by
-// their bare names, however deep and however often. So that it comes back, this goes the same way first.
+// At the glEndList of a list that sends vertices, Mesa 22.3 walks through all lists that it calls, directly or
+// indirectly, without a limit. This takes the same walk first and raises GL_OUT_OF_MEMORY if Mesa's would not end in
+// time.
 bool State::walk_calls(const Command& c, const DisplayList& list) {
     struct Level {
         std::shared_ptr<const DisplayList> held;
@@ -148,7 +150,7 @@ bool State::walk_calls(const Command& c, const DisplayList& list) {
         if (!has_time(c, 1 + static_cast<double>(found->second->commands.size()))) return false;
         if (levels.size() >= kMaxListDepth) {
             raise(kGL_OUT_OF_MEMORY, c,
-                  "this list sends vertices and calls lists that stand deeper than {} in each other, or in a circle",
+                  "this list sends vertices and calls lists that are nested more than {} deep, or in a circle",
                   kMaxListDepth);
             return false;
         }
@@ -158,18 +160,19 @@ bool State::walk_calls(const Command& c, const DisplayList& list) {
 }
 
 void State::gen_lists(const Command& c) {
-    // The names are those of empty lists from now on. No command can tell such a list from none, so none is kept.
-    if (c.number(0) < 0) raise(kGL_INVALID_VALUE, c, "glGenLists is asked for {} lists", c.number(0));
+    // The new lists are empty. No command can distinguish an empty list from a missing one, so nothing is stored.
+    if (c.number(0) < 0)
+        raise(kGL_INVALID_VALUE, c, "glGenLists is given the count {}; it must be 0 or more", c.number(0));
 }
 
 void State::new_list(const Command& c) {
     const std::uint32_t name = c.enumerant(0);
-    if (name == 0) return raise(kGL_INVALID_VALUE, c, "glNewList is given the name 0; names begin at 1");
+    if (name == 0) return raise(kGL_INVALID_VALUE, c, "glNewList is given the name 0; names start at 1");
     if (!known(c, c.enumerant(1), {kGL_COMPILE, kGL_COMPILE_AND_EXECUTE})) return;
     if (lists_.named.size() >= kMaxLists && !lists_.named.contains(name))
-        return raise(kGL_OUT_OF_MEMORY, c, "there are {} lists at the most", kMaxLists);
+        return raise(kGL_OUT_OF_MEMORY, c, "a scene can have at most {} display lists", kMaxLists);
     if (lists_.open_name != 0) {
-        return raise(kGL_INVALID_OPERATION, c, "glNewList inside glNewList; the first, at {}, has no glEndList yet",
+        return raise(kGL_INVALID_OPERATION, c, "glNewList inside another glNewList; the one at {} has no glEndList yet",
                      lists_.opened.str());
     }
     lists_.open_name = name;
@@ -188,7 +191,8 @@ void State::end_list(const Command& c) {
 }
 
 void State::delete_lists(const Command& c) {
-    if (c.number(1) < 0) return raise(kGL_INVALID_VALUE, c, "glDeleteLists is given the range {}", c.number(1));
+    if (c.number(1) < 0)
+        return raise(kGL_INVALID_VALUE, c, "glDeleteLists is given the range {}; it must be 0 or more", c.number(1));
     const double first = c.number(0), end = first + c.number(1);
     auto it = lists_.named.lower_bound(c.enumerant(0));
     while (it != lists_.named.end() && it->first < end) {
@@ -209,13 +213,12 @@ void State::call_lists(const Command& c) {
         return raise(kGL_INVALID_ENUM, c, "glCallLists is given the type {}; expected GL_UNSIGNED_BYTE, GL_INT, ...",
                      enum_name(type));
     }
-    if (count < 0) return raise(kGL_INVALID_VALUE, c, "glCallLists is given {} names", count);
+    if (count < 0) return raise(kGL_INVALID_VALUE, c, "glCallLists is given the count {}; it must be 0 or more", count);
     if (count == 0 || !c.memory) return;
     const double offset = c.number(2), bytes = static_cast<double>(c.memory->bytes.size());
     if (offset < 0 || offset + count * size > bytes) {
-        return raise(kGL_INVALID_OPERATION, c,
-                     "glCallLists reads {} names of {} bytes, but the memory it is given has {} bytes", count, size,
-                     std::max(0.0, bytes - offset));
+        return raise(kGL_INVALID_OPERATION, c, "glCallLists reads {} names of {} bytes, but its array has {} bytes",
+                     count, size, std::max(0.0, bytes - offset));
     }
     const std::byte* names = c.memory->bytes.data() + static_cast<std::size_t>(offset);
     const std::uint32_t base = a_.list_base;
@@ -225,7 +228,8 @@ void State::call_lists(const Command& c) {
     }
 }
 
-// A name without a list does nothing (5.4); nor does what is nested too deep, such as a list that calls itself.
+// A name without a list does nothing (5.4), and neither does a list that is nested too deep, such as one that calls
+// itself.
 void State::execute_list(const Command& c, std::uint32_t name) {
     const auto found = lists_.named.find(name);
     if (!has_time(c, 1) || found == lists_.named.end() || lists_.nesting >= kMaxListNesting) return;

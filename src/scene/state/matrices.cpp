@@ -14,12 +14,12 @@ namespace twinlight {
 
 namespace {
 
-// Stack depths of table 6.20 that the specification demands at least, and that Mesa has.
+// Stack depths: the minimum of the specification (table 6.20), and the depth in Mesa.
 constexpr std::size_t kModelviewStackDepth = 32;
 constexpr std::size_t kProjectionStackDepth = 32;
 constexpr std::size_t kTextureStackDepth = 10;
 
-// What drivers clamp a viewport to: GL_MAX_VIEWPORT_DIMS and GL_VIEWPORT_BOUNDS_RANGE (GL 4.1, section 2.14.1), Mesa's.
+// Drivers clamp viewports to GL_MAX_VIEWPORT_DIMS and GL_VIEWPORT_BOUNDS_RANGE (GL 4.1, section 2.14.1). Mesa's values.
 constexpr double kMaxViewportSize = 16384;
 constexpr double kMinViewportPosition = -32768, kMaxViewportPosition = 32767;
 
@@ -71,7 +71,7 @@ void State::load_identity(const Command&) { stack().back().matrix = glm::dmat4(1
 
 void State::push_matrix(const Command& c) {
     if (stack().size() >= stack_limit()) {
-        return raise(kGL_STACK_OVERFLOW, c, "the {} stack holds {} matrices; a glPopMatrix is missing",
+        return raise(kGL_STACK_OVERFLOW, c, "the {} stack is full ({} matrices); a glPopMatrix is missing",
                      enum_name(a_.matrix_mode), stack_limit());
     }
     stack().push_back({stack().back().matrix, c.place});
@@ -85,18 +85,18 @@ void State::pop_matrix(const Command& c) {
     stack().pop_back();
 }
 
-// Matrices come column by column (2.11.2), as GLM keeps them.
+// Matrices are given by columns (2.11.2), as in GLM.
 void State::load_matrix(const Command& c) { stack().back().matrix = glm::make_mat4(c.arguments.data()); }
 void State::mult_matrix(const Command& c) { multiply(glm::make_mat4(c.arguments.data())); }
 
-// 2.11.2: the same, row by row.
+// 2.11.2: the same, by rows.
 void State::load_transpose_matrix(const Command& c) {
     stack().back().matrix = glm::transpose(glm::make_mat4(c.arguments.data()));
 }
 void State::mult_transpose_matrix(const Command& c) { multiply(glm::transpose(glm::make_mat4(c.arguments.data()))); }
 
-// 2.12: planes are taken to eye coordinates by the inverse of the modelview matrix in force at the call. RULING: under
-// a singular matrix, whose inverse the specification leaves undefined, every point is inside.
+// 2.12: the inverse of the current modelview matrix transforms planes to eye coordinates. RULING: if the matrix is
+// singular, every point is inside; the specification leaves this undefined.
 void State::clip_plane(const Command& c) {
     const Enum plane = c.enumerant(0);
     if (plane < kGL_CLIP_PLANE0 || plane >= kGL_CLIP_PLANE0 + kMaxClipPlanes) {
@@ -127,7 +127,7 @@ void State::frustum(const Command& c) {
     const double l = c.number(0), r = c.number(1), b = c.number(2), t = c.number(3), n = c.number(4), f = c.number(5);
     if (n <= 0 || f <= 0 || l == r || b == t || n == f) {
         return raise(kGL_INVALID_VALUE, c,
-                     "glFrustum needs near and far above 0 and different, left != right, bottom != top");
+                     "glFrustum needs near > 0, far > 0, near != far, left != right and bottom != top");
     }
     multiply(frustum_matrix(l, r, b, t, n, f));
 }
@@ -135,7 +135,7 @@ void State::frustum(const Command& c) {
 void State::ortho(const Command& c) {
     const double l = c.number(0), r = c.number(1), b = c.number(2), t = c.number(3), n = c.number(4), f = c.number(5);
     if (l == r || b == t || n == f)
-        return raise(kGL_INVALID_VALUE, c, "glOrtho needs left != right, bottom != top, near != far");
+        return raise(kGL_INVALID_VALUE, c, "glOrtho needs left != right, bottom != top and near != far");
     multiply(ortho_matrix(l, r, b, t, n, f));
 }
 
@@ -145,10 +145,10 @@ void State::ortho_2d(const Command& c) {
     multiply(ortho_matrix(l, r, b, t, -1, 1));
 }
 
-// GLU does nothing for a view without extent; no error.
+// GLU ignores a view without extent and raises no error.
 void State::perspective(const Command& c) {
     const double half_angle = radians(c.number(0) / 2), aspect = c.number(1), n = c.number(2), f = c.number(3);
-    if (n == f || aspect == 0 || std::sin(half_angle) == 0) return;  // GLU calls nothing of GL then
+    if (n == f || aspect == 0 || std::sin(half_angle) == 0) return;  // then GLU calls no GL command
     if (open_) return raise_inside(c);
     const double cotangent = std::cos(half_angle) / std::sin(half_angle);
     glm::dmat4 m(0);
@@ -178,7 +178,8 @@ void State::look_at(const Command& c) {
 void State::viewport(const Command& c) {
     const double width = c.number(2), height = c.number(3);
     if (width < 0 || height < 0)
-        return raise(kGL_INVALID_VALUE, c, "glViewport is given the size {} x {}", width, height);
+        return raise(kGL_INVALID_VALUE, c, "glViewport is given the size {} x {}; it cannot be negative", width,
+                     height);
     const auto position = [](double v) {
         return static_cast<int>(std::clamp(v, kMinViewportPosition, kMaxViewportPosition));
     };

@@ -1,5 +1,5 @@
-// gluBuild1DMipmaps and gluBuild2DMipmaps: GLU's own arithmetic (libglu 9.0.2, libutil/mipmap.c), which works in the
-// type of the pixels.
+// gluBuild1DMipmaps and gluBuild2DMipmaps, with the arithmetic of libglu 9.0.2 (libutil/mipmap.c), which computes in
+// the type of the pixels.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace twinlight {
 
 namespace {
 
-// An image of GLU's, RGBA; `largest` is what a whole-number type calls 1, and 0 for the others.
+// An RGBA image. For a whole-number type `largest` is the number that means 1; for other types it is 0.
 struct Pixels {
     int width = 0, height = 0;
     std::vector<glm::dvec4> rgba;
@@ -21,9 +21,9 @@ struct Pixels {
     const glm::dvec4& at(int x, int y) const {
         return rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
     }
-    // A mean as the type holds it: cut off, after `rounding` of a unit was added.
+    // A mean as the type stores it: adds `rounding` units, then rounds down.
     glm::dvec4 held(const glm::dvec4& mean, double rounding) const {
-        constexpr double kDust = 1e-6;  // what sums of quotients by 255 fall short of a whole number
+        constexpr double kDust = 1e-6;  // sums of n / 255 may fall this far below a whole number
         return largest == 0 ? mean : glm::floor(mean * largest + rounding + kDust) / largest;
     }
 };
@@ -58,7 +58,7 @@ Pixels scaled(const Pixels& image, int width, int height) {
     return result;
 }
 
-// halveImage_*(): of four pixels (sum + 2) / 4, of two sum / 2, in whole numbers.
+// halveImage_*(): (sum + 2) / 4 of four pixels, sum / 2 of two, in whole numbers.
 Pixels halved(const Pixels& image) {
     Pixels result{std::max(1, image.width / 2), std::max(1, image.height / 2), {}, image.largest};
     const int dx = image.width > 1 ? 1 : 0, dy = image.height > 1 ? 1 : 0;
@@ -96,7 +96,7 @@ double largest_of(Enum type) {
 
 }  // namespace
 
-// GLU answers a wrong argument with an error code of its own and leaves the texture as it is; so does this.
+// For a wrong argument GLU returns its own error code and leaves the texture unchanged. So does this.
 void State::build_mipmaps(const Command& c) {
     const bool two = c.id == CommandId::gluBuild2DMipmaps;
     const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
@@ -109,9 +109,9 @@ void State::build_mipmaps(const Command& c) {
     const bool fits =
         source.width >= 1 && source.height >= 1 && source.width <= kMaxTextureSize && source.height <= kMaxTextureSize;
     if (c.enumerant(0) != target || !format || !fits || !pixel_bytes(source.format, source.type)) return;
-    if (!c.memory) return raise(kGL_INVALID_OPERATION, c, "{} is given no pixels", c.name());
+    if (!c.memory) return raise(kGL_INVALID_OPERATION, c, "{} is given NULL; it needs an array of pixels", c.name());
     const int width = nearest_power(source.width), height = nearest_power(source.height);
-    // The arithmetic holds its images in four times the memory.
+    // The images of this arithmetic need four times the memory.
     const double largest =
         std::max(static_cast<double>(width) * height, static_cast<double>(source.width) * source.height);
     if (!has_texels(c, 4 * largest)) return;

@@ -11,11 +11,11 @@ namespace {
 
 // ---- Types (tables 3.5 and 3.8) ----
 
-// A packed type's components from the first on: their bits, and whether the first stands in the lowest bits (_REV).
+// The components of a packed type: their bits, and whether the first one is in the lowest bits (_REV).
 struct Packed {
     Enum type;
     int bytes;
-    int bits[4];  // 0: not there
+    int bits[4];  // 0: no such component
     bool reversed;
 };
 
@@ -53,7 +53,7 @@ std::optional<int> element_bytes(Enum type) {
     }
 }
 
-// The unsigned number of `size` bytes at `at`, in this machine's order or, with UNPACK_SWAP_BYTES, the other.
+// The unsigned number of `size` bytes at `at`, in this machine's byte order; in the other order if `swapped`.
 std::uint32_t number_at(const std::byte* at, int size, bool swapped) {
     std::uint32_t value = 0;
     for (int i = 0; i < size; ++i) {
@@ -117,7 +117,7 @@ std::size_t row_pixels(const PixelSource& source, const PixelStore& store) {
     return static_cast<std::size_t>(store.unpack_row_length > 0 ? store.unpack_row_length : source.width);
 }
 
-// 3.6.4, formula 3.13: bytes from a row to the next. Packed types count as one element.
+// 3.6.4, formula 3.13: the bytes from one row to the next. Packed types count as one element.
 std::size_t row_bytes(const PixelSource& source, const PixelStore& store) {
     const auto bytes = static_cast<std::size_t>(*pixel_bytes(source.format, source.type)) * row_pixels(source, store);
     const auto alignment = static_cast<std::size_t>(store.unpack_alignment);
@@ -223,7 +223,7 @@ std::size_t bytes_read(const PixelSource& source, const PixelStore& store) {
     const auto pixel = static_cast<std::size_t>(*pixel_bytes(source.format, source.type));
     const auto rows = static_cast<std::size_t>(store.unpack_skip_rows) + static_cast<std::size_t>(source.height) - 1;
     const auto pixels = static_cast<std::size_t>(store.unpack_skip_pixels) + static_cast<std::size_t>(source.width);
-    // Rows may be 2^31 of 2^35 bytes each. In double it is exact where it matters.
+    // There may be 2^31 rows of 2^35 bytes. A double is exact for all sizes that fit into memory.
     const double bytes = static_cast<double>(rows) * static_cast<double>(row_bytes(source, store)) +
                          static_cast<double>(pixels) * static_cast<double>(pixel);
     return bytes < 0x1p53 ? static_cast<std::size_t>(bytes) : std::numeric_limits<std::size_t>::max();

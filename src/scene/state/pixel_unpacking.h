@@ -1,4 +1,4 @@
-// Pixels in client memory as texels: unpacking (3.6.1 to 3.6.4), internal formats (3.8.1), mipmaps.
+// Converts pixels in client memory to texels: unpacking (3.6.1 to 3.6.4), internal formats (3.8.1), mipmaps.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -11,27 +11,27 @@
 
 namespace twinlight {
 
-// A texture's largest side; more is GL_INVALID_VALUE. Mesa's llvmpipe has the same.
+// The largest side of a texture; more is GL_INVALID_VALUE. Mesa's llvmpipe has the same limit.
 inline constexpr int kMaxTextureSize = 16384;
 inline constexpr int kMaxTextureLevels = 15;
-// What all images of a scene may hold together; more is GL_OUT_OF_MEMORY.
+// The limit on the texels of all images of a scene together; more is GL_OUT_OF_MEMORY.
 inline constexpr std::size_t kMaxTexels = std::size_t{1} << 26;
 
 struct InternalFormat {
     Enum base_format = kGL_RGBA;
-    int red = 8, green = 8, blue = 8, alpha = 8;  // bits; of luminance and intensity `red`
+    int red = 8, green = 8, blue = 8, alpha = 8;  // bits; luminance and intensity use `red`
 };
 
-// The components and bits of an internalformat argument: 1 to 4, a base format or a sized one (table 3.16). Nothing for
-// names that are none, or that Twinlight does not hold (depth, compressed, sRGB).
+// The components and bits for an internalformat argument: 1 to 4, a base format or a sized format (table 3.16). Returns
+// nullopt for other values, and for formats that Twinlight does not support (depth, compressed, sRGB).
 //
-// RULING (3.8.1: the resolution is the implementation's choice): 8 bits a component where the name gives no size, else
-// what the name says, but 8 for one component alone and 16 for 12: what llvmpipe has.
+// RULING (3.8.1 leaves the resolution to the implementation): 8 bits per component if the name gives no size; otherwise
+// the size in the name, but 8 bits for a single component, and 16 instead of 12. This is what llvmpipe does.
 std::optional<InternalFormat> internal_format(double name);
 
-// How many values a pixel of `format` has; nothing for formats that carry no colour.
+// The number of values of a pixel of `format`; nullopt for formats without colour.
 std::optional<int> components_of(Enum format);
-// Bytes of one pixel; nothing for a type that GL does not know, or that does not go with the format (3.6.4).
+// The bytes of one pixel; nullopt for an unknown type, or one that cannot be used with the format (3.6.4).
 std::optional<int> pixel_bytes(Enum format, Enum type);
 
 struct PixelSource {
@@ -40,30 +40,30 @@ struct PixelSource {
     Enum type = kGL_UNSIGNED_BYTE;
 };
 
-// 3.6.4: the bytes of a bitmap, whose pixels are bits; 0 for one without pixels.
+// The size in bytes of a bitmap, which has one bit per pixel (3.6.4); 0 if it has no pixels.
 std::size_t bitmap_bytes(int width, int height, const PixelStore& store);
-// How many bytes a pixel has of those formats and types that State does not follow: indices, depths, stencil values.
+// The bytes of one pixel in the formats and types that only the driver supports: indices, depths, stencil values.
 std::optional<int> driver_only_pixel_bytes(Enum format, Enum type);
 
-// How many bytes from the pointer on are read; 0 for an image without pixels, the largest number for more than any memory
-// has.
+// The number of bytes that are read from the pointer on; 0 for an image without pixels; the largest std::size_t if it
+// is more than any memory has.
 std::size_t bytes_read(const PixelSource& source, const PixelStore& store);
 
-// An image in memory, whose rows become RGBA in [0,1] one at a time (missing components 0, alpha 1; table 3.15's luminance
-// is R = G = B = L in red).
+// An image in memory. unpack() converts one row to RGBA in [0,1]: missing components are 0, alpha 1; luminance L
+// becomes R = G = B = L, of which table 3.15 keeps red.
 struct PixelRows {
     PixelSource source;
     PixelStore store;
-    std::span<const std::byte> bytes;  // bytes_read() of them at least; null: every value is 0
+    std::span<const std::byte> bytes;  // at least bytes_read() bytes; null: every value is 0
 
-    void unpack(int y, std::vector<glm::dvec4>& row) const;  // row: source.width of them
+    void unpack(int y, std::vector<glm::dvec4>& row) const;  // writes source.width pixels to `row`
 };
 
-// The components that the format keeps, rounded to its bits.
+// The components that the internal format stores, rounded to its bits.
 glm::vec4 stored(const glm::dvec4& rgba, const InternalFormat& format);
 
-// The next smaller level by a box filter (3.8.8 recommends it), rounded to the format's bits. Odd sizes: the last
-// column or row is left out.
+// The next smaller level, by a box filter (recommended by 3.8.8) and rounded to the format's bits. If a side is odd,
+// the last column or row is ignored.
 TextureImage half(const TextureImage& image, const InternalFormat& format);
 
 }  // namespace twinlight

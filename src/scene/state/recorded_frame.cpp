@@ -13,12 +13,12 @@ namespace twinlight {
 namespace {
 
 constexpr int kDefaultWidth = 640, kDefaultHeight = 480;
-constexpr int kLargestSide = 8192;  // what every driver's viewport can hold
+constexpr int kLargestSide = 8192;  // every driver allows viewports of this size
 constexpr std::size_t kCommandsBetweenProgress = 1 << 16;
 
 const Command kEnd{CommandId::glEnd, {}, {}};
 
-// The start of a recording: its first steps, and a glEnd where they stop inside glBegin.
+// The first steps of a recording, with a glEnd added if they stop inside glBegin.
 class Beginning final : public Recording {
   public:
     Beginning(std::shared_ptr<const Recording> whole, std::size_t steps, bool ends_inside_begin, std::string given_name)
@@ -45,7 +45,7 @@ class Beginning final : public Recording {
     bool ends_inside_begin_;
 };
 
-// What ends a frame.
+// The command that ends a frame.
 enum class FrameEnd : std::uint8_t { kSwap, kFlush };
 
 class Player {
@@ -57,7 +57,7 @@ class Player {
           height_(height),
           state_({.width = width, .height = height, .signed_rule = choice.signed_rule}) {}
 
-    // Plays the recording up to the end of the frame that was asked for; whether it is there.
+    // Plays the recording up to the end of the chosen frame. Returns false if there is no such frame.
     bool play(const Recording& recording) {
         bool found = false;
         recording.for_each([&](const Step& step) {
@@ -68,18 +68,18 @@ class Player {
     }
 
     bool swaps() const { return swaps_; }
-    int frames() const { return frame_; }  // that were whole before the one that was asked for
-    // What the recording says of itself, after a sentence: "; ...".
+    int frames() const { return frame_; }  // complete frames before the chosen one
+    // The last note about the recording, to add to a message: "; ...", or "".
     std::string also() const { return notes_.empty() ? "" : "; " + notes_.back(); }
     RecordedFrame result(const std::shared_ptr<const Recording>& recording);
 
-    // The smallest picture that holds all viewports; nothing where they are empty.
+    // The smallest size that contains all viewports; nullopt if they are empty.
     std::optional<std::pair<int, int>> size() const {
         if (reach_x_ <= 0 || reach_y_ <= 0) return std::nullopt;
         return std::pair(static_cast<int>(std::min<std::int64_t>(reach_x_, kLargestSide + 1)),
                          static_cast<int>(std::min<std::int64_t>(reach_y_, kLargestSide + 1)));
     }
-    // Whether something was drawn in the viewport that the state began with.
+    // Whether something was drawn in the initial viewport.
     bool draws_in_initial_viewport() const { return draws_in_initial_viewport_; }
 
   private:
@@ -103,7 +103,7 @@ class Player {
     std::size_t steps_ = 0;
     int frame_ = 0;
     bool swaps_ = false;
-    bool changed_ = false;  // since the last frame's end: something was drawn or cleared
+    bool changed_ = false;  // something was drawn or cleared since the end of the last frame
     bool drawn_ = false;    // something was drawn
     bool ended_inside_begin_ = false;
     bool draws_in_initial_viewport_ = false;
@@ -111,7 +111,7 @@ class Player {
     std::vector<std::string> notes_;
 };
 
-// True once the frame is whole.
+// Returns true when the frame is complete.
 bool Player::take(const Step& step) {
     if (step.kind == Step::Kind::kFrameEnd && frame_end_ == FrameEnd::kSwap) {
         swaps_ = true;
@@ -129,7 +129,7 @@ bool Player::take(const Step& step) {
     return frame_end_ == FrameEnd::kFlush && is_flush(step) && changed_ && !state_.inside_begin() && end_frame();
 }
 
-// What comes after the last frame's end.
+// Handles the commands after the end of the last frame. Returns true if they complete the chosen frame.
 bool Player::take_end() {
     if (state_.inside_begin()) {
         ended_inside_begin_ = true;
@@ -156,7 +156,7 @@ void Player::command(const Command& command) {
             viewport.x == 0 && viewport.y == 0 && viewport.width == width_ && viewport.height == height_;
         reach(viewport);
     }
-    // What no later picture shows is not kept.
+    // Delete what no later picture shows.
     const bool earlier_frame = choice_.number && frame_ < *choice_.number;
     if (earlier_frame && frame_end_ == FrameEnd::kSwap)
         state_.drop_picture();
@@ -164,7 +164,7 @@ void Player::command(const Command& command) {
         state_.drop_hidden();
 }
 
-// Whether the frame that ends here is the one.
+// Whether the frame that ends here is the chosen one.
 bool Player::end_frame() {
     if (choice_.number ? frame_ == *choice_.number : drawn_) return true;
     ++frame_;
@@ -174,7 +174,7 @@ bool Player::end_frame() {
 
 RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) {
     if (!drawn_) {
-        throw SceneError(fmt::format("{}: frame {} draws nothing; without --frame the first that draws is taken",
+        throw SceneError(fmt::format("{}: frame {} draws nothing; leave out --frame to get the first frame that does",
                                      recording->name, frame_));
     }
     if (state_.inside_begin()) {
@@ -210,19 +210,19 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
             if (!choice.number || frames == 0)
                 throw SceneError(recording->name + ": this recording draws nothing" + player.also());
             throw SceneError(
-                fmt::format("{}: there is no frame {}; the recording has {}", recording->name, *choice.number,
-                            frames == 1 ? "one, frame 0" : fmt::format("{}, 0 to {}", frames, frames - 1)));
+                fmt::format("{}: the recording has no frame {}; {}", recording->name, *choice.number,
+                            frames == 1 ? "its only frame is 0" : fmt::format("its frames are 0 to {}", frames - 1)));
         }
         RecordedFrame result = player.result(recording);
         if (choice.width && choice.height) return result;
         const auto [reach_x, reach_y] = player.size().value_or(std::pair(width, height));
         if (std::max(reach_x, reach_y) > kLargestSide) {
-            throw SceneError(
-                fmt::format("{}: a viewport reaches beyond {} pixels; choose the picture's size with --size",
-                            recording->name, kLargestSide));
+            throw SceneError(fmt::format("{}: a viewport is larger than {} pixels; set the picture's size with --size",
+                                         recording->name, kLargestSide));
         }
         const bool same = reach_x == width && reach_y == height;
-        if (!same && player.draws_in_initial_viewport()) {  // the first viewport is the picture's: play it again
+        if (!same &&
+            player.draws_in_initial_viewport()) {  // the initial viewport follows the picture's size: play it again
             width = reach_x;
             height = reach_y;
             continue;

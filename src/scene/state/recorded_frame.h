@@ -1,4 +1,4 @@
-// One picture of a recorded program, with all state that its earlier pictures left behind.
+// One picture of a recorded program. It depends on the state that the earlier pictures left.
 #pragma once
 
 #include <functional>
@@ -12,27 +12,27 @@
 namespace twinlight {
 
 struct FrameChoice {
-    std::optional<int> number;  // from 0; nothing: the first frame that draws
-    // Of the picture; nothing: what the viewports up to the frame's end reach.
+    std::optional<int> number;  // counts from 0; nullopt: the first frame that draws something
+    // The picture's size in pixels; nullopt: large enough for all viewports up to the end of the frame.
     std::optional<int> width{}, height{};
     SignedRule signed_rule = SignedRule::kGl21;
-    // Called now and then: how many frames have gone by, and how many commands.
+    // Called now and then with the number of frames and commands so far.
     std::function<void(int frames, std::size_t commands)> progress{};
 };
 
 struct RecordedFrame {
-    Scene scene;  // its recording goes up to the frame's end, and is named "program.trace, frame 0"
+    Scene scene;  // its recording ends with the frame; its name is "program.trace, frame 0"
     int number = 0;
-    // What GL refused on the way there. A real program goes on after an error, and so does the driver.
+    // The GL errors up to there. A real program continues after an error, and so does the driver.
     std::size_t error_count = 0;
     std::optional<GlError> first_error;
-    std::vector<std::string> notes;  // what the recording says of itself: that it breaks off
+    std::vector<std::string> notes;  // for example that the recording ends abruptly
 };
 
-// A frame ends where the program swaps buffers, and what it leaves in them is undefined: the next one begins black. A
-// program that never swaps has one buffer: there glFlush or glFinish, after something was drawn, ends a frame, and the
-// next one draws over it. What comes after the last end is a frame too, if it draws.
-// Throws SceneError where the recording cannot be read, has fewer frames, or draws nothing in this one.
+// A frame ends where the program swaps buffers. Their contents are then undefined, so the next frame starts black. If a
+// program never swaps, it has one buffer: a frame ends at glFlush or glFinish after something was drawn, and the next
+// frame draws over it. The commands after the last end are a frame too if they draw something.
+// Throws SceneError if the recording cannot be read, has too few frames, or this frame draws nothing.
 RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& recording, const FrameChoice& choice);
 
 }  // namespace twinlight

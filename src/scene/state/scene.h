@@ -1,4 +1,4 @@
-// A scene: its commands, and the picture that State makes of them.
+// A scene: its commands, and the Frame that State builds from them.
 #pragma once
 
 #include <memory>

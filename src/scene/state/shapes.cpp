@@ -1,4 +1,4 @@
-// Shapes become Draws, a part each; GLU's quadrics say how theirs are sent (GLU 1.3 chapter 6).
+// Converts shapes to Draws, one for each part. GLU's quadrics hold the settings of their shapes (GLU 1.3, chapter 6).
 
 #include <stdexcept>
 
@@ -9,7 +9,7 @@ namespace twinlight {
 
 namespace {
 
-// What is too large is beyond Twinlight's limits; the libraries would send it.
+// A shape that is too large exceeds only Twinlight's limits, so it gives GL_OUT_OF_MEMORY.
 Enum code_of(const std::invalid_argument& error, Enum otherwise) {
     return dynamic_cast<const ShapeTooLarge*>(&error) != nullptr ? kGL_OUT_OF_MEMORY : otherwise;
 }
@@ -24,8 +24,9 @@ void State::shape(const Command& c) {
     }
 }
 
-// What a part does not send is what is current. Sent between glBegin and glEnd it becomes current itself (2.7).
-// RULING: sent by vertex arrays it does not, which 2.8 leaves open.
+// Attributes that a part does not send have the current values. Attributes sent between glBegin and glEnd become
+// current (2.7).
+// RULING: attributes sent by vertex arrays do not; 2.8 leaves this open.
 void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vector<Surface> surfaces) {
     std::shared_ptr<const std::vector<Surface>> shared;
     if (!surfaces.empty()) shared = std::make_shared<const std::vector<Surface>>(std::move(surfaces));
@@ -96,9 +97,9 @@ Quadric* State::quadric(const Command& c) {
     if (found != quadrics_.end()) return &found->second;
     const auto deleted = deleted_quadrics_.find(c.number(0));
     if (deleted == deleted_quadrics_.end())
-        raise(kGL_INVALID_VALUE, c, "{} is given no quadric; make one by gluNewQuadric()", c.name());
+        raise(kGL_INVALID_VALUE, c, "{} needs a quadric; create one with gluNewQuadric()", c.name());
     else
-        raise(kGL_INVALID_VALUE, c, "{} is given the quadric that gluDeleteQuadric has deleted at {}", c.name(),
+        raise(kGL_INVALID_VALUE, c, "{} uses a quadric that gluDeleteQuadric deleted at {}", c.name(),
               deleted->second.str());
     return nullptr;
 }

@@ -1,4 +1,4 @@
-// The pragmas of spectra: how many samples, whose colours materials and lights have, how light is coded.
+// The pragmas for spectra: the number of samples, the spectra of materials and lights, the conversion to sRGB.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -25,8 +25,9 @@ void State::spectrum(const Command& c) {
     } else if (samples >= SpectralSamples::kFewest && samples <= SpectralSamples::kMost) {
         a_.lighting.light_model.spectrum = std::make_shared<const SpectralSamples>(static_cast<int>(samples));
     } else {
-        raise(kGL_INVALID_VALUE, c, "spectrum({}); expected 0, which is red, green and blue, or {} to {} samples",
-              samples, SpectralSamples::kFewest, SpectralSamples::kMost);
+        raise(kGL_INVALID_VALUE, c,
+              "spectrum({}): the number of samples must be 0 (red, green and blue) or from {} to {}", samples,
+              SpectralSamples::kFewest, SpectralSamples::kMost);
     }
 }
 
@@ -34,7 +35,7 @@ void State::reflectance(const Command& c) {
     if (!known(c, c.enumerant(1), {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_AMBIENT_AND_DIFFUSE})) return;
     if (const std::optional<Command> color = gl_command_of(c))
         return set_material(*color, find_reflectance(word_name(c.word(2))));
-    raise(kGL_INVALID_ENUM, c, "{} is no reflectance; expected {}", word_name(c.word(2)), names_of(reflectances()));
+    raise(kGL_INVALID_ENUM, c, "{} is not a reflectance; expected {}", word_name(c.word(2)), names_of(reflectances()));
 }
 
 void State::illuminant(const Command& c) {
@@ -44,7 +45,8 @@ void State::illuminant(const Command& c) {
     const Spectrum* light = find_illuminant(word_name(c.word(2)));
     const double scale = c.number(3);
     if (!light)
-        return raise(kGL_INVALID_ENUM, c, "{} is no light; expected {}", word_name(c.word(2)), names_of(illuminants()));
+        return raise(kGL_INVALID_ENUM, c, "{} is not the spectrum of a light; expected {}", word_name(c.word(2)),
+                     names_of(illuminants()));
     if (!(scale >= 0 && std::isfinite(scale)))
         return raise(kGL_INVALID_VALUE, c, "the light's scale is {}; it must be 0 or more", scale);
     const std::optional<Command> color = gl_command_of(c);
@@ -57,7 +59,7 @@ void State::transfer(const Command& c) {
     if (c.word(0) == Word::linear || c.word(0) == Word::srgb)
         a_.fragment.srgb_coded = c.word(0) == Word::srgb;
     else
-        raise(kGL_INVALID_ENUM, c, "transfer({}); expected linear or srgb", word_name(c.word(0)));
+        raise(kGL_INVALID_ENUM, c, "transfer({}) is unknown; expected linear or srgb", word_name(c.word(0)));
 }
 
 }  // namespace twinlight

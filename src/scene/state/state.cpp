@@ -1,5 +1,5 @@
-// The state machine's frame: dispatch from the table of commands, errors, Begin and End, the Draws.
-// What the commands do stands in lights_and_materials.cpp, matrices.cpp, raster.cpp and shapes.cpp.
+// The core of the state machine: calls the function of each command, collects errors, handles Begin and End, builds
+// Draws. The other files of this folder implement the commands.
 #include "scene/state/state.h"
 
 #include <fmt/format.h>
@@ -18,18 +18,18 @@ namespace twinlight {
 
 namespace {
 
-// What may stand between Begin and End (2.6.3). begin, end and perspective say themselves what is wrong; GLU's quadrics are no
-// GL.
+// The commands allowed between Begin and End (2.6.3). begin, end and perspective are listed because they raise their
+// own errors, GLU's quadrics because they are not GL commands.
 constexpr CommandSet kLegalInside = CommandSet::of(
     {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
      "driver_only_vertex", "driver_only_attribute", "driver_only_secondary_color", "call_list", "call_lists",
      "array_element", "perspective", "new_quadric", "delete_quadric", "set_quadric"});
 
-// What a vertex is given may be any number.
+// Commands that set a vertex's attributes accept NaN and infinity.
 constexpr CommandSet kTakesAnyNumber = CommandSet::of({"vertex", "normal", "color", "tex_coord", "multi_tex_coord",
                                                        "driver_only_secondary_color", "driver_only_attribute"});
 
-// Counts one more of `name`.
+// Adds one to the count of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
     const auto find = [&] {
         return std::find_if(list.begin(), list.end(), [&](const Unsupported& u) { return u.name == name; });
@@ -61,11 +61,12 @@ void State::carry_out(const Command& command) {
 #include "scene/command/commands.def"
     };
     if (open_ && !kLegalInside.contains(command.id)) return raise_inside(command);
-    // RULING: GL leaves NaN and infinity open (2.1.1); here they are refused, so that no later value is either. A vertex may
-    // be given them, for programs do so: sanitize() says what becomes of it.
+    // RULING: GL leaves NaN and infinity undefined (2.1.1). Here commands refuse them, so they cannot spread. Only
+    // vertices accept them, because real programs send such vertices; see sanitize().
     const auto is_finite = [](double v) { return std::isfinite(v); };
     if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite))
-        return raise(kGL_INVALID_VALUE, command, "{} is given a value that is not finite", command.name());
+        return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
+                     command.name());
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
 }
 
@@ -74,12 +75,12 @@ void State::raise(GlError error) {
     if (error.code == kGL_OUT_OF_MEMORY && !exhausted_) exhausted_ = error;
     if (errors_.size() >= kMaxErrorsKept) return;
     if (lists_.nesting > 0)
-        error.message += fmt::format("; this stands in the list that is called at {}", lists_.called.str());
+        error.message += fmt::format("; this command is in the display list that is called at {}", lists_.called.str());
     errors_.push_back(std::move(error));
 }
 
 void State::raise_inside(const Command& command) {
-    raise(kGL_INVALID_OPERATION, command, "{} cannot stand between glBegin and glEnd; the glBegin is at {}",
+    raise(kGL_INVALID_OPERATION, command, "{} is not allowed between glBegin and glEnd; the glBegin is at {}",
           command.name(), open_->place.str());
 }
 
@@ -88,7 +89,8 @@ bool State::has_room(const Command& command, std::size_t bytes) {
         item_bytes_ += bytes;
         return true;
     }
-    raise(kGL_OUT_OF_MEMORY, command, "one picture's vertices and state fill {} MiB at the most", kMaxFrameBytes >> 20);
+    raise(kGL_OUT_OF_MEMORY, command, "the vertices and state of one picture can have at most {} MiB",
+          kMaxFrameBytes >> 20);
     return false;
 }
 
@@ -96,7 +98,8 @@ bool State::has_time(const Command& command, double work) {
     work_ += work;
     if (work_ <= static_cast<double>(kMaxFrameWork)) return true;
     raise(kGL_OUT_OF_MEMORY, command,
-          "one picture's display lists, images and shapes come to {} commands, texels and vertices at the most",
+          "the display lists, images and shapes of one picture can have at most {} commands, texels and vertices "
+          "together",
           kMaxFrameWork);
     return false;
 }
@@ -110,11 +113,11 @@ bool State::known(const Command& command, Enum value, std::initializer_list<Enum
     return false;
 }
 
-// ---- Begin, End and what stands between them (2.6, 2.7) ----
+// ---- Begin, End and the commands between them (2.6, 2.7) ----
 
 void State::begin(const Command& c) {
     if (open_) {
-        return raise(kGL_INVALID_OPERATION, c, "glBegin inside glBegin; the first, at {}, has no glEnd yet",
+        return raise(kGL_INVALID_OPERATION, c, "glBegin inside another glBegin; the one at {} has no glEnd yet",
                      open_->place.str());
     }
     if (c.enumerant(0) > kGL_POLYGON) {
@@ -132,11 +135,11 @@ void State::end(const Command& c) {
     else
         show(std::move(*open_));
     open_.reset();
-    a_.current.material = 0;  // what is drawn next has materials of its own
+    a_.current.material = 0;  // the next Draw starts its own list of materials
 }
 
 void State::vertex(const Command& c) {
-    if (!open_) return;  // 2.7: undefined outside Begin and End, no error; here it does nothing, as in the driver
+    if (!open_) return;  // 2.7: undefined outside Begin and End; ignored here, as by the driver
     if (!has_room(c, sizeof(Vertex))) return;
     a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.position_object[static_cast<int>(i)] = c.number(i);
@@ -175,7 +178,8 @@ void sanitize(Vertex& vertex) {
     }
 }
 
-// 2.7. RULING: coordinates of further units are dropped; where such a unit has a texture, that is named.
+// 2.7. RULING: the coordinates of units above 0 are ignored. If such a unit has a texture, it is reported as
+// unsupported.
 void State::multi_tex_coord(const Command& c) {
     if (auto error = wrong_texture_unit(c)) return raise(std::move(*error));
     if (c.enumerant(0) != kGL_TEXTURE0) return;
@@ -213,13 +217,13 @@ Draw State::new_draw(Enum mode, const Place& place) {
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     for (const auto& [capability, where] : a_.driver_only) {
         const DriverOnlyCapability& row = driver_only_capability(capability.first);
-        // Textures of further units are named above.
+        // Textures of units above 0 are already noted.
         const bool is_idle = row.generates_coordinates() && (capability.second > 0 || !draw.texture.texture);
         if (!row.changes_pixels || is_idle) continue;
         note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where);
     }
     note_driver_only_values(draw);
-    // `#pragma twinlight light(8, ...)`: GL has eight lights.
+    // `#pragma twinlight light(8, ...)`: GL has only eight lights.
     const auto& lights = draw.lighting.lights;
     const bool has_more =
         lights.size() > kMaxLights &&
@@ -229,12 +233,12 @@ Draw State::new_draw(Enum mode, const Place& place) {
     return draw;
 }
 
-// 5.2, 5.3: in the other modes no fragments are produced, and clearing changes nothing.
+// 5.2, 5.3: in selection and feedback mode drawing and clearing change no pixel.
 void State::show(std::variant<Clear, Draw> item) {
     if (render_mode_ == kGL_RENDER) items_.push_back(std::move(item));
 }
 
-// 2.10: as if GL_POLYGON stood between Begin and End.
+// 2.10: the same as a GL_POLYGON with four vertices.
 void State::rect(const Command& c) {
     if (!has_room(c, bytes_of_draw() + 4 * sizeof(Vertex))) return;
     const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
@@ -260,14 +264,20 @@ void State::outside(std::string_view function, const Place& place) {
 }
 
 std::optional<GlError> State::unfinished() const {
-    if (lists_.open_name != 0) return GlError{kGL_INVALID_OPERATION, lists_.opened, "this glNewList has no glEndList"};
-    if (open_) return GlError{kGL_INVALID_OPERATION, open_->place, "this glBegin has no glEnd"};
+    if (lists_.open_name != 0)
+        return GlError{kGL_INVALID_OPERATION, lists_.opened,
+                       "this glNewList has no glEndList; add it after the commands of the list"};
+    if (open_)
+        return GlError{kGL_INVALID_OPERATION, open_->place, "this glBegin has no glEnd; add it after the last vertex"};
     std::vector<const MatrixStack*> stacks{&modelview_, &projection_};
     for (const MatrixStack& one : texture_) stacks.push_back(&one);
     for (const MatrixStack* s : stacks)
-        if (s->size() > 1) return GlError{kGL_STACK_OVERFLOW, s->back().pushed, "this glPushMatrix has no glPopMatrix"};
+        if (s->size() > 1)
+            return GlError{kGL_STACK_OVERFLOW, s->back().pushed,
+                           "this glPushMatrix has no glPopMatrix; each push needs a pop"};
     if (!attribute_stack_.empty())
-        return GlError{kGL_STACK_OVERFLOW, attribute_stack_.back().pushed, "this glPushAttrib has no glPopAttrib"};
+        return GlError{kGL_STACK_OVERFLOW, attribute_stack_.back().pushed,
+                       "this glPushAttrib has no glPopAttrib; each push needs a pop"};
     return std::nullopt;
 }
 
@@ -308,9 +318,7 @@ Frame make_frame(const CommandList& commands, const StateOptions& options) {
     if (const auto error = state.unfinished())
         throw SceneError(fmt::format("{}: {}", error->place.str(), error->message));
     Frame frame = state.take_frame();
-    const bool draws = std::any_of(frame.items.begin(), frame.items.end(),
-                                   [](const auto& item) { return std::holds_alternative<Draw>(item); });
-    if (!draws) {
+    if (frame.draws().empty()) {
         throw SceneError(fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
                                      commands.name));
     }

@@ -1,4 +1,4 @@
-// State: GL's state machine in double precision. Commands go in, a Frame comes out, errors are raised as GL raises them.
+// State: GL's state machine in double precision. It executes commands, raises GL's errors and builds a Frame.
 #pragma once
 
 #include <map>
@@ -18,73 +18,74 @@
 namespace twinlight {
 
 struct StateOptions {
-    int width = 640;  // of the window
+    int width = 640;  // the size of the window in pixels
     int height = 480;
     SignedRule signed_rule = SignedRule::kGl21;
 };
 
-// Limits of Twinlight's own, so that a hostile scene ends with an error (GL_OUT_OF_MEMORY) and not with the machine's memory
-// or a day's work: what a picture's clears and draws may hold together, with the textures that they were drawn with and
-// that have changed since; and what its display lists, images, shapes and evaluators may come to, counted in commands,
-// texels, vertices and points (64 lists that call the next one twice would be 2^64). A recording ends there: the driver
-// knows no such limit.
+// Twinlight's own limits. They stop a hostile scene with GL_OUT_OF_MEMORY before it fills the memory or runs for hours.
+// kMaxFrameBytes limits the clears and draws of one picture, with the textures that they used and that have changed
+// since. kMaxFrameWork limits its display lists, images, shapes and evaluators, counted in commands, texels, vertices
+// and points (64 lists that each call the next one twice would execute 2^64 commands). Drivers have no such limits, so
+// a recording ends there.
 inline constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 30;
 inline constexpr std::size_t kMaxFrameWork = 50'000'000;
-// How many errors are kept; GL itself keeps one.
+// The number of errors that are stored; GL itself stores one.
 inline constexpr std::size_t kMaxErrorsKept = 100;
-inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; what is beyond counts under one of its own
+inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all further ones count as "more commands"
 
-// RULING: a vertex that is given NaN or infinity. A position of them is (0, 0, 0, 0), which belongs to no polygon, line or
-// point (2.12); a normal of them is zero; such a component of a colour or a texture coordinate is 0.
+// RULING for a vertex with NaN or infinity: a position with such a component becomes (0, 0, 0, 0), which is clipped
+// away (2.12); a normal becomes (0, 0, 0); in colours and texture coordinates only the component becomes 0.
 void sanitize(Vertex& vertex);
 
 class State {
   public:
     explicit State(const StateOptions& options = {});
 
-    // Carries one command out. A command with an error changes nothing but errors() (2.5).
+    // Executes one command. A command with an error changes only errors() (2.5).
     void apply(const Command& command);
 
-    // The first errors, kMaxErrorsKept of them at most; and how many there were.
+    // The first errors, at most kMaxErrorsKept, and the number of all errors.
     const std::vector<GlError>& errors() const { return errors_; }
     std::size_t error_count() const { return error_count_; }
-    // The first GL_OUT_OF_MEMORY: the scene asks for more than Twinlight gives, and the driver must not be asked for it.
+    // The first GL_OUT_OF_MEMORY: the scene exceeds a limit of Twinlight, so no driver should execute it.
     const std::optional<GlError>& exhausted() const { return exhausted_; }
 
-    // A call of a function that Twinlight does not have. What it would have changed is not known, so it stands in all
-    // pictures from here on.
+    // Notes a call of a function that Twinlight does not know. Its effect is unknown, so it is listed as unsupported
+    // for this picture and all later ones.
     void outside(std::string_view function, const Place& place);
 
-    // What must be whole at the end of a scene: Begin/End, matrix stacks. The message of the first thing left open.
+    // The error of the first glBegin, glNewList or push that is still open at the end of a scene; nullopt if there is
+    // none.
     std::optional<GlError> unfinished() const;
 
     // The picture so far.
     const std::vector<std::variant<Clear, Draw>>& items() const { return items_; }
     bool inside_begin() const { return open_.has_value(); }
-    // Forgets it: what is drawn from here on begins a new one.
+    // Deletes the picture; later drawing starts a new one.
     void drop_picture();
-    // Forgets what the last Clear hides, if that clears everything.
+    // Deletes the items before the last Clear, if it clears everything.
     void drop_hidden();
-    // Gives it away.
+    // Returns the picture and starts a new one.
     Frame take_frame();
 
-    // The values in force.
+    // The current values.
     const Attributes& attributes() const { return a_; }
     const LightingState& lighting() const { return a_.lighting; }
     const RasterState& raster() const { return a_.raster; }
     const glm::dmat4& modelview() const { return modelview_.back().matrix; }
     const glm::dmat4& projection() const { return projection_.back().matrix; }
     const glm::dmat4& texture_matrix() const { return texture_[a_.active_unit].back().matrix; }
-    std::size_t matrix_depth(Enum mode) const;  // of the stack of GL_MODELVIEW, GL_PROJECTION or GL_TEXTURE
+    std::size_t matrix_depth(Enum mode) const;  // mode: GL_MODELVIEW, GL_PROJECTION or GL_TEXTURE
     std::size_t attribute_depth() const { return attribute_stack_.size(); }
     Enum render_mode() const { return render_mode_; }
     const VertexArrays& arrays() const { return arrays_; }
     const Lists& lists() const { return lists_; }
     const PixelStore& pixel_store() const { return pixel_store_; }
     const Texture& bound_texture(Enum target) const { return *texture_of(unit(), target); }
-    // glIsEnabled (6.1.1): nothing for what is no capability.
+    // glIsEnabled (6.1.1); nullopt if `cap` is not a capability.
     std::optional<bool> capability(Enum cap) const;
-    // glGetLight, glGetMaterial (6.1.3); empty for names that GL does not know.
+    // glGetLight, glGetMaterial (6.1.3); empty for unknown names.
     std::vector<double> get_light(Enum light, Enum pname) const;
     std::vector<double> get_material(Enum face, Enum pname) const;
     const TextureObjects& textures() const { return textures_; }
@@ -92,11 +93,11 @@ class State {
   private:
     struct StackedMatrix {
         glm::dmat4 matrix{1};
-        Place pushed;  // where glPushMatrix stood
+        Place pushed;  // the place of glPushMatrix
     };
     using MatrixStack = std::vector<StackedMatrix>;
 
-    // One function an effect of commands.def; a list for each file of them.
+    // One function for each effect of commands.def, grouped by the file that implements them.
     using Effect = void(const Command&);
     Effect push_attrib, pop_attrib;
     Effect enable, disable;
@@ -122,16 +123,18 @@ class State {
     Effect pixel_store, tex_image, tex_sub_image;
     Effect bind_texture, active_texture, tex_parameter, tex_env, query_tex_env, query_tex_parameter, gen_textures,
         delete_textures, prioritize_textures;
-    // glMaterial; the colour is that of the reflectance where there is one.
+    // glMaterial; `reflectance` is null or the spectrum that the colour was computed from.
     void set_material(const Command&, const Spectrum* reflectance);
     void set_light(LightSource& source, Enum pname, const std::vector<double>& values) const;
 
     void carry_out(const Command& command);
     bool compile(const Command& command);
-    std::optional<ArrayVertices> array_vertices(const Command& draw);  // nothing, and the error, for a wrong one
+    std::optional<ArrayVertices> array_vertices(
+        const Command& draw);  // raises the error and returns nullopt if it is wrong
     void draw(const Command& command, const ArrayVertices& read);
-    void send_element(const Command& command, const ArrayVertices& element);  // of glArrayElement
-    // Whether the picture still has room for so many more bytes, or so much more work; GL_OUT_OF_MEMORY if not.
+    void send_element(const Command& command, const ArrayVertices& element);  // glArrayElement
+    // Whether this many more bytes, or this much more work, stay within the picture's limits; if not, raises
+    // GL_OUT_OF_MEMORY.
     bool has_room(const Command& command, std::size_t bytes);
     std::size_t bytes_of_draw() const { return sizeof(Draw) + a_.lighting.lights.size() * sizeof(LightSource); }
     bool has_time(const Command& command, double work);
@@ -139,7 +142,7 @@ class State {
     bool walk_calls(const Command& command, const DisplayList& list);
     void execute_list(const Command& command, std::uint32_t name);
     void execute_listed(const ListedCommand& listed);
-    void raise_inside(const Command& command);  // of a command that stands between Begin and End
+    void raise_inside(const Command& command);  // for a command between Begin and End
     void raise(GlError error);
     template <class... Values>
     void raise(Enum code, const Command& command, fmt::format_string<Values...> message, Values&&... values) {
@@ -147,12 +150,15 @@ class State {
     }
     // Whether `value` is one of `allowed`; raises GL_INVALID_ENUM if not.
     bool known(const Command& command, Enum value, std::initializer_list<Enum> allowed);
-    LightSource* light_source(const Command& command, Enum light);  // null, and GL_INVALID_ENUM, for no light
-    // The values of glLight*, glMaterial*, glFog*, glTexEnv*, ... as real numbers; nothing, and the error, if they are refused.
+    LightSource* light_source(const Command& command,
+                              Enum light);  // raises GL_INVALID_ENUM and returns null if unknown
+    // The values of glLight*, glMaterial*, glFog*, glTexEnv*, ... as real numbers. If they are invalid, raises the
+    // error and returns nullopt.
     std::optional<std::vector<double>> parameter_values(const Command& command, Owner owner, Enum pname);
     void set_capability(const Command& command, bool enabled);
-    bool known_capability(const Command& command);  // or GL_INVALID_ENUM
-    // The texture that a glTex* command changes: one that no Draw holds. Null, and the error, for a wrong target.
+    bool known_capability(const Command& command);  // raises GL_INVALID_ENUM if not
+    // The texture that a glTex* command may change: no Draw shares it. Raises the error and returns null for a wrong
+    // target.
     Texture* writable_texture(const Command& command, Enum target);
     const std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target) const;
     std::shared_ptr<const Texture> complete_texture(const TextureBindings& bindings) const;
@@ -161,24 +167,27 @@ class State {
     bool check_pixel_type(const Command& command, const PixelSource& source);
     std::optional<PixelRows> pixels(const Command& command, const PixelSource& source);
     void generate_mipmaps(Texture& texture) const;
-    // Whether there is room and time for so many texels more, some of which replace others; GL_OUT_OF_MEMORY if not.
+    // Whether this many more texels stay within the limits; `replaced` texels are freed. If not, raises
+    // GL_OUT_OF_MEMORY.
     bool has_texels(const Command& command, double count, std::size_t replaced = 0);
-    bool counts(const Command& command, const char* what);  // n >= 0, or GL_INVALID_VALUE
+    bool counts(const Command& command, const char* what);  // n >= 0; if not, raises GL_INVALID_VALUE
     void track_color();                                     // 2.14.3: the material follows the current colour
     void multiply(const glm::dmat4& matrix);
     MatrixStack& stack();
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
     void send_shape(const Command& command, std::vector<ShapePart> parts, std::vector<Surface> surfaces);
-    Quadric* quadric(const Command& command);   // its first argument; null, and the error, where there is none
-    bool can_send(const Command& command);      // whether its quadric can be sent; false, and the error, if not
-    void show(std::variant<Clear, Draw> item);  // adds it to the picture, in the mode that makes one
+    Quadric* quadric(
+        const Command& command);  // its first argument; raises the error and returns null if it does not exist
+    bool can_send(const Command& command);      // whether its quadric can be drawn; if not, raises the error
+    void show(std::variant<Clear, Draw> item);  // adds it to the picture if the render mode is GL_RENDER
     void note_driver_only_values(const Draw& draw);
-    // Of what is drawn now, and of what changes all pictures from here on.
+    // Notes something unsupported: note_lasting() for this and all later pictures, note_unsupported() only for this
+    // one.
     void note_lasting(std::string_view name, const Place& place);
     void note_unsupported(const std::string& name, const Place& place, MissingFrom missing_from = MissingFrom::kFrame);
-    double to_real(double c,
-                   Kind kind) const;  // a colour's or normal's component: integers to [-1,1] or [0,1]
+    // A component of a colour or a normal: integers become [-1,1] or [0,1].
+    double to_real(double c, Kind kind) const;
 
     struct SavedAttributes {
         Attributes attributes;
@@ -191,20 +200,20 @@ class State {
     Attributes a_;
     TextureObjects textures_;
     PixelStore pixel_store_;
-    std::vector<std::optional<PixelStore>> saved_pixel_stores_;  // by glPushClientAttrib, a level each
+    std::vector<std::optional<PixelStore>> saved_pixel_stores_;  // by glPushClientAttrib, one per level
     VertexArrays arrays_;
     Lists lists_;
     MatrixStack modelview_{{}}, projection_{{}};
-    std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // a unit each
+    std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // one per unit
     std::vector<SavedAttributes> attribute_stack_;
     Enum render_mode_ = kGL_RENDER;                      // 5.2
-    bool has_selection_ = false, has_feedback_ = false;  // a buffer of some size
+    bool has_selection_ = false, has_feedback_ = false;  // has a buffer with room
     std::optional<Draw> open_;                           // between Begin and End
     std::map<double, Quadric> quadrics_;                 // by number
-    std::map<double, Place> deleted_quadrics_;           // where gluDeleteQuadric stood
+    std::map<double, Place> deleted_quadrics_;           // the place of gluDeleteQuadric
     std::vector<std::variant<Clear, Draw>> items_;
-    std::size_t item_bytes_ = 0;  // what items_ holds, about
-    double work_ = 0;             // for this picture, so far
+    std::size_t item_bytes_ = 0;  // the approximate size of items_
+    double work_ = 0;             // work for this picture so far
     std::vector<Unsupported> unsupported_;
     std::vector<Unsupported> outside_;
     std::vector<GlError> errors_;
@@ -212,8 +221,8 @@ class State {
     std::optional<GlError> exhausted_;
 };
 
-// Runs all commands of a scene. Throws SceneError at the first GL error, at what is left open at the end, and for commands
-// that draw nothing.
+// Executes all commands of a scene. Throws SceneError at the first GL error, if a glBegin, glNewList or push is still
+// open at the end, and if nothing is drawn.
 Frame make_frame(const CommandList& commands, const StateOptions& options);
 Scene make_scene(std::shared_ptr<const CommandList> commands, const StateOptions& options);
 

@@ -50,10 +50,10 @@ void State::pixel_store(const Command& c) {
     }
 }
 
-// 3.6.4: a format and a type that GL knows and that go together.
+// 3.6.4: checks that the format and the type are known and can be used together.
 bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX || source.format == kGL_DEPTH_COMPONENT) {
-        note_lasting(fmt::format("{} of {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
+        note_lasting(fmt::format("{} with {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
                      c.place);
         return false;
     }
@@ -65,7 +65,7 @@ bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     if (pixel_bytes(source.format, source.type)) return true;
     const bool is_type = pixel_bytes(kGL_RGB, source.type) || pixel_bytes(kGL_RGBA, source.type);
     if (is_type)
-        raise(kGL_INVALID_OPERATION, c, "the type {} does not go with the format {}", enum_name(source.type),
+        raise(kGL_INVALID_OPERATION, c, "the type {} cannot be used with the format {}", enum_name(source.type),
               enum_name(source.format));
     else
         raise(kGL_INVALID_ENUM, c, "{} is given the type {}; expected GL_UNSIGNED_BYTE, GL_FLOAT, ...", c.name(),
@@ -73,14 +73,15 @@ bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     return false;
 }
 
-// The pixels that the command's pointer leads to, in memory or in the buffer that is bound for it (2.9). RULING: all 0
-// where it is null, which 3.8.1 leaves undefined. Nothing, and the error, where the memory ends before the image does.
+// The pixels that the command's pointer points to, in memory or in the buffer bound for pixels (2.9). If the memory is
+// too small, raises the error and returns nullopt. RULING: a null pointer gives pixels of value 0; 3.8.1 leaves them
+// undefined.
 std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& source) {
     const BufferObject* buffer = lists_.nesting > 0 ? nullptr : arrays_.pixel_unpack_buffer();
     if (!c.memory && !buffer) return PixelRows{source, pixel_store_, {}};
     if (buffer && (c.memory || buffer->mapped)) {
         raise(kGL_INVALID_OPERATION, c, "{} reads the buffer that is bound to GL_PIXEL_UNPACK_BUFFER, {}", c.name(),
-              c.memory ? "but is given an address" : "which is mapped; a glUnmapBuffer is missing");
+              c.memory ? "but is given an array; give an offset" : "which is mapped; call glUnmapBuffer first");
         return std::nullopt;
     }
     const std::vector<std::byte>& bytes = buffer ? buffer->bytes : c.memory->bytes;
@@ -88,8 +89,8 @@ std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& sour
     const std::size_t needed = bytes_read(source, pixel_store_), size = bytes.size();
     if (offset < 0 || offset > static_cast<double>(size) || needed > size - static_cast<std::size_t>(offset)) {
         raise(kGL_INVALID_OPERATION, c,
-              "{} reads {} bytes, but the memory it is given has {}; mind GL_UNPACK_ALIGNMENT, {} here", c.name(),
-              needed, static_cast<double>(size) - offset, pixel_store_.unpack_alignment);
+              "{} reads {} bytes, but its array has {}; check GL_UNPACK_ALIGNMENT, which is {}", c.name(), needed,
+              static_cast<double>(size) - offset, pixel_store_.unpack_alignment);
         return std::nullopt;
     }
     return PixelRows{source, pixel_store_, std::span(bytes).subspan(static_cast<std::size_t>(offset))};
@@ -104,12 +105,12 @@ std::size_t texels_of(const Texture& texture) {
 bool State::has_texels(const Command& c, double count, std::size_t replaced) {
     if (!has_time(c, count)) return false;
     if (static_cast<double>(textures_.texels - replaced) + count <= static_cast<double>(kMaxTexels)) return true;
-    raise(kGL_OUT_OF_MEMORY, c, "{} is given {} texels more; all textures have {} at the most together", c.name(),
-          count, kMaxTexels);
+    raise(kGL_OUT_OF_MEMORY, c, "{} adds {} texels; all textures together can have at most {}", c.name(), count,
+          kMaxTexels);
     return false;
 }
 
-// Images of textures that State does not follow.
+// Images of textures that only the driver supports.
 bool is_driver_only_image(Enum target) {
     return target == kGL_TEXTURE_RECTANGLE || target == kGL_PROXY_TEXTURE_RECTANGLE ||
            (target >= kGL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= kGL_PROXY_TEXTURE_CUBE_MAP);
@@ -146,7 +147,7 @@ void State::tex_image(const Command& c) {
     if (!has_texels(c, static_cast<double>(source.width) * source.height, replaced)) return;
     const auto rows = pixels(c, source);
     if (!rows) return;
-    // RULING: borders are cut off, as drivers do; what samples them is named.
+    // RULING: borders are cut off, as in drivers, and the picture is reported as partial.
     if (a.border == 1) note_lasting(fmt::format("{} with a border", c.name()), c.place);
     const int dx = a.border, dy = two ? a.border : 0;
     TextureImage image{
@@ -179,20 +180,22 @@ void State::tex_sub_image(const Command& c) {
                              .format = c.enumerant(two ? 6 : 4),
                              .type = c.enumerant(two ? 7 : 5)};
     if (level < 0 || level >= kMaxTextureLevels || source.width < 0 || source.height < 0) {
-        return raise(kGL_INVALID_VALUE, c, "{} is given the level {} and the size {} x {}", c.name(), level,
-                     source.width, source.height);
+        return raise(
+            kGL_INVALID_VALUE, c,
+            "{} is given level {} and the size {} x {}; the level must be in [0, {}], the size cannot be negative",
+            c.name(), level, source.width, source.height, kMaxTextureLevels - 1);
     }
     if (!check_pixel_type(c, source)) return;
     const Texture& bound = bound_texture(target);
     if (bound.levels.size() <= static_cast<std::size_t>(level) ||
         bound.levels[static_cast<std::size_t>(level)].texels.empty()) {
-        return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one by {}", level,
+        return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with {}", level,
                      two ? "glTexImage2D" : "glTexImage1D");
     }
     const TextureImage& old = bound.levels[static_cast<std::size_t>(level)];
     if (x0 < 0 || y0 < 0 || x0 > old.width - source.width || y0 > old.height - source.height) {
-        return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) lie outside the image of {} x {}", source.width,
-                     source.height, x0, y0, old.width, old.height);
+        return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) are not inside the image of {} x {}",
+                     source.width, source.height, x0, y0, old.width, old.height);
     }
     const auto rows = pixels(c, source);
     if (!rows || source.width == 0 || source.height == 0) return;

@@ -1,5 +1,5 @@
 // Texture objects, their names and parameters, and the texture environment (3.8.4, 3.8.10, 3.8.12, 3.8.13).
-// What glTexImage does stands in texture_images.cpp.
+// texture_images.cpp handles their images.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ const std::shared_ptr<Texture>& State::texture_of(const TextureBindings& binding
 
 Texture* State::writable_texture(const Command& c, Enum target) {
     if (!known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return nullptr;
-    auto& texture = const_cast<std::shared_ptr<Texture>&>(texture_of(unit(), target));  // NOLINT: of this State
+    auto& texture = const_cast<std::shared_ptr<Texture>&>(texture_of(unit(), target));  // NOLINT: belongs to this State
     if (texture.use_count() > 1) {
         if (!has_room(c, texels_of(*texture) * sizeof(glm::vec4))) return nullptr;
         texture = std::make_shared<Texture>(*texture);
@@ -26,7 +26,7 @@ Texture* State::writable_texture(const Command& c, Enum target) {
     return texture.get();
 }
 
-// 3.8.12. A name that was never generated may be bound as well.
+// 3.8.12. GL allows names that were never generated.
 bool is_driver_only_texture(Enum target) {
     return target == kGL_TEXTURE_3D || target == kGL_TEXTURE_CUBE_MAP || target == kGL_TEXTURE_RECTANGLE;
 }
@@ -40,15 +40,15 @@ void State::bind_texture(const Command& c) {
         std::shared_ptr<Texture>& texture = textures_.named[name];
         if (!texture) texture = std::make_shared<Texture>(Texture{.target = target});
         if (texture->target != target) {
-            return raise(kGL_INVALID_OPERATION, c, "texture {} was bound to {} first and cannot be bound to {}", name,
-                         enum_name(texture->target), enum_name(target));
+            return raise(kGL_INVALID_OPERATION, c, "texture {} was first bound to {}, so it cannot be bound to {}",
+                         name, enum_name(texture->target), enum_name(target));
         }
     }
     if (driver_only) return;
     (target == kGL_TEXTURE_1D ? unit().bound_1d : unit().bound_2d) = name;
 }
 
-// 3.8.16: which unit the commands on textures and on the texture matrix mean.
+// 3.8.16: the unit that commands on textures and on the texture matrix affect.
 void State::active_texture(const Command& c) {
     if (auto error = wrong_texture_unit(c)) return raise(std::move(*error));
     a_.active_unit = c.enumerant(0) - kGL_TEXTURE0;
@@ -56,10 +56,10 @@ void State::active_texture(const Command& c) {
 
 namespace {
 
-// Parameters of later versions, and of textures that are not here.
+// Parameters that only the driver supports: of later versions and of other kinds of textures.
 struct DriverOnlyParameter {
     Enum pname;
-    std::optional<double> initial;  // nothing: it says how another one acts, and alone changes no pixel
+    std::optional<double> initial;  // nullopt: it only modifies another parameter, and alone changes no pixel
 };
 constexpr DriverOnlyParameter kDriverOnlyParameters[] = {
     {kGL_TEXTURE_BASE_LEVEL, 0},
@@ -109,7 +109,7 @@ void State::tex_parameter(const Command& c) {
     const auto values = parameter_values(c, Owner::kTexture, pname);
     if (!values) return;
     const auto name = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
-    // A texture that keeps its value is not copied for it.
+    // Setting the same value does not copy a shared texture.
     const auto assign = [&](auto Texture::*member, const auto& value) {
         if (bound_texture(target).*member == value) return;
         if (Texture* texture = writable_texture(c, target)) texture->*member = value;
@@ -126,7 +126,7 @@ void State::tex_parameter(const Command& c) {
         case kGL_TEXTURE_MAG_FILTER: return set(&Texture::mag_filter, {kGL_NEAREST, kGL_LINEAR});
         case kGL_TEXTURE_WRAP_S: return set(&Texture::wrap_s, wraps);
         case kGL_TEXTURE_WRAP_T: return set(&Texture::wrap_t, wraps);
-        case kGL_TEXTURE_WRAP_R: known(c, name, wraps); return;  // of no use to one and two dimensions
+        case kGL_TEXTURE_WRAP_R: known(c, name, wraps); return;  // not used in one and two dimensions
         case kGL_TEXTURE_BORDER_COLOR:
             return assign(&Texture::border_color,
                           glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0));
@@ -157,8 +157,9 @@ void State::tex_env(const Command& c) {
     }
 }
 
-// The texture that a Draw gets: of the enabled targets the one of more dimensions (3.8.15), if it is complete (3.8.10):
-// its base level is there, and with a mipmap filter all levels down to 1 x 1, each half the size and of one format.
+// The texture of a Draw: that of the enabled target with more dimensions (3.8.15), if it is complete (3.8.10). A
+// complete texture has its base level and, for a mipmap filter, all levels down to 1 x 1, each half the size of the
+// last and in one format.
 std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bindings) const {
     if (!bindings.enabled_1d && !bindings.enabled_2d) return nullptr;
     std::shared_ptr<const Texture> texture =
@@ -182,7 +183,7 @@ std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bi
 
 bool State::counts(const Command& c, const char* what) {
     if (c.number(0) >= 0) return true;
-    raise(kGL_INVALID_VALUE, c, "{} is given {} {}; a number cannot be below 0", c.name(), c.number(0), what);
+    raise(kGL_INVALID_VALUE, c, "{} is given {} {}; the number must be 0 or more", c.name(), c.number(0), what);
     return false;
 }
 
@@ -191,7 +192,7 @@ void State::gen_textures(const Command& c) {
     for (double name : c.array()) textures_.named.try_emplace(static_cast<std::uint32_t>(name), nullptr);
 }
 
-// 3.8.12: of the textures that there are; others, and 0, are passed over.
+// 3.8.12: sets the priority of existing textures; 0 and unused names are ignored.
 void State::prioritize_textures(const Command& c) {
     if (!counts(c, "textures")) return;
     const auto names = c.values(1), priorities = c.values(2);
@@ -204,7 +205,7 @@ void State::prioritize_textures(const Command& c) {
     }
 }
 
-// A texture that is bound is bound no more; 0 and names that are not in use are passed over.
+// Deleted textures are unbound; 0 and unused names are ignored.
 void State::delete_textures(const Command& c) {
     if (!counts(c, "textures")) return;
     for (double value : c.array()) {

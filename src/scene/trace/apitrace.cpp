@@ -18,13 +18,13 @@ namespace twinlight::trace {
 
 namespace {
 
-// The start of what apitrace said, on one line.
+// The first line of apitrace's messages.
 std::string first_words(const Descriptor& file) {
     std::array<char, 200> text{};
     const ssize_t count = ::pread(file.get(), text.data(), text.size(), 0);
     std::string line(text.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
     line.resize(std::min(line.find('\n'), line.size()));
-    // It may quote the trace, which may hold anything.
+    // The message may quote bytes of the trace, so control characters become '?'.
     std::ranges::replace_if(
         line, [](char c) { return c < 0x20 || c == 0x7F; }, '?');
     return line;
@@ -33,24 +33,24 @@ std::string first_words(const Descriptor& file) {
 }  // namespace
 
 ApitraceDump::ApitraceDump(const std::string& name, const std::string& trace, const Descriptor& input)
-    : words_(nameless_file()) {
+    : messages_(nameless_file()) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw SceneError(name + ": " + std::strerror(errno));
     output_ = Descriptor(ends[0]);
     const Descriptor dump(ends[1]);
-    // It runs in the folder, for it writes its blobs where it runs.
+    // It runs in the temporary folder, because it writes blobs to its working folder.
     process_ = start({{"apitrace", "dump", "--color=never", "--blobs", "--thread-ids=yes", "--arg-names=no",
                        "--multiline=no", input.valid() ? "/dev/stdin" : std::filesystem::absolute(trace).string()},
                       input.get(),
                       dump.get(),
-                      words_.get(),
+                      messages_.get(),
                       folder()});
     if (process_ > 0) return;
     if (errno != ENOENT && errno != EACCES) throw SceneError(name + ": " + std::strerror(errno));
     throw SceneError(
         name +
-        ": a .trace is read by apitrace, which is not installed; install it (apt-get install apitrace), or "
-        "give the text that 'apitrace dump --blobs' prints elsewhere");
+        ": reading a .trace needs apitrace, which is not installed; install it (apt-get install apitrace), or "
+        "run 'apitrace dump --blobs' on another computer and give its output instead");
 }
 
 ApitraceDump::~ApitraceDump() {
@@ -61,9 +61,9 @@ ApitraceDump::~ApitraceDump() {
 
 std::string ApitraceDump::wait() {
     const int status = wait_for(std::exchange(process_, 0));
-    const std::string words = first_words(words_);
+    const std::string words = first_words(messages_);
     if (!words.empty() || (WIFEXITED(status) && WEXITSTATUS(status) == 0)) return words;
-    return WIFSIGNALED(status) ? std::string("it was ended by signal ") + std::to_string(WTERMSIG(status))
+    return WIFSIGNALED(status) ? std::string("it was stopped by signal ") + std::to_string(WTERMSIG(status))
                                : std::string("it ended with status ") + std::to_string(WEXITSTATUS(status));
 }
 

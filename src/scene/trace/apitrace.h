@@ -1,4 +1,4 @@
-// The program apitrace, as a process that prints the dump of a trace.
+// Runs the program apitrace to dump a trace.
 #pragma once
 
 #include <sys/types.h>
@@ -12,22 +12,22 @@ namespace twinlight::trace {
 
 class ApitraceDump {
   public:
-    // Starts `apitrace dump --blobs` on a .trace file, or on `input` where that is one. Throws SceneError where apitrace is
-    // not installed. `name` is for messages.
+    // Starts `apitrace dump --blobs` on the file `trace`, or on `input` if that is valid. `name` appears in messages.
+    // Throws SceneError if apitrace is not installed.
     ApitraceDump(const std::string& name, const std::string& trace, const Descriptor& input);
-    ~ApitraceDump();  // ends it
+    ~ApitraceDump();  // stops the process
     ApitraceDump(const ApitraceDump&) = delete;
     ApitraceDump& operator=(const ApitraceDump&) = delete;
 
-    // Where the blobs come.
+    // The folder into which apitrace writes the blobs.
     const std::string& folder() const { return folder_.path(); }
     Descriptor take_output() { return std::move(output_); }
-    // To be called where the output has ended. What went wrong: apitrace's own words; empty if nothing did.
+    // Waits for the process; call it at the end of the output. Returns apitrace's error message, or "" if it succeeded.
     std::string wait();
 
   private:
     TemporaryFolder folder_;
-    Descriptor words_;  // what apitrace says
+    Descriptor messages_;  // what apitrace writes to standard error
     pid_t process_ = 0;
     Descriptor output_;
 };

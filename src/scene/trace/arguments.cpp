@@ -25,7 +25,7 @@ class Reading {
   public:
     Reading(DumpLexer& lexer, Arguments& arguments) : lexer_(lexer), arguments_(arguments) {}
 
-    // False, and the message, where the text is wrong.
+    // Returns false and sets the message if the text is wrong.
     bool list() {
         if (lexer_.accept(')')) return true;
         do {
@@ -60,7 +60,7 @@ class Reading {
         return wrong(fmt::format("expected {}, found {}", expected, in_quotes({&c, 1})));
     }
 
-    // "x = 1", or "1" where the dump was made without names.
+    // Reads "x = 1", or "1" in a dump without names.
     bool named_value() {
         if (!is_letter(lexer_.peek())) return value();
         Argument argument{Form::kNumber, arguments_.numbers.size(), 0};
@@ -93,7 +93,7 @@ class Reading {
         return wrong_character("a value");
     }
 
-    // The number, and what is joined to it: GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | 0x10.
+    // Adds the number and everything combined with it: GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | 0x10.
     bool number_value(double number, Argument& argument) {
         while (lexer_.peek() == ' ' && lexer_.accept(" | ")) {
             double other = 0;
@@ -105,7 +105,7 @@ class Reading {
             const auto is_mask = [](double value) {
                 return value >= 0 && value <= std::numeric_limits<std::uint32_t>::max() && value == std::trunc(value);
             };
-            if (!is_mask(number) || !is_mask(other)) return wrong("'|' joins whole numbers and names");
+            if (!is_mask(number) || !is_mask(other)) return wrong("'|' can combine only whole numbers and names");
             number = static_cast<std::uint32_t>(number) | static_cast<std::uint32_t>(other);
         }
         if (arguments_.numbers.size() >= kMaxArrayLength) {
@@ -116,7 +116,7 @@ class Reading {
         return true;
     }
 
-    // 0 for a name that is not known, which is noted.
+    // The value of a name. An unknown name is noted and gives 0.
     double enumerant(std::string_view name) {
         const std::optional<Enum> known = name.starts_with("GL_") ? find_dumped_name(name) : std::nullopt;
         if (!known && arguments_.unknown_name.empty()) arguments_.unknown_name = name.substr(0, kLongestNameShown);
@@ -138,12 +138,12 @@ class Reading {
             return true;
         }
         if (lexer_.accept(" = ")) {  // a member of a structure
-            if (depth >= kDeepest) return wrong(fmt::format("values are nested deeper than {} here", kDeepest));
+            if (depth >= kDeepest) return wrong(fmt::format("these values are nested more than {} deep", kDeepest));
             if (!value_into(argument, depth + 1)) return false;
             argument.form = Form::kOther;
             return true;
         }
-        return number_value(enumerant(word), argument);  // of the window system, or True
+        return number_value(enumerant(word), argument);  // a name of the window system, or True
     }
 
     bool blob(Argument& argument) {
@@ -165,7 +165,7 @@ class Reading {
     }
 
     bool array(Argument& argument, int depth) {
-        if (depth >= kDeepest) return wrong(fmt::format("arrays are nested deeper than {} here", kDeepest));
+        if (depth >= kDeepest) return wrong(fmt::format("these arrays are nested more than {} deep", kDeepest));
         lexer_.skip();
         Form form = Form::kArray;
         if (!lexer_.accept('}')) {
@@ -182,7 +182,7 @@ class Reading {
     }
 
     bool pointed_at(Argument& argument, int depth) {
-        if (depth >= kDeepest) return wrong(fmt::format("pointers are nested deeper than {} here", kDeepest));
+        if (depth >= kDeepest) return wrong(fmt::format("these pointers are nested more than {} deep", kDeepest));
         lexer_.skip();
         if (!value_into(argument, depth + 1)) return false;
         argument.form = argument.form == Form::kNumber ? Form::kArray : Form::kOther;

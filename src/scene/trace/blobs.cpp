@@ -15,23 +15,22 @@ namespace twinlight::trace {
 std::shared_ptr<const Memory> BlobFolder::read(const std::string& name, const Place& place) const {
     if (name.empty() || name.starts_with('.') || name.find('/') != std::string::npos ||
         name.find('\0') != std::string::npos)
-        fail(place, "the blob {} is not a file's name; blobs are read only from the dump's own folder",
-             in_quotes(name));
+        fail(place, "the blob {} is not a plain file name; blobs must be in the folder of the dump", in_quotes(name));
     const auto refuse = [&](const std::string& why) {
-        fail(place, "the blob {} cannot be read: {}; apitrace dump --blobs writes it beside the dump", in_quotes(name),
-             why);
+        fail(place, "cannot read the blob {}: {}; 'apitrace dump --blobs' writes blobs next to the dump",
+             in_quotes(name), why);
     };
-    // Not through a link, which could lead anywhere; not waiting for a pipe's other end.
+    // Does not follow links, which could lead anywhere, and does not wait for the other end of a pipe.
     const Descriptor file(::open((path_ + "/" + name).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (!file.valid()) refuse(errno == ELOOP ? "it is a link" : std::strerror(errno));
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) refuse(std::strerror(errno));
-    if (!S_ISREG(status.st_mode)) refuse("it is not a file");
+    if (!S_ISREG(status.st_mode)) refuse("it is not a regular file");
     const auto size = static_cast<std::size_t>(status.st_size);
     if (size > kMaxBlobBytes)
-        fail(place, "the blob {} has {} bytes; at most {} are read", in_quotes(name), size, kMaxBlobBytes);
+        fail(place, "the blob {} has {} bytes; the limit is {}", in_quotes(name), size, kMaxBlobBytes);
     if (size > most_held_ - *held_) {
-        fail(place, "the blob {} has {} bytes, beside {} of blobs that are still in use; {} are held at most",
+        fail(place, "the blob {} has {} bytes; with {} bytes of other blobs in use this is above the limit of {}",
              in_quotes(name), size, *held_, most_held_);
     }
     const std::shared_ptr<Memory> memory(new Memory, [held = held_, size](const Memory* gone) {

@@ -21,11 +21,11 @@ template <class... Values>
     fail(command.place, "{} of {} {}", parameter.name, command.name(), fmt::format(what, values...));
 }
 
-// The value as the C type of the parameter holds it.
+// The value converted to the C type of the parameter.
 double typed(const Command& command, const Parameter& parameter, double value) {
     if (parameter.kind == Kind::kFloat) return static_cast<double>(static_cast<float>(value));
     if (parameter.kind == Kind::kDouble) return value;
-    // A wrong enumerant may be printed as the signed number that it looks like.
+    // apitrace may print an unknown enumerant as a negative number.
     const bool wraps = parameter.kind == Kind::kEnum || parameter.kind == Kind::kBitfield;
     if (wraps && value < 0 && value >= -2147483648.0) value += 4294967296.0;
     if (value != std::trunc(value)) refuse(command, parameter, "must be a whole number, not {}", value);
@@ -35,7 +35,7 @@ double typed(const Command& command, const Parameter& parameter, double value) {
     return value;
 }
 
-// How many values an array has to have; nothing where any number will do: for a pname that GL does not know either.
+// How many values an array needs; nullopt if any number is allowed, as for an unknown pname.
 std::optional<std::size_t> length_of(const Command& command, const Parameter& parameter) {
     if (parameter.extent == Extent::kArrayByPname) {
         const auto length = array_length(command.id, command.enumerant(command.arguments.size() - 1));
@@ -49,7 +49,7 @@ void add_array(const Argument& argument, const Arguments& arguments, const Param
     const std::optional<std::size_t> needed = length_of(command, parameter);
     std::size_t count = argument.form == Form::kNull ? 0 : argument.count;
     if (needed && count < *needed) {
-        // A row whose length stands in the table may still serve a pname of fewer values (glTexGenfv).
+        // Some commands with a fixed length in the table have pnames that need fewer values (glTexGenfv).
         const bool has_pname = &parameter != command.sig().parameters.data() && (&parameter - 1)->name == "pname";
         if (parameter.extent != Extent::kArray || !has_pname || count == 0)
             refuse(command, parameter, "has {} values, but {} are needed", count, *needed);
@@ -71,7 +71,8 @@ void add_pointer(const Argument& argument, const Arguments& arguments, const Par
             command.memory = blobs.read(arguments.blobs[argument.first], command.place);
             command.arguments.push_back(0);
             return;
-        case Form::kBlobSize: refuse(command, parameter, "is not in this dump; make it with 'apitrace dump --blobs'");
+        case Form::kBlobSize:
+            refuse(command, parameter, "is not in this dump; create the dump with 'apitrace dump --blobs'");
         case Form::kArray:
         case Form::kOther:
         case Form::kMissing: refuse(command, parameter, "is neither a blob nor an offset");
@@ -86,7 +87,7 @@ void convert(const Arguments& arguments, const Arguments& result, const BlobFold
     command.memory.reset();
     const std::size_t expected = sig.c_arguments();
     if (arguments.list.size() != expected) {
-        fail(command.place, "{} takes {} arguments, {}; this call has {}", sig.name, expected, sig.usage(),
+        fail(command.place, "{} takes {} arguments: {}; this call has {}", sig.name, expected, sig.usage(),
              arguments.list.size());
     }
     for (std::size_t i = 0; i < expected; ++i) {
@@ -105,12 +106,12 @@ void convert(const Arguments& arguments, const Arguments& result, const BlobFold
     }
     if (expected == sig.parameters.size()) return;
     const Parameter& returned = sig.parameters.back();
-    if (!named_objects(returned)) {  // what a program does with it, it has done already
+    if (!named_objects(returned)) {  // the program has already used it
         command.arguments.push_back(0);
         return;
     }
     const bool is_number = !result.list.empty() && result.list[0].form == Form::kNumber;
-    if (!is_number) refuse(command, returned, "is what the call returned, and is not in this dump");
+    if (!is_number) refuse(command, returned, "is missing: this dump does not have the result of the call");
     command.arguments.push_back(typed(command, returned, result.numbers[0]));
 }
 

@@ -1,4 +1,4 @@
-// What a dump tells of a call, as a Command.
+// Converts a call in a dump to a Command.
 #pragma once
 
 #include "scene/command/command.h"
@@ -7,9 +7,8 @@
 
 namespace twinlight::trace {
 
-// Gives `command`, whose id and place are set, its arguments: by the row of commands.def, in the order of the
-// parameters. `result` is what the call returned, nothing where it returned nothing. Throws SceneError for values that
-// the row cannot hold.
+// Fills in the arguments of `command`, whose id and place are already set, according to its row in commands.def.
+// `result` holds the result of the call, or nothing. Throws SceneError if a value does not fit its parameter.
 void convert(const Arguments& arguments, const Arguments& result, const BlobFolder& blobs, Command& command);
 
 }  // namespace twinlight::trace

@@ -7,7 +7,7 @@
 
 namespace twinlight::trace {
 
-// Moves what is left to the front, and reads until two tokens are sure to lie in the buffer, or the text ends.
+// Moves the remaining bytes to the front and reads more, until the buffer surely contains two tokens or the text ends.
 void DumpLexer::refill() {
     if (source_ended_) return;
     const auto left = static_cast<std::size_t>(end_ - position_);
@@ -32,9 +32,9 @@ bool DumpLexer::accept(std::string_view word) {
     return true;
 }
 
-// Most numbers are short decimals: digits as a whole number, scaled by a power of ten that a double holds exactly, so
-// that the one rounding of the product or quotient is the right one (Clinger 1990, section 3). The others go to
-// std::from_chars.
+// Most numbers are short decimals. Their digits form a whole number, which is multiplied or divided by a power of ten
+// that a double holds exactly; the single rounding then gives the correct result (Clinger 1990, section 3).
+// std::from_chars reads the others.
 bool DumpLexer::number(double& value) {
     static constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                          1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -72,7 +72,7 @@ bool DumpLexer::number(double& value) {
         const char* const sign = p + 1;
         const char* const first = *sign == '+' ? sign + 1 : sign;
         const auto [after, error] = std::from_chars(first, end_, exponent);
-        // An exponent that no int holds is 0 or infinite anyway.
+        // An exponent too large for an int gives 0 or infinity anyway.
         if (error == std::errc::invalid_argument) return false;
         scale = error == std::errc() && std::abs(exponent) < 100000 ? scale + exponent : 100000;
         p = after;

@@ -1,6 +1,7 @@
-// The text of a dump, seen through a buffer of fixed size: however long the text is, and however long one call of it.
+// Splits the text of a dump into tokens. Its buffer has a fixed size, even if the text or a single call is very long.
 //
-// Tokens (numbers, names) are short, so a whole one always lies in the buffer; strings are passed over as they come.
+// Tokens (numbers, names) are short, so the buffer always contains a whole one. Long strings are skipped piece by
+// piece.
 #pragma once
 
 #include <string>
@@ -9,12 +10,12 @@
 
 namespace twinlight::trace {
 
-// Bytes from somewhere, read once from the front to the back.
+// A source of bytes, read once from start to end.
 class ByteSource {
   public:
     virtual ~ByteSource() = default;
-    // Puts the next bytes at `to`: `size` of them at most, one at least; none at the end. Throws SceneError where they
-    // cannot be read.
+    // Writes the next bytes to `to` and returns their number: 1 to `size`, or 0 at the end. Throws SceneError if
+    // reading fails.
     virtual std::size_t read(char* to, std::size_t size) = 0;
 };
 
@@ -32,18 +33,19 @@ class DumpLexer {
         return *position_;
     }
     bool at_end() { return peek() == '\0' && position_ == end_; }
-    void skip() { ++position_; }  // what peek showed
+    void skip() { ++position_; }  // skips the character that peek() returned
     bool accept(char c) {
         if (peek() != c) return false;
         skip();
         return true;
     }
-    bool accept(std::string_view word);  // all of it, or nothing of it
+    bool accept(std::string_view word);  // skips the whole word, or nothing
     void skip_blanks() {
         while (peek() == ' ') skip();
     }
 
-    // Letters, digits and underscores from here on, kLongestToken at most. Valid until the second token after it.
+    // Reads letters, digits and underscores, at most kLongestToken. The result stays valid until the second token after
+    // it.
     std::string_view word() {
         if (static_cast<std::size_t>(end_ - position_) < 2 * kLongestToken + 1) refill();
         const char* const start = position_;
@@ -51,17 +53,18 @@ class DumpLexer {
         while (position_ < longest && is_word(*position_)) ++position_;
         return {start, position_};
     }
-    // A number from here on, decimal or hexadecimal, with its sign; a word such as inf is not one. False where none is.
+    // Reads a decimal or hexadecimal number with its sign, but no word such as inf. Returns false if there is none.
     bool number(double& value);
 
-    // To the end of the line that ends this call, which is passed over too: a line's end inside a string does not end
-    // it. Whether a line's end was there, before that of the text.
+    // Skips the rest of the line including its end. A line end inside a string does not count. Returns false if the
+    // text ended before the line.
     bool skip_line();
-    // The string from its opening quotation mark on: at most `longest` of its characters, as they stand.
+    // Reads a string from its opening quotation mark on. Returns its first `longest` characters, without decoding
+    // escapes.
     std::string_view string(std::size_t longest);
 
     int line() const { return line_; }  // counts from 1
-    void count_line() { ++line_; }      // where a line's end was passed over by other means
+    void count_line() { ++line_; }      // call it after skipping a line end with accept()
 
   private:
     static constexpr std::size_t kBufferSize = 1 << 16;
@@ -79,7 +82,7 @@ class DumpLexer {
     bool source_ended_ = false;
     std::vector<char> buffer_;
     const char* position_;  // in buffer_
-    char* end_;             // of what is in buffer_; a 0 stands there
+    char* end_;             // the end of the bytes in buffer_, where a 0 is stored
     int line_ = 1;
     std::string string_;
 };

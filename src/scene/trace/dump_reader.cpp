@@ -18,7 +18,7 @@ using Form = Argument::Form;
 constexpr std::size_t kMostMappings = 1024;
 constexpr std::size_t kMostThreads = 4096;
 
-// With one of their arguments unknown to GL 2.1 these change no pixel: what is not there is off already.
+// With an enumerant that GL 2.1 lacks, these change no pixel: an unknown capability is already off.
 bool is_harmless_with_unknown_name(std::string_view function) {
     return function == "glDisable" || function == "glDisableClientState" || function == "glHint";
 }
@@ -94,7 +94,7 @@ bool DumpReader::next_call() {
         command_.place.line = static_cast<int>(std::clamp(number, 0.0, 2147483647.0));
         lexer_.skip_blanks();
     } else if (command_.place.line < std::numeric_limits<int>::max()) {
-        ++command_.place.line;  // made with --call-nos=no
+        ++command_.place.line;  // a dump made with --call-nos=no
     }
     if (lexer_.accept('@')) {
         const std::string_view digits = lexer_.word();
@@ -109,7 +109,7 @@ bool DumpReader::next_call() {
     function_name_ = lexer_.word();
     if (!function_name_.empty() && lexer_.accept('(')) return true;
     const char c = lexer_.peek();
-    if (c == '\x1b') fail_here("this dump has colours in it; make it with 'apitrace dump --color=never'");
+    if (c == '\x1b') fail_here("this dump contains colour codes; create it with 'apitrace dump --color=never'");
     return cut_off_or(
         fmt::format("expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found {}",
                     in_quotes(function_name_.empty() ? std::string(1, c) : function_name_)));
@@ -122,7 +122,7 @@ bool DumpReader::read_call() {
     return read_end_of_call();
 }
 
-// " = 1 // fake", and the line's end.
+// Reads " = 1 // fake" and the line end.
 bool DumpReader::read_end_of_call() {
     bool complete = true;
     if (!lexer_.accept('\n')) {
@@ -141,7 +141,7 @@ bool DumpReader::read_end_of_call() {
         }
         lexer_.accept('\r');
         if (!lexer_.accept('\n') && !lexer_.at_end()) return cut_off_or("expected the end of the line after this call");
-        // A number at the very end may lack its last digits.
+        // At the end of the text, a number may lack its last digits.
         if (lexer_.at_end() && !result_.list.empty()) return cut_off_or("");
     }
     lexer_.count_line();
@@ -152,7 +152,7 @@ bool DumpReader::read_end_of_call() {
 void DumpReader::carry_out(const Function& function) {
     switch (function.role) {
         case Role::kMakeCurrent: return make_current();
-        case Role::kPassedOver: lexer_.skip_line(); return;
+        case Role::kIgnored: lexer_.skip_line(); return;
         case Role::kFrameEnd:
             lexer_.skip_line();
             if (in_followed_) step({Step::Kind::kFrameEnd, command_});
@@ -180,7 +180,7 @@ void DumpReader::carry_out(const Function& function) {
 
 void DumpReader::carry_out_command(const Function& function) {
     if (!read_call()) return;
-    // The last thing that the program did, and nobody wrote down what it returned.
+    // The recording ended before this call returned.
     if (function.command == CommandId::glGenLists && result_.list.empty() && lexer_.at_end()) {
         cut_off_or("");
         return;
@@ -216,8 +216,8 @@ void DumpReader::map_buffer() {
     mappings_.push_back(mapping);
 }
 
-// memcpy(dest, src, n): what the program wrote into a buffer object that it had mapped, which glBufferSubData does too.
-// The tracer writes it down where the mapping ends, or just before a draw, while the buffer object is still bound.
+// memcpy(dest, src, n): the program's writes to a mapped buffer object; converted to glBufferSubData. The tracer
+// records them when the mapping ends or just before a draw, while the buffer object is still bound.
 void DumpReader::copy_memory() {
     if (!read_call()) return;
     const bool is_copy = arguments_.list.size() == 3 && arguments_.list[0].form == Form::kNumber &&

@@ -1,4 +1,4 @@
-// Reads what `apitrace dump` prints, one call at a time: however long the dump is, the reader holds one call of it.
+// Reads the output of `apitrace dump` one call at a time, so the dump may be of any length.
 //
 //     // process.name = "/usr/bin/glxgears"
 //     3 glViewport(x = 0, y = 0, width = 300, height = 300) // fake
@@ -6,8 +6,9 @@
 //     14 glGenLists(range = 1) = 1
 //     37 glVertexPointer(size = 3, type = GL_FLOAT, stride = 0, pointer = blob("blob_call37.bin")) // fake
 //
-// A "fake" call is one that the tracer put in (the window's first viewport, the memory of vertex arrays): it counts.
-// The numbers count the calls of the program; the ones that apitrace leaves out are missing. An @ is a thread's number.
+// The tracer inserts "fake" calls (the first viewport of a window, the memory of vertex arrays). They are executed like
+// others. The first number counts the program's calls, including those that apitrace leaves out. @ marks the number of
+// a thread.
 #pragma once
 
 #include <functional>
@@ -24,22 +25,22 @@
 
 namespace twinlight::trace {
 
-// A context is known by what the program's window system calls it.
+// A GL context, identified by its handle in the window system.
 using ContextName = double;
 
 class DumpReader {
   public:
-    // `name` is how places call the dump.
+    // `name` is the name of the dump in places.
     DumpReader(ByteSource& source, const std::string& name, BlobFolder blobs);
 
-    // Only what happens in this context is handed out; draws in others, and objects that others make, as outside. Without
-    // it, all is of one context.
+    // Reports only the commands of this context. Drawing in other contexts, and objects created there, are reported as
+    // kOutside. Without this call all commands count as one context.
     void follow(ContextName context);
 
-    // Hands the next steps to `visit`, until that answers false or the dump ends: then true. Throws SceneError.
+    // Calls `visit` for the next steps until it returns false. Returns true if the dump ended. Throws SceneError.
     bool for_each(const std::function<bool(const Step&)>& visit);
 
-    // The context of the first draw: for follow(). Reads up to there.
+    // Reads up to the first draw and returns its context, for follow().
     std::optional<ContextName> first_to_draw();
 
   private:
@@ -49,21 +50,21 @@ class DumpReader {
         Enum target = 0;
     };
 
-    bool next_call();  // its number, thread and name, and the opening parenthesis; false at the end
+    bool next_call();  // reads number, thread, name and the opening parenthesis; false at the end
     void carry_out(const Function& function);
     void carry_out_command(const Function& function);
-    // The arguments, the result and the rest of the line; false where the call was never finished.
+    // Reads the arguments, the result and the rest of the line. Returns false if the call was never finished.
     bool read_call();
     bool read_end_of_call();
     void make_current();
     void map_buffer();
     void copy_memory();
-    void choose_context();  // whether what comes now is in the context that is followed
+    void choose_context();  // updates whether the current thread uses the followed context
     void outside(std::string_view text) { step({Step::Kind::kOutside, command_, text}); }
     void step(const Step& step) { go_on_ = (*visit_)(step); }
     [[noreturn]] void fail_here(const std::string& message) const;  // with the line in the dump
-    // Where the dump ends inside this line, whose end every whole one has, this tells it, and that is all there is to
-    // read; otherwise it fails.
+    // If the dump ends inside this line, reports kCutOff and returns false. Otherwise fails with the message. A
+    // complete line has a line end.
     bool cut_off_or(const std::string& message);
 
     DumpLexer lexer_;
@@ -73,7 +74,7 @@ class DumpReader {
     std::string function_name_;
     Arguments arguments_, result_;
     unsigned thread_ = 0;
-    std::map<unsigned, ContextName> current_;  // of each thread that made one current
+    std::map<unsigned, ContextName> current_;  // the current context of each thread
     std::optional<ContextName> followed_;
     bool in_followed_ = true;
     std::vector<Mapping> mappings_;

@@ -41,8 +41,8 @@ void DumpText::keep(std::string_view bytes) {
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) {
             throw SceneError(
-                fmt::format("{}: the recording cannot be kept while it is read: {}; set TMPDIR to a folder "
-                            "with more room",
+                fmt::format("{}: cannot store the recording in a temporary file: {}; set TMPDIR to a folder with more "
+                            "space",
                             name_, std::strerror(errno)));
         }
         bytes.remove_prefix(static_cast<std::size_t>(written));

@@ -1,5 +1,5 @@
-// The text of a dump, from its front any number of times: a file; or what comes through a pipe, which is kept in a file
-// as it comes.
+// The text of a dump, which can be read any number of times: a file, or the output of a pipe, which is stored in a
+// temporary file while it is read.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@ namespace twinlight::trace {
 
 class DumpText {
   public:
-    // A file that can be read anywhere. `name` is for messages.
+    // The text of a file that allows random access. `name` appears in messages.
     DumpText(std::string name, Descriptor file) : name_(std::move(name)), file_(std::move(file)) {}
-    // What comes through `pipe`, kept in `file`, which is empty. `ended` is called once, where the pipe's end is met.
+    // The text from `pipe`, stored in the empty `file`. `ended` is called once, at the end of the pipe.
     DumpText(std::string name, Descriptor file, Descriptor pipe, std::function<void()> ended)
         : name_(std::move(name)), file_(std::move(file)), pipe_(std::move(pipe)), ended_(std::move(ended)) {}
 
-    // What of the pipe has been read from it already: to be called first.
+    // Adds the bytes that were already read from the pipe. Call it first.
     void put_in_front(std::string_view bytes) { keep(bytes); }
 
-    // The bytes from `offset` on; as ByteSource::read. Reads from the pipe where the file does not reach.
+    // Reads the bytes from `offset` on, like ByteSource::read. Bytes that are not yet stored come from the pipe.
     std::size_t read_at(std::uint64_t offset, char* to, std::size_t size);
 
   private:
@@ -32,11 +32,11 @@ class DumpText {
 
     std::string name_;
     Descriptor file_, pipe_;
-    std::uint64_t kept_ = 0;  // of the pipe, in the file
+    std::uint64_t kept_ = 0;  // the number of bytes stored in the file
     std::function<void()> ended_;
 };
 
-// One reading of it.
+// Reads a DumpText from start to end.
 class DumpTextReading final : public ByteSource {
   public:
     explicit DumpTextReading(DumpText& text) : text_(text) {}

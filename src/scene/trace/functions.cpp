@@ -13,14 +13,14 @@ bool starts_with_one_of(std::string_view name, std::initializer_list<std::string
                        [name](std::string_view start) { return name.starts_with(start); });
 }
 
-// Queries change nothing; what a query answers, the program has taken into account already.
+// Queries change nothing, and the program has already used their results.
 bool is_query(std::string_view name) {
     return starts_with_one_of(name, {"glGet", "glIs", "glQuery", "glAreTexturesResident", "glCheckFramebufferStatus",
                                      "glReadPixels", "glReadnPixels"});
 }
 
-// No pixel changes by these alone: names of objects that Twinlight does not have, shaders and their uniforms without
-// glUseProgram, the color index mode, hints on residence, marks for debuggers, buffers that nothing draws to.
+// Functions that alone change no pixel: names of objects that Twinlight lacks, shaders and uniforms without
+// glUseProgram, color index mode, hints about memory, marks for debuggers, buffers that are never drawn to.
 bool is_without_effect(std::string_view name) {
     if (name == "glGenerateMipmap" || name == "glGenerateMipmapEXT") return false;
     return starts_with_one_of(name, {"glGen",
@@ -95,7 +95,7 @@ bool makes_objects(std::string_view name) {
            starts_with_one_of(name, {"glTexImage", "glTexSubImage", "glCopyTex", "glBufferData"});
 }
 
-Function what_is(std::string_view name) {
+Function classify(std::string_view name) {
     Function function{.draws = draws_something(name), .makes_objects = makes_objects(name)};
     const std::optional<CommandId> command = find_command_or_extension(name);
     if (ends_frame(name)) {
@@ -103,11 +103,11 @@ Function what_is(std::string_view name) {
     } else if (makes_current(name)) {
         function.role = Role::kMakeCurrent;
     } else if (is_query(name) || is_of_window_system(name)) {
-        function.role = Role::kPassedOver;
-    } else if (name.starts_with("glMapBuffer")) {  // what is copied there counts: glBufferSubData
+        function.role = Role::kIgnored;
+    } else if (name.starts_with("glMapBuffer")) {  // later writes become glBufferSubData
         function.role = Role::kMapBuffer;
     } else if (name.starts_with("glUnmapBuffer")) {
-        function.role = Role::kPassedOver;
+        function.role = Role::kIgnored;
     } else if (command) {
         function.role = Role::kCommand;
         function.command = *command;
@@ -116,7 +116,7 @@ Function what_is(std::string_view name) {
     } else if (starts_with_one_of(name, {"glUseProgram", "glBind"})) {
         function.role = Role::kBinding;
     } else if (is_without_effect(name)) {
-        function.role = Role::kPassedOver;
+        function.role = Role::kIgnored;
     }
     return function;
 }
@@ -135,10 +135,10 @@ constexpr std::array kLaterNames = {
 }  // namespace
 
 const Function& FunctionTable::find(std::string_view name) {
-    constexpr std::size_t kMostNames = 4096;  // more than all of GL's: a hostile dump may make up any number
+    constexpr std::size_t kMostNames = 4096;  // more than GL has; a hostile dump may contain any number
     if (const auto found = known_.find(name); found != known_.end()) return found->second;
-    if (known_.size() < kMostNames) return known_.emplace(std::string(name), what_is(name)).first->second;
-    return other_ = what_is(name);
+    if (known_.size() < kMostNames) return known_.emplace(std::string(name), classify(name)).first->second;
+    return other_ = classify(name);
 }
 
 std::optional<Enum> find_dumped_name(std::string_view name) {

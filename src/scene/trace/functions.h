@@ -1,4 +1,4 @@
-// The functions and names that stand in a dump, and what they are to Twinlight.
+// The functions and names in a dump, and how Twinlight treats them.
 #pragma once
 
 #include <optional>
@@ -10,29 +10,29 @@
 
 namespace twinlight::trace {
 
-// What a call of a function comes to.
+// How a call of a function is treated.
 enum class Role : std::uint8_t {
     kCommand,      // a row of commands.def
-    kPassedOver,   // of the window system, or a query, or without an effect on the picture
+    kIgnored,      // a function of the window system, a query, or one without effect on the picture
     kFrameEnd,     // SwapBuffers
-    kMakeCurrent,  // a thread's context; the last argument says which
-    kMapBuffer,    // glMapBuffer: what is written there later is copied into the buffer object
-    kCopy,         // memcpy: such a copy
-    kBinding,      // of an object that Twinlight does not have; 0, the last argument, is GL's own
-    kOutside,      // anything else: named as unsupported
+    kMakeCurrent,  // sets a thread's context; the last argument names it
+    kMapBuffer,    // glMapBuffer: later writes to the mapping are copied into the buffer object
+    kCopy,         // memcpy: such a write
+    kBinding,      // binds an object that Twinlight lacks, or 0 for none (the last argument)
+    kOutside,      // anything else: reported as unsupported
 };
 
 struct Function {
     Role role = Role::kOutside;
-    CommandId command{};         // of kCommand
-    bool draws = false;          // vertices or pixels
-    bool makes_objects = false;  // that contexts may share: textures, lists, buffer objects
+    CommandId command{};         // for kCommand
+    bool draws = false;          // draws vertices or pixels
+    bool makes_objects = false;  // creates objects that contexts may share: textures, lists, buffer objects
 };
 
-// What each name is, worked out when it is first met.
+// Looks up functions by name. Each name is classified at its first use.
 class FunctionTable {
   public:
-    // The answer is valid until the next.
+    // The reference is valid until the next call.
     const Function& find(std::string_view name);
 
   private:
@@ -41,11 +41,11 @@ class FunctionTable {
         std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
     };
     std::unordered_map<std::string, Function, Hash, std::equal_to<>> known_;
-    Function other_;  // for what no longer fits into known_
+    Function other_;  // for names that no longer fit into known_
 };
 
-// The value of an enumerant under any name that it has in a dump: apitrace prints some of GL 2.1's values by the names
-// that later versions gave them, and a program may use an extension's.
+// The value of an enumerant in a dump. It may have a different name there: apitrace prints some values of GL 2.1 under
+// the names of later versions, and a program may use the name of an extension.
 std::optional<Enum> find_dumped_name(std::string_view name);
 
 }  // namespace twinlight::trace

@@ -23,7 +23,7 @@ pid_t start(const Start& what) {
     }
     posix_spawn_file_actions_addchdir_np(&actions, what.folder.c_str());
 
-    // A program that writes to a pipe ends with its reader.
+    // Resets SIGPIPE, so that a program that writes to a pipe ends when the reader ends.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t as_usual;
@@ -31,7 +31,7 @@ pid_t start(const Start& what) {
     sigaddset(&as_usual, SIGPIPE);
     posix_spawnattr_setsigdefault(&attributes, &as_usual);
     posix_spawnattr_setflags(
-        &attributes, static_cast<short>(POSIX_SPAWN_SETSIGDEF | (what.in_session_of_its_own ? POSIX_SPAWN_SETSID : 0)));
+        &attributes, static_cast<short>(POSIX_SPAWN_SETSIGDEF | (what.has_own_session ? POSIX_SPAWN_SETSID : 0)));
 
     std::vector<char*> arguments;
     for (const std::string& argument : what.arguments) arguments.push_back(const_cast<char*>(argument.c_str()));

@@ -1,4 +1,4 @@
-// Starting another program.
+// Starts another program.
 #pragma once
 
 #include <sys/types.h>
@@ -9,16 +9,16 @@
 namespace twinlight::trace {
 
 struct Start {
-    std::vector<std::string> arguments;  // the first is the program, looked for in PATH
-    int input, output, errors;           // what its standard files are; -1: /dev/null
-    std::string folder;                  // where it runs
-    bool in_session_of_its_own = false;  // a signal for this program's group, as Ctrl-C sends it, does not reach it
+    std::vector<std::string> arguments;  // the first is the program, searched in PATH
+    int input, output, errors;           // descriptors of its standard files; -1: /dev/null
+    std::string folder;                  // its working folder
+    bool has_own_session = false;        // if true, Ctrl-C does not reach it
 };
 
-// The process; -1, and errno, where it cannot be started.
+// Returns the process, or -1 (see errno) if it cannot be started.
 pid_t start(const Start& what);
 
-// Its status, as waitpid() gives it, when it has ended.
+// Waits until the process ends. Returns its status as waitpid() does.
 int wait_for(pid_t process);
 
 }  // namespace twinlight::trace

@@ -21,11 +21,11 @@ std::string pattern() {
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
-    throw SceneError(path + ": no " + what + " can be made here: " + std::strerror(errno) +
-                     "; set TMPDIR to a folder that can be written to");
+    throw SceneError(path + ": cannot create a temporary " + what + " here: " + std::strerror(errno) +
+                     "; set TMPDIR to a folder where you can write");
 }
 
-// Again where a program that still writes into the folder has made a file meanwhile.
+// Tries again, because a program that still runs may create a file meanwhile.
 constexpr const char* kKeeper =
     R"(PATH=/usr/bin:/bin; read -r _; for i in 1 2 3 4 5 6 7 8 9; do rm -rf "$0" && exit; sleep 1; done)";
 

@@ -1,4 +1,4 @@
-// What exists only while the program runs: a folder, and files without a name. They go however the program ends.
+// A temporary folder, and files without a name. They are removed however the program ends.
 #pragma once
 
 #include <sys/types.h>
@@ -9,8 +9,8 @@
 
 namespace twinlight::trace {
 
-// A new, empty folder in TMPDIR, or /tmp. A process of its own, the keeper, removes it and the files in it when this goes,
-// or when this program has ended, were it by SIGKILL.
+// A new, empty folder in TMPDIR or /tmp. A separate process, the keeper, removes it with its files when this object is
+// destroyed or when this program ends, even by SIGKILL.
 class TemporaryFolder {
   public:
     TemporaryFolder();  // throws SceneError
@@ -22,11 +22,11 @@ class TemporaryFolder {
 
   private:
     std::string path_;
-    Descriptor needed_;  // a pipe's end: the keeper waits until no process has it any more
+    Descriptor needed_;  // one end of a pipe; the keeper waits until no process has it open
     pid_t keeper_ = 0;
 };
 
-// A new, empty file there that has no name any more. Throws SceneError.
+// A new, empty file in TMPDIR or /tmp whose name is already removed. Throws SceneError.
 Descriptor nameless_file();
 
 }  // namespace twinlight::trace

@@ -33,21 +33,21 @@ void write_all(const Descriptor& file, std::string_view bytes, const std::string
 
 class TraceRecording final : public Recording {
   public:
-    // A dump's text in a file.
+    // A dump in a file.
     TraceRecording(std::string given_name, std::string place, Descriptor file, std::string blobs)
         : Recording(std::move(given_name)), place_(std::move(place)), blobs_(std::move(blobs)) {
         text_.emplace(place_, std::move(file));
         choose_context();
     }
-    // What apitrace dumps of a .trace: of the file at `trace`, or of `input`.
+    // The dump of a .trace: of the file `trace`, or of `input`.
     TraceRecording(std::string given_name, std::string place, const std::string& trace, const Descriptor& input)
         : Recording(std::move(given_name)), place_(std::move(place)), apitrace_(std::in_place, place_, trace, input) {
         blobs_ = apitrace_->folder();
         text_.emplace(place_, nameless_file(), apitrace_->take_output(),
-                      [this] { apitrace_says_ = apitrace_->wait(); });
+                      [this] { apitrace_error_ = apitrace_->wait(); });
         choose_context();
     }
-    // What comes through a pipe, `front` first.
+    // A dump from a pipe, of which `front` has already been read.
     TraceRecording(std::string given_name, std::string place, Descriptor pipe, std::string_view front)
         : Recording(std::move(given_name)), place_(std::move(place)), blobs_(".") {
         text_.emplace(place_, nameless_file(), std::move(pipe), std::function<void()>());
@@ -64,11 +64,11 @@ class TraceRecording final : public Recording {
             any = true;
             return visit(step);
         });
-        if (!at_end || apitrace_says_.empty()) return;
-        const std::string said = "apitrace: " + apitrace_says_;
-        if (!any) throw SceneError(place_ + ": " + said);
+        if (!at_end || apitrace_error_.empty()) return;
+        const std::string error = "apitrace: " + apitrace_error_;
+        if (!any) throw SceneError(place_ + ": " + error);
         const Command nowhere{};
-        visit({Step::Kind::kCutOff, nowhere, said});
+        visit({Step::Kind::kCutOff, nowhere, error});
     }
 
   private:
@@ -78,15 +78,15 @@ class TraceRecording final : public Recording {
         context_ = reader.first_to_draw();
     }
 
-    std::string place_;  // what places call it
-    std::string blobs_;  // the folder
+    std::string place_;  // its name in places
+    std::string blobs_;  // the folder of the blobs
     std::optional<ApitraceDump> apitrace_;
     mutable std::optional<DumpText> text_;
-    mutable std::string apitrace_says_;
+    mutable std::string apitrace_error_;
     std::optional<ContextName> context_;
 };
 
-std::string_view first_line_that_says(std::string_view text) {
+std::string_view first_content_line(std::string_view text) {
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, end);
@@ -99,7 +99,7 @@ std::string_view first_line_that_says(std::string_view text) {
 }  // namespace
 
 bool is_trace(std::string_view front) {
-    // Snappy's chunks in apitrace's container ("at" and a length, hardly ever of printable bytes), or an older gzip.
+    // Either Snappy chunks ("at" and a length, whose bytes are hardly ever all printable), or gzip in older versions.
     const auto printable = [](char c) { return std::isprint(static_cast<unsigned char>(c)) || std::isspace(c); };
     if (front.starts_with("at")) return !std::ranges::all_of(front.substr(0, 16), printable);
     return front.starts_with("\x1f\x8b");
@@ -107,8 +107,8 @@ bool is_trace(std::string_view front) {
 
 bool is_dump(std::string_view front) {
     if (front.starts_with("// process.name = \"")) return true;
-    std::string_view line = first_line_that_says(front);
-    while (line.starts_with("\x1b[")) {  // colours: told later
+    std::string_view line = first_content_line(front);
+    while (line.starts_with("\x1b[")) {  // colour codes; DumpReader reports them
         const std::size_t end = line.find('m');
         if (end == std::string_view::npos) return false;
         line.remove_prefix(end + 1);
@@ -153,7 +153,7 @@ std::shared_ptr<const Recording> open_standard_input(std::string_view front) {
     std::string block(front);
     while (!block.empty()) {
         write_all(file, block, place);
-        block.resize(kTellingBytes);
+        block.resize(kFrontBytes);
         ssize_t count = 0;
         do {
             count = ::read(pipe.get(), block.data(), block.size());

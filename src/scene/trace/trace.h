@@ -1,4 +1,4 @@
-// Recorded programs: an apitrace .trace, or the text that apitrace dumps of one.
+// Opens recorded programs: apitrace's .trace files, or the text output of `apitrace dump`.
 #pragma once
 
 #include <memory>
@@ -9,18 +9,19 @@
 
 namespace twinlight::trace {
 
-// How many bytes at the front of a file are enough to tell what it is.
-inline constexpr std::size_t kTellingBytes = 1 << 16;
+// The first bytes of a file that is_trace() and is_dump() need.
+inline constexpr std::size_t kFrontBytes = 1 << 16;
 
-bool is_trace(std::string_view front);  // apitrace's own file
-bool is_dump(std::string_view front);   // what it dumps
+bool is_trace(std::string_view front);  // the front of a .trace
+bool is_dump(std::string_view front);   // the front of the output of `apitrace dump`
 
-// A recording can be gone through any number of times; apitrace runs once, and its dump is kept in a temporary folder
-// until the recording goes. All throw SceneError.
+// A recording can be visited any number of times. apitrace runs only once; its dump stays in a temporary file as long
+// as the recording exists. All three throw SceneError.
 std::shared_ptr<const Recording> open_trace(const std::string& path);
-// Its blobs lie beside it.
+// The blobs must be in the folder of the dump.
 std::shared_ptr<const Recording> open_dump(const std::string& path);
-// Of either kind: `front` has been read from it already. A dump's blobs lie in the working folder.
+// Reads either kind from standard input, of which `front` has already been read. A dump's blobs must be in the working
+// folder.
 std::shared_ptr<const Recording> open_standard_input(std::string_view front);
 
 }  // namespace twinlight::trace

@@ -101,9 +101,9 @@ TEST_F(Cli, RefusesBadUse) {
                    "use it with --with programmable");
     expect_refused(
         run({"render", file, "--with", "programmable", "--precise", "--shading", "phong", "-o", out_ / "p.png"}),
-        "it has no phong shading");
+        "does not work with phong or exact shading");
     expect_refused(run({"render", file, "--with", "programmable", "--precise", "--baked", "-o", out_ / "p.png"}),
-                   "as uniforms");
+                   "does not work with constants");
     expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
     expect_refused(run({"compare", file}), "-o is required");
     expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
@@ -158,7 +158,7 @@ TEST_F(Cli, RefusesALineOfAGigabyteUnread) {
                                            "head -c 1000000000 /dev/zero | tr '\\0' ' ' | "
                                            "\"$PROGRAM\" render - --with reference -o " +
                                                quoted(out_ / "p.png"));
-    expect_refused(result, "is larger than 64 MiB");
+    expect_refused(result, "is larger than 64 MiB, the limit for a scene");
 }
 
 TEST_F(Cli, RefusesScenesThatAreNotThere) {
@@ -167,7 +167,7 @@ TEST_F(Cli, RefusesScenesThatAreNotThere) {
     };
     expect_refused(render(in_ / "none.gl"), in_ / "none.gl: No such file or directory");
     expect_refused(render(in_.str()), "Is a directory");
-    expect_refused(render("no-such-scene-at-all"), "there is no built-in scene and no file of this name");
+    expect_refused(render("no-such-scene-at-all"), "there is no built-in scene and no file with this name");
     expect_refused(render("a\nb"), "a\\x0ab");
     expect_refused(render("game.trace"), "game.trace: No such file or directory");
     expect_refused(render("repot"), "did you mean 'report'?");
@@ -466,10 +466,10 @@ TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
     EXPECT_EQ(text.err, "");
     // 90 degrees less the cone's 20 and asin(sqrt(2) / 5).
     for (const char* expected :
-         {"1 draw, 1 different plan; budget: 0.5 of 255 codes", "in   directional, diffuse: at most 204 of 255 codes",
-          "its cone misses the sphere around the Draw by 53.6 degrees",
-          "at most 0.204 of 255 codes of it reach a channel", "GL_LIGHT3 to GL_LIGHT7",
-          "The picture is off by 0.204 of 255 codes at most."})
+         {"1 draw, 1 different plan; budget: 0.5/255",
+          "in   directional, diffuse: it adds at most 204/255 to a channel",
+          "its cone misses the draw's bounding sphere by 53.6 degrees", "it would add at most 0.204/255 to a channel",
+          "GL_LIGHT3 to GL_LIGHT7", "The picture is off by 0.204/255 at most."})
         EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
     EXPECT_EQ(text.out.find('\x1b'), std::string::npos);
     EXPECT_NE(run({"explain", file, "--budget", "0"}).out.find("The picture is off by nothing."), std::string::npos);
@@ -486,7 +486,8 @@ TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
     expect_refused(run({"explain", file, "--budget", "2"}), "--budget");
 }
 
-// The strips of a sphere: those that the light reaches, and those behind, each told once with numbers that hold for all.
+// The strips of a sphere: those that the light reaches, and those behind, each told once with numbers that hold for
+// all.
 TEST_F(Cli, ExplainsThePartsOfAShapeTogether) {
     const std::string file = scene(
         "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightfv(GL_LIGHT0, GL_POSITION, (float[]){0, 0, 1, 0}); "
@@ -558,7 +559,7 @@ TEST_F(Cli, StudiesWhatAccuracyCosts) {
     EXPECT_EQ(json::parse(merged.out)["series"].size(), 2U);
     EXPECT_EQ(read_file(both + "/pictures/2-reference-exact.png"), read_file(folder + "/pictures/reference-exact.png"));
     expect_refusal(run({"study", "--merge", file, "-o", both}), "two files");
-    expect_refusal(run({"study", "--merge", file, scene(kScene), "-o", both}), "is no JSON");
+    expect_refusal(run({"study", "--merge", file, scene(kScene), "-o", both}), "this is not JSON");
     expect_refusal(run({"study", "-o", both}), "SCENE is missing");
 }
 
@@ -602,7 +603,7 @@ TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
     expect_refused(render("fixed"), "use --with programmable or --with reference");
     expect_refused(
         run({"render", file, "--with", "programmable", "--precise", "--shading", "exact", "-o", out_ / "p.png"}),
-        "no exact surfaces");
+        "does not work with phong or exact shading");
     EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "exact"}).out.find("cast_ray()"), std::string::npos);
     const ProgramResult explained = run({"explain", file, "--shading", "exact"});
     EXPECT_EQ(explained.status, 0) << explained.err;

@@ -1,4 +1,4 @@
-// Delta E 2000: the published pairs, sRGB's own numbers, pictures.
+// Delta E 2000: the published pairs of colours, the numbers of the sRGB standard, and pictures.
 #include "base/image/delta_e.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ constexpr Pair kPublished[] = {
 static_assert(std::size(kPublished) == 34);
 
 TEST(DeltaE2000, IsThatOfThePublishedPairs) {
-    constexpr double kPrinted = 0.5e-4 * 1.001;  // four digits are printed; and a little for how 0.5 itself rounds
+    constexpr double kPrinted = 0.5e-4 * 1.001;  // four digits are printed; 0.1 % more because 0.5 itself is rounded
     for (const auto& [one, other, delta_e] : kPublished) {
         EXPECT_NEAR(delta_e_2000(one, other), delta_e, kPrinted) << one.lightness << ", " << one.a << ", " << one.b;
     }
@@ -65,7 +65,7 @@ TEST(DeltaE2000, IsThatOfThePublishedPairs) {
 
 TEST(DeltaE2000, IsSymmetricAndZeroOfEqualColours) {
     for (const auto& [one, other, delta_e] : kPublished) {
-        EXPECT_NEAR(delta_e_2000(one, other), delta_e_2000(other, one), 1e-12) << "of one rounded sum each";
+        EXPECT_NEAR(delta_e_2000(one, other), delta_e_2000(other, one), 1e-12) << "each side is one rounded sum";
         EXPECT_EQ(delta_e_2000(one, one), 0);
     }
 }
@@ -83,12 +83,12 @@ TEST(Srgb, MatricesUndoEachOtherAndKeepWhite) {
 }
 
 TEST(Srgb, CodesAndLightAreEachOthersInverse) {
-    // The standard's borders, 0.0031308 and 0.04045, meet to about 1e-8 only.
+    // The standard's two limits, 0.0031308 and 0.04045, agree only to about 1e-8.
     for (int code = -255; code <= 2 * 255; ++code)
         EXPECT_NEAR(srgb_coded(srgb_linear(code / 255.0)), code / 255.0, 1e-7);
     EXPECT_EQ(srgb_coded(0), 0);
     EXPECT_NEAR(srgb_coded(1), 1, 1e-15);
-    EXPECT_NEAR(srgb_coded(0.214041), 0.5, 1e-6) << "the middle code is 21 % of the light";
+    EXPECT_NEAR(srgb_coded(0.214041), 0.5, 1e-6) << "code 0.5 is 21 % of the light";
 }
 
 TEST(Lab, GreysHaveNoHueAndWhiteIs100) {
@@ -113,7 +113,7 @@ TEST(PerceivedDifference, ReadsChannelsAsCodes) {
     EXPECT_EQ(d.percentile_95, d.mean);
     EXPECT_GT(
         std::abs(d.max - delta_e_2000(lab_from_linear_srgb({0.5, 0.5, 0.5}), lab_from_linear_srgb({0.6, 0.6, 0.6}))), 1)
-        << "as linear light the two would be nearer to each other";
+        << "as linear light the difference would be smaller";
 }
 
 TEST(PerceivedDifference, TellsMeanPercentileAndWorst) {

@@ -1,4 +1,4 @@
-// Images: what 8 bits hold, PNG, files, differences.
+// Images: rounding to 8 bits, PNG, files, differences.
 #include "base/image/image.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ std::string message_of(const auto& act) {
     return "(nothing was thrown)";
 }
 
-// ---- What 8 bits hold ----
+// ---- Rounding to 8 bits ----
 
 TEST(Quantisation, ClampsAndRoundsToTheNearestCode) {
     EXPECT_EQ(channel_code(-1), 0);
@@ -57,7 +57,7 @@ TEST(Quantisation, KeepsEveryCode) {
     for (int code = 0; code < 256; ++code) EXPECT_EQ(channel_code(static_cast<float>(code) / 255.0F), code);
 }
 
-// Of the floats on either side of where a code ends, and near 0, where half a code leaves a float's digits no room.
+// Floats on both sides of each border between codes, and near 0, where adding half a code loses digits of a float.
 TEST(Quantisation, RoundsNoFloatOtherwiseThanTheNearestCodeIs) {
     const auto expect_nearest = [](float channel) {
         EXPECT_EQ(channel_code(channel), std::lround(static_cast<double>(channel) * 255)) << channel;
@@ -100,13 +100,13 @@ TEST(Png, HoldsNoAlpha) {
 }
 
 TEST(Png, SaysThatRubbishCannotBeRead) {
-    EXPECT_EQ(message_of([] { decode_png("not a picture"); }), "it is no PNG; convert it to one");
+    EXPECT_EQ(message_of([] { decode_png("not a picture"); }), "this is not a PNG; convert it to one");
     EXPECT_ANY_THROW(decode_png(""));
     const std::string whole = encode_png(Image(8, 8));
     EXPECT_ANY_THROW(decode_png(std::string_view(whole).substr(0, whole.size() / 2)));
 }
 
-// stb quotes the name of a chunk that it does not know (found by make fuzz).
+// stb quotes the name of an unknown chunk in its message (found by make fuzz).
 TEST(Png, SaysInOneLineWhatItHoldsBesides) {
     constexpr std::size_t kSignatureAndHeader = 8 + 25;
     std::string png = encode_png(Image(8, 8));
@@ -170,8 +170,8 @@ TEST(Difference, OfEqualPicturesIsZero) {
 }
 
 TEST(Difference, CountsInteriorAndEdgeApart) {
-    // 3 x 2 pixels, the right column an edge. Interior: one channel of (1,1) off by 51 codes. Edge: all of
-    // (2,0) by 255.
+    // 3 x 2 pixels; the right column is edge. Interior: one channel of (1,1) differs by 51 codes. Edge: all channels of
+    // (2,0) differ by 255.
     Image a(3, 2), b(3, 2);
     b.at(1, 1) = {0, 0.2F, 0, 0};
     b.at(2, 0) = {1, 1, 1, 1};
@@ -230,7 +230,7 @@ TEST(DifferencePicture, IsGreyWhereEqualAndBrightensWithTheDifference) {
     EXPECT_EQ(picture.at(2, 0)[0], 1);
 }
 
-// A channel that is off by 10 codes where 12 are allowed is right; one that is off by 6 where none is allowed is not.
+// A difference of 10 codes where 12 are allowed is correct; a difference of 6 where none is allowed is not.
 TEST(Difference, TakesTheNearerOfTwoRightAnswersBeyondTheAllowedDifference) {
     const Image seen(1, 1, {0, 0, 0, 0}), allowed(1, 1, {0, 0, 0, 12 / 255.0F});
     const Image within(1, 1, {0, 0, 0, 10 / 255.0F}), beyond(1, 1, {6 / 255.0F, 0, 0, 0});

@@ -1,4 +1,4 @@
-// A driver's departure is named on the drivers and versions where it was seen, and nowhere else.
+// A known bug is named only on the drivers and versions where it was seen.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ TEST(KnownDepartures, SayWhereTheyWereSeen) {
         EXPECT_TRUE(departure.leaves == Leaves::kOpen || !departure.seen_on.empty()) << departure.name;
 }
 
-// The fuzzer leaves out what may show: in other versions as well, and on any driver what several were seen to show.
+// The fuzzer skips bugs that may show: also in other versions, and on any driver if several drivers have the bug.
 TEST(KnownDepartures, MayShowElsewhere) {
     const auto may_show = [](std::string_view name, const Driver& driver) {
         return std::ranges::find(departures(), name, &Departure::name)->may_show_on(driver);

@@ -1,4 +1,4 @@
-// The study of samples: what is measured, what is said of it, what is written.
+// The study of spectral samples: its measurements, sentences and files.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@ int samples_of(const Frame& frame) {
     return spectrum ? spectrum->count() : 0;
 }
 
-// Pictures as grey as their samples are many, and no time at all.
+// Pictures whose grey grows with the number of samples, drawn in no time.
 SpectralStudy study_of(int rounds, int stop_after = 1000) {
     const SpectralRenderers renderers = {.reference =
                                              [](const Frame& frame) {
@@ -44,13 +44,13 @@ TEST(SpectralStudy, IsOfScenesWithSpectra) {
 TEST(SpectralStudy, SaysWhereThreeAreExactAndWhereNinePay) {
     const std::vector<std::string> findings = study_of(1).findings;
     ASSERT_EQ(findings.size(), 8U);
-    EXPECT_TRUE(findings[0].starts_with("Under D65 red, green and blue are exact")) << findings[0];
-    EXPECT_TRUE(findings[1].starts_with("Under D50 they are off by less than can be seen")) << findings[1];
-    EXPECT_EQ(findings[2], "Nine samples pay under A, F2, F11 and LED_B3.");
-    EXPECT_EQ(
-        findings[3],
-        "A: the product of red, green and blue is off by 4.2 on average and 12.6 at worst (cyan), of nine samples by "
-        "0.3 and 1.0 (blue).");
+    EXPECT_TRUE(findings[0].starts_with("Under D65, red, green and blue are exact")) << findings[0];
+    EXPECT_TRUE(findings[1].starts_with("Under D50, their average error is too small to see")) << findings[1];
+    EXPECT_EQ(findings[2], "Nine samples are worth their time under A, F2, F11 and LED_B3.");
+    EXPECT_EQ(findings[3],
+              "A: the Delta E of red, green and blue is 4.2 on average and 12.6 at worst (cyan), that of nine samples "
+              "0.3 and "
+              "1.0 (blue).");
 }
 
 TEST(SpectralStudy, MeasuresPicturesAgainstThatOfAllSamples) {

@@ -1,4 +1,4 @@
-// The study by derivation: what is changed in a scene, how errors fall into parts, which choices make the front, what is written.
+// The study: changes of a scene, errors inside shapes and at outlines, the front, and the files.
 #include "judge/study/study.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(Choices, ChangeWhatTheSceneHasAndNothingElse) {
         if (change.value == LightingChange::kWhole || change.value == LightingChange::kHalfVector) continue;
         EXPECT_FALSE(has(plain, change.value)) << change.words;
         EXPECT_TRUE(has(rich, change.value)) << change.words;
-        // Nothing of it is left.
+        // The changed scene no longer has the effect.
         EXPECT_FALSE(has(with_lighting_change(rich, change.value), change.value)) << change.words;
     }
     EXPECT_EQ(lighting_of(with_lighting_change(rich, LightingChange::kDirectional)).lights[0].position_eye,
@@ -72,8 +72,8 @@ TEST(Choices, TurnHighlightsByHalfVectorIntoSuchByReflectionAndBack) {
     EXPECT_EQ(lighting_of(with_lighting_change(reflecting, LightingChange::kHalfVector)).front.shininess, 40);
 }
 
-// Where the light and the viewer are far, n.h is cos(a) where r.v is cos(2a): of which exponent are the lobes nearest to each
-// other? Over the sphere of normals, whose directions at angle a have weight sin(a).
+// With a distant light and viewer, n.h is cos(a) where r.v is cos(2a). Finds the exponent for which the two lobes are
+// closest, over the sphere of normals, where directions at angle a have the weight sin(a).
 TEST(Choices, MatchTheExponentsOfHighlights) {
     for (const double shininess : {16.0, 40.0, 128.0}) {
         const auto distance = [&](double part) {
@@ -90,7 +90,7 @@ TEST(Choices, MatchTheExponentsOfHighlights) {
         double best = 0.15;
         for (double part = 0.15; part < 0.35; part += 0.001)
             if (distance(part) < distance(best)) best = part;
-        // The next term of the series makes lobes by reflection narrower, by the less the narrower they are.
+        // The next term of the series makes lobes of the reflection vector narrower; narrow lobes are affected less.
         EXPECT_LT(best, kReflectionExponent) << shininess;
         EXPECT_GT(best, kReflectionExponent * (1 - 2 / shininess)) << shininess;
     }
@@ -126,7 +126,7 @@ TEST(Choices, AreThereForWhatTheStudyAsks) {
             EXPECT_GT(count(lit, extent, 1, [&](const Choice& choice) { return choice.sending == sending; }), 0);
 }
 
-// Every axis gives back what it told, and no other value.
+// Every axis reads back its own keys, and refuses others.
 TEST(Choices, AreWhatTheirAxesTell) {
     for (const Choice& choice : select_choices(frame_of(kRich), true, Extent::kFull, 8)) {
         Choice read;
@@ -149,11 +149,11 @@ TEST(Choices, HaveKeysOfTheirOwn) {
     EXPECT_EQ(keys.size(), all.size());
 }
 
-// ---- A study of pictures that are known ----
+// ---- A study with known pictures ----
 
 constexpr int kSide = 8;
 
-// Everything as bright as the shading says; the right half is another shape, which begins later on coarse meshes.
+// The brightness depends only on the shading. The right half is another shape; in meshes it begins one pixel later.
 double brightness(Shading shading) {
     switch (shading) {
         case Shading::kFlat: return 0.9;
@@ -226,7 +226,7 @@ TEST(Study, TellsTheErrorsOfSilhouettesApart) {
         EXPECT_NEAR(point.errors.whole.rms, error, 1e-7);
         EXPECT_NEAR(point.errors.interior.max, error, 1e-7);
         EXPECT_EQ(point.errors.whole.pixels, 64u);
-        // Columns 3 and 4 lie beside the border of truth, 4 and 5 beside the mesh's.
+        // Columns 3 and 4 are at the border in the exact picture, 4 and 5 at that of the mesh.
         EXPECT_EQ(point.errors.silhouette.pixels, point.choice.shading == Shading::kExact ? 16u : 24u);
         EXPECT_EQ(point.errors.interior.pixels + point.errors.silhouette.pixels, 64u);
     }
@@ -244,7 +244,7 @@ TEST(Study, LeavesOutWhatIsRefused) {
     for (const Point& point : study.points) EXPECT_NE(point.choice.method, Method::kPrecise);
 }
 
-// Ends after so many pieces of work.
+// Ends the study after some steps.
 Settings ending_after(int pieces) {
     Settings settings = quick(60);
     settings.progress = [left = pieces](const Progress& progress) mutable {
@@ -266,7 +266,7 @@ TEST(Study, EndsWithWhatItHasAndGoesOnFromThere) {
     EXPECT_NO_THROW(study_page(nothing));
     EXPECT_TRUE(read_study(study_json(nothing), "study.json").points.empty());
 
-    // While times are taken: all choices are there, some timed once more than the others.
+    // Ended while timing: all choices are there, some of them timed once more.
     const std::size_t all = known_study().points.size();
     const Study timed = known_study(ending_after(static_cast<int>(2 * all + 7)));
     ASSERT_EQ(timed.points.size(), all);
@@ -284,7 +284,7 @@ TEST(Study, EndsWithWhatItHasAndGoesOnFromThere) {
         EXPECT_TRUE(std::ranges::equal(timed.points[i].seconds,
                                        std::span(ended.points[i].seconds).first(timed.points[i].seconds.size())));
     }
-    // Ended again at once, nothing is lost.
+    // Ended again at once: nothing is lost.
     Settings interrupted = ending_after(3);
     interrupted.earlier = &ended;
     const Study kept = known_study(interrupted);
@@ -327,7 +327,7 @@ TEST(Front, IsWhatNoOtherBeats) {
     EXPECT_EQ(by_max, (std::vector<bool>{true, false, false, true, false, false}));
 }
 
-// However times and errors fall: along a front time rises and error falls.
+// For any times and errors: along a front the time rises and the error falls.
 TEST(Front, IsMonotone) {
     std::mt19937 random;
     const auto next = [&] { return std::uniform_real_distribution(0.001, 1.0)(random); };
@@ -360,7 +360,7 @@ TEST(Front, IsMonotone) {
 TEST(Findings, NameTheFastestAndTheCrossover) {
     Study study = study_of({timed(Shading::kGouraud, 8, 0.001, 0.09), timed(Shading::kGouraud, 64, 0.006, 0.02),
                             timed(Shading::kPhong, 8, 0.002, 0.025), timed(Shading::kPhong, 32, 0.003, 0.0009, 0.003)});
-    find_words(study);
+    write_findings(study);
     const std::string all = [&] {
         std::ostringstream text;
         for (const std::string& sentence : study.series[0].findings) text << sentence << "\n";
@@ -370,15 +370,15 @@ TEST(Findings, NameTheFastestAndTheCrossover) {
          {"For an rms error of at most 0.1: shaders with uniforms, gouraud, 8 slices (1 ms, rms 0.09).",
           "For an rms error of at most 0.03: shaders with uniforms, phong, 8 slices",
           "For an rms error of at most 0.001: shaders with uniforms, phong, 32 slices",
-          "No choice of this study has an rms error of at most 0.0001.",
-          "For a largest error of at most 1 code of 8 bits: shaders with uniforms, phong, 32 slices (3 ms, max 0.003).",
-          "From an rms error of 0.025 down, phong is cheaper than gouraud: shaders with uniforms, phong, 8 slices"})
+          "No choice of this study reaches an rms error of at most 0.0001.",
+          "For a largest error of at most 1/255: shaders with uniforms, phong, 32 slices (3 ms, max 0.003).",
+          "For an rms error of 0.025 or less, phong is faster than gouraud: shaders with uniforms, phong, 8 slices"})
         EXPECT_NE(all.find(expected), std::string::npos) << expected << "\n" << all;
-    // Of targets that one choice serves the strictest is told.
+    // A choice that meets several targets is named only for the strictest.
     EXPECT_EQ(all.find("For an rms error of at most 0.01"), std::string::npos) << all;
 }
 
-// ---- What is written ----
+// ---- Files ----
 
 std::size_t count(const std::string& text, const std::string& part) {
     std::size_t found = 0;
@@ -401,7 +401,7 @@ TEST(StudyFiles, HoldEveryPoint) {
     std::istringstream lines(csv);
     std::string first, line;
     for (std::getline(lines, first); std::getline(lines, line);) EXPECT_EQ(count(line, ","), count(first, ",")) << line;
-    const auto has_error = [](const Point& point) { return point.errors.whole.rms > 0; };  // nothing has no logarithm
+    const auto has_error = [](const Point& point) { return point.errors.whole.rms > 0; };  // 0 has no logarithm
     EXPECT_EQ(count(svg, "class=\"dot\""), static_cast<std::size_t>(std::ranges::count_if(study.points, has_error)));
     EXPECT_LT(count(svg, "class=\"dot\""), study.points.size());
     EXPECT_EQ(count(page, "<tr data-point="), study.points.size());
@@ -441,37 +441,36 @@ TEST(StudyFiles, OfOthersAreRefusedWithTheirPlace) {
         wrong[nlohmann::json::json_pointer(pointer)] = value;
         return refusal(wrong.dump());
     };
-    EXPECT_EQ(refusal("no"), "A.json: is no JSON");
-    EXPECT_EQ(refusal("[]"), "A.json: is no study; `twinlight study` writes them as study.json");
+    EXPECT_EQ(refusal("no"), "A.json: this is not JSON");
+    EXPECT_EQ(refusal("[]"), "A.json: this is not a study; `twinlight study` writes studies as study.json");
     EXPECT_EQ(refusal(R"({"format": 3})"), refusal("{}"));
-    EXPECT_EQ(with("/version", 99), "A.json: version: this program reads version 2; make the study anew");
-    EXPECT_EQ(with("/size", nlohmann::json({1})), "A.json: size: [width, height] is expected");
+    EXPECT_EQ(with("/version", 99), "A.json: version: this program reads version 2; run the study again");
+    EXPECT_EQ(with("/size", nlohmann::json({1})), "A.json: size: it must be [width, height]");
     EXPECT_EQ(with("/size/0", -1).substr(0, 22), "A.json: size[0]: -1 is");
-    EXPECT_EQ(with("/series", nlohmann::json::array()), "A.json: series: is empty");
+    EXPECT_EQ(with("/series", nlohmann::json::array()), "A.json: series: it is empty");
     EXPECT_EQ(with("/points/3/series", 1), "A.json: points[3].series: 1 is not in [0, 0]");
     EXPECT_EQ(with("/points/3/axes/shading", "matte"),
               "A.json: points[3].axes.shading: 'matte' is not one of flat, gouraud, phong, exact");
-    EXPECT_EQ(with("/points/3/axes/slices", 2.5), "A.json: points[3].axes.slices: '2.5' is no number that it takes");
-    EXPECT_EQ(with("/points/3/error/interior", nullptr), "A.json: points[3].error.interior: an object is expected");
-    EXPECT_EQ(with("/points/3/seconds/samples/1", "soon"),
-              "A.json: points[3].seconds.samples[1]: a number is expected");
+    EXPECT_EQ(with("/points/3/axes/slices", 2.5), "A.json: points[3].axes.slices: '2.5' is not a legal number here");
+    EXPECT_EQ(with("/points/3/error/interior", nullptr), "A.json: points[3].error.interior: it must be an object");
+    EXPECT_EQ(with("/points/3/seconds/samples/1", "soon"), "A.json: points[3].seconds.samples[1]: it must be a number");
     EXPECT_EQ(with("/points/3/seconds/samples/1", -1), "A.json: points[3].seconds.samples[1]: -1 is not in [0, 1e+06]");
-    EXPECT_EQ(with("/points/3", right["points"][2]), "A.json: points[3]: this choice is there twice");
+    EXPECT_EQ(with("/points/3", right["points"][2]), "A.json: points[3]: this choice is listed twice");
     EXPECT_EQ(with("/series/0/spectral/patches/1/mean", "little"),
-              "A.json: series[0].spectral.patches[1].mean: a number is expected");
+              "A.json: series[0].spectral.patches[1].mean: it must be a number");
     EXPECT_EQ(
         with("/series/0/spectral/patches/1/samples", 0),
-        "A.json: series[0].spectral.patches: is to be light by light, each with the same numbers of samples, from "
-        "few to many");
+        "A.json: series[0].spectral.patches: it must be sorted by light, with the same numbers of samples for each, "
+        "from few to many");
     EXPECT_EQ(with("/series/0/spectral/patches/3/light", "B").substr(0, 49),
               with("/series/0/spectral/patches/1/samples", 0).substr(0, 49));
     EXPECT_EQ(with("/series/0/spectral/patches/0/worst", "a\nb"),
-              "A.json: series[0].spectral.patches[0].worst: there is a control character in it");
+              "A.json: series[0].spectral.patches[0].worst: it contains a control character");
     EXPECT_EQ(with("/series/0/spectral/pictures/1/samples", 81),
-              "A.json: series[0].spectral.pictures: is to go from few samples to many");
+              "A.json: series[0].spectral.pictures: it must go from few samples to many");
     EXPECT_EQ(with("/series/0/spectral/pictures/1/reference_seconds", 0),
               "A.json: series[0].spectral.pictures[1].reference_seconds: 0 is not in [1e-09, 1e+06]");
-    EXPECT_EQ(with("/series/0/spectral/pictures", nullptr), "A.json: series[0].spectral.pictures: a list is expected");
+    EXPECT_EQ(with("/series/0/spectral/pictures", nullptr), "A.json: series[0].spectral.pictures: it must be a list");
 }
 
 TEST(StudyFiles, OfSeveralMachinesAreLaidOverEachOther) {
@@ -497,7 +496,7 @@ TEST(StudyFiles, OfSeveralMachinesAreLaidOverEachOther) {
     EXPECT_NE(study_page(both).find("Samples of the spectrum: a GPU"), std::string::npos);
     EXPECT_EQ(spectral_file(both, 1), "2-spectral.svg");
     EXPECT_NE(study_svg(both).find("a GPU"), std::string::npos);
-    // Merged once more, and of one and the same machine.
+    // Merged again, with a study of the same machine.
     EXPECT_EQ(merged({{"C.json", both}, {"A.json", study}}).series[2].name, "llvmpipe (LLVM 15), a processor (3)");
 
     other.width = 9;
@@ -505,9 +504,10 @@ TEST(StudyFiles, OfSeveralMachinesAreLaidOverEachOther) {
         merged({{"A.json", study}, {"B.json", other}});
         ADD_FAILURE() << "studies of two sizes are merged";
     } catch (const MergeError& error) {
-        EXPECT_STREQ(
-            error.what(),
-            "B.json is of 9 x 8 pixels, not 8 x 8 as A.json; studies of one scene, size and truth can be merged");
+        EXPECT_STREQ(error.what(),
+                     "B.json is of 9 x 8 pixels, not 8 x 8 like A.json; only studies of the same scene, size and "
+                     "coverage can be "
+                     "merged");
     }
     other.width = kSide;
     other.fingerprint = "4567";

@@ -1,5 +1,5 @@
-// What the specification leaves open, and Twinlight rules: no answer is ever NaN or infinite; a value is the
-// limit of the equation where there is one, otherwise the term contributes 0 (docs/hard-cases.md).
+// Rulings: our choices where the specification is silent (docs/hard-cases.md). No result is NaN or infinite. Where the
+// equation has a limit, the result is that limit; otherwise the term contributes 0.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ TEST(Ruling, ASpotOf90DegreesEndsThere) {
     Case c;
     c.place_light({0, 0, 1});
     c.aim_spot({0, 0, 1}, 90);  // away from the surface
-    EXPECT_EQ(c.red(), 0);      // max(PV . s, 0) = 0 = cos 90, and 0^0 = 1: so the text taken by its letter
+    EXPECT_EQ(c.red(), 0);      // read literally, 2.14.1 gives 1: max(PV . s, 0) = 0 = cos 90, and 0^0 = 1
 }
 
 TEST(Ruling, AZeroNormalIsReachedByAmbientLightOnly) {
@@ -56,11 +56,10 @@ TEST(Ruling, AZeroNormalIsReachedByAmbientLightOnly) {
     EXPECT_EQ(c.red(), 0.125);
 }
 
-TEST(Ruling, AHalfVectorOfLengthZeroHasNoHighlight) {  // the light is straight behind the surface as the
-                                                       // viewer sees it
+TEST(Ruling, AHalfVectorOfLengthZeroHasNoHighlight) {  // light and viewer are in opposite directions
     Case c;
     c.only_specular(3);
-    c.surface.normal_eye = unit(D{1, 0, -1});  // n . VP is positive all the same
+    c.surface.normal_eye = unit(D{1, 0, -1});  // n . VP is still positive
     c.place_light({0, 0, -1}, 0);
     EXPECT_EQ(c.red(), 0);
     expect_finite(c.lit());
@@ -70,7 +69,7 @@ TEST(Ruling, SquaresMayOverflowOrUnderflow) {
     for (const double scale : {1e-320, 1e-300, 1e-160, 1e160, 1e300}) {
         Case c;
         c.place_light({0, 3 * scale, 4 * scale}, 0);
-        // A denormal number has only some digits left: 1e-320 is 2024 units, so 4e-4 of its direction is lost.
+        // A denormal number has few digits: 1e-320 is 2024 units, so the error of its direction is up to 4e-4.
         const double digits_lost = scale < 1e-307 ? 1e-3 : 0;
         EXPECT_NEAR(c.red(), 0.8, kArithmetic + digits_lost) << scale;
         c.place_light({0, 3 * scale, 4 * scale});

@@ -84,7 +84,7 @@ TEST(Diffuse, OfAPositionalLightDoesNotDependOnItsDistance) {
 TEST(LightPosition, IsDividedByW) {
     Case c;
     c.surface.position_eye = {1, 0, 0};
-    c.place_light({8, 0, 8}, 2);  // (4, 0, 4): from (1, 0, 0) the way is (3, 0, 4)
+    c.place_light({8, 0, 8}, 2);  // (4, 0, 4); from (1, 0, 0) the vector to it is (3, 0, 4)
     c.light().linear_attenuation = 1;
     c.light().constant_attenuation = 0;
     EXPECT_NEAR(c.terms().n_dot_vp, 0.8, kArithmetic);
@@ -257,7 +257,7 @@ TEST(Specular, GoesToTheSecondaryColourWhenSeparate) {
     EXPECT_EQ(lit.primary, (D{0.25, 0.25, 0.25}));
     EXPECT_EQ(lit.secondary, (D{1, 1, 1}));
     EXPECT_EQ(lit.alpha, 0.5);
-    EXPECT_EQ(lit.magnitude.x, 0.25);  // of the primary colour alone
+    EXPECT_EQ(lit.magnitude.x, 0.25);  // only of the primary colour
     c.model.separate_specular = false;
     EXPECT_EQ(c.lit().primary, (D{1.25, 1.25, 1.25}));
     EXPECT_EQ(c.lit().secondary, (D{0, 0, 0}));
@@ -346,7 +346,7 @@ TEST(SmoothCone, OfEqualConesIsAStepThatIncludesItsBorder) {
 
 // ---- Number types ----
 
-// A spot with everything on, seen by a local viewer.
+// A spotlight with all features, and a local viewer.
 template <class Real>
 Lit<Real> everything_on() {
     const Model<Real> model{.ambient = {Real(0.25), Real(0.5), Real(0.125)}, .local_viewer = true};
@@ -379,7 +379,7 @@ TEST(NumberTypes, AgreeToThePrecisionOfTheCoarserOne) {
                 kOperations * std::numeric_limits<double>::epsilon());
     EXPECT_NEAR(in_float.primary.x, static_cast<double>(exact.primary.x),
                 kOperations * std::numeric_limits<float>::epsilon());
-    EXPECT_NE(static_cast<double>(in_float.primary.x), in_double.primary.x);  // it did run in float
+    EXPECT_NE(static_cast<double>(in_float.primary.x), in_double.primary.x);  // the calculation really was in float
 }
 
 TEST(Breakdown, AddsUpToThePrimaryColour) {

@@ -1,4 +1,5 @@
-// Many points at once, on every instruction set that this processor has, against the equation for one point.
+// Lights many points at once, with every instruction set of this processor, and compares with the equation for one
+// point.
 #include "lighting/points.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,8 @@ struct State {
     const Material<double>& material(std::size_t i) const { return materials[materials.size() == 1 ? 0 : i]; }
 };
 
-// What a lecture's scene has; or, wild, what nobody would set: places at the point, vectors of any length, infinite numbers.
+// Random states as in a lecture's scene; if `wild`, also unusual ones: lights at the point, vectors of any length,
+// infinity.
 class States {
   public:
     explicit States(std::uint64_t seed) : random_(seed) {}
@@ -91,8 +93,8 @@ class States {
     bool wild_ = false;
 };
 
-// The largest difference of a channel, relative to the sum of its terms' magnitudes (of the secondary colour: to itself), or
-// to `least` where that is more.
+// The largest difference of a channel, relative to the sum of its terms' magnitudes (for the secondary colour: to
+// itself), or to `least` if that is larger.
 template <class Real>
 double worst(const State& state, const Lit<Column>& lit, double least = 0) {
     double worst = 0;
@@ -128,7 +130,7 @@ Lit<Column> lit_of(const State& state, const Arithmetic& arithmetic = {}) {
 }
 
 Lit<Column> lit_by(const InstructionSet& set, const State& state, const Arithmetic& arithmetic = {}) {
-    Lit<Column> lit = lit_of(state, arithmetic);  // the columns, but not what stands in them
+    Lit<Column> lit = lit_of(state, arithmetic);  // correct columns, but old values
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     for (Vec3<Column>* color : {&lit.primary, &lit.secondary})
         for (Column* column : {&color->x, &color->y, &color->z})
@@ -157,7 +159,7 @@ TEST_P(LightPoints, TakesEveryWholePower) {
     }
 }
 
-// The half vector is 0, or the vector to the eye is: neither may turn into a highlight, however powers are taken.
+// The half vector or the vector to the eye is 0. Neither may give a highlight with any method for powers.
 TEST_P(LightPoints, KeepsTheRulingsWhateverItsPowers) {
     State state;
     state.lights.push_back({.specular = {1, 1, 1}});
@@ -175,7 +177,7 @@ TEST_P(LightPoints, KeepsTheRulingsWhateverItsPowers) {
     hold();
 }
 
-// The rulings hold in every lane, also where its neighbours need none.
+// The rulings hold in every lane, even if the neighbouring lanes need none.
 TEST_P(LightPoints, GivesWhatTheEquationGivesForTheWildest) {
     States states(2);
     for (int i = 0; i < 400; ++i) {
@@ -184,7 +186,7 @@ TEST_P(LightPoints, GivesWhatTheEquationGivesForTheWildest) {
     }
 }
 
-// A power multiplies its base's error by the exponent, 128 at most; all else is some tens of roundings.
+// A power multiplies the error of its base by the exponent, at most 128; the rest is some tens of roundings.
 TEST_P(LightPoints, IsAsRightAsDoublesAre) {
     States states(3);
     for (int i = 0; i < 100; ++i) {
@@ -197,14 +199,14 @@ TEST_P(LightPoints, InFloatIsAsRightAsFloatsAre) {
     States states(4);
     for (int i = 0; i < 100; ++i) {
         State state = states.make(20, false);
-        // At a spot's border the last place decides.
+        // At the border of a spot the last bit decides.
         for (Light<double>& light : state.lights) light.is_spot = light.has_smooth_cone = false;
         const double error = worst<double>(state, lit_by(GetParam(), state, {.number = Number::kFloat}), 1);
         EXPECT_LE(error, 128 * 8 * std::numeric_limits<float>::epsilon()) << "state " << i;
     }
 }
 
-// Whole exponents: each product rounds, and one of 128 factors has 127 of them in a row at worst.
+// Whole exponents: each product is rounded, and a power of 128 has at most 127 products in a row.
 TEST_P(LightPoints, BySquaringRoundsMore) {
     States states(5);
     double most = 0;
@@ -215,10 +217,10 @@ TEST_P(LightPoints, BySquaringRoundsMore) {
         most = std::max(most, worst<double>(state, lit_by(GetParam(), state, {.powers = Powers::kSquaring})));
     }
     EXPECT_LE(most, 128 * kUlp);
-    EXPECT_GT(most, 4 * kUlp);  // it is another way
+    EXPECT_GT(most, 4 * kUlp);  // so this really is a different method
 }
 
-// A chord of x^s is off by s (s - 1) / 8 of the step's square at most, of a highlight of 1.
+// The error of linear interpolation of x^s is at most s (s - 1) / 8 times the square of the step, for a highlight of 1.
 TEST_P(LightPoints, ByTableIsOffByTheChordOfItsSteps) {
     Case c;
     c.only_specular(50);
@@ -256,7 +258,7 @@ TEST(LightPointsCount, OfAnyNumberAreEachLitAsAmongMany) {
     }
 }
 
-// Columns that were others' before.
+// Columns that held the results of other states before.
 TEST(LightPointsCount, OfPlacesThatAreNoNumbersAreLitInFloatsToo) {
     State state;
     state.lights.push_back({.diffuse = {1, 1, 1}});
@@ -289,11 +291,12 @@ TEST(LightPointsCount, InLongDoubleIsTheEquationInLongDouble) {
     EXPECT_LE(worst<long double>(state, lit), kUlp / 2);
 }
 
-// What is compiled for wide instructions must not be what the linker takes for everybody: all that its objects define and
-// others may see (but for data of exceptions) is either a template over the lanes of that set, or the one function that is asked for by name.
+// The linker must not use code compiled for wide instructions on other processors. So all visible symbols of these
+// objects (except data of exceptions) must be templates over the lanes of that set, or the one function that is called
+// by name.
 TEST(WideInstructions, AreConfinedToTheirOwnSymbols) {
 #if !defined(__x86_64__) || defined(__SANITIZE_ADDRESS__)
-    GTEST_SKIP() << "of release builds for x86-64";
+    GTEST_SKIP() << "only for release builds on x86-64";
 #endif
     if (std::system("command -v nm >/dev/null 2>&1") != 0) GTEST_SKIP() << "nm is not installed";
     for (const std::string set : {"avx2", "avx512"}) {

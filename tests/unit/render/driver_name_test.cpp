@@ -1,4 +1,4 @@
-// Names of drivers in parts, as drivers write them.
+// Splits the names of drivers, as drivers write them, into their parts.
 #include "render/context/driver_name.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(DriverName, OfThisContextIsWhole) {
     const Driver driver = current_driver();
     EXPECT_FALSE(driver.name.empty());
     EXPECT_FALSE(driver.version.empty());
-    EXPECT_EQ(driver.provider, offscreen_provider());
+    EXPECT_EQ(driver.provider, context_provider());
 }
 
 }  // namespace

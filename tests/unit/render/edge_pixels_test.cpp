@@ -1,4 +1,4 @@
-// The edge mask: where two right rasterisers may choose different triangles (docs/lighting.md, "Edges").
+// The edge mask: where two correct rasterisers may choose different triangles (docs/lighting.md, "Edges").
 #include <gtest/gtest.h>
 
 #include "../small_frames.h"
@@ -18,7 +18,7 @@ Pixels marked(const PixelMask& mask) {
     return pixels;
 }
 
-Draw without_diagonal(Draw draw) {  // one triangle that the viewport cuts to a rectangle
+Draw without_diagonal(Draw draw) {  // one triangle, cut to a rectangle by the viewport
     draw.mode = kGL_TRIANGLES;
     const Vertex& v = draw.vertices[0];
     const double z = v.position_object.z;
@@ -32,8 +32,8 @@ TEST(EdgePixels, AreWhereTheBorderPassesThroughTheSquare) {
     Pixels found = marked(edges({quad(2.3, 3.3, 10.3, 9.3)}));
     for (const auto& p : expected) EXPECT_TRUE(found.count(p)) << p.first << ',' << p.second;
     EXPECT_TRUE(found.count({4, 5}));   // the diagonal from (2.3, 3.3) to (10.3, 9.3)
-    EXPECT_TRUE(found.count({4, 8}));   // the other one: either cut is right
-    EXPECT_FALSE(found.count({6, 4}));  // the inside beside both
+    EXPECT_TRUE(found.count({4, 8}));   // the other diagonal: either cut is correct
+    EXPECT_FALSE(found.count({6, 4}));  // inside, away from both diagonals
     EXPECT_FALSE(found.count({3, 6}));
     EXPECT_FALSE(found.count({13, 5}));  // the background
 }
@@ -48,7 +48,7 @@ TEST(EdgePixels, AreNotWhereHiddenThingsHaveTheirBorders) {
     behind.raster.depth_test = true;
     EXPECT_TRUE(marked(edges({front, behind})).empty());
     EXPECT_TRUE(marked(edges({behind, front})).empty());
-    behind.raster.depth_test = false;  // it leaves no depth: what comes later is held against the clear's
+    behind.raster.depth_test = false;  // writes no depth: later depths are compared with the clear's
     EXPECT_TRUE(marked(edges({behind, front})).empty());
     EXPECT_FALSE(marked(edges({front, behind})).empty());
     Draw painted = front;
@@ -60,14 +60,14 @@ TEST(EdgePixels, AreWhereSurfacesCutEachOther) {
     Draw rising = without_diagonal(deep_quad(kRed, 0)), falling = without_diagonal(deep_quad(kGreen, 0));
     for (Vertex& v : rising.vertices) v.position_object.z = -(v.position_object.x + 100) / 400 + 0.1;
     for (Vertex& v : falling.vertices) v.position_object.z = (v.position_object.x + 100) / 400 - 0.48;
-    // They meet at x = 16 on depth 0.19 = 0.48 - 0.29: move that to x = 8.2.
+    // Their depths are equal at x = 16 (0.19 = 0.48 - 0.29): move that to x = 8.2.
     for (Vertex& v : falling.vertices) v.position_object.z += 2 * 7.8 / 400;
     EXPECT_EQ(marked(edges({rising, falling})), rectangle(8, 0, 9, 16));
 }
 
 TEST(EdgePixels, AreAllOfTwoSurfacesThatLieInEachOther) {
     Draw other = without_diagonal(deep_quad(kGreen, 0.5, kGL_LEQUAL));
-    other.vertices[1].position_object.x += 10;  // another triangle of the same plane
+    other.vertices[1].position_object.x += 10;  // another triangle in the same plane
     EXPECT_EQ(marked(edges({without_diagonal(deep_quad(kRed, 0.5)), other})), rectangle(0, 0, 16, 16));
 }
 

@@ -1,4 +1,4 @@
-// The planner: which facts of lighting a Draw calls for, found by hand, and the reasons for the rest.
+// The planner: which lighting effects a Draw needs, derived by hand, and the reasons for leaving out the others.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 TEST(Plan, CallsForTheDiffuseTermAloneInTheInitialState) {
     EffectSet expected;
-    expected.lighting = true;  // 0.2 * 0.2 and 0.8: no clamp
+    expected.lighting = true;  // 0.2 * 0.2 + 0.8 is below 1: no clamp
     expected.lights.resize(1);
     expected.lights[0] = {.directional = true, .diffuse = true};
     EXPECT_EQ(facts(lit_triangle()), expected) << describe(facts(lit_triangle()));
@@ -55,7 +55,7 @@ TEST(Plan, LeavesOutALightWhoseProductsWithTheMaterialAreZero) {
     draw.lighting.front.diffuse = {0, 0, 1, 1};
     draw.lighting.lights[0].diffuse = {1, 1, 0, 1};
     EXPECT_TRUE(facts(draw).lights.empty());
-    EXPECT_EQ(reason(draw, "GL_LIGHT0"), "the products of its colours and the material's are 0");
+    EXPECT_EQ(reason(draw, "GL_LIGHT0"), "its colours times the material's are 0");
 }
 
 TEST(Plan, AddsALightsAmbientTermToTheScenesWhereNothingWeakensIt) {
@@ -80,24 +80,24 @@ TEST(Plan, CallsForAttenuationOfPositionalLightsWithALinearOrQuadraticFactor) {
     Draw draw = lit_triangle();
     draw.lighting.lights[0].linear_attenuation = 0.1;
     EXPECT_FALSE(facts(draw).lights[0].attenuated);
-    EXPECT_EQ(reason(draw, "GL_LIGHT0's attenuation"), "its position's w is 0: it is directional");
+    EXPECT_EQ(reason(draw, "GL_LIGHT0's attenuation"), "the light is directional (its position has w = 0)");
     EXPECT_TRUE(facts(with_positional_light(draw)).lights[0].attenuated);
 
     draw = with_positional_light();
     draw.lighting.lights[0].constant_attenuation = 4;
     EXPECT_FALSE(facts(draw).lights[0].attenuated);
     EXPECT_EQ(plan_effects(draw, {}).lights.at(0).constant_reach, 0.25);
-    EXPECT_EQ(reason(draw, "GL_LIGHT0's attenuation"), "its factors are 4, 0, 0: it is 0.25 at every vertex");
+    EXPECT_EQ(reason(draw, "GL_LIGHT0's attenuation"), "its factors are 4, 0, 0, so it is 0.25 at every vertex");
 
     draw.lighting.lights[0].constant_attenuation = 0;
-    EXPECT_EQ(reason(draw, "GL_LIGHT0"), "its attenuation factors are 0, 0, 0: it contributes nothing");
+    EXPECT_EQ(reason(draw, "GL_LIGHT0"), "its attenuation factors are 0, 0, 0, so it adds nothing");
 }
 
 TEST(Plan, CallsForTheConeOfPositionalSpotlights) {
     Draw draw = with_positional_light();
     EXPECT_EQ(reason(draw, "GL_LIGHT0's cone"), "GL_SPOT_CUTOFF is 180");
-    draw.lighting.lights[0].spot_cutoff_deg = 30;  // the triangle is seen from 5 above, at atan(1/5) at most
-    EXPECT_EQ(reason(draw, "GL_LIGHT0's cone"), "it holds all of the Draw, and GL_SPOT_EXPONENT is 0");
+    draw.lighting.lights[0].spot_cutoff_deg = 30;  // from 5 above, the triangle is within atan(1/5)
+    EXPECT_EQ(reason(draw, "GL_LIGHT0's cone"), "the whole draw is inside it, and GL_SPOT_EXPONENT is 0");
     draw.lighting.lights[0].spot_cutoff_deg = 10;
     EXPECT_TRUE(facts(draw).lights[0].spot);
     EXPECT_EQ(facts(draw).lights[0].spot_exponent, Power::kZero);
@@ -137,7 +137,7 @@ TEST(Plan, CallsForTheLocalViewerOnlyIfAHighlightDependsOnIt) {
     EXPECT_TRUE(facts(draw).local_viewer);
     draw.lighting.front.shininess = 0;
     EXPECT_FALSE(facts(draw).local_viewer);
-    EXPECT_EQ(reason(draw, "the local viewer"), "with a GL_SHININESS of 0 no viewer matters");
+    EXPECT_EQ(reason(draw, "local viewer"), "GL_SHININESS is 0, so the viewer's position does not matter");
 }
 
 TEST(Plan, KnowsWholeExponentsFromOthers) {
@@ -169,7 +169,7 @@ TEST(Plan, CallsForTwoSidesOnlyIfABackFaceCanShow) {
     draw.raster.cull_face = kGL_FRONT;
     EXPECT_TRUE(facts(draw).two_side);
     draw.mode = kGL_LINE_STRIP;
-    EXPECT_EQ(reason(draw, "two-sided lighting"), "points and lines are always front");
+    EXPECT_EQ(reason(draw, "two-sided lighting"), "points and lines have no back face");
 }
 
 TEST(Plan, LooksAtTheBackMaterialOnlyIfItShows) {
@@ -188,13 +188,13 @@ TEST(Plan, CallsForColorMaterialOnlyIfTheColorsDiffer) {
     draw.vertices[0].color = draw.vertices[2].color = draw.vertices[1].color;
     EXPECT_EQ(facts(draw).front, FaceEffects{});
     EXPECT_EQ(plan_effects(draw, {}).lighting.front.diffuse, glm::dvec4(1, 0, 0, 1));
-    EXPECT_EQ(reason(draw, "colour material"), "every vertex has the same colour: it is the material's");
+    EXPECT_EQ(reason(draw, "colour material"), "all vertices have the same colour, so the material is set once");
 }
 
 TEST(Plan, FollowsTheFaceAndTheModeOfColorMaterial) {
     Draw draw = with_vertex_colors();
     draw.lighting.color_material.face = kGL_BACK;
-    EXPECT_EQ(reason(draw, "colour material"), "it tracks the back face's material, which is not shown");
+    EXPECT_EQ(reason(draw, "colour material"), "it sets only the back face's material, and no back face is visible");
     draw.lighting.light_model.two_side = true;
     draw.lighting.color_material.mode = kGL_EMISSION;
     EXPECT_EQ(facts(draw).front, FaceEffects{});
@@ -202,7 +202,7 @@ TEST(Plan, FollowsTheFaceAndTheModeOfColorMaterial) {
     draw.lighting.color_material.mode = kGL_SPECULAR;
     EXPECT_EQ(facts(draw).back, FaceEffects{.tracks_specular = true});
     draw.lighting.lights[0].specular = {0, 0, 0, 1};
-    EXPECT_EQ(reason(draw, "the tracked specular colour"), "no light has a specular term");
+    EXPECT_EQ(reason(draw, "specular colour from glColor"), "no light has a specular term");
 }
 
 TEST(Plan, CallsForNormalsAndPositionsOnlyIfALightDependsOnThem) {
@@ -211,7 +211,7 @@ TEST(Plan, CallsForNormalsAndPositionsOnlyIfALightDependsOnThem) {
     EXPECT_FALSE(facts(draw).needs_position_eye());
     draw.lighting.lights[0].enabled = false;
     EXPECT_FALSE(facts(draw).needs_normal());
-    EXPECT_EQ(reason(draw, "normals"), "no light has a diffuse or a specular term");
+    EXPECT_EQ(reason(draw, "normals"), "no light has a diffuse or specular term");
     EXPECT_TRUE(facts(with_positional_light()).needs_position_eye());
 }
 
@@ -235,7 +235,7 @@ TEST(Plan, NormalizesOnlyWhatOneFactorDoesNotMakeUnit) {
     draw.vertices[1].normal_object = {0, 0, 2};
     EXPECT_TRUE(facts(draw).normalize);
 
-    // A float's rounding is not nothing.
+    // An error of a float's rounding needs a budget.
     draw.vertices[1].normal_object = {0, 0, 1 + 1e-7};
     EXPECT_TRUE(facts(draw, {{.shading = {}}, 0}).normalize);
     EXPECT_FALSE(facts(draw).normalize);
@@ -246,7 +246,7 @@ TEST(Plan, NormalizesOnlyWhatOneFactorDoesNotMakeUnit) {
 TEST(Plan, ClampsOnlyWhatMayLeaveZeroToOne) {
     Draw draw = lit_triangle();  // 0.2 * 0.2 and 0.8 * 1
     EXPECT_FALSE(facts(draw).clamp);
-    EXPECT_NE(reason(draw, "the clamp"), "");
+    EXPECT_NE(reason(draw, "clamping"), "");
     draw.lighting.front.emission = {0.15, 0, 0, 1};
     EXPECT_FALSE(facts(draw).clamp);
     draw.lighting.front.emission = {0, 0, 0.17, 1};
@@ -258,7 +258,7 @@ TEST(Plan, ClampsOnlyWhatMayLeaveZeroToOne) {
     draw.lighting.lights[0].diffuse.b = -0.1;
     EXPECT_TRUE(facts(draw).clamp);
     draw = lit_triangle();
-    draw.vertices[0].normal_object = {0, 0, 1.3};  // no unit vector
+    draw.vertices[0].normal_object = {0, 0, 1.3};  // not a unit vector
     EXPECT_TRUE(facts(draw).clamp);
     draw.lighting.normalize = true;
     EXPECT_FALSE(facts(draw).clamp);
@@ -275,7 +275,7 @@ TEST(Plan, CallsForTheDivisionByWOnlyIfWMayDiffer) {
 
 TEST(Plan, LightsPerFragmentOnlyWhatVaries) {
     Draw draw = lit_triangle();
-    // Equal normals, a directional light, a distant viewer.
+    // Equal normals, a directional light, a viewer at infinity.
     EXPECT_EQ(facts(draw, kPhong).shading, Shading::kGouraud);
     EXPECT_EQ(facts(with_specular_material(draw), kPhong).shading, Shading::kGouraud);
     Draw varying = draw;
@@ -297,7 +297,7 @@ TEST(Plan, CallsForMaterialsOfVerticesOnlyIfTheyDiffer) {
     EXPECT_EQ(facts(draw).front, FaceEffects{});  // no vertex has it
     draw.vertices[0].material = 2;
     EXPECT_EQ(facts(draw).front, FaceEffects{.varies_diffuse = true});
-    draw.lighting.color_material.enabled = true;  // what is tracked is the colour's
+    draw.lighting.color_material.enabled = true;  // the diffuse colour now comes from glColor
     EXPECT_EQ(facts(draw).front, FaceEffects{});
     draw.lighting.color_material.enabled = false;
     draw.materials[2].front = draw.lighting.front;
@@ -314,7 +314,7 @@ TEST(Plan, GivesAReasonForEachThingThatIsLeftOut) {
 
 TEST(EffectSet, IsDescribedOneFactALine) {
     EXPECT_EQ(describe(facts(with_positional_light(with_specular_material()))),
-              "lighting\ngouraud shading\nclamp\nwhole shininess\nlight 0: positional, diffuse, specular\n");
+              "lighting\ngouraud shading\nclamp\ninteger shininess\nlight 0: positional, diffuse, specular\n");
 }
 
 }  // namespace

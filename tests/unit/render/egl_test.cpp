@@ -1,4 +1,4 @@
-// The program that `make GL=egl` builds, beside the one of OSMesa: the same pictures on the same driver.
+// Compares the program of `make GL=egl` with the OSMesa program: the same pictures on the same driver.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 class Egl : public testing::Test {
   protected:
     void SetUp() override {
-        program_ = offscreen_provider() == "EGL" ? "twinlight" : "egl/twinlight";
+        program_ = context_provider() == "EGL" ? "twinlight" : "egl/twinlight";
         if (!std::filesystem::exists(build_folder() + "/" + program_))
             GTEST_SKIP() << "make GL=egl builds it, where Debian's package libegl-dev is installed";
     }
@@ -25,9 +25,9 @@ class Egl : public testing::Test {
 };
 
 TEST_F(Egl, DrawsThePicturesOfOsmesa) {
-    if (offscreen_provider() == "EGL") GTEST_SKIP() << "this is EGL's program: the other's test compares them";
+    if (context_provider() == "EGL") GTEST_SKIP() << "this is EGL's program: the other's test compares them";
     const auto run = [](const std::string& program, const std::string& arguments) {
-        return run_shell(program, "LIBGL_ALWAYS_SOFTWARE=true \"$PROGRAM\" " + arguments);  // though there be a GPU
+        return run_shell(program, "LIBGL_ALWAYS_SOFTWARE=true \"$PROGRAM\" " + arguments);  // even if there is a GPU
     };
     const auto driver = [&](const std::string& program) {
         const ProgramResult result =
@@ -43,7 +43,7 @@ TEST_F(Egl, DrawsThePicturesOfOsmesa) {
     if (driver_of_egl != driver_of_osmesa) GTEST_SKIP() << "EGL's driver is another: " << driver_of_egl;
     for (const char* renderer : {"fixed", "programmable"}) {
         const auto picture = [&](const std::string& program, const std::string& name) {
-            // The scene with points, lines, textures and text, whose borders tell which way up the rows lie.
+            // This scene has points, lines, textures and text, whose borders would show rows that are upside down.
             EXPECT_EQ(
                 run(program, "render legacy --with " + std::string(renderer) + " -o " + quoted(folder_ / name)).status,
                 0);
@@ -64,7 +64,7 @@ TEST_F(Egl, TellsInOneLineThatNoDriverIsThere) {
     EXPECT_TRUE(folder_.names().empty());
 }
 
-// What each display refuses is told, and nothing of Mesa's own complaints.
+// The message has the reason of each display, and nothing of Mesa's own messages.
 TEST_F(Egl, TellsInOneLineWhatDoesNotStart) {
     const ProgramResult result =
         run_shell(program_, "LIBGL_DRIVERS_PATH=/nowhere \"$PROGRAM\" render report --with fixed -o " +

@@ -1,5 +1,5 @@
-// Exact surfaces by derivation: the vertices of the meshes lie on them, fine meshes look like them, coarse ones come nearer by
-// the order that theory says, and double is right to what long double says.
+// Exact surfaces, by derivation: the meshes' vertices lie on them, fine meshes look like them, coarser meshes approach
+// them with the order that theory predicts, and double agrees with long double.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ const Shape kShapes[] = {
     {kQuadric + "gluQuadricOrientation(q, GLU_INSIDE); gluSphere(q, 0.8, 12, 9);", 1},
 };
 
-// Where a ray from inside, along the vertex's normal, leaves one of the surfaces at the vertex, and the normal there.
+// The point where a ray from inside, along the vertex's normal, leaves a surface at the vertex, and the normal there.
 bool holds(const std::vector<Surface>& surfaces, const Vertex& vertex) {
     using Vec = Vec3<double>;
     constexpr double kDepth = 0.125, kRounding = 1e-13;
@@ -77,7 +77,7 @@ TEST(Surfaces, HoldTheVerticesOfTheirMeshes) {
             for (const Vertex& vertex : draw.vertices) held += holds(*draw.surfaces, vertex) ? 1 : 0;
             vertices += draw.vertices.size();
         }
-        // Not those on a border, where rounding decides, nor at an apex.
+        // Skips vertices on a border, where rounding decides, and at an apex.
         EXPECT_GT(held, vertices / 4) << vertices;
     }
 }
@@ -116,7 +116,7 @@ TEST(Surfaces, MeetRaysWhereLongDoubleSays) {
             for (int k = 0; k < found.count; ++k, ++met) {
                 const auto at = static_cast<std::size_t>(k);
                 const double error = static_cast<double>(std::abs(truth.s[at] - static_cast<long double>(found.s[at])));
-                // A grazing ray magnifies what rounding leaves of the equation.
+                // A grazing ray magnifies the rounding error of the equation.
                 const Vec3<double> p = o + found.s[at] * d, n = outward_normal(surface, p);
                 const double grazing = std::abs(dot(n, d)) / (length(n) * length(d));
                 worst = std::max(worst, error * grazing * grazing);
@@ -141,10 +141,10 @@ const std::string kTwoSides =
     "glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (float[]){1, 0.2, 0, 1}); "
     "glMaterialfv(GL_BACK, GL_AMBIENT_AND_DIFFUSE, (float[]){0, 0.2, 1, 1}); ";
 
-// How far the pictures of the mesh and of the surface are apart.
+// How much the pictures of the mesh and of the surface differ.
 struct Apart {
     double rms = 0;
-    int drawn = 0, differing = 0;  // pixels; the second by more than `allowed`
+    int drawn = 0, differing = 0;  // pixels; `differing` by more than `allowed`
 };
 Apart apart(const Frame& frame, Shading shading, double allowed) {
     const Image mesh = render(frame, shading), exact = render(frame, Shading::kExact);
@@ -186,18 +186,19 @@ TEST(ExactPictures, AreWhatFineMeshesComeTo) {
     };
     for (const std::string& shape : shapes) {
         SCOPED_TRACE(shape);
-        // Of the mesh: (pi / 200)^2 / 8 of the radius, and what that moves. Pixels of silhouettes, which are as little off, may
-        // show what is beside them.
+        // The mesh's error is (pi / 200)^2 / 8 of the radius, and its effect on colours. Pixels on silhouettes may show
+        // their neighbours' colours.
         const Apart found = apart(frame_of(kCamera + kTwoSides + shape), Shading::kPhong, 0.003);
         EXPECT_GT(found.drawn, 2000);
         EXPECT_LT(found.differing, found.drawn / 200);
     }
 }
 
-// The interpolation error of a smooth function falls with the square of the mesh's width, that of a constant with the width.
+// The interpolation error of a smooth function falls with the square of the mesh's width, of flat shading with the
+// width.
 TEST(ExactPictures, AreApproachedByTheOrderOfTheShading) {
     const auto error = [](int slices, Shading shading) {
-        // Only what the coarsest mesh covers: the middle of the sphere.
+        // Only pixels that the coarsest mesh covers: the middle of the sphere.
         const std::string scissor = "glEnable(GL_SCISSOR_TEST); glScissor(75, 75, 50, 50); ";
         return apart(frame_of(kCamera + kTwoSides + scissor + "glutSolidSphere(0.8, " + std::to_string(slices) + ", " +
                               std::to_string(slices) + ");"),
@@ -232,7 +233,7 @@ TEST(ExactPictures, OfMatricesWithoutInverseAreEmpty) {
     for (const Rgba& pixel : image.pixels) EXPECT_EQ(pixel, (Rgba{0, 0, 0, 0}));
 }
 
-// What is not curved is its mesh, lit per pixel.
+// Flat shapes are drawn as their mesh, lit per pixel.
 TEST(ExactPictures, OfFlatShapesAreThoseOfPhongShading) {
     const Frame frame = frame_of(kCamera + kTwoSides + "glutSolidCube(1); glutSolidTeapot(0.5);");
     EXPECT_EQ(render(frame, Shading::kExact).pixels, render(frame, Shading::kPhong).pixels);

@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kSide = 96;
 
-// A turned camera, a spot and a highlight on a bowl of vertices around (far, 0, -far), whose first one is far from the eye, and on
-// a sphere of its own coordinates there.
+// A rotated camera, a spot and a highlight on a bowl of vertices around (far, 0, -far), whose first vertex is far from
+// the eye, and on a sphere with its own coordinates there.
 Frame far_frame(double far) {
     std::string text = fmt::format(
         "glMatrixMode(GL_PROJECTION); glFrustum(-0.5, 0.5, -0.5, 0.5, 1, 100); glMatrixMode(GL_MODELVIEW);\n"
@@ -26,7 +26,7 @@ Frame far_frame(double far) {
         "glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){{0.5, 0.5, 0.5, 1}}); glMaterialf(GL_FRONT, GL_SHININESS, "
         "9);\n"
         "glTranslatef(0, 0, -4); glRotatef(25, 1, 0.5, 0); glTranslated(-{0:.17g}, 0, {0:.17g});\n"
-        "glPushMatrix(); glTranslated({0:.17g}, 0, -{0:.17g});\n"  // lights in the object's own surroundings
+        "glPushMatrix(); glTranslated({0:.17g}, 0, -{0:.17g});\n"  // lights close to the object
         "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){{1, 1.5, 2, 1}}); glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 60);\n"
         "glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, (GLfloat[]){{-1, -1.5, -2}}); glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, "
         "2);\n"
@@ -49,7 +49,7 @@ Frame far_frame(double far) {
     return make_frame(read_scene(text, "far.gl", "far"), {.width = kSide, .height = kSide});
 }
 
-// The largest difference from the reference of any channel inside of triangles.
+// The largest difference of a channel from the reference, inside triangles.
 double off(Renderer& renderer, const Frame& frame, const Options& options) {
     const reference::Options truth_options{options};
     const Image truth = reference::render(frame, truth_options), image = renderer.render(frame, options).image;
@@ -77,14 +77,14 @@ TEST(FarFromTheOrigin, EveryShadingIsAsExactAsNearIt) {
             for (const double far : {1e6, 1e7, 1e8}) {
                 SCOPED_TRACE(
                     fmt::format("shading {}, tier {}, {}", static_cast<int>(shading), static_cast<int>(tier), far));
-                // What doubles lose of places, a few roundings, changes a colour about as much.
+                // The doubles' rounding errors, a few units in the last place, change a colour by about as much.
                 const double rounding = 16 * far * std::numeric_limits<double>::epsilon();
                 EXPECT_LE(off(renderer, far_frame(far), options), 2 * near_off + rounding);
             }
         }
 }
 
-// The exported shaders take the same numbers: none is as large as the distance from the origin but that which is told.
+// The exported shaders' numbers are small: only the printed origin is as large as the distance from the origin.
 TEST(FarFromTheOrigin, ExportedValuesAreRelativeToAPlaceAmongTheVertices) {
     const std::string far = shader_source(far_frame(1e7), {});
     EXPECT_NE(far.find("// a_position is relative to (1000000"), std::string::npos);

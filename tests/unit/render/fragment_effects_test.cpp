@@ -1,4 +1,4 @@
-// The planner: what of textures, fog and clip planes a Draw calls for, found by hand.
+// The planner: which effects of textures, fog and clip planes a Draw needs, derived by hand.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -49,7 +49,7 @@ TEST(Plan, ClampsInTheShaderOnlyIfALinearFilterMaySeeTheBorder) {
     EXPECT_TRUE(facts(draw).texture.gradients);
     texture->min_filter = kGL_NEAREST;
     EXPECT_FALSE(facts(draw).texture.clamp_s);
-    EXPECT_EQ(reason(draw, "GL_CLAMP"), "without a linear filter it is GL_CLAMP_TO_EDGE");
+    EXPECT_EQ(reason(draw, "GL_CLAMP"), "without a linear filter it equals GL_CLAMP_TO_EDGE");
 }
 
 TEST(Plan, LightsNothingThatTheTextureReplaces) {

@@ -24,12 +24,12 @@ TEST(Blending, RoundsToTheBufferAtEveryWrite) {
     const glm::dvec4 once = middle({whole_window(kGreen), glass});
     EXPECT_NEAR(once.r, 0.5, 1e-6);
     EXPECT_NEAR(once.g, 0.5, 1e-6);
-    // 0.5 is held as 128 / 255: half of that is what the second layer leaves.
+    // 0.5 is stored as 128 / 255; the second layer leaves half of that.
     EXPECT_NEAR(middle({whole_window(kGreen), glass, glass}).g, 64 * kCode, 1e-6);
 }
 
 TEST(Blending, TakesEachFactorOfTable42) {
-    const glm::dvec4 below(0.2, 0.4, 0.6, 0.8);  // held exactly: 51, 102, 153, 204
+    const glm::dvec4 below(0.2, 0.4, 0.6, 0.8);  // stored exactly: 51, 102, 153, 204
     const auto red_with = [&](Enum source, Enum destination) {
         Draw over = whole_window({0.5, 0, 0, 0.4});
         over.fragment.blend = true;
@@ -68,7 +68,7 @@ TEST(Blending, TakesEachEquationOfTable41) {
     expect_near(over(kGL_FUNC_ADD, kGL_FUNC_SUBTRACT), {0.4, 0.48, 0.6, 0});
     expect_near(over(kGL_FUNC_SUBTRACT, kGL_FUNC_REVERSE_SUBTRACT), {0, 0, 0, 0.64});
     expect_near(over(kGL_FUNC_REVERSE_SUBTRACT, kGL_FUNC_ADD), {0, 0.32, 0.6, 0.96});
-    // The smallest and the largest go without the factors.
+    // GL_MIN and GL_MAX ignore the factors.
     expect_near(over(kGL_MIN, kGL_MAX), {0.2, 0.2, 0, 0.8});
     expect_near(over(kGL_MAX, kGL_MIN), {0.5, 0.4, 0.6, 0.4});
 }
@@ -125,12 +125,12 @@ TEST(ScissorTest, CutsWhatIsDrawn) {
 TEST(ClipPlanes, StandInEyeCoordinates) {
     Draw draw = whole_window(kWhite);
     draw.eye_from_object[3] = {4, 0, 0, 1};             // moves the window's square to the right
-    draw.raster.clip_planes_eye[5] = {{-1, 0, 0, 10}};  // x <= 10, of the eye
+    draw.raster.clip_planes_eye[5] = {{-1, 0, 0, 10}};  // x <= 10, in eye coordinates
     EXPECT_EQ(drawn(draw_window({draw})), rectangle(4, 0, 10, 16));
 }
 
 TEST(PolygonOffset, AddsSlopeAndUnits) {
-    // Two equal squares: the second is seen where the offset brings it nearer, by one unit or by its slope.
+    // Two equal squares: the second is visible if the offset brings it nearer, by one unit or by its slope.
     const auto second_seen = [](double factor, double units, bool sloped, bool enabled = true) {
         Draw first = deep_quad(kRed, 0.5), second = deep_quad(kGreen, 0.5);
         if (sloped)
@@ -170,8 +170,8 @@ TEST(VertexMaterials, LightTheirOwnVertices) {
     for (std::size_t i = 0; i < draw.vertices.size(); ++i)
         draw.vertices[i].material = draw.vertices[i].position_object.x > 0;
     const Image image = draw_window({draw});
-    // Along x from red to blue, by the pixels' centres. The scene's ambient light adds 0.2 * 0.2 everywhere; what is above
-    // 1 at the vertices is clamped there (2.14.6).
+    // Along x from red to blue, at the pixels' centres. The scene's ambient light adds 0.2 * 0.2 everywhere; values
+    // above 1 at the vertices are clamped there (2.14.6).
     const double share = 3.5 / 16;
     EXPECT_NEAR(pixel(image, 3, 8).r, (1 - share) * 1 + share * 0.04, 1e-6);
     EXPECT_NEAR(pixel(image, 3, 8).b, share * 1 + (1 - share) * 0.04, 1e-6);
@@ -179,7 +179,7 @@ TEST(VertexMaterials, LightTheirOwnVertices) {
 }
 
 TEST(ColorSum, ComesAfterTheTexture) {
-    // A black texture takes the diffuse light away, not the separate highlight.
+    // A black texture removes the diffuse light, but not the separate highlight.
     Texture black;
     black.levels.push_back({.width = 1, .base_format = kGL_RGB, .texels = {glm::vec4(0, 0, 0, 1)}});
     black.min_filter = black.mag_filter = kGL_NEAREST;

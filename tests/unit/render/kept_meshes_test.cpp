@@ -1,4 +1,4 @@
-// KeptMeshes: vertices are known again where all of them are the same, and nowhere else; and pictures do not tell.
+// KeptMeshes: vertices are found again only if all of them are the same, and pictures do not change.
 #include "render/programmable/kept_meshes.h"
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr Options kLive = {{{.shading = {}}}, Tier::kAuto};
 
-// Enough vertices and indices that no sample of them is all.
+// Enough vertices and indices that the sampled hash skips some.
 Draw strip() {
     Draw draw = square({});
     draw.mode = kGL_TRIANGLE_STRIP;
@@ -87,7 +87,7 @@ Draw textured(float red) {
     Texture texture{.min_filter = kGL_NEAREST};
     texture.levels.push_back({.width = 4, .height = 4, .texels = std::vector<glm::vec4>(16, {red, 0, 0, 1})});
     Draw draw = square({});
-    draw.texture.texture = std::make_shared<const Texture>(texture);  // as State makes it: anew for each frame
+    draw.texture.texture = std::make_shared<const Texture>(texture);  // State creates it again for each frame
     return draw;
 }
 
@@ -118,7 +118,7 @@ TEST_F(Kept, TexturesThatAreTheSameInOneFrameAreEachTheirOwn) {
 
 // ---- Not the same ----
 
-// Each of a vertex's numbers, by one bit.
+// Changes each number of a vertex by one bit.
 TEST_F(Kept, OfEachVertexNoNumberChangesUnseen) {
     KeptMeshes kept(std::size_t{1} << 20);
     const Draw draw = strip();
@@ -246,7 +246,7 @@ TEST(KeptPictures, OfTheBuiltInScenesAreTheSameBitByBit) {
         Renderer keeps, forgets({.mesh_bytes = 0});
         for (int i = 0; i < 8; ++i) {
             demo::View view;
-            view.yaw_deg = i < 4 ? 7 * i : 21;  // it turns, and comes to rest
+            view.yaw_deg = i < 4 ? 7 * i : 21;  // rotates, then stops
             view.wireframe = i % 4 == 2;
             const auto seen = std::make_shared<const CommandList>(demo::apply_view(scene, view));
             const Frame frame = make_frame(*seen, {.width = kWidth, .height = kHeight});

@@ -1,4 +1,4 @@
-// The planner: how bright a light may be, which decides whether it is called for.
+// The planner: the bound of a light's brightness, which decides whether it is left out.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,14 +15,14 @@ LightBound bound(const Draw& draw, std::size_t light, const PlanOptions& options
 }
 
 TEST(Plan, BoundsALightByItsNearestPoint) {
-    Draw draw = with_positional_light();  // 5 above the triangle, whose sphere is 0.707 about (0.5, 0.5, 0)
+    Draw draw = with_positional_light();  // 5 above the triangle, whose sphere has radius 0.707 about (0.5, 0.5, 0)
     draw.lighting.lights[0].constant_attenuation = 0;
     draw.lighting.lights[0].quadratic_attenuation = 1;
     const double nearest = std::sqrt(25.5) - std::sqrt(0.5);
     const double by_hand = 0.8 / (nearest * nearest);
     EXPECT_GE(bound(draw, 0).largest(), by_hand);
     EXPECT_LE(bound(draw, 0).largest(), by_hand * (1 + 1e-6));
-    draw.lighting.lights[0].position_eye = {0.5, 0.5, 0.1, 1};  // inside: nothing bounds 1 / d^2
+    draw.lighting.lights[0].position_eye = {0.5, 0.5, 0.1, 1};  // inside the sphere: 1 / d^2 has no bound
     EXPECT_EQ(bound(draw, 0).largest(), std::numeric_limits<double>::infinity());
 }
 
@@ -32,9 +32,9 @@ TEST(Plan, LeavesOutALightWhoseConeMisses) {
     light.position_eye = {0.5, 0.5, 5, 1};
     light.spot_cutoff_deg = 20;
     light.spot_direction_eye = {1, 0, -1};
-    // 45 degrees less the cone's 20 and the sphere's asin(0.7071 / 5) = 8.13.
+    // 45 degrees minus the cone's 20 and the sphere's asin(0.7071 / 5) = 8.13.
     EXPECT_EQ(reason(draw, "GL_LIGHT0", {{.shading = {}}, 0}),
-              "its cone misses the sphere around the Draw by 16.9 degrees");
+              "its cone misses the draw's bounding sphere by 16.9 degrees");
     light.spot_cutoff_deg = 37;
     EXPECT_TRUE(bound(draw, 0).in());
 }
@@ -42,7 +42,8 @@ TEST(Plan, LeavesOutALightWhoseConeMisses) {
 TEST(Plan, LeavesOutALightBehindEveryNormal) {
     Draw draw = lit_triangle();
     draw.lighting.lights[0].position_eye = {1, 0, -1, 0};
-    EXPECT_EQ(reason(draw, "GL_LIGHT0", {{.shading = {}}, 0}), "every normal faces away from it, by 45 degrees");
+    EXPECT_EQ(reason(draw, "GL_LIGHT0", {{.shading = {}}, 0}),
+              "every normal faces away from it, by at least 45 degrees");
     draw.vertices[1].normal_object = {1, 0, 0};
     EXPECT_TRUE(bound(draw, 0).in());
     draw.vertices[1].normal_object = {0, 0, 1};
@@ -56,7 +57,7 @@ TEST(Plan, LeavesOutFaintLightsWhileTheirSumIsWithinTheBudget) {
         draw.lighting.lights[i] = draw.lighting.lights[0];
         draw.lighting.lights[i].diffuse = glm::dvec4(0.001 * static_cast<double>(i));
     }
-    const Plan plan = plan_effects(draw, {{.shading = {}}, 0.003});  // 0.8 of 0.001, 0.002, 0.003
+    const Plan plan = plan_effects(draw, {{.shading = {}}, 0.003});  // bounds 0.8 * (0.001, 0.002, 0.003)
     EXPECT_EQ(plan.light_bounds[1].fate, LightFate::kFaint);
     EXPECT_EQ(plan.light_bounds[2].fate, LightFate::kFaint);
     EXPECT_EQ(plan.light_bounds[3].fate, LightFate::kIn);

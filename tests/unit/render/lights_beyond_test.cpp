@@ -1,4 +1,4 @@
-// More lights than GL has: what the fixed function makes of them.
+// More lights than GL has, drawn by the fixed function.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kSide = 64;
 
-// Ten lights from the viewer's side; one of GL's and one beyond them are of that brightness, the others of 0.1.
+// Ten lights from the viewer's side. One of GL's lights and one extra light have that brightness, the others 0.1.
 Scene ten_lights(double brightness_of_two) {
     std::string text =
         "glMatrixMode(GL_PROJECTION); gluPerspective(40, 1, 1, 10); glMatrixMode(GL_MODELVIEW); glTranslatef(0, 0, "
@@ -45,7 +45,7 @@ Scene ten_lights(double brightness_of_two) {
                       {.width = kSide, .height = kSide});
 }
 
-// The fixed function executes the commands, and GL has no command for them.
+// The fixed function executes commands, and GL has no command for the extra lights.
 TEST(LightsBeyondEight, AreNotDrawnByTheFixedFunctionAndSaid) {
     const Scene scene = ten_lights(0.05);
     ASSERT_EQ(scene.frame.unsupported.size(), 1u);
@@ -73,16 +73,16 @@ TEST(LightsBeyondEight, AreNotMissedWhereTheyAreOff) {
     EXPECT_TRUE(make_scene(commands, {}).frame.unsupported.empty());
 }
 
-// What the study and --scrubbed draw.
+// The fixed function as the study and --scrubbed use it.
 TEST(LightsBeyondEight, LeaveTheEightOfTheLargestBoundsToScrubbedState) {
-    Scene scene = ten_lights(0.0005);  // together a thousandth of a channel: less than half of 1/255
+    Scene scene = ten_lights(0.0005);  // together 0.001 of a channel: less than 0.5/255
     const auto context = make_offscreen_context(kSide, kSide);
     const Image fixed = fixed::render_scrubbed(scene, {}, PlanOptions{}.budget);
     const ImageDifference d =
         difference(fixed, reference::render(scene.frame, {}), reference::allowed_difference(scene.frame, {}));
     EXPECT_LE(d.interior.max, 1 / 255.0);
     EXPECT_GT(d.interior.pixels, 1000u);
-    // With the eight of GL alone, of which one is faint, a tenth would be missing.
+    // With only GL's eight lights, one of them faint, a tenth would be missing.
     EXPECT_GT(fixed.at(kSide / 2, kSide / 2)[0], 0.55);
 }
 
@@ -94,7 +94,7 @@ TEST(LightsBeyondEight, AreBoundedByScrubbedState) {
     std::vector<int> beyond = state.lights_beyond;
     std::ranges::sort(beyond);
     EXPECT_EQ(beyond, (std::vector{3, 9}));
-    // The two faintest are left, 0.05 * 0.8 each where they stand highest.
+    // The two faintest are left out: each adds at most 0.05 * 0.8.
     EXPECT_GT(state.bound_beyond, 0.07);
     EXPECT_LT(state.bound_beyond, 0.0801);
 }

@@ -1,5 +1,5 @@
-// What the shader path makes of a fragment's colour: textures, the colour sum, fog, clip planes, materials of vertices.
-// Pictures of hand-built draws against colours by hand.
+// The programmable renderer's fragment colours: textures, the colour sum, fog, clip planes, per-vertex materials.
+// Compares pictures of hand-built draws with colours computed by hand.
 #include <cmath>
 #include <memory>
 
@@ -13,9 +13,9 @@ namespace {
 // ---- Textures ----
 
 const glm::dvec4 kFragment{0.5, 0.25, 0.75, 0.8}, kEnvColor{0.5, 0.75, 1, 0.25};
-const glm::dvec4 kTexel{0.4, 0.6, 0.2, 0.6};  // multiples of 1/255: 8 bits hold them
+const glm::dvec4 kTexel{0.4, 0.6, 0.2, 0.6};  // multiples of 1/255: exact in 8 bits
 
-// One texel: (R, G, B, A) as State keeps it of that format.
+// One texel: (R, G, B, A) as State stores it for that format.
 std::shared_ptr<Texture> texture_of(Enum format, std::vector<glm::vec4> texels, Enum filter = kGL_NEAREST) {
     auto texture = std::make_shared<Texture>(Texture{.target = kGL_TEXTURE_1D});
     TextureImage image{.width = static_cast<int>(texels.size()), .base_format = format, .internal_format = format};
@@ -39,7 +39,7 @@ Draw textured_point(Enum mode, Enum format) {
     return draw;
 }
 
-// Tables 3.22 and 3.23, row by row, with C_s and A_s as table 3.21 has them.
+// Tables 3.22 and 3.23, row by row, with C_s and A_s from table 3.21.
 TEST(ProgrammableTextures, FollowTheTablesOfEnvironments) {
     const glm::dvec3 cf(kFragment), cc(kEnvColor), rgb(kTexel), l(kTexel.r);
     const double af = kFragment.a, ac = kEnvColor.a, a = kTexel.a, i = kTexel.r;
@@ -62,7 +62,7 @@ TEST(ProgrammableTextures, FollowTheTablesOfEnvironments) {
         {kGL_MODULATE, kGL_RGBA, {cf * rgb, af * a}},
         {kGL_DECAL, kGL_RGB, {rgb, af}},
         {kGL_DECAL, kGL_RGBA, {cf * (1 - a) + rgb * a, af}},
-        {kGL_DECAL, kGL_LUMINANCE, {cf, af}},  // RULING: undefined, so nothing
+        {kGL_DECAL, kGL_LUMINANCE, {cf, af}},  // RULING: undefined, so unchanged
         {kGL_BLEND, kGL_ALPHA, {cf, af * a}},
         {kGL_BLEND, kGL_LUMINANCE, {cf * (one - l) + cc * l, af}},
         {kGL_BLEND, kGL_LUMINANCE_ALPHA, {cf * (one - l) + cc * l, af * a}},
@@ -94,7 +94,7 @@ TEST(ProgrammableTextures, DivideByQAfterTheMatrix) {
     expect_color(color(draw), {1, 1, 1, 1});
 }
 
-// 3.8.7: half of what a linear filter sees at 0 and 1 is the border; a nearest filter sees the last texel.
+// 3.8.7: at 0 and 1 a linear filter gets half of the border; a nearest filter gets the last texel.
 TEST(ProgrammableTextures, ClampToHalfOfTheBorderWhereTheFilterIsLinear) {
     Draw draw = textured_point(kGL_REPLACE, kGL_RGBA);
     auto texture = texture_of(kGL_RGBA, {{0, 0, 0, 1}, {0, 0, 1, 1}}, kGL_LINEAR);
@@ -112,7 +112,7 @@ TEST(ProgrammableTextures, ClampToHalfOfTheBorderWhereTheFilterIsLinear) {
         EXPECT_NEAR(color(draw).r, 0.5, kWeight) << s;
         EXPECT_NEAR(color(draw).b, 0.5, kWeight) << s;
     }
-    // A point is magnified: the other filter is linear alone.
+    // A point is magnified, and only the other filter is linear.
     texture->mag_filter = kGL_NEAREST;
     for (const double s : {-3.0, 0.0}) {
         draw.vertices[0].tex_coord.s = s;
@@ -139,7 +139,7 @@ TEST(ProgrammableTextures, AreThoseOfTheFrameThatIsDrawn) {
 TEST(ProgrammableTextures, AreNotDrawnWhereTheDriverRefusesThem) {
     const auto context = make_offscreen_context(1, 1);
     Draw draw = textured_point(kGL_REPLACE, kGL_RGBA);
-    draw.texture.texture = texture_of(0x1234, {glm::vec4(1)});  // no internal format
+    draw.texture.texture = texture_of(0x1234, {glm::vec4(1)});  // not an internal format
     const Frame frame{.width = 1, .height = 1, .items = {draw}};
     Renderer renderer;
     for (int i = 0; i < 2; ++i) EXPECT_THROW(renderer.render(frame, {}), std::runtime_error);
@@ -165,7 +165,7 @@ TEST(ProgrammableFog, FollowsTheDistanceToTheEyesPlane) {
     expect_color(color(fogged_point(kGL_LINEAR, -7)), fogged(0));
     expect_color(color(fogged_point(kGL_EXP, -2)), fogged(std::exp(-1)));
     expect_color(color(fogged_point(kGL_EXP2, -4)), fogged(std::exp(-4)));
-    // RULING: a step where it ends as it starts.
+    // RULING: fog with end = start is a step.
     for (const double z : {-0.99, -1.01}) {
         Draw draw = fogged_point(kGL_LINEAR, z);
         draw.fog.end = draw.fog.start;
@@ -173,7 +173,7 @@ TEST(ProgrammableFog, FollowsTheDistanceToTheEyesPlane) {
     }
 }
 
-// 3.9: after the texture, clamped, and then fogged.
+// 3.9: added after the texture, clamped, then fogged.
 TEST(ProgrammableFog, ComesAfterTheClampOfTheColorSum) {
     LightingState lighting = shiny(1);
     lighting.front.diffuse = {0.75, 0.75, 0.75, 1};
@@ -184,18 +184,18 @@ TEST(ProgrammableFog, ComesAfterTheClampOfTheColorSum) {
     expect_color(color(draw), {1, 0.5 + 0.15, 0.15, 1});
     draw.fog = {.enabled = true, .mode = kGL_LINEAR, .start = 1, .end = 5, .color = {0, 0, 0, 0}};
     expect_color(color(draw), {0.5, 0.325, 0.075, 1});
-    draw.texture.env_mode = kGL_REPLACE;  // leaves the highlight alone
+    draw.texture.env_mode = kGL_REPLACE;  // replaces everything but the highlight
     expect_color(color(draw), {0.5, 0.35, 0.1, 1});
 }
 
-// ---- Clip planes, materials of vertices ----
+// ---- Clip planes, per-vertex materials ----
 
 TEST(ProgrammableClipPlanes, AreNumberedWithoutGapsAndKeepWhatIsInFrontOfAll) {
     Draw draw = square({});
     draw.eye_from_object = glm::translate(glm::dmat4(1), {0.25, 0, 0});
     draw.clip_from_eye = glm::translate(draw.clip_from_eye, {-0.25, 0, 0});
-    draw.raster.clip_planes_eye[1] = glm::dvec4(1, 0, 0, -0.25);  // x of the picture above 0
-    draw.raster.clip_planes_eye[7] = glm::dvec4(0, -1, 0, 0);     // y below 0
+    draw.raster.clip_planes_eye[1] = glm::dvec4(1, 0, 0, -0.25);  // the right half of the picture
+    draw.raster.clip_planes_eye[7] = glm::dvec4(0, -1, 0, 0);     // the lower half
     const Image image = picture(draw, 4);
     for (int y = 0; y < 4; ++y)  // from the top
         for (int x = 0; x < 4; ++x) EXPECT_EQ(image.at(x, y)[0], x >= 2 && y >= 2 ? 1 : 0) << x << ", " << y;
@@ -219,7 +219,7 @@ TEST(ProgrammableMaterials, AreInterpolatedWhereVerticesHaveTheirOwn) {
     EXPECT_EQ(plan_effects(draw, {}).effects.front, FaceEffects{});
 }
 
-// ---- The text, and the context ----
+// ---- The shader text and the context ----
 
 TEST(ShaderText, HasOfTexturesAndFogOnlyWhatIsCalledFor) {
     for (const char* absent : {"tex_coord", "sampler", "fog", "eye_z", "gl_ClipDistance", "texel"}) {
@@ -227,7 +227,7 @@ TEST(ShaderText, HasOfTexturesAndFogOnlyWhatIsCalledFor) {
         EXPECT_EQ(source.vertex.find(absent), std::string::npos) << absent;
         EXPECT_EQ(source.fragment.find(absent), std::string::npos) << absent;
     }
-    // What the texture replaces is not lit.
+    // Colours that the texture replaces are not lit.
     Draw draw = square();
     draw.texture.env_mode = kGL_REPLACE;
     draw.texture.texture = texture_of(kGL_RGBA, {glm::vec4(kTexel)});

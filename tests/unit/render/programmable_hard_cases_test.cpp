@@ -1,4 +1,4 @@
-// The shader path where the specification is silent: the limit where there is one, else 0; never NaN.
+// The programmable renderer where the specification is silent: the limit if there is one, else 0; never NaN.
 #include "../hand_built_draws.h"
 
 namespace twinlight::programmable {
@@ -82,12 +82,12 @@ TEST(ProgrammableHardCases, VeryLongAndVeryShortVectorsHaveTheirDirection) {
         draw.vertices[0].normal_object = {0, 0, 1};
         draw.eye_from_object = glm::scale(glm::dmat4(1), glm::dvec3(scale));
         expect_color(color(draw), grey(0.8));
-        // A positional light, as far from the vertex as the scene is large; attenuated by 1 / (1 + d / scale).
+        // A positional light, at a distance of the scene's size, attenuated by 1 / (1 + d / scale).
         draw.lighting.lights[0].position_eye.w = 1;
         draw.lighting.lights[0].linear_attenuation = 1 / scale;
         expect_color(color(draw), grey(0.4));
         expect_color(color(draw, kPhong), grey(0.4));
-        // RESCALE_NORMAL under the same scale.
+        // RESCALE_NORMAL with the same scale.
         draw.lighting.normalize = false;
         draw.lighting.rescale_normal = true;
         expect_color(color(draw), grey(0.4));

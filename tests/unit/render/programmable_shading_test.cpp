@@ -1,4 +1,5 @@
-// The shader path over a whole primitive: flat, gouraud and phong; and against the driver's own fixed function.
+// The programmable renderer over whole primitives: flat, gouraud and phong; and compared with the driver's fixed
+// function.
 #include <algorithm>
 #include <cmath>
 
@@ -55,10 +56,10 @@ TEST(Programmable, MakesInterpolatedNormalsUnitInPhongShading) {
     EXPECT_NEAR(picture(draw, 9).at(4, 4)[0], 0.5, kFloatArithmetic);
 }
 
-// ---- What the driver's own fixed function draws ----
+// ---- Compared with the driver's fixed function ----
 
-// By the same kind of call: llvmpipe cuts a quadrilateral from its first to its third vertex in glBegin and
-// glDrawArrays, from its second to its fourth in glDrawElements (GL 2.1 leaves it open).
+// Uses the same kind of call: llvmpipe cuts a quadrilateral from its first to its third vertex in glBegin and
+// glDrawArrays, and from its second to its fourth in glDrawElements (GL 2.1 leaves it open).
 void draw_unlit_by_fixed_function(const Draw& draw) {
     glShadeModel(draw.lighting.shade_model);
     glPolygonMode(GL_FRONT_AND_BACK, draw.raster.polygon_mode_front);
@@ -74,7 +75,7 @@ void draw_unlit_by_fixed_function(const Draw& draw) {
     glFinish();
 }
 
-// A zigzag for strips, a ring for fans and polygons; every vertex another colour.
+// A zigzag for strips, a ring for fans and polygons; every vertex has a different colour.
 Draw primitives(Enum mode) {
     Draw draw;
     draw.mode = mode;
@@ -133,7 +134,7 @@ TEST(Programmable, FollowsTable212sProvokingVertexOfPolygonsQuadsAndStrips) {
     }
 }
 
-// What lights a scene's spheres differently in every way that GL has.
+// Lighting states that light a scene's spheres differently, in every way that GL has.
 constexpr const char* kScene = R"(
 glMatrixMode(GL_PROJECTION);
 gluPerspective(45, 1, 0.1, 100);
@@ -190,7 +191,7 @@ TEST(Programmable, DrawsWhatTheDriversFixedFunctionDraws) {
         }
         EXPECT_LT(differing, kSize * kSize / 1000);
         RecordProperty(fmt::format("differing_{}", int(shading)), differing);
-        EXPECT_LT(largest, 1.5 / 255);  // one code
+        EXPECT_LT(largest, 1.5 / 255);  // 1/255, and a margin
     }
 }
 

@@ -1,4 +1,5 @@
-// The shader path: what the text of a program holds, and pictures of hand-built draws against colours by hand.
+// The programmable renderer: the text of its programs, and pictures of hand-built draws compared with colours computed
+// by hand.
 #include "render/programmable/programmable.h"
 
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace twinlight::programmable {
 namespace {
 
-// ---- The text ----
+// ---- The shader text ----
 
 std::string vertex_shader(const Draw& draw) { return assemble(plan_effects(draw, {}).effects).vertex; }
 
@@ -37,7 +38,7 @@ TEST(ShaderText, LightsInTheStageThatTheShadingAsksFor) {
     LightingState lighting = dark();
     lighting.front.diffuse = {1, 1, 1, 1};
     Draw draw = square(lighting);
-    draw.vertices[0].normal_object = {1, 0, 0};  // equal normals are lit per vertex in any case
+    draw.vertices[0].normal_object = {1, 0, 0};  // equal normals would always be lit per vertex
     const ShaderSource gouraud = assemble(plan_effects(draw, {}).effects);
     const ShaderSource phong = assemble(plan_effects(draw, kPhong).effects);
     EXPECT_NE(gouraud.vertex.find("n_dot_vp"), std::string::npos);
@@ -68,7 +69,7 @@ TEST(Programmable, AddsEmissionAndTheSceneAmbient) {
     LightingState lighting = dark();
     lighting.front.emission = {0.125, 0, 0, 1};
     lighting.front.ambient = {0.5, 0.25, 0, 1};
-    lighting.front.diffuse.a = 0.25;  // the diffuse colour's alpha is the colour's
+    lighting.front.diffuse.a = 0.25;  // the diffuse alpha is the result's alpha
     lighting.light_model.ambient = {0.5, 1, 1, 1};
     expect_color(color(point({0, 0, 0}, lighting)), {0.375, 0.25, 0, 0.25});
 }
@@ -99,7 +100,7 @@ TEST(Programmable, LightsTheHighlightByTheHalfVector) {
     expect_color(color(point({1, 2, 3}, lighting)), {std::pow(0.75, 0.25), std::pow(0.75, 0.25) / 2, 0, 1});
     lighting.front.shininess = 0;
     expect_color(color(point({1, 2, 3}, lighting)), {1, 0.5, 0, 1});
-    lighting.lights[0].position_eye.z = -0.5;  // f_i: the light is behind
+    lighting.lights[0].position_eye.z = -0.5;  // f_i is 0: the light is behind
     expect_color(color(point({1, 2, 3}, lighting)), grey(0));
 }
 
@@ -151,7 +152,7 @@ TEST(Programmable, AttenuatesEveryTermOfAPositionalLight) {
     expect_color(color(point({0, 0, 0}, lighting)), {0.75, 1, 0, 1});
 }
 
-// A light 2 above the origin that shines down, 30 degrees away from the cone's axis.
+// A light 2 above the origin, shining down, 30 degrees off the cone's axis.
 LightingState spotlight(double w) {
     LightingState lighting = dark();
     lighting.front.ambient = {1, 0, 0, 1};
@@ -229,7 +230,7 @@ TEST(Programmable, LightsTheBackWithItsOwnMaterialAndTheNormalReversed) {
         Draw draw = square(lighting);
         expect_color(color(draw, options), {1, 0, 0, 1});
         draw.raster.front_face = kGL_CW;
-        expect_color(color(draw, options), grey(0));  // the light is in front of it
+        expect_color(color(draw, options), grey(0));  // the light is on its other side
         draw.lighting.lights[0].position_eye.z = -1;
         expect_color(color(draw, options), {0, 1, 1, 1});
         draw.lighting.light_model.two_side = false;
@@ -252,8 +253,8 @@ TEST(Programmable, TracksTheVertexColorByFaceAndMode) {
         Enum mode;
         glm::dvec4 expected;
     };
-    // Of the material remains 1/16 emission; ambient 1/4, diffuse 1/4 and specular 1/4 meet lights of 1/2;
-    // the colour is 1/2 red.
+    // The material's emission is 1/16; its ambient, diffuse and specular colours are 1/4 each, under lights of 1/2. The
+    // vertex colour is 1/2 red.
     const double rest = 1.0 / 16 + 3.0 / 8;
     const Case cases[] = {{kGL_EMISSION, {0.5 + 3.0 / 8, 3.0 / 8, 3.0 / 8, 1}},
                           {kGL_AMBIENT, {rest + 1.0 / 8, rest - 1.0 / 8, rest - 1.0 / 8, 1}},
@@ -261,7 +262,7 @@ TEST(Programmable, TracksTheVertexColorByFaceAndMode) {
                           {kGL_SPECULAR, {rest + 1.0 / 8, rest - 1.0 / 8, rest - 1.0 / 8, 1}},
                           {kGL_AMBIENT_AND_DIFFUSE, {rest + 2.0 / 8, rest - 2.0 / 8, rest - 2.0 / 8, 0.75}}};
     for (const Case& c : cases)
-        for (const bool same_color : {true, false})  // one colour becomes the material's, several an attribute
+        for (const bool same_color : {true, false})  // one colour goes into the material, several into an attribute
             for (const bool attenuated : {false, true})
                 for (const Options& options : {Options{}, kPhong}) {
                     LightingState lighting = dark();
@@ -278,7 +279,7 @@ TEST(Programmable, TracksTheVertexColorByFaceAndMode) {
                     draw.indices = {0};
                     draw.vertices.push_back(draw.vertices[0]);
                     if (!same_color) draw.vertices[1].color = {1, 1, 1, 1};
-                    // 1/4 of the material's own terms each: as 1/8 of a light of 1/2.
+                    // Each of the material's own terms is 1/4 * 1/2.
                     expect_color(color(draw, options), c.expected);
                     draw.lighting.color_material.face = kGL_BACK;
                     expect_color(color(draw, options), {rest, rest, rest, 1});

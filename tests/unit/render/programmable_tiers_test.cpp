@@ -1,4 +1,4 @@
-// Tiers: which programs are made, and that what they draw is the same.
+// Tiers: which programs are made, and that all tiers draw the same.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -100,7 +100,7 @@ TEST_F(Tiers, BakesWhatHasStoodStillForSomeFramesAndNoSooner) {
 TEST_F(Tiers, BakesWhatStandsStillBesideWhatMoves) {
     LightingState lighting = lit();
     for (int i = 0; i < 30; ++i) {
-        lighting.lights[0].position_eye.x = 1 + 0.01 * i;  // little, so that the same effects are called for
+        lighting.lights[0].position_eye.x = 1 + 0.01 * i;  // little, so that the effects do not change
         draw(square(lighting), Tier::kAuto);
     }
     EXPECT_EQ(counters().made, 1u);
@@ -136,7 +136,7 @@ TEST_F(Tiers, ANumberThatMovesAfterAllIsDrawnAsItIs) {
     draw(square(lit()), Tier::kAuto, 10);
     LightingState other = lit();
     other.front.emission = {0, 0, 1, 1};
-    other.lights[0].position_eye.z = -3;  // behind: the emission is all
+    other.lights[0].position_eye.z = -3;  // behind: only the emission is left
     draw(square(other), Tier::kAuto);
     const Rgba c = read_pixels(4, 4).at(1, 1);
     EXPECT_EQ((glm::vec3{c[0], c[1], c[2]}), glm::vec3(0, 0, 1));
@@ -156,7 +156,7 @@ TEST_F(Tiers, AnUploadedFrameIsDrawnAgainAndAgain) {
 
 // ---- The same pictures ----
 
-// Pixels in which two pictures differ by more than a code, which is how far two roundings of one value may lie apart.
+// The number of pixels that differ by more than 1/255, the distance that two roundings of one value may have.
 int differing(const Image& a, const Image& b) {
     int count = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
@@ -184,7 +184,7 @@ TEST(TiersPictures, OfTheBuiltInScenesAreTheSameToACode) {
 
 // ---- Many lights ----
 
-// Each gives 1/1024, so that floats add up to what is expected exactly.
+// Each light adds 1/1024, so that floats add up exactly.
 LightingState many(std::size_t count) {
     LightingState lighting = dark();
     lighting.front.diffuse = {1, 0.5, 0.25, 1};
@@ -200,7 +200,7 @@ LightingState many(std::size_t count) {
 
 TEST(ManyLights, AllReachTheVertexInUniformsAndBaked) {
     Options options;
-    options.budget = 0;  // each is weak
+    options.budget = 0;  // each light is faint
     for (const Tier tier : {Tier::kUniform, Tier::kBaked})
         for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)})
             for (const int count : {1, 8, 31, 32, 33, 34, 200, 512}) {

@@ -12,7 +12,7 @@
 namespace twinlight {
 namespace {
 
-constexpr double kFloat = 1.0 / (1 << 23);  // an Image holds floats
+constexpr double kFloat = 1.0 / (1 << 23);  // an Image stores floats
 
 // ---- Triangles (3.5.1) ----
 
@@ -21,7 +21,7 @@ TEST(Coverage, TakesThePixelsWhoseCentresAreInside) {
     EXPECT_EQ(drawn(draw_window({quad(2.6, 3.6, 6.4, 5.4)})), rectangle(3, 4, 6, 5));
 }
 
-TEST(Coverage, GivesCentresOnTheLeftAndBottomEdgesToThePolygon) {  // as llvmpipe has it; see docs/lighting.md
+TEST(Coverage, GivesCentresOnTheLeftAndBottomEdgesToThePolygon) {  // as in llvmpipe; see docs/lighting.md
     EXPECT_EQ(drawn(draw_window({quad(2.5, 3.5, 6.5, 8.5)})), rectangle(2, 3, 6, 8));
 }
 
@@ -32,7 +32,7 @@ TEST(Coverage, DoesNotDependOnTheDirectionOfTheVertices) {
 }
 
 TEST(Coverage, CountsEveryCentreOnceAmongTrianglesThatShareEdges) {
-    // A fan about random points, half of them on pixel centres, fills the window.
+    // Fans around random points, half of them on pixel centres, fill the window.
     std::mt19937 random(1);
     std::uniform_real_distribution<double> anywhere(0, kSize);
     std::uniform_int_distribution<int> pixel_number(0, kSize - 1);
@@ -64,7 +64,7 @@ TEST(Coverage, StaysInsideTheViewport) {
 }
 
 TEST(Coverage, DoesNotDependOnTheNumberOfBands) {
-    // 40 rows are three bands; each has the same picture as a frame of its own would.
+    // 40 rows are three bands; row 15 ends the first one inside the triangle.
     const Frame frame = frame_of(
         kSize, 40,
         {window_draw(kSize, 40, kGL_TRIANGLES, {vertex(1, 1, kRed), vertex(15, 3, kGreen), vertex(7, 39, kBlue)})});
@@ -76,7 +76,7 @@ TEST(Coverage, DoesNotDependOnTheNumberOfBands) {
 
 // ---- Quadrilaterals and polygons: the ruling on their diagonals ----
 
-// White at vertices 1 and 3 of the order around, black at the others: the centre shows which two are joined.
+// White at corners 1 and 3, black at the others: the centre shows which two the diagonal joins.
 double centre_of_checkered(Enum mode, std::array<int, 4> order,
                            reference::QuadCut cut = reference::QuadCut::kFirstToThird) {
     const glm::dvec2 around[] = {{0, 0}, {16, 0}, {16, 16}, {0, 16}};
@@ -85,7 +85,7 @@ double centre_of_checkered(Enum mode, std::array<int, 4> order,
         vertices.push_back(vertex(around[i].x, around[i].y, i % 2 ? kWhite : glm::dvec4(0, 0, 0, 1)));
     reference::Options options;
     options.quad_cut = cut;
-    // The mean of two pixels on either side of both diagonals is the value where they cross, but for half a pixel.
+    // The mean of two pixels on either side of both diagonals is the value at their crossing, within half a pixel.
     const Image image = draw_window({window_draw(kSize, kSize, mode, vertices)}, options);
     return (pixel(image, 7, 7).r + pixel(image, 8, 8).r + pixel(image, 7, 8).r + pixel(image, 8, 7).r) / 4;
 }
@@ -124,8 +124,8 @@ TEST(Interpolation, IsLinearInTheWindowWithoutPerspective) {
     EXPECT_EQ(color.a, 1);
 }
 
-// A wall that runs from depth 1 at the window's left to depth 3 at its right, seen in perspective: at the way
-// s along the window, t along the wall is (s / 3) / ((1 - s) / 1 + s / 3) (3.5.1).
+// A wall from depth 1 at the window's left to depth 3 at its right, in perspective: at a fraction s of the window, the
+// fraction of the wall is t = (s / 3) / ((1 - s) / 1 + s / 3) (3.5.1).
 Draw slanted_wall() {
     Draw wall;
     wall.mode = kGL_QUADS;
@@ -156,7 +156,7 @@ TEST(Interpolation, OfALineIsPerspectiveCorrect) {
 }
 
 TEST(Interpolation, IsNotChangedByClipping) {
-    // The same wall, but its left part behind the eye: what remains has the colours it had.
+    // The same wall with its left part behind the eye: the visible part keeps its colours.
     const Draw wall = slanted_wall();
     Draw longer = slanted_wall();
     for (Vertex& v : longer.vertices)  // from t = 0 back to t = -2: depth -3
@@ -242,10 +242,10 @@ TEST(TwoSide, LightsTheBackWithItsMaterialAndTheNormalReversed) {
         EXPECT_EQ(pixel(draw_window({draw}, options), 5, 5), kRed);
         Draw back = draw;
         std::swap(back.vertices[1], back.vertices[3]);
-        EXPECT_EQ(pixel(draw_window({back}, options), 5, 5), (glm::dvec4{0, 0, 0, 1}));  // -n looks away
+        EXPECT_EQ(pixel(draw_window({back}, options), 5, 5), (glm::dvec4{0, 0, 0, 1}));  // -n faces away
         for (Vertex& v : back.vertices) v.normal_object = {0, 0, -1};
         EXPECT_EQ(pixel(draw_window({back}, options), 5, 5), kGreen);
-        back.lighting.light_model.two_side = false;  // then the front's colour is everybody's
+        back.lighting.light_model.two_side = false;  // both faces then have the front's colour
         EXPECT_EQ(pixel(draw_window({back}, options), 5, 5), (glm::dvec4{0, 0, 0, 1}));
     }
 }
@@ -263,7 +263,8 @@ TEST(PolygonMode, LineDrawsTheBorderWithoutInnerDiagonals) {
 
 TEST(PolygonMode, LineDrawsTheEdgesThatClippingAdds) {  // 2.12: they are boundary edges
     Draw draw = quad(2.3, 3.3, 10.3, 13.3);
-    for (Vertex& v : draw.vertices) v.position_object.z = v.position_object.y > 5 ? -2 : 0;  // the far plane halves it
+    for (Vertex& v : draw.vertices)
+        v.position_object.z = v.position_object.y > 5 ? -2 : 0;  // the far plane cuts it in half
     draw.raster.polygon_mode_front = kGL_LINE;
     EXPECT_EQ(drawn(draw_window({draw})).count({6, 8}), 1u);
 }
@@ -314,7 +315,7 @@ TEST(Point, FillsThePixelThatHoldsIt) {
 TEST(Depth, FunctionsCompareTheIncomingWithTheStoredValue) {
     const struct {
         Enum func;
-        bool nearer, equal, farther;  // does it pass
+        bool nearer, equal, farther;  // whether it passes
     } cases[] = {{kGL_NEVER, false, false, false}, {kGL_LESS, true, false, false},    {kGL_EQUAL, false, true, false},
                  {kGL_LEQUAL, true, true, false},  {kGL_GREATER, false, false, true}, {kGL_NOTEQUAL, true, false, true},
                  {kGL_GEQUAL, false, true, true},  {kGL_ALWAYS, true, true, true}};

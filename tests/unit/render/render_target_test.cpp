@@ -1,4 +1,4 @@
-// Pictures to draw into that are not the context's own: what they keep, and how samples become pixels.
+// Render targets: what they store, and how samples become pixels.
 #include "render/context/render_target.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(RenderTarget, KeepsFloatsWhereItIsOfFloats) {
         EXPECT_EQ(image.at(0, 0)[0], kind == ColorBuffer::kFloat ? kRed : 74.0F / 255);
         EXPECT_EQ(image.at(kSide - 1, 0)[0], 0);
     }
-    // The context's own buffer is the current one again, and untouched.
+    // The context's own buffer is current again and unchanged.
     EXPECT_EQ(read_pixels(kSide, kSide).at(0, 0)[0], 0);
 }
 
@@ -42,7 +42,7 @@ TEST(RenderTarget, MakesMeansOfSamples) {
         const RenderTarget target(kSide, kSide, ColorBuffer::kFloat, samples);
         target.bind();
         glViewport(0, 0, samples * kSide, samples * kSide);
-        draw_left(0.375F);  // one and a half of four pixels
+        draw_left(0.375F);  // 1.5 of 4 pixels
         target.resolve();
         const Image image = target.read();
         for (int y = 0; y < kSide; ++y) {

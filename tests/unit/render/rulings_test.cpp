@@ -1,4 +1,5 @@
-// Which rulings decide a pixel: what `twinlight explain --pixel` tells of it (docs/hard-cases.md).
+// Which rulings (our choices where the specification is silent) affect a pixel, as `twinlight explain --pixel` shows
+// them (docs/hard-cases.md).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ Frame frame_of(const std::shared_ptr<const CommandList>& scene) {
     return make_frame(*scene, {.width = check::kSide, .height = check::kSide});
 }
 
-// Of the fragments at a pixel of a picture of 64 x 64, y up.
+// The rulings of the fragments at a pixel of a 64 x 64 picture, y up.
 Rulings rulings_at(const Frame& frame, int x, int y, const reference::Options& options = {}) {
     Rulings rulings;
     for (const PixelFragment& fragment : pixel_history(frame, options, x, y).fragments)
@@ -42,7 +43,7 @@ TEST(DecidingRulings, AreToldOfHardCases) {
         {{Ruling::kLightAtVertex, Ruling::kAttenuation}, {"light-at-vertex-quadratic", "light-at-vertex-without-k0"}},
         {{Ruling::kZeroNormal}, {"normal-zero", "normal-zero-normalized"}},
         {{Ruling::kSingularModelview}, {"modelview-singular"}},
-        {{Ruling::kAtInfinity, Ruling::kSquares}, {"vertex-w-0"}},  // "very far away": its square overflows
+        {{Ruling::kAtInfinity, Ruling::kSquares}, {"vertex-w-0"}},  // "very far away": the square overflows
         {{Ruling::kOppositeHalfVector}, {"highlight-opposite", "viewer-local-opposite"}},
         {{Ruling::kSquares}, {"light-far-1e30", "light-near-1e-30", "normal-1e30-normalized", "spot-direction-1e-30"}},
         {{Ruling::kSpotBorder}, {"spot-0-on-axis", "spot-90-at-edge"}},
@@ -72,7 +73,7 @@ Rulings rulings_under(const std::string& state, const std::string& corners = kCo
 
 TEST(DecidingRulings, AreToldOfStatesWithoutAHardCase) {
     const std::string spot =
-        "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){-0.734375, -0.734375, 1, 1});\n"  // before the pixel
+        "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){-0.734375, -0.734375, 1, 1});\n"  // in front of the pixel
         "glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);\n";
     EXPECT_EQ(rulings_under(spot + "#pragma twinlight spot_cone(GL_LIGHT0, 20, 20)"), Rulings{Ruling::kEqualCones});
     EXPECT_EQ(rulings_under(spot + "#pragma twinlight spot_cone(GL_LIGHT0, 20, 25)"), Rulings{});
@@ -100,7 +101,7 @@ TEST(DecidingRulings, AreToldOfStatesWithoutAHardCase) {
     EXPECT_EQ(rulings_under(texture + "glTexCoord2f(1e16, 0.5);"), Rulings{Ruling::kUncountable});
 }
 
-// Fog alone, by the distance from the eye; and points of surfaces, which no vertex is.
+// Only fog, which depends on the distance from the eye; and points of surfaces, which are not vertices.
 TEST(DecidingRulings, AreToldOfPositionsWhereverTheyCount) {
     const std::string
         moved = "glTranslatef(0, 0, -1e8);\n",
@@ -131,13 +132,13 @@ TEST(DecidingRulings, AreToldOfWhatIsLitPerPixel) {
     phong.shading = Shading::kPhong;
     EXPECT_EQ(rulings_under("glNormal3f(0, 0, 0);", kCorners, phong), Rulings{Ruling::kZeroNormal});
     EXPECT_EQ(rulings_under("", kCorners, phong), Rulings{});
-    // The pixel's own place: no vertex has it.
+    // The pixel's own position, which is not a vertex.
     const std::string at_pixel = "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){-0.734375, -0.734375, 0, 1});";
     EXPECT_EQ(rulings_under(at_pixel, kCorners, phong), Rulings{Ruling::kLightAtVertex});
     EXPECT_EQ(rulings_under(at_pixel), Rulings{});
 }
 
-// What a colour does not depend on decides nothing.
+// Rulings that a colour does not depend on are not listed.
 TEST(DecidingRulings, AreNotToldWhereTheirTermsAreMultipliedAway) {
     const std::string at_corner = "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){-1, -1, 0, 1});\n";
     EXPECT_EQ(rulings_under(at_corner), Rulings{Ruling::kLightAtVertex});
@@ -175,8 +176,8 @@ TEST(DecidingRulings, AreNotOfOrdinaryScenes) {
     }
 }
 
-// docs/hard-cases.md has each state and answer as the first two columns of a table; those "Of lighting" are all here, but for NaN
-// and infinity, which State answers before anything is drawn.
+// The first two columns of a table in docs/hard-cases.md are each state and its answer. Those "Of lighting" are all
+// tested here, except NaN and infinity, which State handles before drawing.
 TEST(DecidingRulings, StandInTheDocument) {
     std::set<std::string> of_lighting, all, here;
     std::ifstream file("docs/hard-cases.md");

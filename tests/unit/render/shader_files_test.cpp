@@ -1,4 +1,4 @@
-// The shader files stay short of directives, and what is exported reads like the equation.
+// The shader files have few directives, and the exported text reads like the equation.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -13,7 +13,7 @@
 namespace twinlight::programmable {
 namespace {
 
-// Functions come and go whole, and C++ writes the block of each light: so files need few lines for some effects alone.
+// Programs take whole functions, and C++ writes each light's block, so the files need few conditional lines.
 TEST(ShaderFiles, HaveFewDirectivesAndSwitches) {
     constexpr std::size_t kMostDirectives = 300, kMostSwitches = 45;  // not included
     std::size_t directives = 0;
@@ -48,7 +48,7 @@ TEST(ShaderFiles, GiveWhatATextNamesAndWhatThatNames) {
                                              {"c", "float c() { return b(); }\n"}};
     const auto names = [&](const char* text) {
         std::string result;
-        for (const Definition& definition : called_for(library, text)) result += definition.name;
+        for (const Definition& definition : used_definitions(library, text)) result += definition.name;
         return result;
     };
     EXPECT_EQ(names("x = b();"), "ab");
@@ -84,7 +84,7 @@ TEST(ExportedShaders, HaveTheEquationsFunctionsAndCallThem) {
     EXPECT_NE(text.find("section 2.14.1"), text.npos);
 }
 
-// Each function once, and none that nothing calls.
+// Each function appears once, and every function is called.
 TEST(ExportedShaders, HaveNoFunctionTwiceAndNoneThatIsNotCalled) {
     const std::string text = exported_cone();
     const std::string vertex = text.substr(0, text.find("// ---- Fragment shader"));

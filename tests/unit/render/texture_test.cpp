@@ -1,4 +1,4 @@
-// Texturing in the reference, against values worked out by hand: wrap modes, filters, levels, functions, fog.
+// Texturing in the reference, compared with values computed by hand: wrap modes, filters, levels, functions, fog.
 #include "render/reference/texture.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace reference;
 
-// Four texels in a row, of 0, 0.25, 0.5 and 0.75, under a border of 1.
+// Four texels in a row, 0, 0.25, 0.5 and 0.75, with a border of 1.
 Texture ramp() {
     Texture texture;
     texture.target = kGL_TEXTURE_1D;
@@ -52,7 +52,7 @@ TEST(TextureWrap, ChoosesTheNearestTexel) {
 TEST(TextureWrap, MixesTheTwoTexelsAboutTheCoordinate) {
     struct Case {
         Enum wrap;
-        double at_0, beyond;  // s = 0: between the first texel and what is before it; s = 5: far outside
+        double at_0, beyond;  // s = 0: between the first texel and the one before it; s = 5: far outside
     };
     Texture texture = ramp();
     for (const Case& c :
@@ -84,7 +84,7 @@ TEST(TextureLevels, FollowLambda) {
     // 3.8.9: c is 0.5 between a nearest minification and a linear magnification.
     texture.mag_filter = kGL_LINEAR;
     EXPECT_EQ(magnification_limit(texture), 0.5);
-    // Sixteen texels a pixel are four halvings.
+    // Sixteen texels per pixel are four halvings.
     const TexturePlace place{.per_x = {4, 0}, .per_y = {1, 0}};
     EXPECT_EQ(scale_factor(texture, place), 16);
     EXPECT_EQ(level_of_detail(16, -1), 3);

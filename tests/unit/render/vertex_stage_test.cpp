@@ -1,5 +1,5 @@
-// The vertex stage of the reference: transformation, normals, colour material, clamping (GL 2.1
-// sections 2.11, 2.14), and what of it reaches the pixels.
+// The reference's vertex stage: transformation, normals, colour material, clamping (GL 2.1 sections 2.11, 2.14), and
+// its effect on pixels.
 #include "render/reference/vertex_stage.h"
 
 #include <gtest/gtest.h>
@@ -16,9 +16,9 @@ namespace {
 
 using reference::LitVertex;
 
-constexpr double kArithmetic = 32 * std::numeric_limits<double>::epsilon();  // some tens of roundings near 1
+constexpr double kArithmetic = 32 * std::numeric_limits<double>::epsilon();  // a few tens of roundings near 1
 
-// One vertex that faces +z, lit by one white directional light along +z; the scene's ambient is off.
+// One vertex facing +z, lit by one white directional light along +z; the scene's ambient light is off.
 Draw lit_vertex() {
     Draw draw = window_draw(kSize, kSize, kGL_POINTS, {vertex(0, 0)});
     draw.lighting.enabled = true;
@@ -54,7 +54,7 @@ TEST(VertexStage, LightsAVertexOfW2WhereItsQuotientIs) {
     EXPECT_NEAR(red(draw), 0.8 * 0.5, kArithmetic);
     draw.vertices[0].position_object = {0, 6, 0, 2};  // (0, 3, 0): the light is straight above it
     EXPECT_NEAR(red(draw), 0.5, kArithmetic);
-    draw.vertices[0].position_object = {0, -3, 0, -1};  // the same place
+    draw.vertices[0].position_object = {0, -3, 0, -1};  // the same point
     EXPECT_NEAR(red(draw), 0.5, kArithmetic);
 }
 
@@ -104,7 +104,7 @@ TEST(Normals, AreRescaledByTheModelviewAlone) {
     scale(draw, {2, 2, 2});
     EXPECT_EQ(red(draw), 0.5);
     draw.vertices[0].normal_object = {0, 0, 3};
-    EXPECT_EQ(red(draw), 1.5);  // its own length stays
+    EXPECT_EQ(red(draw), 1.5);  // keeps its own length
     draw.lighting.normalize = true;
     EXPECT_EQ(red(draw), 0.5);
 }
@@ -204,7 +204,7 @@ TEST(ColorMaterial, FollowsTheNamedFaceOnly) {
 TEST(LectureVariants, AreOffWhereGlsOwnModelIsAskedFor) {
     Draw draw = lit_vertex();
     draw.lighting.lights[0].smooth_cone = LightSource::SmoothCone{.inner_deg = 10, .outer_deg = 20};
-    draw.lighting.lights[0].spot_direction_eye = {0, 0, 1};  // away: the cone is dark
+    draw.lighting.lights[0].spot_direction_eye = {0, 0, 1};  // points away: outside the cone
     draw.lighting.lights[0].ambient = {0.5, 0.5, 0.5, 1};
     draw.lighting.front.ambient = {0.5, 0.5, 0.5, 1};
     draw.lighting.light_model.light_ambient = Word::unattenuated;
@@ -235,8 +235,8 @@ TEST(Pictures, InPhongLightEveryPixelByItsOwnNormal) {
     draw.lighting.front.diffuse = kWhite;
     for (Vertex& v : draw.vertices)
         v.normal_object = v.position_object.x == 0 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
-    const double s = 4.5 / 16;                  // from (1, 0, 0) to (0, 0, 1), made unit again
-    constexpr double kFloat = 1.0 / (1 << 23);  // an Image holds floats
+    const double s = 4.5 / 16;                  // from (1, 0, 0) to (0, 0, 1), scaled to length 1
+    constexpr double kFloat = 1.0 / (1 << 23);  // an Image stores floats
     EXPECT_NEAR(pixel(draw_window({draw}), 4, 6).r, s, kFloat);
     EXPECT_NEAR(pixel(draw_window({draw}, {{.shading = Shading::kPhong}}), 4, 6).r, s / std::hypot(s, 1 - s), kFloat);
 }

@@ -1,5 +1,5 @@
-// Rows of the table that old programs call and that not every renderer carries out: what State makes of them, what it
-// names, and what a driver is given.
+// Commands of old programs that not every renderer supports: their effect on State, the names that State reports as
+// unsupported, and the calls that reach a driver.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,7 +83,7 @@ TEST(Extensions, AreReadAsTheCoreCommandsOfTheSameMeaning) {
     EXPECT_EQ(find_command_or_extension("glNothingARB"), std::nullopt);
 }
 
-// ---- What is named, and only where it changes a picture ----
+// ---- Commands are reported as unsupported only if they change a picture ----
 
 TEST(SecondaryColor, IsNamedWhereItIsAdded) {
     const std::string sum = "glEnable(GL_COLOR_SUM);\n", red = "glSecondaryColor3ub(255, 0, 0);\n";
@@ -166,7 +166,7 @@ TEST(TextureParametersOfLaterVersions, AreNamedWhereTheyAreNotAtTheirInitialValu
     EXPECT_EQ(after("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 2);"),
               Names{"glTexParameter(GL_TEXTURE_MAX_LEVEL)"});
     State state = run("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 2);");
-    state.drop_picture();  // it still holds in the next
+    state.drop_picture();  // the state still applies in the next picture
     EXPECT_EQ(state.take_frame().unsupported.size(), 1U);
 }
 
@@ -174,7 +174,7 @@ TEST(TextureParametersOfLaterVersions, AreNamedWhereTheyAreNotAtTheirInitialValu
 
 TEST(Bitmap, IsNamedWhereItHasPixelsAndReadsNoFurtherThanItsMemory) {
     const std::string five_rows =
-        "glBitmap(9, 5, 0, 0, 10, 0, (GLubyte[20]){0});\n";  // two bytes a row, in steps of four
+        "glBitmap(9, 5, 0, 0, 10, 0, (GLubyte[20]){0});\n";  // two bytes per row, padded to four
     EXPECT_EQ(unsupported(five_rows + kPoint), Names{"glBitmap"});
     EXPECT_EQ(unsupported("glBitmap(0, 0, 0, 0, 10, 0, NULL);" + std::string(kPoint)), Names());
     EXPECT_NE(refused("glBitmap(9, 5, 0, 0, 10, 0, (GLubyte[17]){0});").find("reads 18 bytes"), std::string::npos);
@@ -194,7 +194,7 @@ TEST(PolygonStipple, IsNamedWhereItIsOnAndReadsNoFurtherThanItsMask) {
     EXPECT_NE(refused("glPixelStorei(GL_UNPACK_SKIP_ROWS, 1);" + mask).find("reads 132 bytes"), std::string::npos);
 }
 
-// The driver is not given what it would read too far: the sanitizers would tell.
+// The driver must not get commands that read beyond an array; the sanitizers would report that.
 TEST(Driver, ReadsNoFurtherThanItsMemory) {
     const auto context = make_offscreen_context(16, 16);
     fixed::Driver driver(16, 16);
@@ -301,7 +301,7 @@ TEST(Queries, AreRefusedBetweenBeginAndEnd) {
     }
 }
 
-// The table of lengths says what State answers.
+// The table of lengths matches what State returns.
 TEST(Queries, HaveTheLengthOfTheirAnswers) {
     const State state;
     int longer = 0;

@@ -1,5 +1,5 @@
-// Which vertex colours a primitive under flat shading: GL 2.1 section 2.14.7, table 2.12; for each of the ten
-// primitive types. Vertex i has the i-th of these colours, so a pixel's colour names its vertex.
+// The vertex that gives a primitive its colour under flat shading (GL 2.1, section 2.14.7, table 2.12), for each of the
+// ten primitive types. Vertex i has the i-th of these colours, so a pixel's colour names its vertex.
 #include <gtest/gtest.h>
 
 #include "../small_frames.h"
@@ -15,7 +15,7 @@ struct Point {
     double x, y;
 };
 
-// The number of the vertex whose colour the pixel has; -1 where nothing was drawn.
+// The number of the vertex whose colour the pixel has; -1 if nothing was drawn there.
 class Flat {
   public:
     Flat(Enum mode, const std::vector<Point>& points) {
@@ -121,7 +121,7 @@ TEST(ProvokingVertex, CountsIndicesInTheOrderTheyAreSent) {
     EXPECT_EQ(pixel(reference::render(frame_of(kWide, kWide, {draw}), {}), 2, 2), kRed);
 }
 
-// ---- Incomplete primitives (2.6.1): what is left over is not drawn ----
+// ---- Incomplete primitives (2.6.1): remaining vertices are not drawn ----
 
 TEST(Primitives, LeaveOutWhatIsIncomplete) {
     const std::vector<Point> five = {{2, 2}, {25, 3}, {24, 24}, {3, 25}, {12, 12}};

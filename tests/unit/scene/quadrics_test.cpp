@@ -1,4 +1,4 @@
-// GLU's quadrics in scenes: how they are read and printed, what State makes of them, what holds for every one of them.
+// GLU's quadrics in scenes: reading and printing, State, and properties of all quadrics.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -74,24 +74,25 @@ TEST(QuadricReading, TellsMistakes) {
     EXPECT_EQ(error_of("GLUquadric* q;\ngluSphere(q, 1, 8, 6);"),
               "scene.gl:2:11: 'q' has no value here: it was declared without a value; write q = gluNewQuadric();");
     EXPECT_EQ(error_of("GLUquadric* q = NULL;\ngluSphere(q, 1, 8, 6);"),
-              "scene.gl:2:11: gluSphere is given no quadric; make one by gluNewQuadric()");
+              "scene.gl:2:11: gluSphere needs a quadric; create one with gluNewQuadric()");
     EXPECT_EQ(error_of("gluSphere(1, 1, 8, 6);"),
               "scene.gl:1:11: expected gluNewQuadric() or the name of a GLUquadric*, found '1'");
     EXPECT_EQ(error_of("GLUquadric* ball = gluNewQuadric(); gluSphere(bal, 1, 8, 6);"),
               "scene.gl:1:47: expected gluNewQuadric() or the name of a GLUquadric*, found 'bal'; did you mean ball?");
     EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(); glEnable(q);"),
-              "scene.gl:1:43: 'q' is a quadric, and a number is needed here");
+              "scene.gl:1:43: 'q' is a quadric, but a number is needed here");
     EXPECT_EQ(error_of("GLUquadric q;"),
-              "scene.gl:1:12: expected '*' after GLUquadric: scenes have pointers to quadrics only, found 'q'");
+              "scene.gl:1:12: expected '*' after GLUquadric, as in GLUquadric* name = gluNewQuadric();, found 'q'");
     EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(1);"),
               "scene.gl:1:31: expected ')' after the arguments of gluNewQuadric, found '1'");
     EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(); gluQuadricNormals(q, GLU_SMOTH);"),
               "scene.gl:1:55: unknown name 'GLU_SMOTH'; did you mean GLU_SMOOTH?");
-    EXPECT_EQ(error_of("GLUquadric* q[2];"), "scene.gl:1:13: arrays of quadrics are not part of a scene: declare each");
+    EXPECT_EQ(error_of("GLUquadric* q[2];"),
+              "scene.gl:1:13: a scene cannot use arrays of quadrics; declare each quadric");
     EXPECT_EQ(error_of("int q = gluNewQuadric();"),
-              "scene.gl:1:9: gluNewQuadric returns a quadric: declare 'q' as a GLUquadric*");
+              "scene.gl:1:9: gluNewQuadric returns a quadric; declare 'q' as a GLUquadric*");
     EXPECT_EQ(error_of("GLUquadric* q = gluNewQuadric(); glLightfv(GL_LIGHT0, GL_POSITION, &q);"),
-              "scene.gl:1:69: a scene has no pointers to pointers to quadrics");
+              "scene.gl:1:69: a scene cannot take the address of a GLUquadric*");
 }
 
 const char* const kProgram =
@@ -134,7 +135,7 @@ TEST(QuadricState, RefusesWhatGluRefuses) {
               "scene.gl:2:1: gluQuadricDrawStyle is given GLU_FLAT; expected GLU_FILL, GLU_LINE, GLU_SILHOUETTE, "
               "GLU_POINT (GLU_INVALID_ENUM)");
     EXPECT_EQ(error_of(make + "gluDeleteQuadric(q);\ngluSphere(q, 1, 8, 6);"),
-              "scene.gl:3:1: gluSphere is given the quadric that gluDeleteQuadric has deleted at scene.gl:2:1 "
+              "scene.gl:3:1: gluSphere uses a quadric that gluDeleteQuadric deleted at scene.gl:2:1 "
               "(GL_INVALID_VALUE)");
     EXPECT_NE(error_of(make + "gluCylinder(q, 1, 1, 1, 2000000000, 2000000000);").find("more than 8000000 vertices"),
               std::string::npos);
@@ -186,7 +187,7 @@ TEST(QuadricState, LeavesWhatItSentLastCurrent) {
     EXPECT_EQ(answer(teapot, kGL_CURRENT_TEXTURE_COORDS), (std::vector<double>{0.25, 0.75, 0, 1}));
 }
 
-// The first vertices of a flat sphere come ahead of its first normal.
+// The first vertices of a flat sphere are sent before its first normal.
 TEST(QuadricState, OfFlatSpheresStartsWithTheCurrentNormal) {
     const std::vector<Draw> draws = draws_of(
         "glNormal3f(1, 0, 0); GLUquadric* q = gluNewQuadric(); gluQuadricNormals(q, GLU_FLAT); gluSphere(q, 1, 8, 6);");
@@ -196,7 +197,7 @@ TEST(QuadricState, OfFlatSpheresStartsWithTheCurrentNormal) {
     EXPECT_EQ(draws[1].vertices[0].normal_object, draws[0].vertices.back().normal_object);
 }
 
-// A list holds the calls that GLU made, not the quadric that it made them for.
+// A display list holds the calls that GLU made, not the quadric.
 TEST(QuadricState, InAListIsTheQuadricAsItWasThen) {
     const std::string text =
         "GLUquadric* q = gluNewQuadric(); glNewList(1, GL_COMPILE);"
@@ -210,7 +211,7 @@ TEST(QuadricState, InAListIsTheQuadricAsItWasThen) {
         "scene.gl:3:1: gluSphere needs slices >= 2, stacks >= 1 and radius >= 0 (GLU_INVALID_VALUE)");
 }
 
-// ---- What holds in every style ----
+// ---- Properties of every style ----
 
 struct Style {
     Quadric quadric;
@@ -261,7 +262,7 @@ TEST(Quadrics, HaveTextureCoordinatesFrom0To1IfTheySendThem) {
     }
 }
 
-// But for the lines along a cylinder: GLU leaves out the rise of their normals.
+// Except for the lines along a cylinder, where GLU ignores the slope of the normals.
 TEST(Quadrics, HaveUnitNormalsOrNone) {
     for (const Style& style : styles()) {
         SCOPED_TRACE(style.name);
@@ -281,7 +282,7 @@ TEST(Quadrics, HaveUnitNormalsOrNone) {
     }
 }
 
-// Turned inside, the same points are sent, and triangles turn the other way.
+// With GLU_INSIDE the points are the same, and triangles have the opposite orientation.
 TEST(Quadrics, TurnWithTheirOrientation) {
     const auto signed_volume = [](const std::vector<ShapePart>& parts) {
         double sum = 0;
@@ -306,9 +307,9 @@ TEST(Quadrics, TurnWithTheirOrientation) {
         for (const Enum orientation : {kGLU_OUTSIDE, kGLU_INSIDE}) {
             const Quadric q{kGLU_SMOOTH, texture, orientation, kGLU_FILL};
             const double sign = orientation == kGLU_OUTSIDE ? 1 : -1;
-            // Close to that of the ball.
+            // Close to the volume of the sphere.
             EXPECT_NEAR(signed_volume(glu_sphere(q, 1, 200, 200)), sign * 4.18879, 4.18879 * 1e-3);
-            // Without its caps, which lie in z = 0 and z = height: two thirds of the prism are seen from the origin.
+            // Without its caps at z = 0 and z = height, the sum gives two thirds of the volume of the prism.
             EXPECT_NEAR(signed_volume(glu_cylinder(q, 1, 1, 3, 200, 1)), sign * 2 * 3.14159, 2 * 3.14159 * 1e-3);
         }
     }

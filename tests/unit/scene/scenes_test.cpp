@@ -1,4 +1,4 @@
-// The built-in scenes: each is a scene, is C, and holds the numbers of the lecture that it comes from.
+// The built-in scenes: each is a valid scene, compiles as C, and has the numbers of the lecture that it comes from.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -27,7 +27,7 @@ std::string_view text_of(std::string_view name) {
     for (const EmbeddedFile& file : kSceneFiles) {
         if (name_of(file) == name) return file.text;
     }
-    ADD_FAILURE() << "no scene is called " << name;
+    ADD_FAILURE() << "there is no scene " << name;
     return "";
 }
 
@@ -70,7 +70,7 @@ TEST(Scenes, ReadAlikeAfterPrinting) {
     }
 }
 
-// A scene is C: the body of a function, as it stands.
+// Each scene compiles as the body of a C function.
 TEST(Scenes, CompileAsC) {
     if (std::system("command -v cc >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no C compiler";
     for (const EmbeddedFile& file : kSceneFiles) {
@@ -85,8 +85,8 @@ TEST(Scenes, CompileAsC) {
     }
 }
 
-// Whether all three renderers carry a row of the table out, and a built-in scene can have it: such scenes stand in no folder,
-// so they read no pictures; and GL has eight lights.
+// Whether all three renderers support a command and a built-in scene can use it. Built-in scenes have no folder to read
+// pictures from, and the fixed function has only eight lights.
 constexpr bool is_drawn_by_all(std::string_view effect) {
     return !effect.starts_with("driver_only") && effect != "texture_file" && effect != "extra_light";
 }
@@ -134,7 +134,7 @@ TEST(SceneSpectral, HasEveryPatchOnceUnderOneKindOfLamp) {
     EXPECT_EQ(patches.size(), 24U);
     for (const auto& [name, count] : patches) EXPECT_EQ(count, 1) << name;
     EXPECT_EQ(lamps, std::set<std::string_view>{"A"});
-    // Nothing is clamped at the bright end: white under both lamps at once stays within what a display shows.
+    // No colour is clamped: white under both lamps together is within the range of a display.
     const std::vector<Draw> all = draws(frame_of(read("spectral")));
     double red = 0;
     for (const LightSource& light : all.front().lighting.lights)
@@ -207,7 +207,7 @@ TEST(SceneLab, HasOneDirectionalLightSixPointLightsAndASpotlightAtTheCamera) {
     ASSERT_TRUE(spot.smooth_cone.has_value());
     EXPECT_LT(spot.smooth_cone->inner_deg, spot.smooth_cone->outer_deg);
     EXPECT_EQ(spot.smooth_cone->outer_deg,
-              spot.spot_cutoff_deg);  // GL's hard cone ends where the smooth one does
+              spot.spot_cutoff_deg);  // GL's hard cone ends where the smooth cone ends
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Shapes by derivation: unit normals, positions on the surface, outward winding, closed surfaces, the order of sending.
+// Shapes, tested by derivation: unit normals, positions on the surface, orientation, closed surfaces, order of
+// vertices.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ std::size_t sent_count(const ShapePart& part) {
     return part.indices.empty() ? part.vertices.size() : part.indices.size();
 }
 
-// The triangles of a part, corners turned as GL turns them (2.6.1): every second one of a strip is swapped.
+// The triangles of a part with GL's orientation (2.6.1): every second triangle of a strip is swapped.
 std::vector<Triangle> triangles(const ShapePart& part) {
     std::vector<Triangle> result;
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -69,7 +70,7 @@ glm::dvec3 area_vector(const Triangle& t) {
     return glm::cross(t[1].position_object - t[0].position_object, t[2].position_object - t[0].position_object) / 2.0;
 }
 
-// Corners that lie together are one point of the surface.
+// Corners at the same position count as one point of the surface.
 class Points {
   public:
     std::size_t number(const glm::dvec3& position) {
@@ -85,8 +86,8 @@ class Points {
 };
 
 struct Topology {
-    bool closed = true;  // each edge has exactly one neighbour that runs along it the other way
-    int euler = 0;       // points - edges + faces: 2 for a ball, 0 for a ring
+    bool closed = true;  // each edge also occurs exactly once in the opposite direction
+    int euler = 0;       // points - edges + faces: 2 for a sphere, 0 for a torus
 };
 
 Topology topology(const std::vector<ShapePart>& parts) {
@@ -95,7 +96,7 @@ Topology topology(const std::vector<ShapePart>& parts) {
     Topology result;
     int faces = 0;
     for (const Triangle& triangle : triangles(parts)) {
-        if (glm::length(area_vector(triangle)) < 1e-12) continue;  // at a pole a strip sends triangles without area
+        if (glm::length(area_vector(triangle)) < 1e-12) continue;  // at a pole a strip has triangles without area
         ++faces;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t from = points.number(triangle[i].position_object);
@@ -150,7 +151,7 @@ TEST(Shapes, HaveUnitNormalsButForTwoOfFreegluts) {
                 // Twice the area of a face, sqrt(3)/2 of its edge squared.
                 const double edge_squared = 16 / (10 + 2 * std::sqrt(5.0));
                 if (solid.id == CommandId::glutSolidIcosahedron) length = std::sqrt(3.0) / 2 * edge_squared;
-                // The faces that touch neither tip have unit normals; of the others, freeglut's are shorter.
+                // Faces that touch neither tip have unit normals; freeglut's other normals are shorter.
                 if (solid.id == CommandId::glutSolidRhombicDodecahedron && v.normal_object.z != 0)
                     length = std::sqrt(0.5);
                 EXPECT_NEAR(glm::length(v.normal_object), length, kRounding);
@@ -231,7 +232,7 @@ TEST(Shapes, OfToriLieOnThem) {
     }
 }
 
-// The side of a cone falls by h over r: the normal there rises by r over h, and is at right angles to the slant.
+// The side of a cone has the slope -h / r; its normal has the slope r / h and is perpendicular to it.
 TEST(Shapes, OfConesHaveNormalsAtRightAnglesToTheSlant) {
     const ShapePart side = shape_parts(pragma(Word::cone, {1, 2, 8})).front();
     for (std::size_t i = 1; i < side.vertices.size(); ++i) {
@@ -242,7 +243,7 @@ TEST(Shapes, OfConesHaveNormalsAtRightAnglesToTheSlant) {
     EXPECT_EQ(side.vertices.front().position_object, glm::dvec3(0, 2, 0));
     EXPECT_EQ(side.vertices.front().normal_object, glm::dvec3(0, 1, 0));
 
-    // freeglut's has the same slope along z.
+    // freeglut's cone has the same slope along z.
     for (const ShapePart& part : shape_parts(shape(CommandId::glutSolidCone, {1, 2, 8, 3}))) {
         for (const ShapeVertex& v : part.vertices) {
             if (v.normal_object.z < 0) continue;  // the base
@@ -266,7 +267,7 @@ std::vector<Batch> batches(const std::vector<ShapePart>& parts) {
 TEST(ReportShapes, AreOfTheReportsPrimitives) {
     constexpr Enum kFan = kGL_TRIANGLE_FAN, kStrip = kGL_TRIANGLE_STRIP;
     EXPECT_EQ(batches(shape_parts(pragma(Word::cube, {1}))), (std::vector<Batch>{{kGL_TRIANGLES, 36}}));
-    // A fan is its centre and the circle closed; the side's strip has two vertices for each of these.
+    // A fan has its centre and a closed circle; the side's strip has two vertices for each point of the circle.
     EXPECT_EQ(batches(shape_parts(pragma(Word::cylinder, {1, 1, 8}))),
               (std::vector<Batch>{{kFan, 10}, {kFan, 10}, {kStrip, 18}}));
     EXPECT_EQ(batches(shape_parts(pragma(Word::cylinder_triangles, {1, 1, 8}))),
@@ -290,8 +291,8 @@ TEST(ReportShapes, StandOnTheOriginAndAreTallAlongY) {
     }
 }
 
-// Figure 3: along the side the strip's normals turn by equal steps, those of the lone triangles by one third
-// of a slice and two thirds in turn.
+// Figure 3: along the side the strip's normals turn in equal steps, those of the separate triangles alternately by one
+// third and two thirds of a slice.
 TEST(ReportShapes, OfLoneTrianglesAreShadedUnevenly) {
     constexpr int kSlices = 12;
     constexpr double kSlice = 2 * std::numbers::pi / kSlices;
@@ -302,7 +303,7 @@ TEST(ReportShapes, OfLoneTrianglesAreShadedUnevenly) {
         EXPECT_EQ(teeth[i][0].normal_object, teeth[i][1].normal_object);
         EXPECT_EQ(teeth[i][0].normal_object, teeth[i][2].normal_object);
         const double turn = std::acos(glm::dot(teeth[i][0].normal_object, teeth[i + 1][0].normal_object));
-        // The mean of two normals at one border and one at the other: nearly a third of the way.
+        // The mean of two normals at one border and one at the other is about a third of the way.
         EXPECT_NEAR(turn, i % 2 == 0 ? kSlice / 3 : kSlice * 2 / 3, 0.02 * kSlice);
     }
 }
@@ -316,11 +317,11 @@ TEST(Shapes, HaveTheProvokingVerticesOfTheirOrder) {
     EXPECT_NEAR(sent(sphere[1], 1).position_object.z, std::sqrt(0.5), kRounding);
     EXPECT_LE(glm::distance(sent(sphere[1], 2).position_object, glm::dvec3(0, -1, 0)),
               kRounding);  // clockwise
-    // The top strip ends each of its triangles with area on the ring, never at the pole.
+    // In the top strip, each triangle with area has its last vertex on the ring, never at the pole.
     EXPECT_EQ(sent(sphere[0], 1).position_object, glm::dvec3(0, 0, 1));
     EXPECT_NEAR(sent(sphere[0], 2).position_object.z, std::sqrt(0.5), kRounding);
 
-    // A glut cube's face: the last vertex of its triangles.
+    // A face of glut's cube: the last vertex of its triangles.
     const ShapePart cube = shape_parts(shape(CommandId::glutSolidCube, {2})).front();
     EXPECT_EQ(sent(cube, 2).position_object, glm::dvec3(-1, -1, 1));
     EXPECT_EQ(sent(cube, 5).position_object, glm::dvec3(1, -1, 1));
@@ -353,16 +354,16 @@ std::string refusal(const Command& command) {
 }
 
 TEST(ShapeArguments, ThatMakeNoSenseAreRefusedWithTheRemedy) {
-    EXPECT_EQ(refusal(pragma(Word::cube, {})), "sizes given: 0; write shape(cube, size)");
+    EXPECT_EQ(refusal(pragma(Word::cube, {})), "shape(cube, size) needs 1 size, not 0");
     EXPECT_EQ(refusal(pragma(Word::cube, {0})), "size of shape(cube, size) is 0; it must be greater than 0");
     EXPECT_EQ(refusal(pragma(Word::sphere, {1, 8, 1})),
-              "stacks of shape(sphere, radius, slices, stacks) is 1; it must be a whole number, 2 or more");
+              "stacks of shape(sphere, radius, slices, stacks) is 1; it must be a whole number of 2 or more");
     EXPECT_EQ(refusal(pragma(Word::cone, {1, 2, 3.5})),
-              "slices of shape(cone, radius, height, slices) is 3.5; it must be a whole number, 3 or more");
+              "slices of shape(cone, radius, height, slices) is 3.5; it must be a whole number of 3 or more");
     EXPECT_EQ(refusal(pragma(Word::reflection, {})),
-              "reflection is no shape; a shape is cube, cylinder, cylinder_triangles, cone or sphere");
+              "reflection is not a shape; expected cube, cylinder, cylinder_triangles, cone or sphere");
     EXPECT_EQ(refusal(shape(CommandId::glutSolidSphere, {1, 2e9, 2e9})),
-              "glutSolidSphere would have more than 8000000 vertices; give it fewer slices or stacks");
+              "glutSolidSphere would have more than 8000000 vertices; use fewer slices or stacks");
     EXPECT_NE(refusal(pragma(Word::sphere, {1, 1e300, 4})), "accepted");
     EXPECT_NE(refusal(pragma(Word::sphere, {std::nan(""), 8, 4})), "accepted");
     EXPECT_NE(refusal(pragma(Word::sphere, {1, std::nan(""), 4})), "accepted");

@@ -1,4 +1,4 @@
-// The pragmas of spectra: what they set, what they refuse, what they draw.
+// The pragmas for spectra: the state that they set, their errors, their pictures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ LightingState lighting_after(const std::string& text) {
     return std::get<Draw>(frame_of(text + "\nglutSolidCube(1);").items.back()).lighting;
 }
 
-// As glMaterialfv and glLightfv take it.
+// A colour as glMaterialfv and glLightfv take it.
 void expect_floats_of(Vec3<double> rgb, const glm::dvec4& color) {
     EXPECT_EQ(color.r, double{static_cast<float>(rgb.x)});
     EXPECT_EQ(color.g, double{static_cast<float>(rgb.y)});
@@ -31,7 +31,7 @@ void expect_floats_of(Vec3<double> rgb, const glm::dvec4& color) {
     EXPECT_EQ(color.a, 1);
 }
 
-// ---- What they set ----
+// ---- State ----
 
 TEST(SpectralPragmas, SetTheColorThatGLHasForTheSpectrum) {
     const LightingState state = lighting_after(
@@ -47,7 +47,7 @@ TEST(SpectralPragmas, SetTheColorThatGLHasForTheSpectrum) {
     EXPECT_EQ(state.lights[2].specular_illuminant.scale, 0.5);
     EXPECT_EQ(state.lights[2].diffuse_illuminant.spectrum, nullptr);
     expect_floats_of(0.5 * rgb_of_light(f11->lines), state.lights[2].specular);
-    EXPECT_EQ(state.light_model.spectrum, nullptr) << "whether they are used is spectrum()'s";
+    EXPECT_EQ(state.light_model.spectrum, nullptr) << "only spectrum() decides whether they are used";
 }
 
 TEST(SpectralPragmas, HoldUntilAColorIsSet) {
@@ -62,7 +62,7 @@ TEST(SpectralPragmas, HoldUntilAColorIsSet) {
     EXPECT_EQ(state.front.reflectances.diffuse, nullptr);
     EXPECT_EQ(state.lights[0].diffuse_illuminant.spectrum, nullptr);
     EXPECT_EQ(state.light_model.spectrum, nullptr);
-    // 2.14.3: what tracks the current colour has that.
+    // 2.14.3: a property that tracks the current colour gets that colour.
     state = lighting_after(spectra + "glColorMaterial(GL_FRONT, GL_DIFFUSE); glEnable(GL_COLOR_MATERIAL);");
     EXPECT_EQ(state.front.reflectances.diffuse, nullptr);
 }
@@ -76,7 +76,7 @@ TEST(SpectralPragmas, TellWhatTheyTake) {
         }
         return "(nothing was thrown)";
     };
-    EXPECT_NE(message_of("spectrum(2)").find("expected 0, which is red, green and blue, or 3 to 81 samples"),
+    EXPECT_NE(message_of("spectrum(2)").find("the number of samples must be 0 (red, green and blue) or from 3 to 81"),
               std::string::npos)
         << message_of("spectrum(2)");
     EXPECT_NE(message_of("spectrum(82)").find("3 to 81"), std::string::npos);
@@ -102,9 +102,9 @@ TEST(SpectralPragmas, AreGLsCommandsInAProgramInC) {
     EXPECT_EQ(program.find("reflectance"), std::string::npos) << program;
 }
 
-// ---- What they draw ----
+// ---- Pictures ----
 
-// A square over the whole window that faces a light of GL_LIGHT0.
+// A square over the whole window that faces GL_LIGHT0.
 std::string lit_square(const std::string& state) {
     return "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);\n"
            "glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (float[]){0, 0, 0, 1});\n" +
@@ -133,7 +133,7 @@ Pictures pictures_of(const std::string& text, Shading shading) {
             middle_of(renderer.render(frame, options).image)};
 }
 
-// Of colours of about 1: of floats, whose products and sums of 81 samples the shaders make.
+// For colours of about 1: the shaders multiply and sum up to 81 samples in floats.
 constexpr double kFloats = 81 * 1.2e-7;
 
 void expect_near(Vec3<double> a, Vec3<double> b, double tolerance, const std::string& what) {
@@ -151,7 +151,7 @@ void expect_drawn(const std::string& text, Vec3<double> expected, double toleran
     }
 }
 
-// What n samples say of a patch under a light, by the sums themselves.
+// The colour of a patch under a light with n samples, computed directly from the sums.
 Vec3<double> patch_under(const char* light, double scale, const char* patch, int n) {
     const SpectralSamples samples(n);
     return scale * samples.color_of_product(samples.of_illuminant(*find_illuminant(light)),
@@ -173,7 +173,8 @@ TEST(SpectralPictures, OfRedGreenAndBlueUnderWhiteAreGLsOwn) {
 }
 
 TEST(SpectralPictures, FollowTheCurrentColor) {
-    // Two colours, so that no shader has one for all; the middle is between them, and so is the light: it is linear in them.
+    // Two colours, so that they vary per vertex. Light is linear in the colour, so the middle of the picture is the
+    // mean.
     const std::string text =
         "#pragma twinlight spectrum(9)\n#pragma twinlight illuminant(GL_LIGHT0, GL_DIFFUSE, A, 0.4)\n"
         "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glColorMaterial(GL_FRONT, GL_DIFFUSE);\n"
@@ -199,7 +200,7 @@ TEST(SpectralPictures, AddTheHighlightOfAMetalAsASecondColor) {
 }
 
 TEST(SpectralPictures, AreClampedWhereTheGamutEnds) {
-    // Yellow under an LED has less than no blue to be shown.
+    // Yellow under an LED has a negative blue channel in sRGB.
     const Vec3<double> yellow = patch_under("LED_B3", 0.8, "yellow", 9);
     ASSERT_LT(yellow.z, -0.01);
     expect_drawn(
@@ -209,14 +210,14 @@ TEST(SpectralPictures, AreClampedWhereTheGamutEnds) {
 }
 
 TEST(SpectralPictures, AreCodedWhereTheSceneAsks) {
-    // By the curve, whose slope is 12.92 at most, and a driver's pow, that may be off by some units of 2^-16.
+    // Causes: the curve, whose slope is at most 12.92, and a driver's pow(), with an error of some 2^-16.
     constexpr double kCoded = 12.92 * kFloats + 4.0 / 65536;
     const std::string state =
         "#pragma twinlight transfer(srgb)\nglMaterialfv(GL_FRONT, GL_DIFFUSE, (float[]){0.001, 0.2, 0.8, 1});";
     expect_drawn(lit_square(state), {srgb_coded(0.001), srgb_coded(0.2), srgb_coded(0.8)}, kCoded);
     EXPECT_EQ(middle_of(reference::render(frame_of(lit_square(state)), {{.shading = {}, .lecture_variants = false}})),
               (Vec3<double>{0.001F, 0.2F, 0.8F}))
-        << "GL's own model has no curve";
+        << "GL's model does not convert to sRGB";
 }
 
 TEST(SpectralPictures, SayWhatShadersDoNotDo) {

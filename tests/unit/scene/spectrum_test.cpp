@@ -1,4 +1,5 @@
-// Spectra against published numbers; samples by what they keep; the figures of docs/accuracy.md, "Spectra".
+// Compares spectra with published numbers, tests what samples preserve, and checks the figures of docs/accuracy.md,
+// "Spectra".
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 
 using Vec = Vec3<double>;
 
-// What rounding may take from a sum over the lines of numbers near 1.
+// The rounding error of a sum over the lines, for numbers near 1.
 constexpr double kSum = kLines * 2.3e-16;
 
 void expect_near(Vec a, Vec b, double tolerance, std::string_view what) {
@@ -53,7 +54,7 @@ TEST(Spectra, HaveThePublishedWhitePoints) {
         const Spectrum* light = find_illuminant(p.name);
         ASSERT_NE(light, nullptr) << p.name;
         const Chromaticity c = chromaticity(xyz_of_light(light->lines));
-        // Half of the last digit that is printed, and half of one for their sums being over more digits or lines.
+        // Half of the last printed digit, and another half because they sum over more digits or lines.
         EXPECT_NEAR(c.x, p.x, p.digits) << p.name;
         EXPECT_NEAR(c.y, p.y, p.digits) << p.name;
         EXPECT_NEAR(xyz_of_light(light->lines).y, 1, kSum) << p.name;
@@ -66,7 +67,7 @@ TEST(Spectra, GiveD65OnWhiteTheColorWhite) {
     white.fill(1);
     expect_near(rgb_of_reflectance(white), {1, 1, 1}, kSum, "white");
     expect_near(rgb_of_light(find_illuminant("D65")->lines), {1, 1, 1}, kSum, "D65");
-    // What that scales the channels by.
+    // The largest factor that this scales the channels by.
     expect_near(kSrgbFromXyz * xyz_of_light(find_illuminant("D65")->lines), {1, 1, 1}, 3e-4, "unscaled");
 }
 
@@ -83,7 +84,7 @@ TEST(Spectra, AreAllWordsOfPragmas) {
     EXPECT_EQ(find_illuminant("dark_skin"), nullptr);
 }
 
-// xyY under D50 of the chart's maker (GretagMacbeth 2005): another specimen, in another year, by another instrument.
+// xyY under D50 from the maker of the chart (GretagMacbeth 2005): another chart, year and instrument.
 TEST(Spectra, HaveThePatchesPublishedColors) {
     constexpr Vec kPublished[] = {
         {0.4316, 0.3777, 0.1008}, {0.4197, 0.3744, 0.3495}, {0.2760, 0.3016, 0.1836}, {0.3703, 0.4499, 0.1325},
@@ -107,10 +108,10 @@ TEST(Spectra, HaveThePatchesPublishedColors) {
             delta_e_2000(lab(xyz_of_light(power)), lab({luminance * x / y, luminance, luminance * (1 - x - y) / y}));
         sum += e;
         worst = std::max(worst, e);
-        EXPECT_LT(e, 4) << reflectances()[i].name << ": charts differ, but no patch is taken for another";
+        EXPECT_LT(e, 4) << reflectances()[i].name << ": charts differ, but each patch is still recognisable";
     }
     EXPECT_LT(sum / 24, 1.5);
-    EXPECT_GT(worst, 0.5) << "the two specimens are not the same numbers";
+    EXPECT_GT(worst, 0.5) << "the two charts should not have the same numbers";
 }
 
 TEST(Primaries, AddUpToWhiteAndStayReflectances) {
@@ -123,7 +124,7 @@ TEST(Primaries, AddUpToWhiteAndStayReflectances) {
         }
         EXPECT_NEAR(sum, 1, 1e-5) << "as printed; " << wavelength_nm(static_cast<int>(l)) << " nm";
     }
-    // Their own colours, as printed, under a D65 of its own table: samples put the rest right.
+    // The colours of the printed primaries under D65 are only approximate; the samples correct the rest.
     expect_near(rgb_of_reflectance(primaries()[0].lines), {1, 0, 0}, 5e-4, "red");
     expect_near(rgb_of_reflectance(primaries()[1].lines), {0, 1, 0}, 5e-4, "green");
     expect_near(rgb_of_reflectance(primaries()[2].lines), {0, 0, 1}, 5e-4, "blue");
@@ -137,7 +138,7 @@ class Samples : public testing::TestWithParam<int> {
 };
 
 TEST_P(Samples, KeepEveryColor) {
-    // A sum over the samples, of a matrix inverse that magnifies rounding by some tens.
+    // A sum over the samples with the inverse of a matrix, which magnifies rounding by some tens.
     constexpr double kTolerance = 100 * kSum;
     for (const Vec c : {Vec{1, 1, 1}, {0, 0, 0}, {1, 0, 0}, {0.2, 0.5, 0.9}, {0, 1, 1}, {-0.5, 2, 7}})
         expect_near(samples_.color(samples_.of_color(c)), c, kTolerance * (1 + length(c)), "a colour");
@@ -152,7 +153,7 @@ TEST_P(Samples, OfWhiteAreOnes) {
     for (const double s : samples_.of_illuminant(*find_illuminant("D65"))) EXPECT_NEAR(s, 1, 100 * kSum);
 }
 
-// So under D65 one bounce is exact with three numbers: it is the colour itself.
+// So under D65 one reflection is exact even with three samples: the result is the colour.
 TEST_P(Samples, UnderD65GiveThePatchesTheirColors) {
     const auto& d65 = samples_.of_illuminant(*find_illuminant("D65"));
     for (const Spectrum& r : reflectances())
@@ -181,7 +182,7 @@ struct Off {
     double mean = 0, max = 0;
 };
 
-// Of the 24 patches under a light, by the light's own white; n = 0 is the product of red, green and blue.
+// For the 24 patches under a light, relative to the light's white; n = 0 means the product of red, green and blue.
 Off off_by(const Spectrum& light, int n) {
     const SpectralSamples all(kLines), some(n == 0 ? 3 : n);
     const Vec light_rgb = rgb_of_light(light.lines);
@@ -199,7 +200,7 @@ Off off_by(const Spectrum& light, int n) {
 
 TEST(SpectralSamples, ConvergeUnderEveryLight) {
     for (const Spectrum& light : illuminants()) {
-        if (light.name == "D65") continue;  // exact with any
+        if (light.name == "D65") continue;  // exact with any number of samples
         EXPECT_LT(off_by(light, 9).mean, off_by(light, 3).mean) << light.name;
         EXPECT_LT(off_by(light, 16).mean, off_by(light, 9).mean) << light.name;
         EXPECT_LT(off_by(light, 61).mean, 0.1) << light.name;
@@ -207,7 +208,7 @@ TEST(SpectralSamples, ConvergeUnderEveryLight) {
     }
 }
 
-// Samples that keep no colours: means over bands of equal widths, 380 to 780 nm.
+// Samples that do not preserve colours: means over bands of equal width, 380 to 780 nm.
 Off off_by_plain_bands(const Spectrum& light, int n) {
     const Vec light_rgb = rgb_of_light(light.lines);
     const Lines& d65 = find_illuminant("D65")->lines;

@@ -1,4 +1,4 @@
-// The state machine's rules, by hand. The driver's opinion on them is asked in tests/property.
+// The rules of the state machine, calculated by hand. tests/property compares them with the driver.
 #include "scene/state/state.h"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(LightState, SpotDirectionIsTurnedButNotMovedNorMadeUnit) {
     const State state = after(
         "glTranslated(5, 5, 5); glRotated(90, 0, 1, 0); glScaled(2, 2, 2);\n"
         "glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, (GLfloat[]){0, 0, -1});");
-    // A turn by 90 degrees about y takes -z to -x.
+    // A rotation by 90 degrees about y takes -z to -x.
     EXPECT_NEAR(state.lighting().lights[0].spot_direction_eye.x, -2, kExact);
     EXPECT_NEAR(state.lighting().lights[0].spot_direction_eye.z, 0, kExact);
 }
@@ -94,7 +94,7 @@ TEST(LightState, TheLaterRuleForIntegersIsAnOption) {
     EXPECT_EQ(state.attributes().current.color, glm::dvec4(1, 0, -1, -1));
 }
 
-// ---- Errors: what is refused changes nothing ----
+// ---- Errors: a refused command changes nothing ----
 
 struct Refused {
     const char* text;
@@ -116,6 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refused{"glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 120);", kGL_INVALID_VALUE,
                 "GL_SPOT_CUTOFF is 120; it must be in [0, 90] or 180"},
+        Refused{"glEnable(GL_LIGHT0 + 8);", kGL_INVALID_ENUM, "glEnable is given GL_LIGHT0 + 8; GL has GL_LIGHT0 to"},
         Refused{"glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, -1);", kGL_INVALID_VALUE, "[0, 90] or 180"},
         Refused{"glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, 128.5);", kGL_INVALID_VALUE, "in [0, 128]"},
         Refused{"glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, -0.5);", kGL_INVALID_VALUE, "must be 0 or more"},
@@ -134,8 +135,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"glEnd();", kGL_INVALID_OPERATION, "glEnd without a glBegin"},
         Refused{"glBegin(GL_LINES); glBegin(GL_LINES); glEnd();", kGL_INVALID_OPERATION, "glBegin inside glBegin"},
         Refused{"glBegin(GL_LINES); glEnable(GL_LIGHTING); glEnd();", kGL_INVALID_OPERATION,
-                "cannot stand between glBegin and glEnd; the glBegin is at scene.gl:1:1"},
-        Refused{"glBegin(GL_LINES); glutSolidCube(1); glEnd();", kGL_INVALID_OPERATION, "cannot stand between"},
+                "is not allowed between glBegin and glEnd; the glBegin is at scene.gl:1:1"},
+        Refused{"glBegin(GL_LINES); glutSolidCube(1); glEnd();", kGL_INVALID_OPERATION, "is not allowed between"},
         Refused{"glPopMatrix();", kGL_STACK_UNDERFLOW, "GL_MODELVIEW"},
         Refused{"glFrustum(-1, 1, -1, 1, 0, 1);", kGL_INVALID_VALUE, "above 0"},
         Refused{"glOrtho(1, 1, -1, 1, 0, 1);", kGL_INVALID_VALUE, "left != right"},
@@ -146,8 +147,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"glScaled(INFINITY, 1, 1);", kGL_INVALID_VALUE, "not finite"},
         Refused{"glMaterialf(GL_FRONT, GL_SHININESS, NAN);", kGL_INVALID_VALUE, "not finite"},
         Refused{"#pragma twinlight specular(cube)", kGL_INVALID_ENUM, "half_vector or reflection"},
-        Refused{"#pragma twinlight light(3, GL_DIFFUSE, 1, 1, 1, 1)", kGL_INVALID_ENUM, "a number from 8 to 65535"},
-        Refused{"#pragma twinlight light(8, GL_DIFFUSE, 1)", kGL_INVALID_VALUE, "GL_DIFFUSE has 4 values, here 1"},
+        Refused{"#pragma twinlight light(3, GL_DIFFUSE, 1, 1, 1, 1)", kGL_INVALID_ENUM,
+                "the number must be from 8 to 65535"},
+        Refused{"#pragma twinlight light(8, GL_DIFFUSE, 1)", kGL_INVALID_VALUE, "GL_DIFFUSE needs 4 values, not 1"},
         Refused{"#pragma twinlight light(8, GL_SPOT_CUTOFF, 100)", kGL_INVALID_VALUE, "[0, 90] or 180"},
         Refused{"#pragma twinlight spot_cone(GL_LIGHT0, -5, 10)", kGL_INVALID_VALUE, "[0, 180]"}));
 
@@ -225,7 +227,7 @@ TEST(MaterialState, BetweenVerticesIsTheNextVertices) {
         "glBegin(GL_LINES); glVertex2f(0, 0); glMaterialf(GL_FRONT, GL_SHININESS, 5);\n"
         "glMaterialf(GL_FRONT, GL_SHININESS, 7); glVertex2f(0, 1); glVertex2f(1, 1); glEnd();");
     const Draw& draw = first_draw(frame);
-    ASSERT_EQ(draw.materials.size(), 2u);  // the one that no vertex had is not kept
+    ASSERT_EQ(draw.materials.size(), 2u);  // a material that no vertex used is not kept
     EXPECT_EQ(draw.materials[0].front.shininess, 3);
     EXPECT_EQ(draw.materials[1].front.shininess, 7);
     EXPECT_EQ(draw.vertices[0].material, 0u);
@@ -250,7 +252,7 @@ TEST(Vertices, CarryTheCurrentNormalAndColour) {
     const Draw& draw = first_draw(frame);
     ASSERT_EQ(draw.vertices.size(), 3u);
     EXPECT_EQ(draw.vertices[0].position_object, glm::dvec4(1, 2, 0, 1));
-    // (2c+1)/255: 0 is no signed byte's value, table 2.9.
+    // (2c+1)/255, table 2.9: no signed byte gives 0.
     EXPECT_NEAR(draw.vertices[0].normal_object.x, 1, kExact);
     EXPECT_NEAR(draw.vertices[0].normal_object.y, 1 / 255.0, kExact);
     EXPECT_NEAR(draw.vertices[0].normal_object.z, -1, kExact);
@@ -343,8 +345,9 @@ TEST(Frames, NameWhatTheRenderersDoNotDoYetWithCountAndPlace) {
 }
 
 TEST(Frames, AreRefusedWhenSomethingIsLeftOpen) {
-    EXPECT_EQ(error_of("glBegin(GL_LINES);"), "scene.gl:1:1: this glBegin has no glEnd");
-    EXPECT_EQ(error_of("glutSolidCube(1);\n glPushMatrix();"), "scene.gl:2:2: this glPushMatrix has no glPopMatrix");
+    EXPECT_EQ(error_of("glBegin(GL_LINES);"), "scene.gl:1:1: this glBegin has no glEnd; add it after the last vertex");
+    EXPECT_EQ(error_of("glutSolidCube(1);\n glPushMatrix();"),
+              "scene.gl:2:2: this glPushMatrix has no glPopMatrix; each push needs a pop");
 }
 
 TEST(Frames, AreRefusedWhenNothingIsDrawn) {
@@ -357,7 +360,7 @@ TEST(Frames, AreRefusedAtTheFirstError) {
               "scene.gl:2:1: GL_SPOT_CUTOFF is 120; it must be in [0, 90] or 180 (GL_INVALID_VALUE)");
 }
 
-// A program that normalises the normals of degenerate triangles sends NaN, freeglut's teapot among them.
+// Programs that normalise the normals of degenerate triangles send NaN; freeglut's teapot does too.
 TEST(State, HasLightsThatGlDoesNotHave) {
     const Frame frame = frame_of(
         "glPushAttrib(GL_LIGHTING_BIT);\n#pragma twinlight light(9, GL_DIFFUSE, 1, 0.5, 0, 1)\nglPopAttrib();\n"
@@ -390,7 +393,7 @@ TEST(State, TakesVerticesThatAreNotNumbers) {
     EXPECT_EQ(of_array.position_object, glm::dvec4(0.25, 0.5, 0, 1));
 }
 
-// 4.2.1: with no buffer to draw to, depth is drawn and cleared alone.
+// 4.2.1: without a colour buffer, only depth is drawn and cleared.
 TEST(State, DrawsNoColorWithoutABuffer) {
     const Frame frame = frame_of(
         "glClearColor(1, 0, 0, 1); glPushAttrib(GL_COLOR_BUFFER_BIT); glDrawBuffer(GL_NONE);\n"

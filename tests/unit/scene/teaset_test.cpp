@@ -1,4 +1,4 @@
-// Newell's tea set: where it stands, how it is wound, that it is symmetric, and the texture coordinates of its patches.
+// Newell's tea set: position, orientation, symmetry, and the texture coordinates of its patches.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 namespace twinlight {
 namespace {
 
-constexpr std::size_t kPatch = 8 * 8;  // vertices of a solid's patch
+constexpr std::size_t kPatch = 8 * 8;  // vertices per patch of a solid
 
 std::vector<ShapePart> solids() {
     return {freeglut_teapot(1, false).front(), freeglut_teacup(1, false).front(), freeglut_teaspoon(1, false).front()};
 }
 
-// The data are symmetric as they are written, with five decimals.
+// The data are exactly symmetric in their five decimals.
 constexpr double kDigits = 1e-5;
 
 bool has_vertex_near(const std::vector<ShapeVertex>& vertices, const glm::dvec3& position) {
@@ -26,7 +26,7 @@ bool has_vertex_near(const std::vector<ShapeVertex>& vertices, const glm::dvec3&
 }
 
 TEST(TeaSet, IsAsHighAsItsDataSay) {
-    // From the bottom at z = 0 to the lid's top at 3.15, half of it a unit of size.
+    // The pot reaches from z = 0 to the top of the lid at 3.15; half of that is one unit of size.
     double lowest = 1e9, highest = -1e9;
     const ShapePart teapot = freeglut_teapot(2, false).front();
     for (const ShapeVertex& v : teapot.vertices) {
@@ -47,7 +47,7 @@ TEST(TeaSet, LooksOutwardClockwise) {
             const glm::dvec3 area =
                 glm::cross(b.position_object - a.position_object, c.position_object - a.position_object) / 2.0;
             volume += glm::dot(a.position_object, glm::cross(b.position_object, c.position_object)) / 6;
-            // At the lid's top and the spoon's tip, specks are folded.
+            // Tiny triangles at the top of the lid and the tip of the spoon are folded.
             constexpr double kSpeck = 1e-5;
             if (glm::length(area) < kSpeck) continue;
             EXPECT_LT(glm::dot(area, a.normal_object + b.normal_object + c.normal_object), 0) << "triangle " << i / 3;
@@ -91,7 +91,7 @@ TEST(TeaSet, HasUnitNormalsOrNoneWhereAPatchIsPinched) {
         }
     }
     EXPECT_EQ(pinched,
-              6);  // the corners of the last four patches, at the end of the spoon, where two control points are one
+              6);  // corners of the last four patches, at the end of the spoon, where two control points coincide
 }
 
 TEST(TeaSet, HasOneTextureOverEachPatch) {

@@ -1,4 +1,4 @@
-// Reading scenes: what the C statements mean, and what is said about mistakes.
+// Reading scenes: the meaning of C statements, and error messages.
 #include "scene/command/text.h"
 
 #include <gtest/gtest.h>
@@ -84,8 +84,8 @@ TEST(Reading, TakesCompoundLiterals) {
 TEST(Reading, TakesRowsOfArraysOfArrays) {
     const std::string rows = "GLfloat v[][3] = {{1, 2, 3}, {4, 5}, 6, 7, 8}; ";
     EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[0]);"), (Values{1, 2, 3}));
-    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[1]);"), (Values{4, 5, 0}));  // C sets the rest of a row to 0
-    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[2]);"), (Values{6, 7, 8}));  // and rows need no braces of their own
+    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[1]);"), (Values{4, 5, 0}));  // C fills the rest of a row with 0
+    EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[2]);"), (Values{6, 7, 8}));  // rows need no braces
     EXPECT_EQ(arguments_of(rows + "glVertex3fv(&v[1][0]);"), (Values{4, 5, 0}));
     EXPECT_EQ(arguments_of(rows + "glVertex3fv(v[0] + 3);"), (Values{4, 5, 0}));
     EXPECT_EQ(arguments_of(rows + "glVertex3f(v[2][1], sizeof(v), sizeof v[0]);"), (Values{7, 36, 12}));
@@ -112,7 +112,7 @@ TEST(Reading, CastsNumbersAsCDoes) {
 
 // ---- Pointers ----
 
-// The command, and the bytes from where its pointer points on as values of `kind`.
+// The command, and the memory that its pointer points to as values of `kind`.
 struct Pointed {
     Command command;
     Values values;
@@ -179,7 +179,7 @@ TEST(ObjectNames, AreTheLowestThatWereNeverGiven) {
     EXPECT_EQ(commands[2].arguments, (Values{2, 3, 4}));
     EXPECT_EQ(commands[3].arguments, (Values{1, 1}));
     EXPECT_EQ(commands[4].arguments, (Values{1, 5}));
-    EXPECT_EQ(commands[5].arguments, (Values{1, 9}));  // a literal says its names itself
+    EXPECT_EQ(commands[5].arguments, (Values{1, 9}));  // a literal gives the names
     EXPECT_EQ(commands[6].arguments, (Values{kGL_TEXTURE_2D, 4}));
 }
 
@@ -222,7 +222,7 @@ TEST(Reading, RemembersWhereACommandStands) {
     EXPECT_EQ(commands[0].place.str(), "scene.gl:2:9");  // columns count characters, not bytes
 }
 
-// ---- Mistakes: one line with the place, what is wrong, and the nearest known name ----
+// ---- Mistakes: one line with the place, the error, and the nearest known name ----
 
 struct Mistake {
     const char* text;
@@ -231,7 +231,7 @@ struct Mistake {
 
 class Mistakes : public testing::TestWithParam<Mistake> {};
 
-TEST_P(Mistakes, AreTold) {
+TEST_P(Mistakes, AreReportedOnOneLine) {
     const std::string error = error_of(GetParam().text);
     EXPECT_EQ(error.find('\n'), std::string::npos) << error;
     EXPECT_NE(error.find(GetParam().message), std::string::npos) << error;
@@ -242,8 +242,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"glEnabel(GL_LIGHTING);", "scene.gl:1:1: unknown command 'glEnabel'; did you mean glEnable?"},
         Mistake{"glEnable(GL_LIGTH0);", "scene.gl:1:10: unknown name 'GL_LIGTH0'; did you mean GL_LIGHT0?"},
-        Mistake{"glEnable();", "scene.gl:1:10: glEnable takes 1 argument: glEnable(cap); only 0 given"},
-        Mistake{"glScalef(1, 2);", "scene.gl:1:14: glScalef takes 3 arguments: glScalef(x, y, z); only 2 given"},
+        Mistake{"glEnable(GL_LIGHT8);",
+                "scene.gl:1:10: unknown name 'GL_LIGHT8'; GL has GL_LIGHT0 to GL_LIGHT7, others need #pragma"},
+        Mistake{"glEnable();", "scene.gl:1:10: glEnable takes 1 argument: glEnable(cap); only 0 are given"},
+        Mistake{"glScalef(1, 2);", "scene.gl:1:14: glScalef takes 3 arguments: glScalef(x, y, z); only 2 are given"},
         Mistake{"glScalef(1, 2, 3, 4);", "more are given"},
         Mistake{"glEnable(0.5);", "must be a GL name such as GL_LIGHT0, not the number 0.5"},
         Mistake{"glVertex2i(0.5, 1);", "must be a whole number, not 0.5"},
@@ -252,57 +254,60 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){1, 2, 3});",
                 "scene.gl:1:35: glLightfv with GL_POSITION reads 4 values, but this array has 3"},
         Mistake{"GLdouble key[] = {1,2,3,4}; glLightfv(GL_LIGHT0, GL_POSITION, key);",
-                "glLightfv takes an array of GLfloat, but 'key' is one of GLdouble"},
+                "glLightfv takes an array of GLfloat, but 'key' is an array of GLdouble"},
         Mistake{"GLfloat key[] = {1}; glColor3fv(kye);", "did you mean key?"},
         Mistake{"GLfloat got[4]; glGetLightfv(GL_LIGHT0, GL_POSITION, got); glColor4fv(got);",
                 "glGetLightfv at scene.gl:1:17 writes to it"},
         Mistake{"GLfloat v[4]; glColor4fv(v);", "has no value here: it was declared without a value"},
         Mistake{"GLfloat v[2] = {1,2,3};", "has 3 values, but its length is 2"},
         Mistake{"GLfloat v[2][2] = {{1, 2, 3}};", "scene.gl:1:27: this row has more than 2 values"},
-        Mistake{"GLfloat v[2][2] = {1, {2}};", "this row starts in the middle of another"},
+        Mistake{"GLfloat v[2][2] = {1, {2}};", "this row starts before the previous one is complete"},
         Mistake{"GLfloat v[2] = {{1}};", "these braces are one level too deep"},
         Mistake{"GLfloat v[2][2] = {1, 2, 3, 4, 5};", "'v' has 5 values, but its length is 4"},
-        Mistake{"GLfloat v[3][2] = {1}; glVertex2fv(v[3]);", "this index lies outside 'v', which has 3 rows"},
+        Mistake{"GLfloat v[3][2] = {1}; glVertex2fv(v[3]);", "this index is outside 'v', which has 3 rows"},
         Mistake{"GLfloat v[3][2] = {1}; glVertex2f(v[0], 1);", "a single number is needed here"},
-        Mistake{"GLfloat v[3] = {1}; glVertex2fv(v + 4);", "this place lies outside 'v', which has 3 values"},
+        Mistake{"GLfloat v[3] = {1}; glVertex2fv(v + 4);", "this pointer is outside 'v', which has 3 values"},
         Mistake{"GLfloat v[3] = {1}; glVertex2fv(v + 2);", "glVertex2fv reads 2 values, but 'v' has 1"},
-        Mistake{"GLfloat v[3] = {1}; glVertex2fv(v * 2);", "'*' cannot join an array and this"},
+        Mistake{"GLfloat v[3] = {1}; glVertex2fv(v * 2);", "'*' cannot combine an array with this value"},
         Mistake{"glVertex2fv(NULL);", "expected an array such as (GLfloat[]){1, 0, 0, 1}"},
-        Mistake{"GLuint t = glEnable(GL_LIGHTING);", "glEnable returns nothing"},
+        Mistake{"GLuint t = glEnable(GL_LIGHTING);", "glEnable returns no value"},
         Mistake{"GLuint t[1]; glGenTextures(2, t);", "glGenTextures writes 2 values, but 't' has 1"},
         Mistake{"glBindTexture(GL_TEXTURE_2D, sizeof(nothing));", "unknown name 'nothing'"},
-        Mistake{"GLdouble v[16777216], w[16777216], x[16777216]; ", "all arrays of a scene hold 256 MiB"},
+        Mistake{"GLdouble v[16777216], w[16777216], x[16777216]; ",
+                "all arrays and pictures of a scene together can have at most 256 MiB"},
         Mistake{"GLubyte v[4]; glTexImage1D(GL_TEXTURE_1D, 0, 3, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, v);",
                 "'v' has no value here"},
         Mistake{"glTexImage1D(GL_TEXTURE_1D, 0, 3, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, 12);",
-                "the argument pixels of glTexImage1D is a pointer"},
-        Mistake{"#pragma twinlight returns(3)\nglEnable(GL_LIGHTING);", "scene.gl:1:19: the next call is glEnable"},
-        Mistake{"GLfloat v = 1; GLfloat v = 2;", "'v' is declared already, at scene.gl:1:9"},
-        Mistake{"GLfloat v[] = {1}; glColor3f(v[1], 0, 0);", "this index lies outside 'v', which has 1 values"},
-        Mistake{"glScaled(1/0, 1, 1);", "division of whole numbers by 0"},
+                "the argument pixels of glTexImage1D must be an array, NULL, or an offset"},
+        Mistake{"#pragma twinlight returns(3)\nglEnable(GL_LIGHTING);",
+                "scene.gl:1:19: returns(...) must come before a call that returns a value; the next call is glEnable"},
+        Mistake{"GLfloat v = 1; GLfloat v = 2;", "'v' is already declared at scene.gl:1:9"},
+        Mistake{"GLfloat v[] = {1}; glColor3f(v[1], 0, 0);",
+                "this index is outside 'v', which has 1 value; indices start at 0"},
+        Mistake{"glScaled(1/0, 1, 1);", "this divides a whole number by 0"},
         Mistake{"glScaled(9223372036854775807 + 1, 1, 1);", "too large"},
-        Mistake{"glScaled(99999999999999999999, 1, 1);", "too large; write it with a point"},
+        Mistake{"glScaled(99999999999999999999, 1, 1);", "too large for a whole number; write it with a decimal point"},
         Mistake{"glScaled(1.2.3, 1, 1);", "'1.2.3' is not a number"},
         Mistake{"glEnable(GL_LIGHTING)", "expected ';' after glEnable(...), found the end of the scene"},
-        Mistake{"glEnable(GL_LIGHTING;", "expected ')'"}, Mistake{"for (;;) glEnd();", "'for' is not part of a scene"},
+        Mistake{"glEnable(GL_LIGHTING;", "expected ')'"}, Mistake{"for (;;) glEnd();", "a scene cannot use 'for'"},
         Mistake{"int main(int argc, char** argv) {",
-                "scene.gl:1:5: functions are not part of a scene: write what 'main' calls one after the other"},
+                "scene.gl:1:5: a scene cannot define the function 'main'; write its calls directly"},
         Mistake{"void display(void) {", "this function is never closed"},
-        Mistake{"GLfloat v[] = {1}; v[0] = 2;", "assignments are not part of a scene"},
+        Mistake{"GLfloat v[] = {1}; v[0] = 2;", "a scene cannot assign to"},
         Mistake{"/* open", "scene.gl:1:1: this comment is never closed"},
-        Mistake{"#define N 3", "#define is not part of a scene"},
-        Mistake{"\x01\x02", "scene.gl:1:1: '\\x01' has no place in a scene"},
+        Mistake{"#define N 3", "a scene cannot use #define"},
+        Mistake{"\x01\x02", "scene.gl:1:1: unexpected '\\x01'; a scene consists of C statements"},
         Mistake{"#pragma twinlight speculr(reflection)", "unknown pragma 'speculr'; did you mean specular?"},
         Mistake{"#pragma twinlight specular(reflecton)", "did you mean reflection?"}));
 
 TEST(Reading, RefusesNestingThatIsTooDeep) {
     const std::string deep = "glScaled(" + std::string(100'000, '(') + "1" + std::string(100'000, ')') + ",1,1);";
-    EXPECT_NE(error_of(deep).find("nested deeper"), std::string::npos);
+    EXPECT_NE(error_of(deep).find("nested"), std::string::npos);
     EXPECT_EQ(arguments_of("glScaled(" + std::string(100'000, '-') + "1.0, 1, 1);")[0], 1);
 }
 
 TEST(Reading, RefusesASceneThatIsTooLong) {
-    EXPECT_NE(error_of(std::string(kMaxSceneBytes + 1, ' ')).find("at most"), std::string::npos);
+    EXPECT_NE(error_of(std::string(kMaxSceneBytes + 1, ' ')).find("the limit is"), std::string::npos);
 }
 
 // ---- Printing ----
@@ -361,10 +366,11 @@ TEST(Reading, RefusesMoreThanOneFunctionWithPlaceAndRemedy) {
         EXPECT_NE(error_of(text).find(part), std::string::npos) << error_of(text);
     };
     has("void display(void) { glEnd(); }\nvoid keys(void) { }",
-        "2:1: nothing may follow 'display', which is the scene: write what other functions call into it");
-    has("void display(void) { void inner(void) { } }", "1:22: a function cannot stand inside another");
-    has("void sphere(GLfloat radius) { }", "expected ')' after sphere(: the function around a scene has no parameters");
-    has("int main(void) { glEnd(); }", "functions are not part of a scene");
+        "2:1: only the function 'display' is read; move the calls of other functions into it");
+    has("void display(void) { void inner(void) { } }", "1:22: a function cannot be inside another function");
+    has("void sphere(GLfloat radius) { }",
+        "expected ')' after sphere(, because the function of a scene has no parameters");
+    has("int main(void) { glEnd(); }", "a scene cannot define the function");
     has("void display(void) { glEnd();", "1:1: this function is never closed");
     has("static void draw_scene(void) { glEnd();", "never closed");
     has("void display(void) { glVertex3f(1, 2); }", "1:37: glVertex3f takes 3 arguments");

@@ -1,4 +1,4 @@
-// #pragma twinlight texture("file.png"): what it draws, what it equals, and which files it does not read.
+// #pragma twinlight texture("file.png"): pictures, equivalent commands, and files that it refuses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Image red_above_blue() {
     return image;
 }
 
-// The whole window is the picture, as it hangs.
+// The picture fills the window, upright.
 constexpr const char* kScene = R"(
 glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 glEnable(GL_TEXTURE_2D);
@@ -49,7 +49,7 @@ class TextureFiles : public testing::Test {
     }
     static ProgramResult run(const std::vector<std::string>& arguments) { return run_program("twinlight", arguments); }
 
-    // A scene that names this picture is refused in one line that begins with the name's place.
+    // A scene with this picture is refused with one line that starts with the place of the name.
     void expect_refused(const std::string& picture, const std::string& expected) {
         write_file_atomically(in_ / "refused.gl", "#pragma twinlight texture(" + picture + ")\nglutSolidCube(1);\n");
         const ProgramResult result = run({"render", in_ / "refused.gl", "--with", "reference", "-o", in_ / "p.png"});
@@ -84,7 +84,8 @@ TEST_F(TextureFiles, AreFoundFromEveryFolder) {
     EXPECT_EQ(result.status, 0) << result.err;
 }
 
-// The pixels of a size that is no power of two, so that GLU scales them: as from the array, in a display list too.
+// A size that is not a power of two, so GLU scales the pixels. The result is the same as from an array, in a display
+// list too.
 TEST(TextureFile, EqualsGluBuild2DMipmapsOfItsPixels) {
     std::string bytes;
     ImageFile image{5, 3, {}};
@@ -132,7 +133,7 @@ TEST_F(TextureFiles, AreExportedAsArraysAndKeptByPrinting) {
     const ProgramResult result = run({"export", in_ / "scene.gl", "--as", "c"});
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.out.find("#pragma twinlight"), std::string::npos);
-    // The lowest row, blue, first.
+    // The bottom row (blue) comes first.
     EXPECT_NE(result.out.find("0, 0, 255, 255, 0, 0, 255, 255, 255, 0, 0, 255, 255, 0, 0, 255};"), std::string::npos);
     EXPECT_NE(result.out.find("gluBuild2DMipmaps(GL_TEXTURE_2D, "), std::string::npos);
     const std::string pragma = "#pragma twinlight texture(\"picture.png\")\n";
@@ -142,25 +143,26 @@ TEST_F(TextureFiles, AreExportedAsArraysAndKeptByPrinting) {
     EXPECT_EQ(print_scene(scene), pragma);
 }
 
-// ---- What is not read ----
+// ---- Names that are refused ----
 
 TEST_F(TextureFiles, LieInTheScenesFolder) {
-    const std::string elsewhere = "lies in the scene's own folder; give its name alone";
+    const std::string elsewhere = "must be in the folder of the scene; give only its file name";
     expect_refused("\"../picture.png\"", elsewhere);
     expect_refused("\"" + (in_ / "picture.png") + "\"", elsewhere);
     expect_refused("\"./picture.png\"", elsewhere);
     expect_refused("\"..\"", elsewhere);
     expect_refused("\"\"", elsewhere);
-    expect_refused("\"none.png\"", "'none.png': No such file or directory; the picture must lie beside the scene");
+    expect_refused("\"none.png\"",
+                   "'none.png': No such file or directory; the picture must be in the folder of the scene");
     write_png(out_ / "picture.png", red_above_blue());
     fs::create_symlink(out_ / "picture.png", in_ / "link.png");
-    expect_refused("\"link.png\"", "a link leads out of the scene's folder");
+    expect_refused("\"link.png\"", "this link points outside the folder of the scene");
     fs::create_symlink("loop.png", in_ / "loop.png");
     expect_refused("\"loop.png\"", "Too many levels of symbolic links");
     fs::create_directory(in_ / "folder.png");
-    expect_refused("\"folder.png\"", "it is no file");
+    expect_refused("\"folder.png\"", "this is not a file");
     EXPECT_EQ(run_shell("", "mkfifo " + quoted(in_ / "pipe.png")).status, 0);
-    expect_refused("\"pipe.png\"", "it is no file");
+    expect_refused("\"pipe.png\"", "this is not a file");
 }
 
 TEST_F(TextureFiles, MayBeReachedByALinkWithinTheFolder) {
@@ -174,20 +176,20 @@ TEST_F(TextureFiles, HaveNoFolderInStandardInputAndPipes) {
             run_shell("twinlight", "cat " + quoted(in_ / "scene.gl") + " | \"$PROGRAM\" render " + scene +
                                        " --with reference -o " + quoted(out_ / "p.png"));
         EXPECT_EQ(result.status, 2);
-        EXPECT_NE(result.err.find("save it to a file beside the picture"), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find("save the scene in a file next to the picture"), std::string::npos) << result.err;
     }
 }
 
 TEST_F(TextureFiles, AreNamedInQuotes) {
     expect_refused("picture", "expected the name of a picture in quotes, such as \"brick.png\"");
     expect_refused("3", "expected the name of a picture in quotes");
-    expect_refused("\"picture.png", "this string is not closed on its line");
+    expect_refused("\"picture.png", "this string has no end on its line");
     EXPECT_THROW(read_scene("#pragma twinlight texture(\"a\\nb\")\n", "s.gl", "s"), SceneError);
     EXPECT_THROW(read_scene("#pragma twinlight texture(\"a\tb\")\n", "s.gl", "s"), SceneError);
     EXPECT_THROW(read_scene("glEnable(\"a\");\n", "s.gl", "s"), SceneError);
 }
 
-// ---- Files that are no pictures ----
+// ---- Files that are not pictures ----
 
 std::string four_bytes(std::size_t number) {
     std::string bytes;
@@ -196,7 +198,7 @@ std::string four_bytes(std::size_t number) {
 }
 
 std::string chunk(const std::string& type, const std::string& data) {
-    return four_bytes(data.size()) + type + data + four_bytes(0);  // the decoder does not look at check sums
+    return four_bytes(data.size()) + type + data + four_bytes(0);  // the decoder ignores check sums
 }
 
 // A PNG of grey pixels, whose data unpacks to `bytes` zeros: in stored blocks (RFC 1951, 3.2.4).
@@ -219,24 +221,24 @@ std::string png_of_zeros(std::size_t width, std::size_t height, std::size_t byte
 TEST_F(TextureFiles, ArePngsOfALimitedSize) {
     const auto put = [this](const std::string& bytes) { write_file_atomically(in_ / "a.png", bytes); };
     put("");
-    expect_refused("\"a.png\"", "it is no PNG; convert it to one");
+    expect_refused("\"a.png\"", "this is not a PNG; convert it to one");
     put("\xff\xd8\xff\xe0 a JPEG");
-    expect_refused("\"a.png\"", "it is no PNG; convert it to one");
+    expect_refused("\"a.png\"", "this is not a PNG; convert it to one");
     const std::string whole = encode_png(red_above_blue());
     for (std::size_t size = 8; size < whole.size(); size += 7) {
         put(whole.substr(0, size));
-        expect_refused("\"a.png\"", "save it anew");
+        expect_refused("\"a.png\"", "save it again");
     }
-    put(png_of_zeros(4, 3, 15));  // a byte a row says how the row is filtered
+    put(png_of_zeros(4, 3, 15));  // one byte per row gives the filter
     EXPECT_EQ(images_beside(in_ / "scene.gl")("a.png").rgba.size(), 4U * 3 * 4);
     put(png_of_zeros(kMaxImageSide + 1, 1, kMaxImageSide + 2));
-    expect_refused("\"a.png\"", "it has 2049 x 1 pixels, at most 2048 x 2048 are read; make it smaller");
+    expect_refused("\"a.png\"", "the picture has 2049 x 1 pixels; the limit is 2048 x 2048; make it smaller");
     put(png_of_zeros(0x7fffffff, 0x7fffffff, 10));
     expect_refused("\"a.png\"", "");
     put(png_of_zeros(4, 3, 1 << 20));  // a picture of 15 bytes that unpacks to a mebibyte
-    expect_refused("\"a.png\"", "more than its size says");
+    expect_refused("\"a.png\"", "more than its size allows");
     put(whole + std::string(kMaxImageFileBytes, '\0'));
-    expect_refused("\"a.png\"", "it has more than 32 MiB");
+    expect_refused("\"a.png\"", "the file has more than 32 MiB");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Reading recorded programs: what apitrace's dump says and what comes of it, call by call and frame by frame.
+// Reading recorded programs: apitrace's dumps, call by call and frame by frame.
 #include "scene/trace/trace.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ class Traces : public testing::Test {
         write_file_atomically(folder_ / "dump.txt", text);
         return load_recording(folder_ / "dump.txt");
     }
-    // What is handed out, a line each: commands as C, "end of frame", "outside: ...", "cut off: ...".
+    // The steps, one line each: commands as C, "end of frame", "outside: ...", "cut off: ...".
     std::vector<std::string> steps(const std::string& text) {
         std::vector<std::string> lines;
         recording(text)->for_each([&](const Step& step) {
@@ -128,7 +128,7 @@ TEST_F(Traces, ReadTheMemoryOfArraysFromBlobs) {
     EXPECT_EQ(commands[2].arguments.back(), 0);
 }
 
-// What a program writes into a mapped buffer, the tracer writes down as memcpy.
+// The tracer records a program's writes to a mapped buffer as memcpy.
 TEST_F(Traces, TakeWritesToMappedBuffersForGlBufferSubData) {
     write_file_atomically(folder_ / "blob_call3.bin", "abcd");
     EXPECT_EQ(steps("1 glBindBuffer(target = GL_ARRAY_BUFFER, buffer = 1)\n"
@@ -148,7 +148,7 @@ TEST_F(Traces, FollowTheContextThatDrawsFirst) {
                             "outside: glBegin in another context", "glEnable(GL_LIGHT2);"}));
 }
 
-// ---- What is wrong ----
+// ---- Errors ----
 
 TEST_F(Traces, TellWhereTheyEndInsideACall) {
     for (const char* end : {"3 glVertex2f(x = 1,", "3 glVertex2f(x = 1, y = 2", "3 glVer", "3 "}) {
@@ -165,7 +165,7 @@ TEST_F(Traces, RefuseWhatIsNoDumpWithItsLine) {
         refusal("1 glFlush()\nhello\n"),
         "dump.txt:2:1: expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found 'hello'");
     EXPECT_EQ(refusal("1 glFlush()\n2 \x1b[1mglFlush\x1b[0m()\n"),
-              "dump.txt:2:1: this dump has colours in it; make it with 'apitrace dump --color=never'");
+              "dump.txt:2:1: this dump contains colour codes; create it with 'apitrace dump --color=never'");
 }
 
 TEST_F(Traces, RefuseArgumentsThatGlCouldNotHaveBeenGiven) {
@@ -175,7 +175,7 @@ TEST_F(Traces, RefuseArgumentsThatGlCouldNotHaveBeenGiven) {
         {"1 glVertex2i(x = 0.5, y = 1)", "x of glVertex2i must be a whole number, not 0.5"},
         {"1 glLightfv(light = GL_LIGHT0, pname = GL_POSITION, params = {1, 2, 3})", "has 3 values, but 4 are needed"},
         {"1 glVertexPointer(size = 3, type = GL_FLOAT, stride = 0, pointer = blob(36))",
-         "make it with 'apitrace dump --blobs'"},
+         "create the dump with 'apitrace dump --blobs'"},
     };
     for (const auto& [call, expected] : cases) {
         const std::string found = refusal(call + "\n");
@@ -192,12 +192,12 @@ TEST_F(Traces, RefuseNamesThatNoGluintHolds) {
     EXPECT_EQ(refusal("1 glMapBuffer(target = 1e300, access = GL_WRITE_ONLY) = 0x1000\n"), "no error");
 }
 
-// Each of these would once have been followed to the end of the stack, or for ever.
+// Each of these once caused a stack overflow or an endless loop.
 TEST_F(Traces, AreNotFollowedIntoTheDepth) {
     for (const char* opening : {"{", "&", "a = ", "{a = ", "&{"}) {
         std::string deep = "1 glViewport(x = ";
         for (int i = 0; i < 1'000'000; ++i) deep += opening;
-        EXPECT_NE(refusal(deep + "1)\n").find("nested deeper than 8 here"), std::string::npos) << opening;
+        EXPECT_NE(refusal(deep + "1)\n").find("nested more than 8 deep"), std::string::npos) << opening;
     }
     EXPECT_FALSE(trace::is_dump("\x1b[1"));
     EXPECT_FALSE(trace::is_dump("\x1b["));
@@ -261,13 +261,13 @@ TEST_F(Traces, KeepTheStateOfEarlierFrames) {
     EXPECT_THROW(frame(text, 0), SceneError);  // draws nothing
 }
 
-// Without a swap there is one buffer, and what is drawn stays.
+// Without a swap there is one buffer, and the next frame draws over it.
 TEST_F(Traces, EndAFrameAtGlFlushWhereNothingIsEverSwapped) {
     const std::string text = "1 glFlush()\n" + std::string(kTriangle) + "glFlush()\n" + kTriangle + "glFinish()\n";
     EXPECT_EQ(frame(text).number, 0);
     EXPECT_EQ(draws(frame(text, 0).scene.frame), 1u);
     EXPECT_EQ(draws(frame(text, 1).scene.frame), 2u);
-    // A program that swaps flushes now and then, and ends nothing by it.
+    // In a program that swaps, a flush does not end a frame.
     EXPECT_EQ(draws(frame(std::string(kTriangle) + "glFlush()\n" + kTriangle + kSwap).scene.frame), 2u);
 }
 
@@ -293,7 +293,7 @@ TEST_F(Traces, CountWhatNoRendererDoes) {
 
 TEST(Apitrace, IsAskedForWhereItIsMissing) {
     const TemporaryFolder folder;
-    // The start of a trace: what apitrace would be given.
+    // The start of a .trace file.
     write_file_atomically(folder / "game.trace", std::string("at\x10\0\0\0", 6) + std::string(64, 'x'));
     const ProgramResult result =
         run_shell("twinlight", "PATH=/nowhere \"$PROGRAM\" compare " + quoted(folder / "game.trace") + " -o " +
@@ -308,7 +308,7 @@ TEST(Apitrace, IsAskedForWhereItIsMissing) {
 TEST(Apitrace, LeavesNothingBehindHoweverTheProgramEnds) {
     const TemporaryFolder folder, temporary;
     write_file_atomically(folder / "game.trace", std::string("at\x10\0\0\0", 6) + std::string(64, 'x'));
-    // In the place of apitrace: a blob, and a dump that never ends.
+    // A replacement for apitrace that writes a blob and a dump without end.
     write_file_atomically(folder / "apitrace",
                           "#!/bin/sh\necho x >blob.bin; echo '1 glFlush()'; while sleep 0.05; do echo; done\n");
     std::filesystem::permissions(folder / "apitrace", std::filesystem::perms::owner_all);

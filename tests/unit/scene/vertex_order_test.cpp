@@ -1,4 +1,4 @@
-// Triangles in patches for the driver's vertex cache.
+// Triangles grouped into patches for the driver's vertex cache.
 #include "scene/shape/vertex_order.h"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ TEST(Patches, HoldTheSameTrianglesEachWithItsOwnOrderOfVertices) {
     for (std::size_t i = 0; i < indices.size(); i += 3) before.push_back({indices[i], indices[i + 1], indices[i + 2]});
     for (const PatchedTriangles::Patch& patch : triangles.patches) {
         EXPECT_LE(patch.index_count, kPatchIndices);
-        EXPECT_LE(patch.vertex_count, patch.index_count);  // or the driver looks each vertex up
+        EXPECT_LE(patch.vertex_count, patch.index_count);  // otherwise the driver looks up each vertex
         for (std::uint32_t i = 0; i < patch.index_count; i += 3) {
             Triangle triangle{};
             for (std::uint32_t k = 0; k < 3; ++k) {
@@ -61,7 +61,7 @@ TEST(Patches, HoldTheSameTrianglesEachWithItsOwnOrderOfVertices) {
     EXPECT_EQ(before, after);
 }
 
-// A square patch of n by n squares has (n + 1)^2 vertices for n^2: at n = 26, 1.08; patches are not quite square.
+// A patch of n by n squares has (n + 1)^2 vertices, for n = 26 that is 1.08 n^2; patches are not quite square.
 TEST(Patches, ShadeAVertexHardlyMoreThanOnce) {
     const std::vector<std::uint32_t> indices = grid(512, 256);
     constexpr double kVertices = 513 * 257;

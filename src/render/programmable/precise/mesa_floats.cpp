@@ -29,7 +29,8 @@ constexpr float kNear = 1e-6F;
 bool is_near(float a, float b) { return (a - b) * (a - b) <= kNear * kNear; }
 bool is_nearer(float a, float b) { return (a - b) * (a - b) < kNear * kNear; }
 
-// math/m_matrix.c, analyse_from_scratch: matrix types and flags, and what they come to in inv_mat_tab and invert_matrix_3d.
+// math/m_matrix.c, analyse_from_scratch: matrix types and flags, and the inversion that inv_mat_tab and
+// invert_matrix_3d choose.
 Kind kind_of(const glm::mat4& m) {
     if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1) return {};
     const bool is_diagonal =
@@ -54,7 +55,7 @@ Kind kind_of(const glm::mat4& m) {
     return {scales ? Inversion::kSimilarity : Inversion::kTranspose, !scales};
 }
 
-// util/u_math.c, util_invert_mat4x4: Gauss's elimination, whose pivots rise row by row.
+// util/u_math.c, util_invert_mat4x4: Gaussian elimination; pivots bubble up row by row.
 glm::mat3 general_inverse(const glm::mat4& m) {
     std::array<std::array<float, 8>, 4> rows{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -84,7 +85,7 @@ glm::mat3 general_inverse(const glm::mat4& m) {
     return inverse;
 }
 
-// invert_matrix_3d_general: cofactors. The determinant's terms are added up by their signs, the positive ones first.
+// invert_matrix_3d_general: cofactors. The determinant sums its positive terms and its negative terms separately.
 glm::mat3 inverse_3x3(const glm::mat4& m) {
     const float terms[] = {m[0][0] * m[1][1] * m[2][2],  m[0][1] * m[1][2] * m[2][0],  m[0][2] * m[1][0] * m[2][1],
                            -m[0][2] * m[1][1] * m[2][0], -m[0][1] * m[1][0] * m[2][2], -m[0][0] * m[1][2] * m[2][1]};
@@ -160,7 +161,7 @@ MesaLight mesa_light(const LightSource& light, const glm::mat4& modelview, const
     result.position = glm::vec3(eye);
     glm::vec3 eye_z(0, 0, 1);
     if (!eye_space) {
-        // A direction, for a light that has a position is lit by in eye coordinates.
+        // Only a direction gets here: with a positional light the driver lights in eye coordinates.
         const glm::mat3& m = facts.inverse;
         for (int row = 0; row < 3; ++row)
             result.position[row] = m[0][row] * eye.x + m[1][row] * eye.y + m[2][row] * eye.z;
@@ -172,7 +173,7 @@ MesaLight mesa_light(const LightSource& light, const glm::mat4& modelview, const
         result.position = unit(result.position);
         result.half_dir = unit(result.position + eye_z);
     }
-    // A spotlight is always lit by in eye coordinates. Its direction is made unit twice.
+    // With a spotlight the driver lights in eye coordinates. It normalises the direction twice.
     result.spot_direction = unit(unit(glm::vec3(light.spot_direction_eye)));
     const auto cutoff_deg = static_cast<float>(light.spot_cutoff_deg);
     const auto cutoff = static_cast<float>(static_cast<double>(cutoff_deg) * std::numbers::pi / 180.0);

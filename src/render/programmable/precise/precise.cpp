@@ -17,7 +17,7 @@
 namespace twinlight::programmable {
 namespace {
 
-// In the order of GL's numbers.
+// Visits the enabled lights, in the order of their numbers.
 template <class Visit>
 void for_each_light(const LightingState& lighting, const Visit& visit) {
     std::size_t i = 0;
@@ -52,13 +52,15 @@ void check_lights(const Draw& draw) {
     const auto& lights = draw.lighting.lights;
     for (std::size_t i = kMaxLights; i < lights.size(); ++i)
         if (lights[i].enabled)
-            throw std::runtime_error(fmt::format(
-                "{}: --precise follows the fixed function, which has {} lights, and not {}; leave --precise out",
-                draw.place.str(), kMaxLights, light_name(static_cast<int>(i))));
+            throw std::runtime_error(
+                fmt::format("{}: --precise follows the fixed function, which has only {} lights, so it cannot draw {}; "
+                            "remove --precise",
+                            draw.place.str(), kMaxLights, light_name(static_cast<int>(i))));
 }
 
-// What the driver's program does, of which a plan would leave out what changes no colour but some of its rounding.
-void put_all_in_force(EffectSet& effects, const Draw& draw, const LightingState& lighting) {
+// Sets every effect that the driver's program has. A plan would leave out some that change no colour but change its
+// rounding.
+void set_all_effects(EffectSet& effects, const Draw& draw, const LightingState& lighting) {
     const bool rgb = effects.needs_primary_rgb();
     effects.lights.clear();
     for_each_light(lighting, [&](std::size_t, const LightSource& light) {
@@ -77,7 +79,7 @@ void put_all_in_force(EffectSet& effects, const Draw& draw, const LightingState&
     effects.local_viewer = lighting.light_model.local_viewer && effects.shininess != Power::kZero;
     effects.separate_specular = lighting.light_model.color_control != kGL_SINGLE_COLOR;
     effects.highlight = Highlight::kHalfVector;
-    effects.normalize = draw.lighting.normalize;  // a plan may find it idle, and change lighting.normalize
+    effects.normalize = draw.lighting.normalize;  // not lighting.normalize, which the plan may have turned off
     effects.vertex_w = (effects.needs_position_eye() || effects.has_fog()) && may_have_w(draw);
 }
 
@@ -93,8 +95,8 @@ std::vector<float> columns(const Matrix& m) {
 
 glm::vec3 rgb(const glm::dvec4& color) { return glm::vec3(color); }
 
-// The scene colour and the products of lights and a face's material (program/prog_statevars.c, STATE_LIGHTMODEL_SCENECOLOR
-// and STATE_LIGHTPROD), but for what each vertex brings.
+// The scene colour and the products of the lights' and a face's colours (program/prog_statevars.c,
+// STATE_LIGHTMODEL_SCENECOLOR and STATE_LIGHTPROD), without the parts that come with each vertex.
 void add_face(Uniforms& uniforms, const std::string& name, const LightingState& lighting, const Material& material,
               const FaceEffects& varying) {
     glm::vec3 base(0);
@@ -103,9 +105,9 @@ void add_face(Uniforms& uniforms, const std::string& name, const LightingState& 
     uniforms[fmt::format("u_{}_base", name)] = floats(base);
     for_each_light(lighting, [&](std::size_t i, const LightSource& light) {
         const auto product = [&](const char* term, const glm::dvec4& color, const glm::dvec4& of,
-                                 BroughtColor brought) {
+                                 PerVertexColor per_vertex) {
             uniforms[fmt::format("u_light{}_{}_{}", i, name, term)] =
-                floats(brought ? rgb(color) : rgb(color) * rgb(of));
+                floats(per_vertex ? rgb(color) : rgb(color) * rgb(of));
         };
         product("ambient", light.ambient, material.ambient, ambient_of(varying));
         product("diffuse", light.diffuse, material.diffuse, diffuse_of(varying));
@@ -126,12 +128,12 @@ double glsl_version() {
 Options precise_options(Options options) {
     if (options.shading == Shading::kPhong || options.shading == Shading::kExact)
         throw std::invalid_argument(
-            "--precise follows the fixed function, which lights vertices: it has no phong shading and no exact "
-            "surfaces; leave one of both out");
+            "--precise follows the fixed function, which lights only vertices, so it does not work with phong or exact "
+            "shading; remove one of the two");
     if (options.tier != Tier::kUniform)
         throw std::invalid_argument(
-            "--precise has a scene's numbers as uniforms: constants the compiler would fold, by an "
-            "arithmetic of its own");
+            "--precise does not work with constants in the shader text (--baked), because the compiler would fold them "
+            "with different rounding");
     options.budget = 0;
     options.lecture_variants = false;
     return options;
@@ -142,13 +144,13 @@ bool has_precise() { return glsl_version() >= 4.0; }
 void check_has_precise() {
     if (!has_precise())
         throw std::runtime_error(
-            fmt::format("--precise needs GLSL 4.00, which has `precise`; this driver has {:.2f}", glsl_version()));
+            fmt::format("--precise needs GLSL 4.00 (for `precise`); this driver has {:.2f}", glsl_version()));
 }
 
 bool floats_suffice(const Draw& draw, const Plan& plan) {
     if (upload_origin(draw, plan.vertices)) return false;
     if (!draw.lighting.enabled) return true;
-    // Of vectors the square, of matrices the determinant: 1e-45 to 3e38 are floats.
+    // The squares of vectors and the determinants of matrices must be floats, which go from 1e-45 to 3e38.
     const auto fits = [](const glm::dvec3& v, double most) {
         const double length = glm::length(v);
         return length == 0 || (length > 1 / most && length < most);
@@ -168,12 +170,12 @@ Code precise_code(const Draw& draw, const Plan& plan) {
     Code code = code_for(draw, plan);
     code.form = {.precise = true, .position_w = code.form.position_w, .loops = {}};
     if (!code.effects.lighting) {
-        // One colour, which no vertex brings, reaches the fixed function's fragments as it is.
+        // A single colour is not interpolated: the fixed function's fragments get it unchanged.
         if (has_one_color(draw)) code.effects.shading = Shading::kFlat;
         return code;
     }
     check_lights(draw);
-    put_all_in_force(code.effects, draw, plan.lighting);
+    set_all_effects(code.effects, draw, plan.lighting);
     code.lights.assign(code.effects.lights.size(), {});
     const MesaMatrix modelview = mesa_matrix(glm::mat4(draw.eye_from_object));
     code.form.object_space = !mesa_lights_in_eye_space(plan.lighting, modelview);

@@ -1,7 +1,7 @@
-// Precise: what --precise draws with. A Draw's lighting is neither planned nor folded: every enabled light is there, with
-// the floats and in the order of operations of Mesa's fixed function (mesa_floats.h, precise_text.cpp, precise.glsl), so that on
-// llvmpipe the colours of vertices are the fixed function's to the last bit, wherever that keeps to the text. Where it does
-// not, the text is followed.
+// Precise: the programs of --precise. Lighting is neither planned nor folded: every enabled light is computed, with the
+// floats and in the order of operations of Mesa's fixed function (mesa_floats.h, precise_text.cpp, precise.glsl). So on
+// llvmpipe the vertex colours equal the fixed function's to the last bit, wherever it follows the specification.
+// Elsewhere --precise follows the specification.
 #pragma once
 
 #include "render/programmable/draw_values.h"
@@ -11,24 +11,24 @@
 
 namespace twinlight::programmable {
 
-// With nothing left out and GL's own model. Throws std::invalid_argument for phong shading and for constants, which
-// --precise does not go with.
+// The options with nothing left out and GL's own model. Throws std::invalid_argument for phong or exact shading and for
+// constants (Tier::kBaked, kAuto), which --precise does not support.
 Options precise_options(Options options);
 
-// Whether the GLSL of the current context has `precise`; the second throws std::runtime_error where it has not.
+// Whether the current context's GLSL has `precise`. check_has_precise() throws std::runtime_error if it does not.
 bool has_precise();
 void check_has_precise();
 
-// Whether Mesa's floats keep to the text for a Draw: they do not under a matrix without an inverse, nor where the squares of a
-// light's place, of its spot direction or of the modelview matrix leave them, nor far from the origin. Such Draws have the
-// ordinary programs.
+// Whether Mesa's floats give the specified result for a Draw. They do not with a singular matrix, nor if the squares of
+// a light's position, its spot direction or the modelview matrix overflow or underflow, nor far from the origin. Such
+// Draws use the ordinary programs.
 bool floats_suffice(const Draw& draw, const Plan& plan);
 
-// In the place of code_for() and uniforms(). Throws std::runtime_error for a Draw with lights that GL does not have.
+// Used instead of code_for() and uniforms(). Throw std::runtime_error for a Draw with more than GL's eight lights.
 Code precise_code(const Draw& draw, const Plan& plan);
 Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code);
 
-// The lighting as GLSL: the equation in the order of operations of Mesa's fixed function (precise.glsl).
+// The lighting in GLSL, in the order of operations of Mesa's fixed function (precise.glsl).
 LightingText precise_lighting_text(const EffectSet& effects, const Form& form);
 
 }  // namespace twinlight::programmable

@@ -12,7 +12,7 @@ class Writer : LightingWriter {
 
     LightingText text() {
         LightingText text{
-            .version = "400",  // `precise` comes with 4.00
+            .version = "400",  // the first with `precise`
             .libraries = {"precise.glsl", "equation.glsl"},
             .clip_position = "    gl_Position = transformed(u_clip_from_object, position);\n",
             .vertex_position = "transformed(u_eye_from_object, position)",
@@ -35,7 +35,7 @@ class Writer : LightingWriter {
 
     std::string face(const std::string& name) {
         const FaceEffects& varying = name == "back" ? effects_.back : effects_.front;
-        text_ = fmt::format("// The {} face: its material, and every light.\nLit light_{}({}) {{\n", name, name,
+        text_ = fmt::format("// The colours of the {} face (section 2.14.1).\nLit light_{}({}) {{\n", name, name,
                             names_.has_surface() ? "Surface surface" : "");
         if (effects_.needs_primary())
             add("    precise vec3 primary = {};  // e_cm + a_cm a_cs\n", names_.scene_color(name, varying));
@@ -53,7 +53,7 @@ class Writer : LightingWriter {
         return text_ + "    return lit;\n}\n\n";
     }
 
-    // att_i spot_i; empty where both are 1.
+    // att_i spot_i; empty if both are 1.
     std::string reach(std::size_t i) {
         const LightEffects& light = effects_.lights[i];
         std::string reach;

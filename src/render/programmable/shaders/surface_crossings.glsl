@@ -1,6 +1,6 @@
-vec3 direction;        // of the ray
-vec3 nearest;          // its point nearest to the origin
-vec3 position_object;  // where it meets the surface
+vec3 direction;        // the direction of the ray
+vec3 nearest;          // the ray's point nearest to the origin
+vec3 position_object;  // where the ray meets the surface
 bool is_met = false;
 #if EFFECT_TWO_SIDE
 bool is_front;
@@ -14,7 +14,7 @@ vec3 outward_normal(vec3 p) {
 #if EFFECT_RAY_SPHERE
     return p;
 #elif EFFECT_RAY_FRUSTUM
-    // At the apex of a cone all are right, and that along the axis stands for them.
+    // At a cone's apex every normal is possible; the one along the axis is used.
     float from_axis = length(p.xy);
     return vec3(from_axis > 0.0 ? p.xy / from_axis : vec2(0.0), -u_slope);
 #elif EFFECT_RAY_DISK
@@ -25,11 +25,11 @@ vec3 outward_normal(vec3 p) {
 }
 
 #if EFFECT_RAY_NEAREST
-// One of the ray's points on the surface: they come from near to far, and the first that is seen is drawn. What clips and culls
-// polygons (sections 2.12, 3.5.1) does so point by point.
+// Takes one of the ray's points on the surface, from near to far, and keeps the first visible one. Clipping and culling
+// (sections 2.12, 3.5.1) work point by point.
 #else
-// One of the ray's points on the surface: they come from far to near. What clips and culls polygons (sections 2.12, 3.5.1) does so
-// point by point.
+// Takes one of the ray's points on the surface, from far to near, and keeps number u_point_number of the visible ones.
+// Clipping and culling (sections 2.12, 3.5.1) work point by point.
 #endif
 void meet(vec3 p) {
     vec4 place = vec4(p, 1.0);
@@ -42,7 +42,8 @@ void meet(vec3 p) {
     bool is_seen = true;
 #endif
 #if EFFECT_RAY_SECTOR
-    // The sine of the angle to the sector's middle, from 0 to pi, less half of the sector's.
+    // Inside the sector if the angle to its middle (0 to pi) is at most half of its angle: the sine of their difference
+    // is <= 0.
     float across = abs(u_sector.x * p.y - u_sector.y * p.x);
     is_seen = is_seen && across * u_sector.w <= dot(u_sector.xy, p.xy) * u_sector.z;
 #endif
@@ -69,15 +70,17 @@ void meet(vec3 p) {
 }
 
 #if EFFECT_RAY_TORUS
-// Along the ray, in units of length from its nearest point, the torus is where a quartic is 0: with k = |p|^2 + R^2 - r^2
-// and the distance from the axis, k^2 = 4 R^2 distance^2. Its roots lie between those of its derivative, as in scene/shape/surface.h.
-float quartic_square, quartic_linear;  // its coefficients: s^4 + square s^2 + linear s + ...
+// Along the ray, with s = the distance from its nearest point, the torus is where a quartic is 0: with k = |p|^2 + R^2
+// - r^2, k^2 = 4 R^2 (distance from the axis)^2. Its roots are between those of its derivative, as in
+// scene/shape/surface.h.
+float quartic_square, quartic_linear;  // coefficients: s^4 + square s^2 + linear s + ...
 
+// The derivative of the quartic.
 float quartic_slope(float s) {
     return (4.0 * s * s + 2.0 * quartic_square) * s + quartic_linear;
 }
 
-// The quartic itself, from the point of the ray: two factors, of which the first is small at the surface.
+// The quartic, computed from the point on the ray as two factors. The first is small near the surface.
 float quartic(float s) {
     vec3 p = nearest + s * direction;
     float from_axis = length(p.xy), from_ring = from_axis - u_ring;
@@ -85,9 +88,10 @@ float quartic(float s) {
     return inner * (inner + 4.0 * u_ring * from_axis);
 }
 
-// Where the slope, which rises or falls between low and high, is 0; high where it is nowhere. Newton's steps, from where they come
-// nearer from one side alone: what bends between there and the root bends away. Kept in an interval that shrinks. (There are some
-// eight of them; a compiler does not write forty out, of which none could be left then.)
+// The zero of quartic_slope between low and high, or high if there is none. quartic_slope must be monotonic there.
+// Newton's method, started where it converges from one side; the interval shrinks with each step as a safeguard. (About
+// eight steps are enough. The limit of 40 keeps the compiler from unrolling the loop, which would prevent leaving it
+// early.)
 float turn_between(float low, float high, float start) {
     bool rises = quartic_slope(low) < 0.0;
     if (rises == (quartic_slope(high) < 0.0)) return high;
@@ -104,7 +108,7 @@ float turn_between(float low, float high, float start) {
     return s;
 }
 
-// The same of the quartic: meets the root between low and high if there is one.
+// Calls meet() with the quartic's root between low and high, if there is one.
 void meet_between(float low, float high, float start) {
     bool rises = quartic(low) < 0.0;
     if (rises == (quartic(high) < 0.0)) return;
@@ -122,13 +126,13 @@ void meet_between(float low, float high, float start) {
 }
 
 #endif
-// Meets the surface in the ray's points.
+// Calls meet() for each point where the pixel's ray meets the surface.
 void cast_ray() {
     vec2 from_middle = gl_FragCoord.xy - u_middle_window;
     direction = u_direction + from_middle.x * u_direction_per_x + from_middle.y * u_direction_per_y;
     vec3 moment = u_moment + from_middle.x * u_moment_per_x + from_middle.y * u_moment_per_y;
 #if EFFECT_RAY_DISK
-    // The point at z = 0, whose cross product with the direction is the moment.
+    // The ray's point at z = 0: its cross product with the direction is the moment.
     meet(vec3(-moment.y, moment.x, 0.0) / direction.z);
 #else
     nearest = cross(direction, moment) / dot(direction, direction);
@@ -152,13 +156,13 @@ void cast_ray() {
     float a = dot(direction.xy, direction.xy) - widening * widening;
     float b = dot(nearest.xy, direction.xy) - radius * widening;
     float c = (from_axis - radius) * (from_axis + radius);
-    // b^2 - a c is a difference of squares in terms of the moment (Lagrange's identity).
+    // b^2 - a c as a difference of two squares, from the moment (Lagrange's identity).
     float reach = length(u_radius * direction.xy + u_slope * vec2(moment.y, -moment.x));
     float discriminant = (reach - abs(moment.z)) * (reach + abs(moment.z));
     if (discriminant > 0.0) {
         float root = sqrt(discriminant);
         float q = b > 0.0 ? -(b + root) : root - b;
-        float s = q / a, t = c / q;  // no difference of nearly equal numbers
+        float s = q / a, t = c / q;  // subtracts no nearly equal numbers
         if (a == 0.0) s = t;
 #if EFFECT_RAY_NEAREST
         meet(nearest + min(s, t) * direction);
@@ -170,7 +174,8 @@ void cast_ray() {
     }
 #elif EFFECT_RAY_TORUS
     direction = normalize(direction);
-    // In a sphere and between two planes around the torus, a little larger: at both ends its quartic is surely positive.
+    // The part of the ray inside a sphere and between two planes, slightly larger than the torus: the quartic is
+    // positive at both ends.
     float outer = u_ring + u_tube + 0.03125, height = u_tube + 0.03125, distance_to_ray = length(nearest);
     float reach = sqrt(max((outer - distance_to_ray) * (outer + distance_to_ray), 0.0));
     float to_plane = (height - nearest.z) / direction.z, from_plane = (-height - nearest.z) / direction.z;
@@ -180,7 +185,7 @@ void cast_ray() {
         quartic_square = 2.0 * (dot(nearest, nearest) + (u_ring - u_tube) * (u_ring + u_tube)) -
             four * dot(direction.xy, direction.xy);
         quartic_linear = -2.0 * four * dot(nearest.xy, direction.xy);
-        float inflection = sqrt(max(-quartic_square / 6.0, 0.0));  // and -inflection: where the slope turns
+        float inflection = sqrt(max(-quartic_square / 6.0, 0.0));  // the derivative has extrema at +-inflection
         float a = clamp(-inflection, low, high), b = clamp(inflection, low, high);
         float first = turn_between(low, a, low);
 #if EFFECT_RAY_NEAREST

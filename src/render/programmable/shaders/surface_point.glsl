@@ -8,25 +8,25 @@
     is_front = u_front_side * dot(outward, direction) > 0.0;
 #endif
 #if EFFECT_RAY_STEPS
-    // On the tangent plane the point keeps with the window position by a change of depth (in normalised device coordinates).
+    // The depth slope: how depth changes per pixel in x and y on the tangent plane (in normalised device coordinates).
     vec3 step_depth = u_step_depth.xyz - u_step_depth.w * position_object;
     vec3 step_x = u_step_x.xyz - u_step_x.w * position_object;
     vec3 step_y = u_step_y.xyz - u_step_y.w * position_object;
     vec2 slope = -vec2(dot(outward, step_x), dot(outward, step_y)) / dot(outward, step_depth);
 #endif
 #if EFFECT_RAY_DEPTH
-    // From the far plane, near to which most depths are.
+    // Computed from the far plane, because most depths are close to it.
     float depth = u_far_depth - u_half_depth_range * dot(u_to_far_plane, place) / dot(u_clip_w, place);
 #endif
 #if EFFECT_RAY_OFFSET
-    // Section 3.5.5.
+    // glPolygonOffset (section 3.5.5).
     depth += u_offset_factor * abs(u_half_depth_range) * max(abs(slope.x), abs(slope.y)) + u_offset;
 #endif
 #if EFFECT_RAY_DEPTH
     gl_FragDepth = clamp(depth, 0.0, 1.0);
 #endif
 #if EFFECT_RAY_TEX_COORD
-    // Texture coordinates as GLU's quadrics have them, and how they change on the tangent plane by a pixel along x and y.
+    // Texture coordinates as in GLU's quadrics, and their change per pixel in x and y on the tangent plane.
     const float turn = 6.28318530717958648;
     vec3 p = position_object;
     float clip_w = dot(u_clip_w, place);

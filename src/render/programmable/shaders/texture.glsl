@@ -1,12 +1,12 @@
 #if EFFECT_TEXTURE_CLAMP
-    // GL_CLAMP (section 3.8.7): to [0,1], of which the end is the last texel's. Beyond lies the border.
+    // GL_CLAMP (section 3.8.7) clamps to [0,1]. The end stays in the last texel, because the border begins beyond it.
     const float texture_end = 1.0 - 1.0 / 4194304.0;
 #endif
 #if EFFECT_TEXTURE_CLAMP || EFFECT_RAY_TEX_COORD
     DIVIDED_TYPE tex_coord = DIVIDED_TEX_COORD;
 #endif
 #if EFFECT_TEXTURE_GRADIENTS && !EFFECT_RAY_TEX_COORD
-    DIVIDED_TYPE per_x = dFdx(tex_coord), per_y = dFdy(tex_coord);  // the level of detail is that of the unclamped
+    DIVIDED_TYPE per_x = dFdx(tex_coord), per_y = dFdy(tex_coord);  // unclamped: they choose the level of detail
 #endif
 #if EFFECT_TEXTURE_CLAMP_S
     TEX_COORD_S = clamp(TEX_COORD_S, 0.0, texture_end);
