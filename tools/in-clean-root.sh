@@ -142,8 +142,8 @@ status=${PIPESTATUS[0]}
 
 # ---- One line about the run ----
 
-version() { chroot "$root" dpkg-query -W -f '${Version}' "$1" 2>/dev/null | sed 's/^[0-9]*://; s/[-~].*//'; }
-gcc=$(version g++) mesa=$(version libosmesa6)
+gcc=$(chroot "$root" g++ -dumpfullversion 2>/dev/null)
+mesa=$(chroot "$root" dpkg-query -W -f '${Version}' libosmesa6 2>/dev/null | sed 's/[-~].*//')
 system="$name${gcc:+, g++ $gcc}${mesa:+, Mesa $mesa}"
 [ -z "$keep" ] || say "the root is kept: chroot $root"
 if [ "$status" -eq 0 ]; then
