@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs what is missing, with apt; `make deps` runs it. $DEPENDENCIES has a line for each package: its name in Debian, then
-# a command that succeeds where the package is installed.
+# Installs missing packages with apt; `make deps` runs it. $DEPENDENCIES has a line for each package: its name in Debian, then
+# a command that succeeds if the package is installed.
 set -eu
 
 missing() {
@@ -12,8 +12,8 @@ missing() {
 packages=$(missing)
 [ -n "$packages" ] || exit 0
 if ! command -v apt-get >/dev/null; then
-    echo "These packages are missing (Debian's names):$packages" >&2
-    echo "Install them with this system's package manager, then run make again." >&2
+    echo "These packages are missing (Debian names):$packages" >&2
+    echo "Install them with your system's package manager, then run make again." >&2
     exit 1
 fi
 sudo=
@@ -21,7 +21,7 @@ sudo=
 line="${sudo}apt-get update -qq; ${sudo}env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends$packages"
 echo "$line"
 if [ -n "$sudo" ] && ! command -v sudo >/dev/null; then
-    echo "That needs root, and there is no sudo here: run it as root, then run make again." >&2
+    echo "This command needs root, and sudo is not installed: run it as root, then run make again." >&2
     exit 1
 fi
 eval "$line" || true
@@ -30,6 +30,6 @@ packages=$(missing)
 [ -n "$packages" ] || exit 0
 echo "Still missing:$packages" >&2
 case $packages in
-*osmesa*) echo "If apt does not know libosmesa6-dev: Mesa dropped OSMesa after 25.0 (Debian 12 and 13 have it); use GL=egl." >&2 ;;
+*osmesa*) echo "If apt cannot find libosmesa6-dev: Mesa 25.1 and later have no OSMesa; use 'make GL=egl' instead." >&2 ;;
 esac
 exit 1

@@ -19,7 +19,7 @@ namespace twinlight {
 
 namespace {
 
-// The whole of `text` as a side's length, or 0.
+// `text` as a side's length, or 0 if it is not one.
 int parse_side(std::string_view text) {
     int side = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
@@ -27,7 +27,7 @@ int parse_side(std::string_view text) {
     return whole && side >= kMinSide && side <= kMaxSide ? side : 0;
 }
 
-// CLI11 tells a misspelt option as the one that is missing for it, or as an argument too many.
+// For a misspelt option, CLI11 would report that the right one is missing, or an unexpected argument.
 void check_option_names(const CLI::App& command, const std::string& name_of_command, int argc, char** argv) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options()) {
@@ -42,7 +42,7 @@ void check_option_names(const CLI::App& command, const std::string& name_of_comm
         if (!is_long && !is_short) continue;
         const std::string name(is_long ? word.substr(0, word.find('=')) : word.substr(0, 2));
         if (std::ranges::find(names, name) != names.end()) continue;
-        // One letter is near to every other.
+        // No suggestion for options of one letter: all of them are similar.
         const auto near = is_long ? nearest(name, {names.begin(), names.end()}) : std::nullopt;
         throw UsageError(
             fmt::format("there is no option '{}'; {}", name,
@@ -50,16 +50,16 @@ void check_option_names(const CLI::App& command, const std::string& name_of_comm
     }
 }
 
-// What is wrong, where CLI11's own words are of its counting.
-std::string told(const CLI::App& command, const CLI::ParseError& error) {
+// CLI11's message, or a plainer one for a wrong number of arguments.
+std::string message_of(const CLI::App& command, const CLI::ParseError& error) {
     if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
-        return fmt::format("'{}' is one argument too many", command.remaining().front());
+        return fmt::format("unexpected argument '{}'", command.remaining().front());
     }
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
         const std::string_view what = error.what();
         const std::string name(what.substr(0, what.find(':')));
         if (const CLI::Option* option = command.get_option_no_throw(name)) {
-            return name + (option->count() > 1 ? " is given more than once" : " lacks its value");
+            return name + (option->count() > 1 ? " is given more than once" : " needs a value");
         }
     }
     return error.what();
@@ -80,16 +80,16 @@ Size parse_size(const std::string& text) {
 
 void add_size_option(CLI::App& app, Size& size) {
     app.add_option_function<std::string>(
-           "--size", [&size](const std::string& text) { size = parse_size(text); }, "the picture's size in pixels")
+           "--size", [&size](const std::string& text) { size = parse_size(text); }, "picture size in pixels")
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", size.width, size.height));
 }
 
-void add_size_option(CLI::App& app, std::optional<Size>& size) {
+void add_size_option(CLI::App& app, std::optional<Size>& size, const std::string& default_size) {
     app.add_option_function<std::string>(
-           "--size", [&size](const std::string& text) { size = parse_size(text); }, "the picture's size in pixels")
-        ->type_name("WxH")
-        ->default_str("640x480, or a recorded program's window");
+           "--size", [&size](const std::string& text) { size = parse_size(text); },
+           "picture size in pixels (default: " + default_size + ")")
+        ->type_name("WxH");
 }
 
 CLI::Validator not_empty() {
@@ -102,7 +102,7 @@ bool parse_command_line(CLI::App& app, int argc, char** argv) {
         return true;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {
-            std::ostringstream text;  // what was asked for
+            std::ostringstream text;  // --help or --version
             app.exit(error, text, text);
             write_result(text.str());
             return false;
@@ -112,7 +112,7 @@ bool parse_command_line(CLI::App& app, int argc, char** argv) {
         const std::string name = app.get_name() + (subcommands.empty() ? "" : " " + command.get_name());
         const bool of_a_value = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr;
         if (!of_a_value) check_option_names(command, name, argc, argv);
-        throw UsageError(fmt::format("{}; see '{} --help'", told(command, error), name));
+        throw UsageError(fmt::format("{}; see '{} --help'", message_of(command, error), name));
     }
 }
 
@@ -134,7 +134,7 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
-int run_telling_failures(std::string_view program, const std::function<int()>& run) {
+int run_reporting_errors(std::string_view program, const std::function<int()>& run) {
     const auto fail = [](const std::string& message) {
         fmt::print(stderr, "{}\n", message);
         return kBadInput;
@@ -144,12 +144,12 @@ int run_telling_failures(std::string_view program, const std::function<int()>& r
     } catch (const SceneError& error) {  // begins with the place, for editors to jump to
         return fail(one_line(error.what()));
     } catch (const std::bad_alloc&) {
-        return fail(fmt::format("{}: the memory does not suffice; try a smaller --size", program));
+        return fail(fmt::format("{}: out of memory; try a smaller --size", program));
     } catch (const UsageError& error) {
         return fail(fmt::format("{}: {}", program, one_line(error.what())));
     } catch (const FileError& error) {
         return fail(fmt::format("{}: {}", program, one_line(error.what())));
-    } catch (const std::exception& error) {  // the driver's refusals: its log may take several lines
+    } catch (const std::exception& error) {  // errors of the driver, whose log may have several lines
         return fail(fmt::format("{}: {}", program, error.what()));
     }
 }

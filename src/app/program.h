@@ -1,4 +1,4 @@
-// What both programs share of a command line: version, exit status, how bad use is told, sizes.
+// Shared by the command lines of both programs: version, exit status, error messages, sizes.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,10 +14,10 @@ inline constexpr const char* kVersion = "0.1";
 
 // Exit status.
 inline constexpr int kFine = 0;
-inline constexpr int kDifferent = 1;  // beyond the tolerance
-inline constexpr int kBadInput = 2;   // or bad use: one line on standard error
+inline constexpr int kDifferent = 1;  // a difference that is larger than allowed
+inline constexpr int kBadInput = 2;   // or bad usage; standard error has one line
 
-// Bad use. what() is one line: what is wrong; how to mend it.
+// Bad usage. what() is one line: what is wrong, and how to correct it.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -27,27 +27,28 @@ struct Size {
     int height = 480;
 };
 inline constexpr int kMinSide = 1;
-inline constexpr int kMaxSide = 8192;  // what every driver's viewport can hold
+inline constexpr int kMaxSide = 8192;  // every driver's viewport allows this
 
-// Throws CLI::ValidationError for anything but WxH within the limits.
+// Throws CLI::ValidationError unless `text` is WxH within the limits.
 Size parse_size(const std::string& text);
 void add_size_option(CLI::App& app, Size& size);
-// Nothing unless it is given: then a scene is drawn at 640x480, a recorded program at the size of its window.
-void add_size_option(CLI::App& app, std::optional<Size>& size);
+// Empty if the option is not given; --help then shows `default_size`.
+void add_size_option(CLI::App& app, std::optional<Size>& size,
+                     const std::string& default_size = "640x480; for a recorded program, its window's size");
 
-// For names of files and scenes.
+// Rejects empty names of files and scenes.
 CLI::Validator not_empty();
 
-// Whether the program is to go on; false once --help or --version has answered. Throws UsageError.
+// False if --help or --version was given and has been printed. Throws UsageError.
 bool parse_command_line(CLI::App& app, int argc, char** argv);
 
-// Standard output, whole; throws FileError when it cannot be written.
+// Writes all of `bytes` to standard output. Throws FileError.
 void write_result(std::string_view bytes);
 
-// Names from outside may hold anything; a line of ours stays one line.
+// Escapes control characters, so that a message with any file name stays on one line.
 std::string one_line(std::string_view text);
 
-// Runs a program: its exit status; for what it throws, a line on standard error and kBadInput.
-int run_telling_failures(std::string_view program, const std::function<int()>& run);
+// Runs a program and returns its exit status. If it throws, prints the error on standard error and returns kBadInput.
+int run_reporting_errors(std::string_view program, const std::function<int()>& run);
 
 }  // namespace twinlight

@@ -1,10 +1,12 @@
-// make bench: the parts whose names the regular expression of the command line finds; build/bench.json has the ratios.
+// make bench: twinlight-bench [--quick] [REGEX] measures the parts whose names REGEX finds. The ratios are also in build/bench.json,
+// and those of a quick run, which say little, in build/bench-quick.json.
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <exception>
 #include <regex>
 #include <string>
+#include <vector>
 
 #include "base/image/file.h"
 #include "ratios.h"
@@ -15,8 +17,11 @@ int main(int argc, char** argv) try {
     ::setenv("LP_NUM_THREADS", "0", 1);
     ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
 
-    const std::string chosen = argc > 1 ? argv[1] : ".";
-    bench::Results results;
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    const bool is_quick = !arguments.empty() && arguments.front() == "--quick";
+    if (is_quick) arguments.erase(arguments.begin());
+    const std::string chosen = arguments.empty() ? "." : arguments.front();
+    bench::Results results(is_quick);
     int run = 0;
     for (const auto& [name, part] : bench::parts()) {
         if (!std::regex_search(name, std::regex(chosen))) continue;
@@ -31,7 +36,7 @@ int main(int argc, char** argv) try {
     }
     results.print_ratios();
     const char* build = std::getenv("TWINLIGHT_BUILD");
-    const std::string file = std::string(build ? build : "build") + "/bench.json";
+    const std::string file = std::string(build ? build : "build") + (is_quick ? "/bench-quick.json" : "/bench.json");
     write_file_atomically(file, results.json());
     fmt::print("wrote {}\n", file);
     return 0;

@@ -74,18 +74,19 @@ double times_faster(const Timed& fast, const Timed& slow) {
 }
 
 std::vector<Timed> Results::compare(std::string_view title, const std::vector<Way>& ways, const Rounds& rounds) {
+    const int count = is_quick_ ? 1 : rounds.count;
     cli::ProgressBar progress;
-    progress.show(0, rounds.count, title);
+    progress.show(0, count, title);
     std::vector<Timed> timed;
     std::vector<int> runs;
     for (const Way& way : ways) {
         way.run();  // what is made once: programs, buffers
-        const double once = seconds_of(way, 1, rounds.clock);
+        const double once = is_quick_ ? rounds.least_seconds : seconds_of(way, 1, rounds.clock);
         runs.push_back(std::clamp(static_cast<int>(std::ceil(rounds.least_seconds / once)), 1, 1 << 20));
         timed.push_back({way.name, {}});
     }
-    for (int round = 0; round < rounds.count; ++round) {
-        progress.show(round, rounds.count, title);
+    for (int round = 0; round < count; ++round) {
+        progress.show(round, count, title);
         for (std::size_t i = 0; i < ways.size(); ++i)
             timed[i].seconds.push_back(seconds_of(ways[i], runs[i], rounds.clock) / ways[i].items);
     }
@@ -102,7 +103,7 @@ std::vector<Timed> Results::compare(std::string_view title, const std::vector<Wa
 }
 
 void Results::ratio(const std::string& name, double value, std::optional<Bar> bar) {
-    ratios_.push_back({name, value, bar});
+    ratios_.push_back({name, value, is_quick_ ? std::nullopt : bar});
 }
 
 void Results::remark(std::string_view text) { fmt::print("  {}\n", text); }

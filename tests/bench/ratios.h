@@ -51,9 +51,13 @@ struct Bar {
     bool at_most = false;
 };
 
-// What a run of `make bench` finds: printed as it is found, and kept for build/bench.json.
+// What a run of `make bench` finds: printed as it is found, and kept for build/bench.json. A quick run only shows that every part
+// runs: one round of one run each, and no bars.
 class Results {
   public:
+    explicit Results(bool is_quick) : is_quick_(is_quick) {}
+    bool is_quick() const { return is_quick_; }
+
     // Runs each way once unmeasured, then all of them in turn. Prints a table; the last column is against the first way.
     std::vector<Timed> compare(std::string_view title, const std::vector<Way>& ways, const Rounds& rounds = {});
     void ratio(const std::string& name, double value, std::optional<Bar> bar = {});
@@ -68,6 +72,7 @@ class Results {
         double value;
         std::optional<Bar> bar;
     };
+    bool is_quick_;
     std::vector<Ratio> ratios_;
     std::map<std::string, double> seconds_;  // by "title: way"
 };

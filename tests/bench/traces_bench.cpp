@@ -16,18 +16,25 @@ namespace twinlight {
 
 namespace {
 
-constexpr int kFrames = 2000;
+// How often the long dump repeats a frame, and how long glxgears is recorded.
+struct Lengths {
+    int frames = 2000;
+    int gears_seconds = 20, gears_frames = 2000;
+};
+Lengths lengths(const bench::Results& results) {
+    return results.is_quick() ? Lengths{.frames = 20, .gears_seconds = 2, .gears_frames = 2} : Lengths{};
+}
 
 // A dump of many frames: those of tests/traces/glxgears with the second one again and again, calls in immediate mode
-// among them, some 440,000 commands.
+// among them: of 2000 frames, some 440,000 commands.
 class LongDump {
   public:
-    LongDump() : file_(folder_ / "dump.txt") {
+    explicit LongDump(int frames) : file_(folder_ / "dump.txt") {
         const std::string dump = read_file("tests/traces/glxgears/dump.txt");
         const std::size_t first_end = dump.find("\n\n") + 2;
         const std::string frame = dump.substr(first_end);
         std::string text = dump;
-        for (int i = 0; i < kFrames; ++i) {
+        for (int i = 0; i < frames; ++i) {
             text += frame;
             for (int k = 0; k < 40; ++k) {
                 text += fmt::format(
@@ -46,11 +53,6 @@ class LongDump {
     TemporaryFolder folder_;
     std::string file_;
 };
-
-const std::string& long_dump() {
-    static const LongDump dump;
-    return dump.file();
-}
 
 std::int64_t commands_of(const Recording& recording) {
     std::int64_t commands = 0;
@@ -73,19 +75,17 @@ void into_state(const Recording& recording) {
 // A trace of glxgears that is recorded first, and its dump.
 class Glxgears {
   public:
-    Glxgears() {
+    Glxgears(int seconds, int frames) {
         std::filesystem::copy_file("tests/traces/record.sh", folder_ / "record.sh");
-        write_file_atomically(folder_ / "README.md",
-                              "| `gears` | mesa-utils | MIT | gl | 20 | 2000 | `glxgears -geometry 64x64` |\n");
+        write_file_atomically(
+            folder_ / "README.md",
+            fmt::format("| `gears` | mesa-utils | MIT | gl | {} | {} | `glxgears -geometry 64x64` |\n", seconds,
+                        frames));
         run_shell("", "vblank_mode=0 " + quoted(folder_ / "record.sh") + " -o " + quoted(folder()) + " gears");
     }
     std::string folder() const { return folder_ / "out"; }
     bool is_there() const { return std::filesystem::exists(folder() + "/gears.trace"); }
 
-    static const Glxgears& instance() {
-        static const Glxgears glxgears;
-        return glxgears;
-    }
     std::shared_ptr<const Recording> recording() const { return load_recording(folder() + "/gears/dump.txt"); }
 
   private:
@@ -95,7 +95,9 @@ class Glxgears {
 // For one command of GL each.
 void compare_readers(bench::Results& results) {
     const bench::Rounds rounds{.clock = bench::Clock::kWall};  // apitrace is another process
-    const auto recording = load_recording(long_dump());
+    const Lengths length = lengths(results);
+    const LongDump long_dump(length.frames);
+    const auto recording = load_recording(long_dump.file());
     const auto commands = static_cast<double>(commands_of(*recording));
     const auto long_ones =
         results.compare("a long recording, a command",
@@ -104,7 +106,7 @@ void compare_readers(bench::Results& results) {
                         rounds);
     results.ratio("read_dump_over_read_dump_into_state", bench::times_faster(long_ones[1], long_ones[0]));
 
-    const Glxgears& glxgears = Glxgears::instance();
+    const Glxgears glxgears(length.gears_seconds, length.gears_frames);
     if (!glxgears.is_there())
         return results.remark("against apitrace: left out, needs apitrace, Xvfb and glxgears (mesa-utils)");
     const auto gears = glxgears.recording();

@@ -20,12 +20,12 @@ esac
 
 # The words of both texts.
 sed -nE 's/^(GL|SHAPE|QUADRIC|PRAGMA)_COMMAND\((\w+),.*/"\2"/p; s/^ENUM\((\w+),.*/"GL_\1"/p; s/^WORD\((\w+),.*/"\1"/p' src/scene/command/*.def |
-    sort -u >"$build/names.dict"
+    sort -u >"$build/$target.dict"
 
 # A leak is told at the end; what a machine does in a second may take a sanitizer's build a minute.
 status=0
 ASAN_OPTIONS=malloc_context_size=5 "$build/$target-fuzzer" "$corpus" "$seeds" -max_total_time="$seconds" -entropic=0 -max_len=768 -timeout=60 -rss_limit_mb=6144 \
-    -dict="$build/names.dict" -artifact_prefix="$findings/$target-" -print_final_stats=1 -verbosity=0 \
+    -dict="$build/$target.dict" -artifact_prefix="$findings/$target-" -print_final_stats=1 -verbosity=0 \
     >"$build/$target.log" 2>&1 || status=$?
 executions=$(sed -nE 's/^stat::number_of_executed_units: *//p' "$build/$target.log")
 if [ "$status" -ne 0 ]; then

@@ -92,7 +92,7 @@ const std::vector<FragmentCase>& fragment_cases() {
             glBegin(GL_TRIANGLES);
             glVertex3f(-0.8, -0.8, -0.9); glVertex3f(0.8, -0.8, 0.9); glVertex3f(-0.8, 0.8, 0.9); glEnd();)"},
         // Filled, so not offset: nearer than the cleared buffer.
-        {"polygon offset of lines or points alone", R"(
+        {"polygon offset of only lines or points", R"(
             glEnable(GL_DEPTH_TEST); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 16e6);
             glBegin(GL_TRIANGLES); glVertex3f(-0.8, -0.8, 0.5); glVertex3f(0.8, -0.8, 0.5); glVertex3f(-0.8, 0.8, 0.5);
             glEnd();)"},

@@ -7,15 +7,11 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "../unit/run_program.h"
 #include "base/image/difference.h"
 #include "base/image/png.h"
 
 namespace twinlight {
-
-std::string build_folder() {
-    const char* folder = std::getenv("TWINLIGHT_BUILD");
-    return folder ? folder : "build";
-}
 
 testing::AssertionResult picture_failure(const std::string& name, const Image& actual, const Image& expected) {
     const std::string kept = build_folder() + "/failed";

@@ -10,9 +10,6 @@
 
 namespace twinlight {
 
-// The folder of the programs under test: TWINLIGHT_BUILD, or build.
-std::string build_folder();
-
 testing::AssertionResult picture_failure(const std::string& name, const Image& actual, const Image& expected);
 
 }  // namespace twinlight

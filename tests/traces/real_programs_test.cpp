@@ -78,7 +78,7 @@ TEST_P(RealPrograms, LookAlikeThreeWays) {
     EXPECT_EQ(unsupported, expected == expected_unsupported().end() ? std::set<std::string>() : expected->second);
     EXPECT_EQ(comparison.verdict(), unsupported.empty() ? compare::Verdict::kWithin : compare::Verdict::kPartial);
     std::string told;
-    for (const std::string& sentence : report::verdict_sentences(comparison)) told += sentence + "\n";
+    for (const std::string& sentence : report::answer(comparison).sentences()) told += sentence + "\n";
     SCOPED_TRACE(told);
     for (const compare::Pair& pair : comparison.pairs) {
         EXPECT_NE(pair.verdict, compare::Verdict::kBeyond) << report::name_of(comparison, pair);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "../unit/effort.h"
 #include "../unit/run_program.h"
 #include "judge/check/suite.h"
 #include "judge/compare/departures.h"
@@ -68,12 +69,13 @@ TEST_F(Reproducers, ShowTheDeparturesOfTheListedDriver) {
     int departing = 0;
     for (const check::Case& of : cases) {
         EXPECT_EQ(std::filesystem::exists(folder_ / (of.name + ".c")), !of.differs.empty()) << of.name;
-        if (of.differs.empty() || departing++ % 3 != 0) continue;  // to link and run all takes a quarter of a minute
+        // To link and run all takes a quarter of a minute: a third of them in CI.
+        if (of.differs.empty() || departing++ % 3 != 0 || !is_tried(departing / 3)) continue;
         SCOPED_TRACE(of.name);
         const ProgramResult shown = compiled_and_run(of.name);
         EXPECT_EQ(shown.status, 1) << shown.out << shown.err;
         EXPECT_NE(shown.out.find("OpenGL 2.1, section " + of.text), std::string::npos) << shown.out;
-        EXPECT_NE(shown.out.find("The driver departs from the specification."), std::string::npos) << shown.out;
+        EXPECT_NE(shown.out.find("The driver violates the specification."), std::string::npos) << shown.out;
         for (const check::Differs& differs : of.differs) {
             const auto expected = std::ranges::find(of.expectations, differs.spot, &check::Expectation::spot);
             ASSERT_NE(expected, of.expectations.end());
@@ -109,7 +111,7 @@ TEST_F(Reproducers, SayWhereNothingDeparts) {
         ASSERT_EQ(written({folder_ / "small.gl"}).status, 1);
         const ProgramResult departing = compiled_and_run("small");
         EXPECT_EQ(departing.status, 1) << departing.err;
-        EXPECT_NE(departing.out.find("DIFFERS"), std::string::npos) << departing.out;
+        EXPECT_NE(departing.out.find("WRONG"), std::string::npos) << departing.out;
         std::string program = read_file(folder_ / "small.c");
         const std::size_t at = program.find(in_c);
         ASSERT_NE(at, std::string::npos) << program;
@@ -117,7 +119,7 @@ TEST_F(Reproducers, SayWhereNothingDeparts) {
         write_file_atomically(folder_ / "small.c", program);
         const ProgramResult mended = compiled_and_run("small");
         EXPECT_EQ(mended.status, 0) << mended.out << mended.err;
-        EXPECT_NE(mended.out.find("As the specification says."), std::string::npos) << mended.out;
+        EXPECT_NE(mended.out.find("The driver follows the specification."), std::string::npos) << mended.out;
     }
 }
 

@@ -88,7 +88,7 @@ TEST_F(StudyPage, AnswersWhoPointsSlidesSortsAndFilters) {
     EXPECT_NE(told["key_moves"][0], told["key_moves"][1]);
 
     for (const char* side : {"rough", "fine"})
-        EXPECT_TRUE(told[side][1].get<std::string>().starts_with("The fastest: ")) << told[side];
+        EXPECT_TRUE(told[side][1].get<std::string>().starts_with("The fastest choice: ")) << told[side];
     EXPECT_GT(std::stod(told["rough"][0].get<std::string>()), 10 * std::stod(told["fine"][0].get<std::string>()));
     EXPECT_EQ(told["wiped"], "inset(0px 0px 0px 25%)");
 

@@ -1,4 +1,4 @@
-// twinlight check: the hard cases of golden/hard on this machine's driver.
+// twinlight check: tests this machine's driver with the hard cases of golden/hard.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,19 +19,19 @@ using namespace check;
 
 struct CheckArguments {
     std::vector<std::string> names;
-    std::string reproducers, page;  // folders; empty: none
+    std::string reproducers, page;  // folders; empty: not wanted
     bool json = false;
 };
 
 std::string colored(const std::string& text, Outcome outcome) {
     if (!result_in_color()) return text;
     switch (outcome) {
-        case Outcome::kNotAsked: return text;
+        case Outcome::kNotTested: return text;
         case Outcome::kPass:
-        case Outcome::kRuling: return "\x1b[32m" + text + "\x1b[0m";
-        case Outcome::kDeparts: return "\x1b[33m" + text + "\x1b[0m";
-        case Outcome::kNew:
-        case Outcome::kVanished: return "\x1b[1;31m" + text + "\x1b[0m";
+        case Outcome::kOurChoice: return "\x1b[32m" + text + "\x1b[0m";
+        case Outcome::kKnownBug: return "\x1b[33m" + text + "\x1b[0m";
+        case Outcome::kNewBug:
+        case Outcome::kFixedBug: return "\x1b[1;31m" + text + "\x1b[0m";
     }
     return text;
 }
@@ -56,18 +56,19 @@ Counts counted(const std::vector<Result>& results) {
 std::string table(const std::vector<Case>& cases, const std::vector<Result>& results) {
     std::size_t width = 4;
     for (const Case& of : cases) width = std::max(width, of.name.size());
-    std::string text = fmt::format("{:<{}}  {:<9}  {:<12}  {}\n", "case", width, "fixed", "programmable", "reference");
+    std::string text = fmt::format("{:<{}}  {:<10}  {:<12}  {}\n", "case", width, "fixed", "programmable", "reference");
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto word = [&](Path path, int columns) {
             const Outcome outcome = results[i].outcomes.at(static_cast<std::size_t>(path));
             return colored(fmt::format("{:<{}}", word_of(outcome), columns), outcome);
         };
-        text += fmt::format("{:<{}}  {}  {}  {}\n", cases[i].name, width, word(Path::kFixed, 9),
+        text += fmt::format("{:<{}}  {}  {}  {}\n", cases[i].name, width, word(Path::kFixed, 10),
                             word(Path::kProgrammable, 12), word(Path::kReference, 9));
         for (const Finding& finding : results[i].findings) text += "    " + finding_text(cases[i], finding) + "\n";
         if (results[i].non_finite > 0)
-            text += fmt::format("    {} values of shaders or the reference are not finite\n", results[i].non_finite);
-        if (!results[i].error.empty()) text += "    refused: " + results[i].error + "\n";
+            text +=
+                fmt::format("    {} results of the shaders or the reference are not finite\n", results[i].non_finite);
+        if (!results[i].error.empty()) text += "    rejected: " + results[i].error + "\n";
     }
     return text;
 }
@@ -76,15 +77,14 @@ std::string summary(const std::vector<Result>& results) {
     const Counts counts = counted(results);
     const auto fixed = [&](Outcome outcome) { return counts.fixed.at(static_cast<std::size_t>(outcome)); };
     return fmt::format(
-        "\n{} case{}. The driver's fixed function: {} pass, {} depart as listed, {} answer otherwise where the "
-        "specification is open,\n{} depart and are in no list, {} listed and gone, {} not asked. Values that are not "
-        "finite, of shaders and the reference: {}.\nShaders are at most {:.1e} from the reference in long "
-        "double.\n{}\n",
-        results.size(), results.size() == 1 ? "" : "s", fixed(Outcome::kPass), fixed(Outcome::kDeparts),
-        fixed(Outcome::kRuling), fixed(Outcome::kNew), fixed(Outcome::kVanished), fixed(Outcome::kNotAsked),
-        counts.non_finite, counts.from_long_double,
-        counts.failing == 0 ? "Nothing is unexpected."
-                            : fmt::format("{} {}.", counts.failing, counts.failing == 1 ? "case fails" : "cases fail"));
+        "\n{}\n{} case{}. The driver's fixed function: {} pass, {} with a known bug, {} our choice (the specification "
+        "is silent),\n{} with a new bug, {} with a fixed bug, {} not tested.\n"
+        "The shaders are at most {:.1e} away from the reference in long double. Results that are not finite: {}.\n",
+        counts.failing == 0 ? "Nothing unexpected."
+                            : fmt::format("{} unexpected {}.", counts.failing, counts.failing == 1 ? "case" : "cases"),
+        results.size(), results.size() == 1 ? "" : "s", fixed(Outcome::kPass), fixed(Outcome::kKnownBug),
+        fixed(Outcome::kOurChoice), fixed(Outcome::kNewBug), fixed(Outcome::kFixedBug), fixed(Outcome::kNotTested),
+        counts.from_long_double, counts.non_finite);
 }
 
 // A colour's numbers, or an error's name.
@@ -131,7 +131,7 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
     json["failing"] = counts.failing;
     json["non_finite"] = counts.non_finite;
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-           "\n";  // a file's bytes may be any
+           "\n";  // file names may hold any bytes
 }
 
 void make_folder(const std::string& folder) {
@@ -140,7 +140,7 @@ void make_folder(const std::string& folder) {
     if (error) throw FileError(folder + ": " + error.message());
 }
 
-// For each case that the fixed function departs from, NAME.c.
+// NAME.c for each case that the fixed function gets wrong.
 void write_reproducers(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
                        const std::vector<Result>& results) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -152,7 +152,8 @@ void write_reproducers(const std::string& folder, const std::string& driver, con
 
 int run_check(const CheckArguments& arguments) {
     const std::vector<Case> cases = load_cases(arguments.names);
-    for (const std::string& folder : {arguments.reproducers, arguments.page})  // before the work, not after it
+    for (const std::string& folder :
+         {arguments.reproducers, arguments.page})  // before the work: a bad folder fails at once
         if (!folder.empty()) make_folder(folder);
     Suite suite;
     std::vector<Result> results = suite.run(cases);
@@ -171,30 +172,37 @@ int run_check(const CheckArguments& arguments) {
 
 Subcommand add_check(CLI::App& app) {
     const auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* check = app.add_subcommand("check", "Hold this machine's driver against the hard cases of lighting");
-    check->add_option("CASE", arguments->names, "names of cases, or files of that form; all where none is given")
+    CLI::App* check = app.add_subcommand("check", "Test this machine's driver with the hard cases of lighting");
+    check
+        ->add_option("CASE", arguments->names,
+                     "names of built-in cases, or your own case files (default: all built-in cases)")
         ->type_name("");
     check
         ->add_option(
             "--write-reproducers", arguments->reproducers,
-            "a C program (GLUT) that shows it, for each departure of the fixed function, into this folder, made if "
-            "it is not there")
+            "for each case that the driver gets wrong, write a C program (GLUT) that shows the bug into this folder; "
+            "created if it does not exist")
         ->type_name("DIR")
         ->check(not_empty());
     check
         ->add_option("--html", arguments->page,
-                     "a page of all cases, by what is tested, into this folder, made if it is not there: index.html")
+                     "write a page of all cases, index.html, into this folder; created if it does not exist")
         ->type_name("DIR")
         ->check(not_empty());
     check->add_flag("--json", arguments->json, "print one JSON object instead of the table");
     check->footer(
-        "Of the driver's fixed function: 'pass'; 'departs', as the case lists for this driver; 'ruling', where the\n"
-        "specification leaves the answer open; 'NEW', a departure that no list has; 'VANISHED', one that is gone;\n"
-        "'not asked', where a case is about what GL does not have.\n"
-        "Shaders and the reference have to pass. GALLIUM_DRIVER=softpipe asks Mesa's other driver.\n"
-        "Exit status: 0 nothing unexpected; 1 NEW or VANISHED, a scene that is refused, a value of shaders or the\n"
-        "reference that is not finite, or shaders more than 3e-5 from the reference in long double; 2 bad input or "
-        "use.");
+        "Results of the driver's fixed function:\n"
+        "  pass        the expected answer\n"
+        "  our choice  another answer; the specification is silent, so the expected one is only our choice\n"
+        "  known bug   a wrong answer that the case lists for this driver\n"
+        "  new bug     a wrong answer that is not listed: unexpected\n"
+        "  fixed bug   the expected answer, although a wrong one is listed: unexpected\n"
+        "  not tested  GL has no such feature\n"
+        "The shaders and the reference must pass. GALLIUM_DRIVER=softpipe tests Mesa's other software driver.\n"
+        "Exit status: 0 nothing unexpected; 1 a new bug, a fixed bug, a scene that GL rejects, a result of the "
+        "shaders\n"
+        "or the reference that is not finite, or shaders more than 3e-5 away from the reference in long double;\n"
+        "2 bad input or usage.");
     return {check, [arguments] { return run_check(*arguments); }};
 }
 

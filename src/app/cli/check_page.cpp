@@ -122,7 +122,7 @@ std::optional<double> difference_of(const Finding& finding) {
 std::string line_of(const Case& hard_case, const Finding& finding) {
     std::string text = escaped(finding_text(hard_case, finding));
     const std::optional<double> difference = difference_of(finding);
-    if (difference && finding.outcome != Outcome::kVanished)
+    if (difference && finding.outcome != Outcome::kFixedBug)
         text += std::isfinite(*difference) ? fmt::format("; off by {:.2g}", *difference) : "; not finite";
     return fmt::format("<li>{}<b>{}</b>: {}</li>\n", swatch(finding.value), word_of(finding.outcome), text);
 }
@@ -171,12 +171,12 @@ std::vector<Group> grouped(const std::vector<Result>& results) {
     const auto place_of = [](const Result& result) -> std::size_t {
         if (result.fails()) return 0;
         switch (result.outcomes[0]) {
-            case Outcome::kNew:
-            case Outcome::kVanished: return 0;
-            case Outcome::kDeparts: return 1;
-            case Outcome::kRuling: return 2;
+            case Outcome::kNewBug:
+            case Outcome::kFixedBug: return 0;
+            case Outcome::kKnownBug: return 1;
+            case Outcome::kOurChoice: return 2;
             case Outcome::kPass: return 3;
-            case Outcome::kNotAsked: return 4;
+            case Outcome::kNotTested: return 4;
         }
         return 0;
     };
@@ -203,7 +203,7 @@ std::string error_of_driver(const std::vector<Case>& cases, const std::vector<Re
     for (std::size_t i = 0; i < cases.size(); ++i) {
         bool is_finite = true;
         for (const Finding& finding : results[i].findings) {
-            if (finding.path != Path::kFixed || finding.outcome == Outcome::kRuling) continue;
+            if (finding.path != Path::kFixed || finding.outcome == Outcome::kOurChoice) continue;
             const double difference = difference_of(finding).value_or(0);
             is_finite = is_finite && std::isfinite(difference);
             if (!std::isfinite(difference) || difference <= largest) continue;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <limits>
 #include <map>
 
 #include "app/cli/progress.h"
@@ -27,7 +28,7 @@ const std::map<std::string, Shading> kAllShadings = [] {
 CLI::Option* add_scene_argument(CLI::App& app, std::string& scene) {
     return app
         .add_option("SCENE", scene,
-                    "a built-in scene's name, a .gl file, an apitrace .trace or its dump, or - for standard input")
+                    "a built-in scene, a .gl file, an apitrace .trace file or its text dump, or - for standard input")
         ->required()
         ->type_name("")
         ->check(not_empty());
@@ -36,7 +37,8 @@ CLI::Option* add_scene_argument(CLI::App& app, std::string& scene) {
 void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {
     app.add_option_function<std::string>(
            "--shading", [&shading](const std::string& name) { shading = kAllShadings.at(name); },
-           "what the scene's glShadeModel says, unless given; exact: curved shapes by their equations, ray by ray")
+           "shading model (default: the scene's glShadeModel); exact draws curved shapes from their equations, by "
+           "casting rays")
         ->type_name("flat|gouraud|phong|exact")
         ->check(one_of(kAllShadings));
 }
@@ -44,30 +46,29 @@ void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {
 void add_precise_flag(CLI::App& app, bool& precise) {
     app.add_flag(
         "--precise", precise,
-        "shaders light vertices in the order of operations of Mesa's fixed function, by GL's own model with nothing "
-        "left out: on llvmpipe to the same floats, wherever that keeps to the text");
+        "applies only to shaders: compute vertex lighting in the same order as Mesa's fixed function and skip no "
+        "light; on llvmpipe the colours are then equal bit for bit, except where its fixed function has a known bug");
 }
 
 void add_budget_option(CLI::App& app, double& budget) {
-    app.add_option(
-           "--budget", budget,
-           "how far a channel, from 0 to 1, may be off by the faint lights that shaders leave out; 0: not at all")
+    app.add_option("--budget", budget,
+                   "how much the shaders may change a colour channel (0 to 1) by skipping faint lights; 0: not at all")
         ->type_name("B")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(number_from(0.0, 1.0))
         ->default_str("0.5/255");
 }
 
 void add_frame_option(CLI::App& app, std::optional<int>& frame) {
     app.add_option_function<int>(
-           "--frame", [&frame](int number) { frame = number; }, "of a recorded program, which picture, from 0 on")
+           "--frame", [&frame](int number) { frame = number; },
+           "frame of a recorded program, counted from 0 (default: the first that draws something)")
         ->type_name("N")
-        ->check(CLI::NonNegativeNumber)
-        ->default_str("the first that draws");
+        ->check(number_from(0, std::numeric_limits<int>::max()));
 }
 
 namespace {
 
-// A recorded program's picture; it may have a long way to it.
+// Reading up to a late frame may take long, so this shows its progress.
 Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
                           std::optional<int> number) {
     FrameChoice choice{.number = number};
@@ -89,8 +90,9 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
         const GlError& first = *recorded.first_error;
         fmt::print(
             stderr,
-            "twinlight: note: GL refuses {} of the program's commands up to this frame; the first: {}: {} ({})\n",
-            recorded.error_count, first.place.str(), one_line(first.message), enum_name(first.code));
+            "twinlight: note: up to this frame, {} of the program's commands {} a GL error; the first: {}: {} ({})\n",
+            recorded.error_count, recorded.error_count == 1 ? "causes" : "cause", first.place.str(),
+            one_line(first.message), enum_name(first.code));
     }
     return std::move(recorded.scene);
 }
@@ -102,7 +104,7 @@ Scene load_scene(const std::string& name, std::optional<Size> size, std::optiona
     const CommandList* commands = recording->command_list();
     if (!commands) return load_recorded_frame(recording, size, frame);
     if (frame) {
-        throw UsageError(fmt::format("--frame chooses a picture of a recorded program; the scene '{}' has one", name));
+        throw UsageError(fmt::format("--frame applies only to recorded programs; '{}' is a scene", name));
     }
     const auto [width, height] = size.value_or(Size{});
     Frame made = make_frame(*commands, {.width = width, .height = height});

@@ -1,5 +1,7 @@
-// What the subcommands share: how they are declared, their options' kinds, where results go.
+// Shared by the subcommands: their declarations, common options, loading a scene.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -7,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "app/program.h"
 #include "render/look.h"
@@ -17,10 +20,10 @@ namespace twinlight::cli {
 
 struct Subcommand {
     CLI::App* app;
-    std::function<int()> run;  // gives the exit status
+    std::function<int()> run;  // returns the exit status
 };
 
-// One a file.
+// Each has a file of its own.
 Subcommand add_render(CLI::App& app);
 Subcommand add_compare(CLI::App& app);
 Subcommand add_explain(CLI::App& app);
@@ -41,23 +44,33 @@ CLI::Validator one_of(const Map& map) {
     return CLI::Validator(check, "");
 }
 
+// Accepts numbers from `low` to `high`. Unlike CLI::Range, adds nothing to --help, and its message is plain.
+template <class Number>
+CLI::Validator number_from(Number low, Number high) {
+    const auto check = [low, high](const std::string& text) {
+        if (CLI::Range(low, high)(text).empty()) return std::string();
+        return fmt::format("'{}' is not a {}number from {} to {}", text, std::is_integral_v<Number> ? "whole " : "",
+                           low, high);
+    };
+    return CLI::Validator(check, "");
+}
+
 CLI::Option* add_scene_argument(CLI::App& app, std::string& scene);
 void add_shading_option(CLI::App& app, std::optional<Shading>& shading);
 
-// PlanOptions::budget.
+// For PlanOptions::budget.
 void add_budget_option(CLI::App& app, double& budget);
 
-// programmable::Options::precise.
+// For programmable::Options::precise.
 void add_precise_flag(CLI::App& app, bool& precise);
 
-// Which picture of a recorded program.
+// The frame of a recorded program.
 void add_frame_option(CLI::App& app, std::optional<int>& frame);
 
-// A scene, or a recorded program's picture. Notes about a recording (where it breaks off, what GL refuses) go to standard
-// error.
+// Loads a scene, or a frame of a recorded program. Notes about a recording (cut short, GL errors) go to standard error.
 Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame = std::nullopt);
 
-// Whether escape sequences may colour what is printed: a terminal, and NO_COLOR (no-color.org) is not set.
+// Whether standard output may be coloured: it is a terminal, and NO_COLOR (no-color.org) is not set.
 bool result_in_color();
 
 }  // namespace twinlight::cli

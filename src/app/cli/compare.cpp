@@ -1,4 +1,4 @@
-// twinlight compare: one scene by all renderers, and how they differ.
+// twinlight compare: draws a scene with all renderers and reports where they differ.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -40,39 +40,38 @@ std::string colored(const std::string& text, compare::Verdict verdict) {
 
 std::string line(std::string_view name, std::string_view part, const RegionDifference& region) {
     const bool any = region.differing > 0;
-    return fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}", name, part,
-                       report::grouped(region.differing), report::share_of(region), report::codes_of(region.max),
+    return fmt::format("{:<20}  {:<15}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}", name, part,
+                       report::grouped(region.differing), report::share_of(region), report::in_255ths(region.max),
                        any ? fmt::format("{:.1e}", region.rms) : "0",
                        any ? fmt::format("{},{}", region.worst_x, region.worst_y) : "-");
 }
 
-// Two lines a pair: its first name beside the interior, its second beside the edges. A third where a part of the
-// difference is allowed: what is left beyond it.
+// Two lines for each pair: pixels away from edges, and edge pixels. A third line if a part of the difference is allowed: the rest.
 std::string table(const compare::Comparison& comparison) {
-    std::string text = fmt::format("{:<20}  {:<8}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}  {}\n", "pair", "", "differing",
-                                   "share", "max", "rms", "worst x,y", "verdict");
+    std::string text = fmt::format("{:<20}  {:<15}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}  {}\n", "pair", "pixels",
+                                   "differing", "share", "max", "rms", "worst x,y", "verdict");
     for (const compare::Pair& pair : comparison.pairs) {
-        text += line(comparison.a(pair).name, "interior", pair.difference.interior) + "  " +
-                colored(report::word_of(pair.verdict), pair.verdict) + "\n";
-        text += line("~ " + comparison.b(pair).name, "edges", pair.difference.edge) + "\n";
-        if (report::has_allowed_difference(pair)) text += line("", "judged", pair.difference.beyond_allowed) + "\n";
+        text += line(comparison.a(pair).name, "away from edges", pair.difference.interior) + "  " +
+                colored(report::words_of(pair.verdict), pair.verdict) + "\n";
+        text += line("~ " + comparison.b(pair).name, "at edges", pair.difference.edge) + "\n";
+        if (report::has_allowed_difference(pair))
+            text += line("", "not allowed", pair.difference.beyond_allowed) + "\n";
     }
     const ImageDifference& any = comparison.pairs.front().difference;  // all pairs share one mask
-    return text + fmt::format("of {} interior and {} edge pixels\n", report::grouped(any.interior.pixels),
-                              report::grouped(any.edge.pixels));
+    return text + fmt::format("{} pixels are away from edges; {} are at edges, where correct renderers may differ.\n",
+                              report::grouped(any.interior.pixels), report::grouped(any.edge.pixels));
 }
 
 std::string summary(const compare::Comparison& comparison, const std::string& folder) {
     std::string text =
         fmt::format("{}, {} x {}, {}\n\n", comparison.scene, comparison.width, comparison.height, comparison.driver);
-    text += table(comparison) + "\ntime:";
+    for (const std::string& sentence : report::answer(comparison).sentences()) text += sentence + "\n";
+    for (const Unsupported& item : comparison.unsupported) text += report::sentence_of(item) + "\n";
+    text += "\n" + table(comparison) + "\nTime:";
     for (const compare::Render& render : comparison.renders) {
         text += fmt::format("{} {} {:.1f} ms", text.back() == ':' ? "" : ",", render.name, render.ms);
     }
-    text += "\n\n";
-    for (const std::string& sentence : report::verdict_sentences(comparison)) text += sentence + "\n";
-    for (const Unsupported& item : comparison.unsupported) text += report::sentence_of(item) + "\n";
-    return text + "Report: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
+    return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
 int run_compare(const CompareArguments& arguments) {
@@ -99,9 +98,9 @@ int run_compare(const CompareArguments& arguments) {
 
 Subcommand add_compare(CLI::App& app) {
     const auto arguments = std::make_shared<CompareArguments>();
-    CLI::App* compare = app.add_subcommand("compare", "Draw a scene with all renderers and report how they differ");
+    CLI::App* compare = app.add_subcommand("compare", "Draw a scene with all renderers and report where they differ");
     add_scene_argument(*compare, arguments->scene);
-    compare->add_option("-o", arguments->folder, "the report's folder, made if it is not there")
+    compare->add_option("-o", arguments->folder, "folder for the report; created if it does not exist")
         ->required()
         ->type_name("DIR")
         ->check(not_empty());
@@ -112,12 +111,14 @@ Subcommand add_compare(CLI::App& app) {
     compare
         ->add_option_function<std::string>(
             "--shading", [arguments](const std::string& name) { arguments->per_pixel = kPixelShadings.at(name); },
-            "how the pictures that are lit at every pixel are drawn; exact: curved shapes by their equations")
+            "shading of the pictures that are lit at every pixel; exact draws curved shapes from their equations")
         ->type_name("phong|exact")
         ->check(one_of(kPixelShadings))
         ->default_str("phong");
-    compare->add_flag("--json", arguments->json, "print comparison.json's object instead of the table");
-    compare->footer("Exit status: 0 within the tolerance or partial, 1 beyond it, 2 bad input or use.");
+    compare->add_flag("--json", arguments->json, "print comparison.json instead of the table");
+    compare->footer(
+        "Exit status: 0 the renderers agree, or some cannot draw the whole scene; 1 they differ more than allowed;\n"
+        "2 bad input or usage.");
     return {compare, [arguments] { return run_compare(*arguments); }};
 }
 

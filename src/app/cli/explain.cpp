@@ -1,4 +1,4 @@
-// twinlight explain: what is simulated of a scene, draw by draw and light by light, and why not the rest.
+// twinlight explain: which effects and lights each draw of a scene needs, and why the others are skipped.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,14 +26,14 @@ struct ExplainArguments {
     bool json = false;
 };
 
-// ---- In words ----
+// ---- As text ----
 
-std::string colored(const std::string& text, bool in) {
-    return result_in_color() ? (in ? "\x1b[32m" : "\x1b[2m") + text + "\x1b[0m" : text;
+std::string colored(const std::string& text, bool used) {
+    return result_in_color() ? (used ? "\x1b[32m" : "\x1b[2m") + text + "\x1b[0m" : text;
 }
 std::string heading(const std::string& text) { return result_in_color() ? "\x1b[1m" + text + "\x1b[0m" : text; }
 
-// describe()'s lines; those of the lights, "directional, diffuse", apart.
+// The lines of describe(), split into those about the draw and those about its lights ("directional, diffuse").
 struct Facts {
     std::vector<std::string> of_draw, of_lights;
 };
@@ -66,8 +66,8 @@ std::string table(const Plan& plan) {
     for (const Row& row : rows) width = std::max(width, row.what.size());
     std::string text;
     for (const Row& row : rows)
-        text += "  " + colored(fmt::format("{:<{}}  {:<3}", row.what, width, row.in ? "in" : "out"), row.in) + "  " +
-                row.why + "\n";
+        text += "  " + colored(fmt::format("{:<{}}  {:<7}", row.what, width, row.in ? "used" : "skipped"), row.in) +
+                "  " + row.why + "\n";
     return text;
 }
 
@@ -78,28 +78,29 @@ std::string counted(std::size_t count, const char* what) {
 std::string summary(const Scene& scene, const std::vector<ExplainedDraw>& draws, double budget) {
     std::size_t count = 0;
     for (const ExplainedDraw& draw : draws) count += draw.numbers.size();
-    std::string text =
-        fmt::format("{}, {} x {}: {}, {}; budget: {}\n", scene.name(), scene.frame.width, scene.frame.height,
-                    counted(count, "draw"), counted(draws.size(), "different plan"), in_codes(budget));
+    std::string text = fmt::format("{}, {} x {}: {} with {} of effects; allowed change of a channel: {}\n",
+                                   scene.name(), scene.frame.width, scene.frame.height, counted(count, "draw"),
+                                   counted(draws.size(), "different set"), in_codes(budget));
     for (const ExplainedDraw& draw : draws) {
         text += "\n" + heading(name_of(draw)) +
-                "\n  simulated: " + fmt::format("{}", fmt::join(facts_of(draw.plan).of_draw, ", ")) + "\n" +
+                "\n  effects: " + fmt::format("{}", fmt::join(facts_of(draw.plan).of_draw, ", ")) + "\n" +
                 table(draw.plan);
         if (draw.plan.error_bound > 0)
-            text += fmt::format("  left out of a channel altogether: at most {}\n", in_codes(draw.plan.error_bound));
+            text += fmt::format("  all skipped lights together change a channel by at most {}\n",
+                                in_codes(draw.plan.error_bound));
         if (draw.plan.budget < budget)
-            text += "  only what is nothing is left out: blending may add up what is missing\n";
+            text += "  nothing is skipped that changes a pixel, because blending may add up such errors\n";
     }
     const double error = error_bound(draws);
-    return text + (error == 0 ? "\nThe picture is off by nothing.\n"
-                              : fmt::format("\nThe picture is off by {} at most.\n", in_codes(error)));
+    return text + (error == 0 ? "\nSkipping them changes no pixel.\n"
+                              : fmt::format("\nSkipping them changes a channel by at most {}.\n", in_codes(error)));
 }
 
 // ---- As JSON ----
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinity: null.
+// JSON has no infinity; null replaces it.
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Json json_of(const ExplainedDraw& draw) {
@@ -146,13 +147,14 @@ int run_explain(const ExplainArguments& arguments) {
 
 Subcommand add_explain(CLI::App& app) {
     const auto arguments = std::make_shared<ExplainArguments>();
-    CLI::App* explain = app.add_subcommand("explain", "Tell what is simulated of a scene, and why not the rest");
+    CLI::App* explain = app.add_subcommand("explain", "Show which effects a scene uses, and why others are skipped");
     add_scene_argument(*explain, arguments->scene);
     add_shading_option(*explain, arguments->shading);
     add_size_option(*explain, arguments->size);
     add_frame_option(*explain, arguments->frame);
     add_budget_option(*explain, arguments->budget);
-    explain->add_option("--pixel", arguments->pixel, "every term of one pixel; from the top left corner, 0,0")
+    explain
+        ->add_option("--pixel", arguments->pixel, "show every lighting term of one pixel; 0,0 is the top left corner")
         ->type_name("X,Y")
         ->check(not_empty());
     explain->add_flag("--json", arguments->json, "print one JSON object instead of the text");

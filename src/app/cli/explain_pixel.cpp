@@ -22,10 +22,11 @@ using reference::Vec;
 
 const char* words_of(Shading shading) {
     switch (shading) {
-        case Shading::kFlat: return "flat: of the provoking vertex";
-        case Shading::kGouraud: return "gouraud: between the vertices' terms, factors are means";
-        case Shading::kPhong: return "phong: of the pixel itself";
-        case Shading::kExact: return "exact: of the surface's point, or of the mesh's pixel where there is no surface";
+        case Shading::kFlat: return "flat: terms of the provoking vertex";
+        case Shading::kGouraud: return "gouraud: terms interpolated between the vertices; factors are averages";
+        case Shading::kPhong: return "phong: terms computed at this pixel";
+        case Shading::kExact:
+            return "exact: terms computed on the exact surface; for meshes without one, at this pixel";
     }
     return "";
 }
@@ -35,7 +36,7 @@ struct Rendered {
     Rgba color;
 };
 
-// The fixed function lights vertices alone.
+// The fixed function only lights vertices.
 std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, const Pixel& pixel,
                                const Rgba& reference) {
     const Frame& frame = scene.frame;
@@ -49,7 +50,7 @@ std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, c
     return result;
 }
 
-// ---- In words ----
+// ---- As text ----
 
 std::string color(const Vec& c) { return fmt::format("{:>9.5f} {:>9.5f} {:>9.5f}", c.x, c.y, c.z); }
 
@@ -65,7 +66,7 @@ std::vector<std::string> names_of(const std::vector<int>& lights) {
     return names;
 }
 
-// "att spot n.VP d_cm d_cli" as "att 0.50000  spot 1.00000  n.VP 0.80000"; as it is where it has no factor but colours.
+// Turns "att spot n.VP d_cm d_cli" into "att 0.50000  spot 1.00000  n.VP 0.80000"; unchanged if it has only colours.
 std::string factors_of(const char* formula, const lighting::LightTerms<double>& terms) {
     std::string text;
     std::istringstream words(formula);
@@ -80,19 +81,19 @@ std::string factors_of(const char* formula, const lighting::LightTerms<double>& 
     return text.empty() ? formula : text;
 }
 
-// "ruling, of GL_LIGHT0: a zero normal. Here: ambient and emission only."
+// "for GL_LIGHT0 the specification is silent (a zero normal); our choice: ambient and emission only"
 std::string ruling_text(const PixelFragment::Decided& decided) {
     const lighting::RulingText& text = lighting::text_of(decided.ruling);
     const std::vector<std::string> lights = names_of(decided.lights);
-    return fmt::format("  ruling{}{}: {}. Here: {}.\n", lights.empty() ? "" : ", of ", fmt::join(lights, ", "),
-                       text.state, text.answer);
+    return fmt::format("  {}{}{}the specification is silent ({}); our choice: {}\n", lights.empty() ? "" : "for ",
+                       fmt::join(lights, ", "), lights.empty() ? "" : " ", text.state, text.answer);
 }
 
 std::string fragment_text(const PixelFragment& fragment, const Draw& draw) {
     std::string text =
         bold(fmt::format("draw {}, {}", fragment.draw + 1, draw.place.str())) +
         fmt::format(": {} face, depth {:.6f}{}\n", fragment.face == reference::Face::kFront ? "front" : "back",
-                    fragment.depth, fragment.passes ? "" : ", does not pass its tests");
+                    fragment.depth, fragment.passes ? "" : ", discarded by a test");
     if (fragment.is_lit) {
         const LitPoint mean = mean_of(fragment);
         text += fmt::format("  {}\n  {:<24} {:<44} {:>9} {:>9} {:>9}\n", words_of(fragment.shading), "", "", "red",
@@ -106,15 +107,15 @@ std::string fragment_text(const PixelFragment& fragment, const Draw& draw) {
             text += row(name + " diffuse", factors_of(mean.formulas.diffuse, terms), terms.diffuse);
             text += row(name + " specular", factors_of(mean.formulas.specular, terms), terms.specular);
         }
-        text += row("primary colour", "before the clamp", mean.primary);
+        text += row("primary colour", "before clamping", mean.primary);
         if (draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
-            text += row("secondary colour", "before the clamp", mean.secondary);
+            text += row("secondary colour", "before clamping", mean.secondary);
     } else {
         text += "  GL_LIGHTING is disabled\n";
     }
     text += row("fragment",
-                draw.fragment.srgb_coded ? "after clamp, texture, sum, fog, sRGB's curve"
-                                         : "after clamp, texture, colour sum and fog",
+                draw.fragment.srgb_coded ? "after clamping, texture, sum, fog and sRGB"
+                                         : "after clamping, texture, colour sum and fog",
                 vec3_cast<Vec>(fragment.color));
     for (const PixelFragment::Decided& decided : fragment.rulings) text += ruling_text(decided);
     return text;
@@ -179,8 +180,8 @@ Pixel parse_pixel(const std::string& text, const Frame& frame) {
     }
     if (!good) throw UsageError(fmt::format("--pixel is '{}'; it must be X,Y, such as 320,240", one_line(text)));
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= frame.width || pixel.y >= frame.height) {
-        throw UsageError(
-            fmt::format("--pixel is {}; the picture ends at {},{}", text, frame.width - 1, frame.height - 1));
+        throw UsageError(fmt::format("--pixel {} is outside the picture; the last pixel is {},{}", text,
+                                     frame.width - 1, frame.height - 1));
     }
     return pixel;
 }
@@ -204,6 +205,8 @@ std::string explain_pixel(const Scene& scene, const PlanOptions& options, const 
         "{}, pixel {},{} of {} x {}: {}\n", scene.name(), pixel.x, pixel.y, frame.width, frame.height,
         fragments.empty() ? "no draw covers it"
                           : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
+    if (std::ranges::any_of(fragments, &PixelFragment::is_lit))
+        text += "The symbols are those of OpenGL 2.1, section 2.14.1; docs/lighting.md explains them.\n";
     bool variants = false;
     for (const PixelFragment& fragment : fragments) {
         text += "\n" + fragment_text(fragment, *draws[fragment.draw]);
@@ -213,12 +216,12 @@ std::string explain_pixel(const Scene& scene, const PlanOptions& options, const 
     for (const Rendered& picture : pictures) {
         const Vec c{picture.color[0], picture.color[1], picture.color[2]};
         text += row(picture.renderer,
-                    fmt::format("codes {} {} {}", channel_code(picture.color[0]), channel_code(picture.color[1]),
+                    fmt::format("8-bit values {} {} {}", channel_code(picture.color[0]), channel_code(picture.color[1]),
                                 channel_code(picture.color[2])),
                     c);
     }
     if (variants && pictures.front().renderer == std::string_view("fixed"))
-        text += "  (the scene's pragmas are followed by programmable and reference, and are not GL's)\n";
+        text += "  (programmable and reference follow the scene's pragmas; GL's fixed function cannot)\n";
     return text;
 }
 

@@ -1,4 +1,4 @@
-// One pixel of a scene, term by term and by all three renderers.
+// One pixel of a scene: every lighting term, and its colour by all three renderers.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 namespace twinlight::cli {
 
 struct Pixel {
-    int x = 0, y = 0;  // of the picture, from the top left corner
+    int x = 0, y = 0;  // from the top left corner of the picture
 };
 
-// Throws UsageError unless it is "X,Y" within the frame.
+// Throws UsageError unless `text` is "X,Y" and inside the frame.
 Pixel parse_pixel(const std::string& text, const Frame& frame);
 
-// The fragments that cover it, with every term of their lighting by the reference; then what the three renderers draw there.
+// The fragments that cover the pixel, with every lighting term as the reference computes it; then the colours of the three renderers.
 std::string explain_pixel(const Scene& scene, const PlanOptions& options, const Pixel& pixel, bool as_json);
 
 }  // namespace twinlight::cli

@@ -1,4 +1,4 @@
-// twinlight export: a scene as a program, in C or in GLSL.
+// twinlight export: prints a scene as a C program, as GLSL, or as a scene file.
 #include <fmt/format.h>
 
 #include <functional>
@@ -21,18 +21,17 @@ struct ExportArguments {
     bool precise = false;
 };
 
-// What a C compiler still takes in one function.
+// C compilers fail on functions that are much larger.
 constexpr std::size_t kMostExported = 1'000'000;
 
-// The commands that lead to the picture.
+// All commands up to the frame.
 CommandList commands_of(const Scene& scene) {
     CommandList commands(scene.name(), {});
     scene.recording->for_each([&](const Step& step) {
         if (step.kind == Step::Kind::kCommand) commands.commands.push_back(step.command);
         if (commands.commands.size() <= kMostExported) return true;
         throw SceneError(
-            fmt::format("{}: more than {} commands lead to this picture, too many to be printed; choose an "
-                        "earlier --frame",
+            fmt::format("{}: this frame needs more than {} commands, too many to print; choose an earlier --frame",
                         scene.name(), kMostExported));
     });
     return commands;
@@ -48,11 +47,11 @@ const std::map<std::string, Export> kForms = {
 
 int run_export(const ExportArguments& arguments) {
     if (arguments.form != "glsl" && arguments.shading) {
-        throw UsageError("--shading is for --as glsl; a program shades as its glShadeModel says");
+        throw UsageError("--shading applies only to --as glsl; the other formats keep the scene's glShadeModel");
     }
     if (arguments.form != "glsl" && arguments.precise)
-        throw UsageError("--precise is of the shaders; use it with --as glsl");
-    // The whole scene is run first: what has an error is not exported.
+        throw UsageError("--precise applies only to shaders; use it with --as glsl");
+    // Loading runs the whole scene, so that a scene with an error is not exported.
     const Scene scene = load_scene(arguments.scene, {}, arguments.frame);
     programmable::Options options{{{.shading = arguments.shading}}};
     options.precise = arguments.precise;
@@ -65,9 +64,9 @@ int run_export(const ExportArguments& arguments) {
 Subcommand add_export(CLI::App& app) {
     const auto arguments = std::make_shared<ExportArguments>();
     CLI::App* exporting = app.add_subcommand(
-        "export", "Print a scene as a freeglut program in C, the shaders that draw it, or its commands as a scene");
+        "export", "Print a scene as a C program (freeglut), as the GLSL shaders that draw it, or as a scene file");
     add_scene_argument(*exporting, arguments->scene);
-    exporting->add_option("--as", arguments->form, "the form")
+    exporting->add_option("--as", arguments->form, "output format")
         ->required()
         ->type_name("c|glsl|scene")
         ->check(one_of(kForms));

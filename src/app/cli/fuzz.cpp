@@ -1,4 +1,4 @@
-// twinlight fuzz: random scenes, three ways.
+// twinlight fuzz: compares random scenes across the three renderers.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -40,7 +40,7 @@ std::string file_of(const FuzzArguments& arguments, const fuzz::Failure& failure
     return (std::filesystem::path(arguments.folder) / name).string();
 }
 
-// Written as soon as it is found: a long run may end in any way.
+// Written as soon as it is found, because a long run may be killed.
 void write_failure(const FuzzArguments& arguments, const fuzz::Failure& failure) {
     std::error_code error;
     std::filesystem::create_directories(arguments.folder, error);
@@ -59,13 +59,14 @@ void append_left_out(std::string& text, const char* what, const fuzz::LeftOutCou
 
 std::string summary_text(const FuzzArguments& arguments, const Summary& summary, double seconds) {
     const std::uint64_t states = summary.float_states + summary.picture_states;
-    std::string text =
-        fmt::format("{} states of seed {}{} in {}, {:.0f} a second: {} at float precision, {} as pictures\n",
-                    report::grouped(states), arguments.options.seed, summary.broken_off ? " (broken off)" : "",
-                    minutes(seconds), static_cast<double>(states) / std::max(seconds, 1e-9),
-                    report::grouped(summary.float_states), report::grouped(summary.picture_states));
+    std::string text = fmt::format(
+        "{} random scenes, seed {}{}, {} min ({:.0f} per second): {} compared by vertex colours in floats, "
+        "{} by pictures\n",
+        report::grouped(states), arguments.options.seed, summary.broken_off ? " (stopped early)" : "", minutes(seconds),
+        static_cast<double>(states) / std::max(seconds, 1e-9), report::grouped(summary.float_states),
+        report::grouped(summary.picture_states));
     text += fmt::format("\n{:<26}  {:>11}  {:>8}  {:>9}  {:>13}  {:>9}  {:>5}  {:>9}\n", "pair", "vertices", "worst",
-                        "of state", "pixels", "differing", "worst", "of state");
+                        "in scene", "pixels", "differing", "worst", "in scene");
     for (std::size_t pair = 0; pair < fuzz::kPairs; ++pair) {
         text += fmt::format("{:<26}  {:>11}  {:>8.1e}  {:>9}  {:>13}  {:>9}  {:>5}  {:>9}\n", fuzz::kPairNames.at(pair),
                             grouped(summary.vertices.at(pair)), summary.worst_float.at(pair).value,
@@ -74,21 +75,22 @@ std::string summary_text(const FuzzArguments& arguments, const Summary& summary,
                             summary.worst_picture.at(pair).state);
     }
     text +=
-        "Vertices: relative to the magnitude of a colour's terms. Pixels: of the interior; differing, and the worst in "
-        "codes, beyond\nthe difference that is allowed for filters and blending.\n";
+        "Vertices: the worst difference is relative to the sum of the magnitudes of a colour's terms.\n"
+        "Pixels: only those away from edges. They count as differing, and the worst is given in 1/255, where the "
+        "difference is larger\nthan filters and blending allow.\n";
     if (!summary.vertices_left_out.empty() || !summary.pictures_left_out.empty()) {
-        text += "\nLeft out, and how many of them differ:\n";
+        text += "\nSkipped for known bugs, or because rounding decides; and how many of them differ:\n";
         append_left_out(text, "vertices", summary.vertices_left_out);
         append_left_out(text, "pictures", summary.pictures_left_out);
     }
     text += "\n";
     for (const fuzz::Failure& failure : summary.failures) {
-        text += fmt::format("state {}: {}: {}\n  {} of {} commands: {}\n", failure.state,
-                            failure.pair < fuzz::kPairs ? fuzz::kPairNames.at(failure.pair) : "refused", failure.what,
+        text += fmt::format("scene {}: {}: {}\n  reduced to {} of {} commands: {}\n", failure.state,
+                            failure.pair < fuzz::kPairs ? fuzz::kPairNames.at(failure.pair) : "rejected", failure.what,
                             failure.scene.commands.size(), failure.commands_before, file_of(arguments, failure));
     }
     if (summary.failures.empty())
-        text += summary.fails() ? "Too many pixels differ by one code.\n" : "No unexplained difference.\n";
+        text += summary.fails() ? "Too many pixels differ by 1/255.\n" : "No unexplained difference.\n";
     return text;
 }
 
@@ -152,14 +154,14 @@ int run_fuzz(const FuzzArguments& arguments) {
     return summary.fails() ? kDifferent : kFine;
 }
 
-// A name of departures(), or a near one in the message.
+// Empty if `text` is a name of departures(); else a message that suggests a similar name.
 std::string checked_departure(const std::string& text) {
     std::vector<std::string_view> names;
     for (const compare::Departure& departure : compare::departures()) names.push_back(departure.name);
     if (std::ranges::find(names, text) != names.end()) return "";
     const auto near = nearest(text, names);
-    return fmt::format("there is no departure '{}'; {}", text,
-                       near ? fmt::format("did you mean '{}'?", *near) : "golden/known_differences names them");
+    return fmt::format("there is no known bug '{}'; {}", text,
+                       near ? fmt::format("did you mean '{}'?", *near) : "golden/known_differences lists them");
 }
 
 }  // namespace
@@ -167,36 +169,38 @@ std::string checked_departure(const std::string& text) {
 Subcommand add_fuzz(CLI::App& app) {
     const auto arguments = std::make_shared<FuzzArguments>();
     Options& options = arguments->options;
-    CLI::App* fuzz = app.add_subcommand("fuzz", "Hold random scenes three ways against each other");
+    CLI::App* fuzz = app.add_subcommand("fuzz", "Compare random scenes across the three renderers");
     const auto most = static_cast<std::uint64_t>(1) << 31;
-    fuzz->add_option("--count", options.count, "how many states")
+    fuzz->add_option("--count", options.count, "number of random scenes")
         ->type_name("N")
         ->capture_default_str()
-        ->check(CLI::Range(std::uint64_t{1}, most - 1));
-    fuzz->add_option("--seed", options.seed, "the same seed gives the same scenes on every machine")
+        ->check(number_from(std::uint64_t{1}, most - 1));
+    fuzz->add_option("--seed", options.seed, "random seed; a seed gives the same scenes on every machine")
         ->type_name("S")
         ->capture_default_str();
-    fuzz->add_option("--first", options.first, "the first state: that of a failure, or where another run ended")
+    fuzz->add_option("--first", options.first,
+                     "number of the first scene, to repeat a failure or to continue an earlier run")
         ->type_name("N")
         ->capture_default_str()
-        ->check(CLI::Range(std::uint64_t{0}, most << 20));
+        ->check(number_from(std::uint64_t{0}, most << 20));
     CLI::Option* floats_only = fuzz->add_flag_callback(
-        "--float-only", [&options] { options.pictures = false; }, "compare vertices alone");
+        "--float-only", [&options] { options.pictures = false; }, "compare only vertex colours, in floats");
     fuzz->add_flag_callback(
-            "--pictures-only", [&options] { options.floats = false; }, "compare pictures alone")
+            "--pictures-only", [&options] { options.floats = false; }, "compare only pictures")
         ->excludes(floats_only);
-    fuzz->add_option("--lift", options.lifted, "a name of golden/known_differences, not to be left out but looked for")
+    fuzz->add_option("--lift", options.lifted,
+                     "do not skip this known bug, but look for it (golden/known_differences lists the names)")
         ->type_name("NAME")
         ->check(CLI::Validator(checked_departure, ""));
-    fuzz->add_option("-o", arguments->folder, "where failures are written, made if there is one")
+    fuzz->add_option("-o", arguments->folder, "folder for failing scenes; created if there are any")
         ->type_name("DIR")
         ->capture_default_str()
         ->check(not_empty());
     fuzz->add_flag("--json", arguments->json, "print one JSON object instead of the table");
     fuzz->footer(
-        "Each failure is shrunk to the smallest scene that still fails, and written as a scene file.\n"
-        "Ctrl-C ends the run; what was found is kept. GALLIUM_DRIVER=softpipe asks Mesa's other driver.\n"
-        "Exit status: 0 no unexplained difference, 1 a difference, 2 bad input or use.");
+        "Each failure is reduced to the smallest scene that still fails, and saved as a scene file.\n"
+        "Ctrl-C stops the run and keeps all failures. GALLIUM_DRIVER=softpipe tests Mesa's other software driver.\n"
+        "Exit status: 0 no unexplained difference, 1 an unexplained difference, 2 bad input or usage.");
     return {fuzz, [arguments] { return run_fuzz(*arguments); }};
 }
 

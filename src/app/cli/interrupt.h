@@ -1,11 +1,11 @@
-// Ctrl-C as a question that long work asks between its pieces.
+// Ctrl-C sets a flag, which long work checks between its pieces.
 #pragma once
 
 #include <csignal>
 
 namespace twinlight::cli {
 
-// While it lives, Ctrl-C is noted, once; a second one ends the program.
+// While an Interrupt exists, the first Ctrl-C sets the flag; a second one ends the program.
 class Interrupt {
   public:
     Interrupt() {
@@ -22,7 +22,7 @@ class Interrupt {
     static bool came() { return came_ != 0; }
 
   private:
-    inline static volatile std::sig_atomic_t came_ = 0;  // the one kind of thing that a handler may write to
+    inline static volatile std::sig_atomic_t came_ = 0;  // the only type that a signal handler may write to
     struct sigaction before_ {};
 };
 

@@ -10,7 +10,7 @@ namespace twinlight::cli {
 
 namespace {
 
-// What stands behind `name` and `separator` in the first such line; empty where there is none.
+// The text after `separator` in the first line that starts with `name`; empty if there is none.
 std::string value_in(const char* file, const std::string& name, char separator) {
     std::ifstream lines(file);
     for (std::string line; std::getline(lines, line);) {

@@ -1,4 +1,4 @@
-// twinlight: runs OpenGL's lighting commands three ways and shows where they differ.
+// twinlight: draws OpenGL's lighting commands three ways and shows where the pictures differ.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 using namespace twinlight;
 using namespace twinlight::cli;
 
-// The names of the subcommands, as a sentence has them.
+// "render, compare or explain"
 std::string listed(const std::vector<std::string>& names) {
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -24,13 +24,13 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-// CLI11 would take an unknown subcommand for an argument too many, and none for a success.
+// CLI11 would report an unknown subcommand as an unexpected argument, and accept a missing one.
 void check_subcommand(int argc, char** argv, const std::vector<std::string>& names) {
     if (argc < 2) throw UsageError("a command is missing: " + listed(names) + "; see 'twinlight --help'");
     const std::string name = argv[1];
     if (name.starts_with('-')) {
         if (name == "-h" || name == "--help" || name == "--version") return;
-        throw UsageError("a command comes before '" + name + "': " + listed(names) + "; see 'twinlight --help'");
+        throw UsageError("give a command before '" + name + "': " + listed(names) + "; see 'twinlight --help'");
     }
     if (std::ranges::find(names, name) != names.end()) return;
     const auto near = nearest(name, {names.begin(), names.end()});
@@ -41,23 +41,26 @@ void check_subcommand(int argc, char** argv, const std::vector<std::string>& nam
 
 int run(int argc, char** argv) {
     CLI::App app(
-        "Runs OpenGL's lighting commands three ways - the driver's fixed function, generated shaders and a\n"
-        "double-precision reference - and shows where they differ.",
+        "Draws OpenGL lighting three ways - with the driver's fixed function, with generated shaders, and with a\n"
+        "double-precision reference - and shows where the pictures differ.",
         "twinlight");
     const std::string version = std::string("twinlight ") + kVersion;
     app.require_subcommand(1);
     app.set_help_flag("-h,--help", "Print this help and exit");
     app.set_version_flag("--version", version, "Print the version and exit");
-    app.footer(
-        "'twinlight COMMAND --help' tells a command's options.\n"
-        "Exit status: 0 fine, 1 a difference beyond the tolerance, 2 bad input or use.");
+
     const std::array subcommands = {add_render(app), add_compare(app), add_explain(app), add_export(app),
                                     add_scenes(app), add_study(app),   add_fuzz(app),    add_check(app)};
     std::vector<std::string> names;
     for (const Subcommand& subcommand : subcommands) {
         names.push_back(subcommand.app->get_name());
         subcommand.app->set_version_flag("--version", version, "Print the version and exit");
+        if (subcommand.app->get_footer().empty())
+            subcommand.app->footer("Exit status: 0 success, 2 bad input or usage.");
     }
+    app.footer(
+        "'twinlight COMMAND --help' shows the options of a command.\n"
+        "Exit status: 0 success, 1 a difference that is larger than allowed, 2 bad input or usage.");
     check_subcommand(argc, argv, names);
     if (!parse_command_line(app, argc, argv)) return kFine;
     return std::ranges::find(subcommands, app.get_subcommands().front(), &Subcommand::app)->run();
@@ -66,5 +69,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return run_telling_failures("twinlight", [&] { return run(argc, argv); });
+    return run_reporting_errors("twinlight", [&] { return run(argc, argv); });
 }

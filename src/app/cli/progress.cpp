@@ -10,7 +10,7 @@
 namespace twinlight::cli {
 
 namespace {
-constexpr int kWidth = 79;  // of the line: blanks up to here cover what stood there before
+constexpr int kWidth = 79;  // each line is padded to this width, to overwrite the one before
 constexpr int kBarWidth = 24;
 
 std::string time_left(double seconds) {
@@ -37,7 +37,7 @@ void ProgressBar::show(int done, int total, std::string_view next, std::optional
 }
 
 void ProgressBar::print(std::string_view line) {
-    constexpr std::chrono::milliseconds kTooSoon(50);  // nobody reads faster
+    constexpr std::chrono::milliseconds kTooSoon(50);  // redrawing more often only costs time
     const auto now = std::chrono::steady_clock::now();
     if (!terminal_ || (printed_ && now - *printed_ < kTooSoon)) return;
     printed_ = now;

@@ -1,4 +1,4 @@
-// Progress on standard error: a bar where that is a terminal, nothing otherwise.
+// Progress on standard error: a bar if that is a terminal, nothing otherwise.
 #pragma once
 
 #include <chrono>
@@ -10,12 +10,12 @@ namespace twinlight::cli {
 class ProgressBar {
   public:
     ProgressBar();
-    ~ProgressBar();  // wipes the bar away
+    ~ProgressBar();  // wipes the bar
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     void show(int done, int total, std::string_view next, std::optional<double> seconds_left = std::nullopt);
-    void show(std::string_view doing);  // where there is no telling how much is left
+    void show(std::string_view doing);  // for work of unknown length
     void wipe();
 
   private:

@@ -1,4 +1,4 @@
-// twinlight render: one scene by one renderer, as a PNG.
+// twinlight render: draws a scene with one renderer into a PNG.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -35,7 +35,7 @@ const std::map<std::string, Path> kRenderers = {
     {"reference", Path::kReference},
 };
 
-// A picture is never silently partial.
+// Commands that the renderer cannot draw.
 void warn_unsupported(const Frame& frame, Path path) {
     for (const Unsupported& item : frame.unsupported)
         if (lacks(path, item)) fmt::print(stderr, "twinlight: note: {}\n", report::sentence_of(item, std::array{path}));
@@ -63,32 +63,28 @@ Image drawn(const RenderArguments& arguments, const Scene& scene) {
 
 int run_render(const RenderArguments& arguments) {
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kPhong) {
-        throw UsageError(
-            "the fixed function cannot shade by phong; use --with programmable or "
-            "--with reference");
+        throw UsageError("the fixed function has no phong shading; use --with programmable or --with reference");
     }
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kExact) {
-        throw UsageError(
-            "the fixed function draws meshes, no surfaces by their equations; use --with programmable or "
-            "--with reference");
+        throw UsageError("the fixed function cannot draw exact surfaces; use --with programmable or --with reference");
     }
     if (arguments.scrubbed && arguments.renderer == "programmable") {
         throw UsageError(
-            "shaders are always made for what each draw calls for; use --scrubbed with fixed or reference");
+            "--scrubbed applies only to --with fixed and --with reference; shaders never use more state than they "
+            "need");
     }
     if (arguments.scrubbed && arguments.shading == Shading::kExact) {
-        throw UsageError(
-            "what a draw calls for is planned of its mesh, not of its exact surface; leave one of both out");
+        throw UsageError("--scrubbed works on meshes, not on exact surfaces; use either --scrubbed or --shading exact");
     }
     if (arguments.baked && arguments.renderer != "programmable") {
-        throw UsageError("--baked is of the shaders; use it with --with programmable");
+        throw UsageError("--baked applies only to shaders; use it with --with programmable");
     }
     if (arguments.precise && arguments.renderer != "programmable") {
-        throw UsageError("--precise is of the shaders; use it with --with programmable");
+        throw UsageError("--precise applies only to shaders; use it with --with programmable");
     }
     const bool to_stdout = arguments.output == "-";
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
-        throw UsageError("-o - would write a PNG's bytes to the terminal; redirect it or name a file");
+        throw UsageError("-o - would write a PNG to the terminal; redirect standard output or give a file name");
     }
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
     const std::string png = encode_png(drawn(arguments, scene));
@@ -105,9 +101,11 @@ int run_render(const RenderArguments& arguments) {
 
 Subcommand add_render(CLI::App& app) {
     const auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* render = app.add_subcommand("render", "Draw a scene with one renderer, as a PNG");
+    CLI::App* render = app.add_subcommand("render", "Draw a scene with one renderer and write a PNG");
     add_scene_argument(*render, arguments->scene);
-    render->add_option("--with", arguments->renderer, "the driver's own lighting, generated shaders, or the reference")
+    render
+        ->add_option("--with", arguments->renderer,
+                     "the driver's fixed function, generated shaders, or the double-precision reference")
         ->required()
         ->type_name("fixed|programmable|reference")
         ->check(one_of(kRenderers));
@@ -116,11 +114,11 @@ Subcommand add_render(CLI::App& app) {
     add_frame_option(*render, arguments->frame);
     add_budget_option(*render, arguments->budget);
     render->add_flag("--scrubbed", arguments->scrubbed,
-                     "fixed, reference: no more of the state than each draw calls for, instead of all of it");
+                     "with fixed or reference: drop lights and other lighting state that a draw does not need");
     render->add_flag("--baked", arguments->baked,
-                     "programmable: the scene's numbers as constants of the shaders, instead of uniforms");
+                     "with programmable: write the scene's numbers into the shaders as constants, instead of uniforms");
     add_precise_flag(*render, arguments->precise);
-    render->add_option("-o", arguments->output, "the picture, or - for standard output")
+    render->add_option("-o", arguments->output, "output file, or - for standard output")
         ->required()
         ->type_name("FILE")
         ->check(not_empty());

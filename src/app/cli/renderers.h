@@ -11,7 +11,7 @@ namespace twinlight::cli {
 
 class RendererSet {
   public:
-    // For pictures of that size. Throws std::runtime_error that says what the driver refused.
+    // For pictures of this size. Throws std::runtime_error with the driver's reason if there is no context.
     RendererSet(int width, int height);
 
     // Valid as long as the set lives.

@@ -15,27 +15,26 @@ namespace {
 
 using namespace check;
 
-// As the fixed function is judged (judge/check/suite.cpp), in C. Colours of vertices come from feedback, which has them ahead of the
-// clamp where the driver lets that be switched off.
-constexpr const char* kJudge = R"c(
-static int departures = 0;
+// The same comparison as in judge/check/suite.cpp, in C. Colours of vertices come from feedback, unclamped if the driver can.
+constexpr const char* kCheckColor = R"c(
+static int wrong_answers = 0;
 
 static int agree(float value, float right) { return fabs(value - right) <= kTolerance * fmax(1, fabs(right)); }
 
-/* `other` is right as well, channel by channel: where rounding decides on a jump. */
-static void judge(const char* place, const float* right, const float* other, const float* value) {
+/* Each channel may equal `right` or `other`: they differ where the formula jumps and rounding decides. */
+static void check_color(const char* place, const float* right, const float* other, const float* value) {
     int differs = value == 0, i;
     for (i = 0; i < 4 && !differs; ++i) differs = !agree(value[i], right[i]) && !agree(value[i], other[i]);
     printf("%s: expected (%.7g, %.7g, %.7g, %.7g)", place, right[0], right[1], right[2], right[3]);
     if (value) printf(", the driver gives (%.7g, %.7g, %.7g, %.7g)", value[0], value[1], value[2], value[3]);
-    else printf(", the driver shows nothing");
-    printf("%s\n", differs ? ": DIFFERS" : "");
-    departures += differs;
+    else printf(", the driver draws nothing");
+    printf("%s\n", differs ? ": WRONG" : "");
+    wrong_answers += differs;
 }
 )c";
 
 constexpr const char* kShowVertices = R"c(
-/* The colour of the last vertex that stands there in the window; 0 where none does. */
+/* The colour of the last vertex at this place in the window; 0 if there is none. */
 static const float* vertex_at(const float* buffer, int count, float x, float y) {
     const float* found = 0;
     int i = 0;
@@ -56,13 +55,13 @@ static void show(void) {
     glFeedbackBuffer(512, GL_3D_COLOR, buffer);
     if (glutExtensionSupported("GL_ARB_color_buffer_float"))
         ((ClampColor)glutGetProcAddress("glClampColorARB"))(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
-    else printf("the driver clamps vertices' colours: what is beyond [0, 1] differs here\n");
+    else printf("the driver clamps the colours of vertices, so values outside [0, 1] are wrong here\n");
     glRenderMode(GL_FEEDBACK);
     draw_scene();
     count = glRenderMode(GL_RENDER);
     for (i = 0; i < (int)(sizeof kExpected / sizeof kExpected[0]); ++i)
-        judge(kExpected[i].place, kExpected[i].color, kExpected[i].other,
-              vertex_at(buffer, count, kExpected[i].x, kExpected[i].y));
+        check_color(kExpected[i].place, kExpected[i].color, kExpected[i].other,
+                    vertex_at(buffer, count, kExpected[i].x, kExpected[i].y));
 }
 )c";
 
@@ -75,7 +74,7 @@ static void show(void) {
         float color[4];
         glReadPixels((int)kExpected[i].x, (int)kExpected[i].y, 1, 1, GL_RGBA, GL_FLOAT, color);
         color[3] = kExpected[i].color[3];  /* a window need not have alpha */
-        judge(kExpected[i].place, kExpected[i].color, kExpected[i].other, color);
+        check_color(kExpected[i].place, kExpected[i].color, kExpected[i].other, color);
     }
 }
 )c";
@@ -84,11 +83,11 @@ constexpr const char* kShowNothing = R"c(
 static void show(void) { draw_scene(); }
 )c";
 
-constexpr const char* kJudgeError = R"c(
-static void judge_error(GLenum error) {{
+constexpr const char* kCheckError = R"c(
+static void check_error(GLenum error) {{
     printf("glGetError: expected 0x%04X ({0}), the driver gives 0x%04X%s\n", {0}, error,
-           error == {0} ? "" : ": DIFFERS");
-    departures += error != {0};
+           error == {0} ? "" : ": WRONG");
+    wrong_answers += error != {0};
 }}
 )c";
 
@@ -96,12 +95,12 @@ constexpr const char* kMain = R"c(
 static void display(void) {{
     printf("%s, %s\n%s\n", glGetString(GL_RENDERER), glGetString(GL_VERSION), kText);
     glViewport(0, 0, {0}, {0});  /* a window manager may make the window larger */
-    while (glGetError() != GL_NO_ERROR) {{}}  /* the window's own */
+    while (glGetError() != GL_NO_ERROR) {{}}  /* errors from opening the window */
     show();
-    judge_error(glGetError());
-    printf(departures ? "The driver departs from the specification.\n" : "As the specification says.\n");
+    check_error(glGetError());
+    printf(wrong_answers ? "The driver violates the specification.\n" : "The driver follows the specification.\n");
     fflush(stdout);
-    exit(departures ? 1 : 0);
+    exit(wrong_answers ? 1 : 0);
 }}
 
 int main(int argc, char** argv) {{
@@ -115,7 +114,7 @@ int main(int argc, char** argv) {{
 }}
 )c";
 
-// A literal of C.
+// As a string literal in C.
 std::string c_literal(const std::string& text) {
     std::string literal = "\"";
     for (const char c : text) literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
@@ -127,7 +126,7 @@ std::string c_array(const Seen& color) {
     return fmt::format("{{{:.9g}, {:.9g}, {:.9g}, {:.9g}}}", c.r, c.g, c.b, c.a);
 }
 
-// Where the window of kSide by kSide pixels shows what is expected; the origin is the lower left.
+// The expected place in a window of kSide by kSide pixels; the origin is the lower left corner.
 glm::dvec2 window_place(const Case& of, const Spot& spot) {
     if (spot.kind == Spot::Kind::kPixel) return {spot.x, kSide - 1 - spot.y};
     std::string error;
@@ -141,7 +140,7 @@ std::string how_to_run(const std::string& driver, const std::string& name) {
     if (parse_driver_name(driver).name != "softpipe") return "";
     return fmt::format(
         "// Run it with: GALLIUM_DRIVER=softpipe DRAW_USE_LLVM=0 ./{}\n"
-        "// (Mesa 22.3's softpipe crashes within LLVM, or hangs, where that makes its vertices for GL_FEEDBACK.)\n",
+        "// (In Mesa 22.3, softpipe crashes or hangs in GL_FEEDBACK mode if it uses LLVM for vertices.)\n",
         name);
 }
 
@@ -150,13 +149,13 @@ std::string how_to_run(const std::string& driver, const std::string& name) {
 std::string reproducer(const std::string& driver, const Case& of, const Result& result) {
     std::string found;
     for (const Finding& finding : result.findings)
-        if (finding.path == Path::kFixed && finding.outcome != Outcome::kRuling)
+        if (finding.path == Path::kFixed && finding.outcome != Outcome::kOurChoice)
             found += "// " + finding_text(of, finding) + "\n";
     if (found.empty() || !result.error.empty()) return "";
     std::string text = fmt::format(
         "// {}\n// {}\n// OpenGL 2.1, section {}\n// {}\n{}"
         "// Build it with: cc -std=c99 {}.c -lglut -lGLU -lGL -lm\n{}"
-        "// It prints what is right and what the driver gives; its exit status is 1 where they differ.\n"
+        "// It prints the expected and the actual values; the exit status is 1 if they differ.\n"
         "#define GL_GLEXT_PROTOTYPES\n#include <GL/freeglut.h>\n#include <math.h>\n#include <stdio.h>\n"
         "#include <stdlib.h>\n\n",
         of.what, of.why, of.text, driver, found, of.name, how_to_run(driver, of.name));
@@ -164,7 +163,7 @@ std::string reproducer(const std::string& driver, const Case& of, const Result& 
     text += fmt::format("\nstatic const char* kText = {};\n", c_literal("OpenGL 2.1, section " + of.text));
     std::string colors, error = "GL_NO_ERROR";
     for (const Expectation& expected : of.expectations) {
-        if (expected.spot.shading) continue;  // not GL's
+        if (expected.spot.shading) continue;  // the fixed function has no such shading
         if (expected.spot.kind == Spot::Kind::kError) {
             error = text_of(expected.value);
             continue;
@@ -174,19 +173,19 @@ std::string reproducer(const std::string& driver, const Case& of, const Result& 
                               c_array(expected.value), c_array(expected.other));
     }
     if (colors.empty()) {
-        text += "\nstatic int departures = 0;\n";
+        text += "\nstatic int wrong_answers = 0;\n";
     } else {
         const double tolerance = of.tolerance.value_or(kTolerance);
         const std::string causes =
-            of.tolerance ? of.tolerance_causes : "of float arithmetic; relative to the larger of 1 and the value";
+            of.tolerance ? of.tolerance_causes : "for float arithmetic; relative to the larger of 1 and the value";
         text += fmt::format(
             "static const double kTolerance = {};  /* {} */\n"
             "static const struct {{ const char* place; float x, y; float color[4], other[4]; }} kExpected[] = "
             "{{\n{}}};\n{}",
             of.is_of_vertices() ? fmt::format("{:g}", tolerance) : fmt::format("{:g} + 0.5 / 255", tolerance),
-            of.is_of_vertices() ? causes : causes + "; and half a code of the window", colors, kJudge);
+            of.is_of_vertices() ? causes : causes + "; plus half of 1/255 for the window", colors, kCheckColor);
     }
-    text += fmt::format(kJudgeError, error);
+    text += fmt::format(kCheckError, error);
     text += colors.empty() ? kShowNothing : of.is_of_vertices() ? kShowVertices : kShowPixels;
     return text + fmt::format(kMain, kSide);
 }

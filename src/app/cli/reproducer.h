@@ -7,8 +7,8 @@
 
 namespace twinlight::cli {
 
-// A C program (GLUT) that shows what the driver's fixed function gives of the case and what is right, for a report; its exit status
-// is 1 where they differ. Empty where the result has no departure.
+// A C program (GLUT) for a bug report: it prints the driver's answers to the case and the expected ones, and exits with 1 if they
+// differ. Empty if the driver's answers are right.
 std::string reproducer(const std::string& driver, const check::Case& of, const check::Result& result);
 
 }  // namespace twinlight::cli

@@ -1,4 +1,4 @@
-// twinlight scenes: the built-in scenes.
+// twinlight scenes: lists the built-in scenes, or prints one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
 
-// A scene's first comment starts with a sentence that says what it is.
+// The first sentence of a scene's first comment.
 std::string description_of(const EmbeddedFile& file) {
     std::string sentence;
     std::istringstream lines{std::string(file.text)};
@@ -33,7 +33,7 @@ std::string description_of(const EmbeddedFile& file) {
     return sentence;
 }
 
-// The words in lines of at most 80 columns, which start at this one but for the first.
+// Wraps at 80 columns; all lines but the first are indented.
 std::string wrapped(const std::string& words, std::size_t indent) {
     constexpr std::size_t kColumns = 80;
     std::string text;
@@ -92,8 +92,8 @@ int run_scenes(const ScenesArguments& arguments) {
 Subcommand add_scenes(CLI::App& app) {
     const auto arguments = std::make_shared<ScenesArguments>();
     CLI::App* scenes = app.add_subcommand("scenes", "List the built-in scenes, or print one");
-    scenes->add_option("NAME", arguments->name, "print this scene's text")->type_name("");
-    scenes->add_flag("--json", arguments->json, "print one JSON object");
+    scenes->add_option("NAME", arguments->name, "print the text of this scene")->type_name("");
+    scenes->add_flag("--json", arguments->json, "print one JSON object instead of text");
     return {scenes, [arguments] { return run_scenes(*arguments); }};
 }
 

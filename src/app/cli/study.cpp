@@ -1,4 +1,4 @@
-// twinlight study: what accuracy costs in time.
+// twinlight study: measures how much time accuracy costs.
 #include "judge/study/study.h"
 
 #include <fmt/format.h>
@@ -36,8 +36,8 @@ struct StudyArguments {
     bool quick = false, resume = false, json = false;
 };
 
-// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo): to tell scenes apart, not to keep anybody from forging one.
-// A piece at a time: a recording may be larger than memory.
+// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo): distinguishes scenes, but does not protect against forgery.
+// Reads in pieces, because a recording may be larger than memory.
 std::string fingerprint(std::istream& bytes) {
     std::uint64_t hash = 0xcbf29ce484222325;
     std::array<char, 1 << 16> piece{};
@@ -56,8 +56,8 @@ std::string summary(const study::Study& study, const std::string& folder) {
     for (std::size_t series = 0; series < study.series.size(); ++series) {
         const study::Series& one = study.series[series];
         text += fmt::format("\n{}, {} cores, {}; {} rounds\n{:<64} {:>10} {:>10} {:>8}\n", one.machine.processor,
-                            one.machine.cores, one.driver, one.rounds, "no other is both faster and more accurate",
-                            "time", "rms", "max");
+                            one.machine.cores, one.driver, one.rounds,
+                            "best choices (none is both faster and more accurate)", "time", "rms", "max");
         std::vector<const study::Point*> front;
         for (const study::Point& point : study.points)
             if (point.series == series && point.on_front[kRms]) front.push_back(&point);
@@ -79,21 +79,21 @@ int write(const StudyArguments& arguments, const study::Study& study) {
 }
 
 int merge(const StudyArguments& arguments) {
-    if (arguments.merge.size() < 2) throw UsageError("--merge takes two files study.json or more");
+    if (arguments.merge.size() < 2) throw UsageError("--merge needs at least two study.json files");
     std::vector<study::NamedStudy> studies;
     for (const std::string& file : arguments.merge) studies.push_back({file, study::load_study(file)});
     return write(arguments, study::merged(std::move(studies)));
 }
 
-// The study in the folder, and what of it this one goes on with unless something else is said.
+// Loads the study that --resume continues; its settings are the defaults of this one.
 std::optional<study::Study> earlier_study(StudyArguments& arguments) {
     if (!arguments.resume) return {};
     const std::string file = (std::filesystem::path(arguments.folder) / "study.json").string();
     study::Study study = study::load_study(file);
     if (study.series.size() != 1)
-        throw UsageError(file + " is merged of several; --resume goes on with a study of one machine");
+        throw UsageError(file + " holds several merged studies; --resume continues only a single one");
     const bool was_quick = study.extent == study::Extent::kQuick;
-    if (arguments.quick && !was_quick) throw UsageError(file + " is no --quick study; leave --quick out");
+    if (arguments.quick && !was_quick) throw UsageError(file + " was made without --quick; leave --quick out");
     arguments.quick = was_quick;
     if (!arguments.size) arguments.size = Size{study.width, study.height};
     if (!arguments.coverage) arguments.coverage = study.coverage;
@@ -108,14 +108,14 @@ void check_resumable(const study::Study& earlier, const study::Study& now) {
         difference = "of another driver, " + earlier.series[0].driver;
     if (!difference.empty())
         throw UsageError(
-            fmt::format("the study to go on with is {}; leave --resume out to begin anew, or use another "
-                        "folder and --merge",
+            fmt::format("cannot resume: the study in this folder is {}; leave --resume out to start again, or use "
+                        "another folder and --merge",
                         one_line(difference)));
 }
 
 int run_study(StudyArguments arguments) {
     if (!arguments.merge.empty()) return merge(arguments);
-    if (arguments.scene.empty()) throw UsageError("SCENE is missing, or --merge with files to lay over each other");
+    if (arguments.scene.empty()) throw UsageError("SCENE is missing; give a scene, or --merge and study.json files");
     const std::optional<study::Study> earlier = earlier_study(arguments);
     const Size size = arguments.size.value_or(arguments.quick ? kQuickSize : kSize);
     const Scene scene = load_scene(arguments.scene, size);
@@ -126,22 +126,22 @@ int run_study(StudyArguments arguments) {
         if (slices == 0) return frame;
         return make_frame(study::with_slices(*commands, slices), {.width = frame.width, .height = frame.height});
     };
-    // Before the work, not after it.
+    // Before the work, so that a bad folder is reported at once.
     std::error_code error;
     std::filesystem::create_directories(arguments.folder, error);
     if (error) throw FileError(arguments.folder + ": " + error.message());
     StudyRenderers renderers(frame.width, frame.height);
 
-    study::Study about;  // what is known of it beforehand
+    study::Study about;  // known before measuring
     about.scene = scene.name();
     if (commands) {
         std::istringstream text(print_scene(*commands));
         about.fingerprint = fingerprint(text);
     } else {
         std::ifstream file(arguments.scene, std::ios::binary);
-        if (!file) throw FileError(arguments.scene + ": cannot be read a second time; study a file");
+        if (!file) throw FileError(arguments.scene + ": cannot be read twice; save it to a file first");
         about.fingerprint = fingerprint(file);
-        if (file.bad()) throw FileError(arguments.scene + ": reading it failed");
+        if (file.bad()) throw FileError(arguments.scene + ": read error");
     }
     about.width = frame.width;
     about.height = frame.height;
@@ -179,42 +179,41 @@ int run_study(StudyArguments arguments) {
 
 Subcommand add_study(CLI::App& app) {
     const auto arguments = std::make_shared<StudyArguments>();
-    CLI::App* study = app.add_subcommand("study", "Show what accuracy costs in time");
+    CLI::App* study = app.add_subcommand("study", "Measure how much time accuracy costs");
     add_scene_argument(*study, arguments->scene)->required(false);
     study
         ->add_option("-o", arguments->folder,
-                     "where study.json, study.csv, study.svg, index.html and pictures/ go; made if it is not there")
+                     "folder for index.html, study.json, study.csv, study.svg and pictures/; created if it does not "
+                     "exist")
         ->required()
         ->type_name("DIR")
         ->check(not_empty());
-    add_size_option(*study, arguments->size);
-    study->get_option("--size")->default_str("320x240, or 240x180 with --quick");
+    add_size_option(*study, arguments->size, "320x240, or 240x180 with --quick");
     study
         ->add_option_function<double>(
             "--seconds", [arguments](double seconds) { arguments->seconds = seconds; },
-            "how long to take times; each choice is timed three times at least")
+            "time for the measurements, which repeat at least three times (default: 60, or 5 with --quick)")
         ->type_name("S")
-        ->default_str("60, or 5 with --quick")
-        ->check(CLI::Range(0.0, 86400.0));
+        ->check(number_from(0.0, 86400.0));
     study
         ->add_option_function<int>(
             "--coverage", [arguments](int samples) { arguments->coverage = samples; },
-            "edges by coverage: truth has NxN samples a pixel, and choices with several samples are in")
+            "study antialiasing too: the exact picture has NxN samples per pixel (N is 1, 2, 4, 8 or 16)")
         ->type_name("N")
         ->default_str("1")
-        ->check(CLI::IsMember({1, 2, 4, 8, 16}));
+        ->check(CLI::IsMember({1, 2, 4, 8, 16}).description(""));
     study->add_flag("--quick", arguments->quick, "fewer choices, a smaller picture, less time");
-    study->add_flag("--resume", arguments->resume, "go on with the study in DIR, as it was begun");
-    study
-        ->add_option("--merge", arguments->merge,
-                     "lay studies of one scene over each other, of several machines; there is no SCENE then")
+    study->add_flag("--resume", arguments->resume, "continue the study in DIR with the same settings");
+    study->add_option("--merge", arguments->merge, "combine studies of one scene from several machines; takes no SCENE")
         ->type_name("A.json B.json");
-    study->add_flag("--json", arguments->json, "print study.json's object instead of the table");
+    study->add_flag("--json", arguments->json, "print study.json instead of the table");
     study->footer(
-        "Truth is the reference with exact surfaces. Of a scene with #pragma twinlight spectrum(n) the samples are\n"
-        "studied too: in study.json, the page and spectral.svg. Ctrl-C ends the study; what was measured is written,\n"
-        "and --resume goes on with it.\n"
-        "Exit status: 0 fine, 2 bad input or use.");
+        "Draws the scene in many ways (renderer, shading, mesh, lighting), and measures the time of each and its "
+        "error:\n"
+        "the difference from the exact picture, which the reference draws from the equations of curved shapes.\n"
+        "For a scene with #pragma twinlight spectrum(n), the number of wavelengths is studied too (spectral.svg).\n"
+        "Ctrl-C stops the study and keeps all measurements; --resume continues it.\n"
+        "Exit status: 0 success, 2 bad input or usage.");
     return {study, [arguments] { return run_study(*arguments); }};
 }
 

@@ -12,7 +12,7 @@ namespace twinlight::cli {
 
 namespace {
 
-// The mean of each square of samples.
+// Averages each square of samples.
 Image reduced(const Image& image, int samples) {
     Image result(image.width / samples, image.height / samples);
     const auto count = static_cast<float>(samples * samples);
@@ -22,7 +22,7 @@ Image reduced(const Image& image, int samples) {
     return result;
 }
 
-// Floats may be beyond what is shown.
+// Pictures in floats may have values outside [0, 1].
 Image clamped(Image image) {
     for (Rgba& pixel : image.pixels)
         for (float& channel : pixel) channel = std::clamp(channel, 0.0F, 1.0F);
@@ -38,7 +38,7 @@ study::Prepared by_reference(Frame frame, const study::Choice& choice) {
     return {[picture] { picture(); }, picture};
 }
 
-// Drivers may have no precise programs, and scenes lights that the fixed function has not.
+// The precise program needs GLSL 4.00 and allows no more lights than the fixed function.
 std::shared_ptr<programmable::UploadedFrame> prepared_for_shaders(const Frame& frame, const study::Choice& choice) {
     try {
         return std::make_shared<programmable::UploadedFrame>(frame, choice.shader_options());
@@ -54,7 +54,7 @@ StudyRenderers::StudyRenderers(int width, int height)
     : width_(width),
       height_(height),
       context_(make_offscreen_context(width, height)),
-      shaders_({.programs = 1024}) {}  // all of them stay ready
+      shaders_({.programs = 1024}) {}  // enough to keep all programs of a study
 
 study::ChoiceRenderers StudyRenderers::functions() {
     return {[this](const Frame& frame, const study::Choice& choice) { return prepare(frame, choice); },

@@ -1,4 +1,4 @@
-// What a study draws with, and on which machine.
+// The renderers of a study, and a description of the machine.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ namespace twinlight::cli {
 
 class StudyRenderers {
   public:
-    // For pictures of that size. Throws std::runtime_error that says what the driver refused.
+    // For pictures of this size. Throws std::runtime_error with the driver's reason if there is no context.
     StudyRenderers(int width, int height);
 
     // Valid as long as the set lives.
@@ -32,8 +32,8 @@ class StudyRenderers {
     std::map<std::pair<study::Target, int>, RenderTarget> targets_;
 };
 
-// Where the scene has `#pragma twinlight spectrum(n)`: what its samples cost and how far off they are. Draws into the current
-// context. `quick`: three rounds of times instead of nine.
+// For a scene with `#pragma twinlight spectrum(n)`: time and error for each number of wavelength samples. Draws into the current
+// context. `quick`: three rounds of measurements instead of nine.
 std::optional<study::SpectralStudy> study_samples(const Frame& frame, bool quick);
 
 // The machine that the program runs on.

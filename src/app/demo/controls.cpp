@@ -8,7 +8,7 @@
 namespace twinlight::demo {
 namespace {
 
-constexpr double kDegreesPerPixel = 0.5;  // a drag across the 640 pixels of the window: a little less than once around
+constexpr double kDegreesPerPixel = 0.5;  // a drag across 640 pixels turns the scene 320 degrees
 constexpr double kDegreesPerArrow = 5;
 constexpr double kZoomPerStep = 1.1;
 constexpr double kMostZoom = 20;
@@ -27,26 +27,26 @@ void toggle_shade_model(Controls& controls) {
 
 void toggle_renderer(Controls& controls) {
     controls.renderer = controls.renderer == Path::kFixed ? Path::kProgrammable : Path::kFixed;
-    controls.difference = false;  // the key asks to see a renderer
+    controls.difference = false;  // the key shows a renderer
 }
 
 void toggle_keys(Controls& controls, int) { controls.keys_shown = !controls.keys_shown; }
-void quit(Controls& controls, int) { controls.quit_asked = true; }
+void quit(Controls& controls, int) { controls.quit_requested = true; }
 
 // GLUT's numbers (freeglut_std.h; window.cpp checks them).
 constexpr int kF1 = kSpecialKey + 1, kLeft = kSpecialKey + 100, kUp = kSpecialKey + 101;
 
-// Rows without a label are further keys of the row above.
+// Rows without a label are other keys for the row above.
 constexpr Key kKeys[] = {
-    {'\t', '\t', "Tab", "fixed function or programmable", [](Controls& c, int) { toggle_renderer(c); }},
-    {'d', 'd', "d", "the amplified difference of the two", [](Controls& c, int) { c.difference = !c.difference; }},
-    {'f', 'f', "f", "GL_FLAT or GL_SMOOTH", [](Controls& c, int) { toggle_shade_model(c); }},
-    {'1', '8', "1 .. 8", "GL_LIGHT0 .. GL_LIGHT7 off or on",
+    {'\t', '\t', "Tab", "switch between fixed function and shaders", [](Controls& c, int) { toggle_renderer(c); }},
+    {'d', 'd', "d", "show their difference, amplified", [](Controls& c, int) { c.difference = !c.difference; }},
+    {'f', 'f', "f", "switch between GL_FLAT and GL_SMOOTH", [](Controls& c, int) { toggle_shade_model(c); }},
+    {'1', '8', "1 .. 8", "switch GL_LIGHT0 .. GL_LIGHT7 off or on",
      [](Controls& c, int nth) {
          bool& inverted = c.view.light_inverted[static_cast<std::size_t>(nth)];
          inverted = !inverted;
      }},
-    {'m', 'm', "m", "wireframe", [](Controls& c, int) { c.view.wireframe = !c.view.wireframe; }},
+    {'m', 'm', "m", "switch wireframe on or off", [](Controls& c, int) { c.view.wireframe = !c.view.wireframe; }},
     {kLeft, kUp + 2, "drag, arrows", "orbit around the middle of the scene",
      [](Controls& c, int nth) {
          constexpr std::array<std::array<int, 2>, 4> kSteps = {{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}};
@@ -56,16 +56,16 @@ constexpr Key kKeys[] = {
     {'+', '+', "wheel, + -", "nearer, farther", [](Controls& c, int) { zoom(c, 1); }},
     {'=', '=', "", "", [](Controls& c, int) { zoom(c, 1); }},
     {'-', '-', "", "", [](Controls& c, int) { zoom(c, -1); }},
-    {'r', 'r', "r", "the scene as it is written again", [](Controls& c, int) { c.view = c.initial_view; }},
-    {'s', 's', "s", "save the picture", [](Controls& c, int) { c.save_asked = true; }},
+    {'r', 'r', "r", "reset the view to the scene's own", [](Controls& c, int) { c.view = c.initial_view; }},
+    {'s', 's', "s", "save the picture", [](Controls& c, int) { c.save_requested = true; }},
     {'h', 'h', "h", "hide or show the status line", [](Controls& c, int) { c.status_shown = !c.status_shown; }},
-    {kF1, kF1, "F1, ?", "these keys", toggle_keys},
+    {kF1, kF1, "F1, ?", "show or hide these keys", toggle_keys},
     {'?', '?', "", "", toggle_keys},
     {kEscape, kEscape, "Esc, q", "quit", quit},
     {'q', 'q', "", "", quit},
 };
 
-// A picture is never silently partial.
+// Whether the shown renderer cannot draw some command.
 bool is_partial(const Controls& controls, const Frame& frame) {
     const Path shown = controls.difference ? Path::kProgrammable : controls.renderer;
     return std::ranges::any_of(frame.unsupported, [&](const Unsupported& item) { return lacks(shown, item); });

@@ -14,7 +14,7 @@ using namespace twinlight;
 constexpr int kMaxFrames = 1'000'000;
 
 int run(int argc, char** argv) {
-    CLI::App app("Draws a scene in a window with the driver's fixed function and with shaders, and switches it live.",
+    CLI::App app("Draws a scene in a window; a key switches between the driver's fixed function and shaders.",
                  "twinlight-demo");
     app.footer("Keys:\n" + demo::keys_help());
     app.set_version_flag("--version", std::string("twinlight-demo ") + kVersion);
@@ -22,7 +22,7 @@ int run(int argc, char** argv) {
     std::string scene = "report";
     Size size;
     demo::WindowOptions options;
-    app.add_option("SCENE", scene, "a built-in scene's name, a .gl file, or - for standard input")
+    app.add_option("SCENE", scene, "a built-in scene, a .gl file, or - for standard input")
         ->capture_default_str()
         ->type_name("")
         ->check(not_empty());
@@ -38,10 +38,10 @@ int run(int argc, char** argv) {
         ->option_text("RENDERER");
     add_size_option(app, size);
     app.add_option("--keys", options.keys, "press these keys at the start")->option_text("STRING");
-    app.add_option("--screenshot", options.screenshot, "the PNG that the key s and --quit-after write")
+    app.add_option("--screenshot", options.screenshot, "the PNG file that the key s and --quit-after write")
         ->option_text("FILE")
         ->check(not_empty());
-    app.add_option("--quit-after", options.quit_after, "write the screenshot and quit after so many frames")
+    app.add_option("--quit-after", options.quit_after, "write the screenshot and quit after this many frames")
         ->check(CLI::Range(1, kMaxFrames))
         ->option_text("FRAMES");
 
@@ -54,5 +54,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return run_telling_failures("twinlight-demo", [&] { return run(argc, argv); });
+    return run_reporting_errors("twinlight-demo", [&] { return run(argc, argv); });
 }

@@ -10,7 +10,7 @@
 namespace twinlight::demo {
 namespace {
 
-// Errors in inserted commands should not point into the scene's text.
+// Inserted commands have a place of their own, so that an error in one does not point into the scene's text.
 Command make_command(CommandId id, std::vector<double> arguments) {
     static const auto kFile = std::make_shared<const std::string>("the window's view");
     return {id, std::move(arguments), {kFile, 0, 0}};
@@ -49,7 +49,7 @@ glm::dvec3 look_at_pivot(const Command& look_at) {
     return {0, 0, -glm::distance(point(0), point(3))};  // gluLookAt puts the eye at 0, looking along -z
 }
 
-// Where the scene's camera stands: the matrix mode of its gluLookAt calls, the modelview's if there are some.
+// The matrix mode of the scene's gluLookAt calls: the modelview's, if there are any.
 std::optional<Enum> look_at_mode(const CommandList& scene) {
     Enum mode = kGL_MODELVIEW;
     std::optional<Enum> found;
@@ -62,7 +62,7 @@ std::optional<Enum> look_at_mode(const CommandList& scene) {
     return found;
 }
 
-// Copies commands, with the orbit put in where it belongs. Follows which matrices of one stack have it.
+// Copies commands and inserts the orbit. Tracks which matrices of the stack already have it.
 class OrbitWriter {
   public:
     OrbitWriter(const View& view, const CommandList& scene)

@@ -1,7 +1,7 @@
-// freeglut's part of the demo. Its callbacks carry a pointer to the Window (the ...Ucall functions of freeglut 3.4).
+// The part of the demo that uses freeglut. Callbacks get a pointer to the Window (the ...Ucall functions of freeglut 3.4).
 //
-// Each frame: the renderer draws at the window's lower left corner, where a scene's own glViewport expects to
-// be. That picture is what s and --screenshot write. Only then come the bars, the overlays and the swap.
+// For each frame, the renderer first draws at the window's lower left corner, where a scene's own glViewport expects to be.
+// The key s and --screenshot write that picture. The bars, the overlays and the swap come after it.
 #include "app/demo/window.h"
 
 #include <algorithm>
@@ -38,10 +38,10 @@ constexpr int kLineHeight = 15, kMargin = 6;  // of the overlays, in pixels; the
 
 // The two renderers are compared, so both follow GL's own model, without the lecture's variants.
 constexpr programmable::Options kOptions{{{.shading = {}, .lecture_variants = false}}};
-// Of frame after frame: what stands still is baked into the shaders. Pictures that are compared have kOptions.
+// For drawing frame after frame: numbers that do not change are baked into the shaders. Difference pictures use kOptions.
 constexpr programmable::Options kLiveOptions{{{.shading = {}, .lecture_variants = false}}, programmable::Tier::kAuto};
 
-// The title says "(partial)" of a picture; which commands it lacks stands on the terminal.
+// The title of an incomplete picture has "(partial)"; the terminal lists the missing commands.
 void warn_unsupported(const Frame& frame) {
     constexpr std::array shown = {Path::kFixed, Path::kProgrammable};
     for (const Unsupported& item : frame.unsupported)
@@ -53,7 +53,7 @@ class Window {
   public:
     Window(std::shared_ptr<const CommandList> scene, const WindowOptions& options)
         : scene_(std::move(scene)), options_(options) {
-        remake_frame();  // a bad scene is told before a window opens
+        remake_frame();  // reports a bad scene before a window opens
         controls_ = make_controls(shown_.frame);
         controls_.renderer = options.renderer;
         warn_unsupported(shown_.frame);
@@ -68,7 +68,7 @@ class Window {
     void mouse(int button, int state, int x, int y);
     void motion(int x, int y);
 
-    void act();  // on what the controls ask for
+    void act();  // quits or redraws, as the controls ask
     void quit();
     void save();
     void remake_frame();
@@ -77,7 +77,7 @@ class Window {
     void draw_overlays();
     Image render(Path renderer);
 
-    // An exception must not fly through GLUT's C code: it ends the main loop.
+    // An exception must not pass through GLUT's C code, so this ends the main loop.
     template <class Action>
     static void guarded(void* window, Action action) {
         Window& self = *static_cast<Window*>(window);
@@ -110,8 +110,8 @@ class Window {
     char reason[512];
     std::vsnprintf(reason, sizeof reason, format, arguments);
     std::fprintf(stderr,
-                 "twinlight-demo: no window: %s (DISPLAY is %s); "
-                 "without a display, `twinlight compare SCENE -o DIR` writes the pictures\n",
+                 "twinlight-demo: cannot open a window: %s (DISPLAY is %s); "
+                 "without a display, use 'twinlight compare SCENE -o DIR'\n",
                  reason, std::getenv("DISPLAY") ? std::getenv("DISPLAY") : "not set");
     std::exit(2);
 }
@@ -124,21 +124,21 @@ void draw_image(const Image& image, int x, int y_top) {
     glPixelZoom(1, 1);
 }
 
-// White letters with a black shadow, so that they can be read before any picture.
+// White letters with a black shadow are readable on any picture.
 void draw_text(const std::string& text, int x, int y_top) {
     std::istringstream lines(text);
     std::string line;
     for (int y = y_top - kLineHeight; std::getline(lines, line); y -= kLineHeight) {
         for (const int shadow : {1, 0}) {
             glColor3ub(shadow ? 0 : 255, shadow ? 0 : 255,
-                       shadow ? 0 : 255);  // glWindowPos takes the colour along
+                       shadow ? 0 : 255);  // glWindowPos uses the current colour
             glWindowPos2i(x + shadow, y - shadow);
             glutBitmapString(GLUT_BITMAP_8_BY_13, reinterpret_cast<const unsigned char*>(line.c_str()));
         }
     }
 }
 
-// So that the keys can be read before a bright picture too. Needs GL's initial matrices.
+// Makes the list of keys readable on a bright picture. Needs GL's initial matrices.
 void dim_picture() {
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -169,14 +169,14 @@ int Window::run() {
                           void* w) { guarded(w, [=](Window& self) { self.mouse(button, state, x, y); }); },
                        this);
     glutMotionFuncUcall([](int x, int y, void* w) { guarded(w, [=](Window& self) { self.motion(x, y); }); }, this);
-    // Its programs must go while their context is current.
+    // The programs must be deleted while their context is current.
     glutCloseFuncUcall([](void* w) { static_cast<Window*>(w)->programmable_.reset(); }, this);
 
     guarded(this, [](Window& self) {
         for (const char code : self.options_.keys) press(self.controls_, static_cast<unsigned char>(code));
         self.act();
     });
-    if (status_ == EXIT_SUCCESS && !controls_.quit_asked) glutMainLoop();
+    if (status_ == EXIT_SUCCESS && !controls_.quit_requested) glutMainLoop();
     return status_;
 }
 
@@ -205,7 +205,7 @@ void Window::display() {
     glutSetWindowTitle((summary_ + " - twinlight").c_str());
     ++frames_shown_;
     const bool last = options_.quit_after > 0 && frames_shown_ >= options_.quit_after;
-    if (controls_.save_asked || (last && !options_.screenshot.empty())) {
+    if (controls_.save_requested || (last && !options_.screenshot.empty())) {
         save();
     }
     place_picture();
@@ -219,9 +219,9 @@ void Window::display() {
     }
 }
 
-// A file that cannot be written is told; whoever sits before the window goes on.
+// If the file cannot be written, prints an error and goes on.
 void Window::save() {
-    controls_.save_asked = false;
+    controls_.save_requested = false;
     const std::string file = options_.screenshot.empty() ? "twinlight-demo.png" : options_.screenshot;
     try {
         write_png(file, read_pixels(picture_.width, picture_.height));
@@ -254,7 +254,7 @@ Image Window::render(Path renderer) {
     return programmable_->render(shown_.frame, kOptions).image;
 }
 
-// From the lower left corner to the middle, between black bars.
+// Moves the picture from the lower left corner to the middle, between black bars.
 void Window::place_picture() {
     if (picture_.width == width_ && picture_.height == height_) return;
     const Image image = read_pixels(picture_.width, picture_.height);
@@ -286,7 +286,7 @@ void Window::key(int code) {
 }
 
 void Window::act() {
-    if (controls_.quit_asked) {
+    if (controls_.quit_requested) {
         quit();
     } else {
         glutPostRedisplay();

@@ -90,9 +90,9 @@ void judge_fixed(const Case& hard_case, const Frame& frame, const std::string& d
                  Result& result) {
     if (has_variants(frame)) return;
     if (!hard_case.expects_error() && error != kGL_NO_ERROR) {  // also where the specification is silent
-        worsen(result.outcomes[static_cast<std::size_t>(Path::kFixed)], Outcome::kNew);
+        worsen(result.outcomes[static_cast<std::size_t>(Path::kFixed)], Outcome::kNewBug);
         result.findings.push_back(
-            {Path::kFixed, "", Outcome::kNew, {.kind = Spot::Kind::kError, .shading = {}}, error, kGL_NO_ERROR, ""});
+            {Path::kFixed, "", Outcome::kNewBug, {.kind = Spot::Kind::kError, .shading = {}}, error, kGL_NO_ERROR, ""});
     }
     for (const Expectation& expected : hard_case.expectations) {
         if (expected.spot.shading) continue;
@@ -106,11 +106,11 @@ void judge_fixed(const Case& hard_case, const Frame& frame, const std::string& d
         std::string name;
         if (listed != hard_case.differs.end()) {
             name = listed->name;
-            outcome = agrees                                                                     ? Outcome::kVanished
-                      : agree(value, {listed->value, listed->value, float_tolerance(hard_case)}) ? Outcome::kDeparts
-                                                                                                 : Outcome::kNew;
+            outcome = agrees                                                                     ? Outcome::kFixedBug
+                      : agree(value, {listed->value, listed->value, float_tolerance(hard_case)}) ? Outcome::kKnownBug
+                                                                                                 : Outcome::kNewBug;
         } else if (!agrees) {
-            outcome = hard_case.is_ruling ? Outcome::kRuling : Outcome::kNew;
+            outcome = hard_case.is_ruling ? Outcome::kOurChoice : Outcome::kNewBug;
         }
         worsen(result.outcomes[static_cast<std::size_t>(Path::kFixed)], outcome);
         if (outcome != Outcome::kPass)
@@ -124,8 +124,8 @@ void judge_ours(Path path, std::string_view variant, const Spot& spot, const Rig
     if (color && !is_finite(*color)) ++result.non_finite;
     Outcome& outcome = result.outcomes[static_cast<std::size_t>(path)];
     if (agree(value, right)) return worsen(outcome, Outcome::kPass);
-    worsen(outcome, Outcome::kNew);
-    result.findings.push_back({path, std::string(variant), Outcome::kNew, spot, value, right.value, ""});
+    worsen(outcome, Outcome::kNewBug);
+    result.findings.push_back({path, std::string(variant), Outcome::kNewBug, spot, value, right.value, ""});
 }
 
 // The error that Twinlight's own state machine raises; it counts as the reference's.
@@ -284,12 +284,12 @@ std::vector<CasePicture> pictures_of(const Case& hard_case, const Frame& frame, 
 
 std::string_view word_of(Outcome outcome) {
     switch (outcome) {
-        case Outcome::kNotAsked: return "not tested";
+        case Outcome::kNotTested: return "not tested";
         case Outcome::kPass: return "pass";
-        case Outcome::kRuling: return "our choice";
-        case Outcome::kDeparts: return "known bug";
-        case Outcome::kNew: return "new bug";
-        case Outcome::kVanished: return "fixed bug";
+        case Outcome::kOurChoice: return "our choice";
+        case Outcome::kKnownBug: return "known bug";
+        case Outcome::kNewBug: return "new bug";
+        case Outcome::kFixedBug: return "fixed bug";
     }
     return "";
 }
@@ -299,12 +299,12 @@ std::string finding_text(const Case& hard_case, const Finding& finding) {
                                    finding.variant, finding.spot.str(), text_of(finding.value));
     const std::string expected = text_of(finding.expected);
     switch (finding.outcome) {
-        case Outcome::kVanished: return text + "as expected; the known bug is gone: " + finding.name;
-        case Outcome::kRuling: return text + "our choice is " + expected;
-        case Outcome::kDeparts: return text + "expected " + expected + " (known bug: " + finding.name + ")";
-        case Outcome::kNotAsked:
+        case Outcome::kFixedBug: return text + "as expected; the known bug is gone: " + finding.name;
+        case Outcome::kOurChoice: return text + "our choice is " + expected;
+        case Outcome::kKnownBug: return text + "expected " + expected + " (known bug: " + finding.name + ")";
+        case Outcome::kNotTested:
         case Outcome::kPass:
-        case Outcome::kNew: break;
+        case Outcome::kNewBug: break;
     }
     text += "expected " + expected + " (" + hard_case.text + ")";
     return finding.name.empty() ? text : text + "; the known bug gives another value: " + finding.name;

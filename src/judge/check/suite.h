@@ -15,16 +15,16 @@
 namespace twinlight::check {
 
 enum class Outcome : std::uint8_t {
-    kNotAsked,  // "not tested": the case needs a feature that GL's fixed function lacks
+    kNotTested,  // "not tested": the case needs a feature that GL's fixed function lacks
     kPass,
-    kRuling,    // "our choice": the fixed function gives another answer where the specification is silent
-    kDeparts,   // "known bug": a wrong answer that the case lists for this driver
-    kNew,       // "new bug": a wrong answer that is not listed
-    kVanished,  // "fixed bug": the right answer where a wrong one is listed
+    kOurChoice,  // "our choice": the fixed function gives another answer where the specification is silent
+    kKnownBug,   // "known bug": a wrong answer that the case lists for this driver
+    kNewBug,     // "new bug": a wrong answer that is not listed
+    kFixedBug,   // "fixed bug": the right answer where a wrong one is listed
 };
 inline constexpr std::size_t kOutcomes = 6;
 std::string_view word_of(Outcome outcome);  // the words above; "pass"
-inline bool is_failure(Outcome outcome) { return outcome == Outcome::kNew || outcome == Outcome::kVanished; }
+inline bool is_failure(Outcome outcome) { return outcome == Outcome::kNewBug || outcome == Outcome::kFixedBug; }
 
 // One place where a result is not as expected, or where a known bug is fixed.
 struct Finding {

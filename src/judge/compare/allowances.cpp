@@ -7,11 +7,11 @@ namespace twinlight::compare {
 
 namespace {
 
-// 2.1.1: a colour need not be computed to more than 1 part in 10^5. Where the right value lies that near to the border of
-// two codes, such as a background of 0.3 (76.5 codes), either code is right.
+// 2.1.1: a colour must be accurate to 1 part in 10^5. If the right value is that close to halfway between two 8-bit values, such as
+// a background of 0.3 (76.5/255), both are allowed.
 constexpr double kArithmetic = 1e-5;
 
-// Whether a channel that is off by `error` may have another code.
+// Whether an error of `error` can change the channel's 8-bit value.
 bool may_cross(float channel, double error) {
     const double codes = 255 * std::clamp(static_cast<double>(channel), 0.0, 1.0);
     return std::abs(codes - std::floor(codes) - 0.5) <= 255 * error;
@@ -44,7 +44,7 @@ AllowedDifference with_plans(AllowedDifference allowed, const Render& a, const R
     const double error = error_bound(a.plan) + error_bound(b.plan);
     if (error == 0) return allowed;
     for (std::size_t i = 0; i < allowed.channels.pixels.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {  // alpha is no light's
+        for (std::size_t c = 0; c < 3; ++c) {  // lights do not change alpha
             float& channel = allowed.channels.pixels[i][c];
             const bool more =
                 channel > 0 || may_cross(reference.image.pixels[i][c], error + kArithmetic) ||

@@ -1,5 +1,5 @@
-// How far two right pictures may differ at a pixel beyond what the reference allows (render/reference): ties of rounding, what
-// plans leave out, what two drivers may each do.
+// Allowed differences at a pixel in addition to those of the reference (render/reference): for ties in rounding, for lights that
+// plans skip, and for pairs of two drivers.
 #pragma once
 
 #include "base/image/difference.h"
@@ -7,15 +7,15 @@
 
 namespace twinlight::compare {
 
-// Where the right value lies on the border of two codes either code is right.
+// If the right value lies halfway between two 8-bit values, both are allowed.
 void allow_ties(AllowedDifference& allowed, const Image& reference);
 
-// Of two pictures of drivers each may use the allowed difference to its side, and cut quadrilaterals its own way: a driver may cut those
-// of a display list otherwise than the same ones outside of it.
+// For a pair of drivers: each may be off in its own direction, and may split quadrilaterals its own way. One driver may even split
+// those in a display list differently.
 AllowedDifference allowed_of_drivers(AllowedDifference allowed, const Render& reference);
 
-// What planning may leave out of either picture (PlanOptions::budget), as the plans bound it: where the right value lies that
-// near to the border of two codes, it may cross it. Where a difference is allowed already, it is more of it.
+// Adds the plans' own bounds on what they skip (PlanOptions::budget), at pixels where that can change the 8-bit value: where the
+// right value is that close to halfway between two of them, or where a difference is allowed already.
 AllowedDifference with_plans(AllowedDifference allowed, const Render& a, const Render& b, const Render& reference);
 
 }  // namespace twinlight::compare

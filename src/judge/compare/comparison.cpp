@@ -1,4 +1,4 @@
-// Which pictures are drawn, which of them are compared, and how far they may differ.
+// Draws the pictures, compares them in pairs, and applies the allowed differences.
 #include "judge/compare/comparison.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 
 struct PlannedRender {
     Path path;
-    bool per_pixel;  // with the lecture's variants
+    bool per_pixel;  // lighting per pixel, with the lecture's variants
     const char* name;
     const char* meaning;
 
@@ -24,25 +24,26 @@ struct PlannedRender {
 };
 constexpr std::array kRenders = {
     PlannedRender{Path::kFixed, false, "fixed",
-                  "The driver's fixed function carries the commands out. It lights vertices."},
+                  "The driver's fixed function runs the commands and lights each vertex."},
     PlannedRender{Path::kProgrammable, false, "programmable",
-                  "Shaders on the same driver light vertices by GL's model."},
-    PlannedRender{Path::kReference, false, "reference",
-                  "The specification's equation in double precision, no driver. It lights vertices."},
+                  "Shaders on the same driver light each vertex, with GL's model."},
+    PlannedRender{
+        Path::kReference, false, "reference",
+        "The reference lights each vertex in double precision, with the specification's equation and no driver."},
     PlannedRender{Path::kProgrammable, true, "programmable-phong",
-                  "Shaders light every pixel and follow the scene's pragmas."},
+                  "Shaders light each pixel and follow the scene's pragmas."},
     PlannedRender{Path::kReference, true, "reference-phong",
-                  "The reference lights every pixel and follows the scene's pragmas."},
+                  "The reference lights each pixel and follows the scene's pragmas."},
 };
 // With exact surfaces: these instead of the phong pictures.
 constexpr std::array kExactRenders = {
     PlannedRender{Path::kProgrammable, true, "programmable-exact",
-                  "Shaders cast a ray through every pixel at the surfaces that curved shapes stand for."},
+                  "Shaders draw curved shapes exactly, by casting a ray through each pixel."},
     PlannedRender{Path::kReference, true, "reference-exact",
-                  "The reference casts a ray through every pixel at the surfaces that curved shapes stand for."},
+                  "The reference draws curved shapes exactly, by casting a ray through each pixel."},
 };
 constexpr const char* kPreciseMeaning =
-    "Shaders light vertices by GL's model, in the order of operations of Mesa's fixed function.";
+    "Shaders light each vertex, with GL's model and in the order of operations of Mesa's fixed function.";
 
 // The per-vertex pictures follow GL's own model.
 Look look_of(bool per_pixel, const CompareOptions& options) {
@@ -53,18 +54,18 @@ Look look_of(bool per_pixel, const CompareOptions& options) {
 constexpr std::size_t kReference = 2, kReferencePhong = 4;
 
 struct PlannedPair {
-    std::size_t a, b;  // into kRenders
-    bool judged;
-    bool phong = false;  // both
+    std::size_t a, b;    // into kRenders
+    bool judged;         // has a tolerance
+    bool phong = false;  // both are lit per pixel
 };
 constexpr std::array kPairs = {
     PlannedPair{0, 1, true},       PlannedPair{0, 2, true},  PlannedPair{1, 2, true},
-    PlannedPair{3, 4, true, true}, PlannedPair{0, 3, false},  // what GL's lighting of vertices cannot show
+    PlannedPair{3, 4, true, true}, PlannedPair{0, 3, false},  // shows what is lost by lighting only vertices
 };
 
 bool is_of_drivers(const PlannedPair& pair) { return kRenders[pair.a].by_driver() && kRenders[pair.b].by_driver(); }
 
-// The driver draws each picture twice, and the second is timed: in the first it compiles.
+// The driver draws each picture twice, and only the second is timed, because the first includes compiling.
 template <class Draw>
 auto timed(bool twice, double& ms, const Draw& draw) {
     using Clock = std::chrono::steady_clock;
@@ -140,7 +141,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     };
     result.allowed = allowed_of(false);
     AllowedDifference of_phong = all ? allowed_of(true) : result.allowed;
-    for (std::size_t i = 0; i < result.allowed.edge.size(); ++i) {  // one mask for all pairs
+    for (std::size_t i = 0; i < result.allowed.edge.size(); ++i) {  // all pairs share one mask
         result.allowed.edge[i] = of_phong.edge[i] = result.allowed.edge[i] || of_phong.edge[i];
     }
 
@@ -161,7 +162,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
                                      with_plans(allowed, result.a(pair), result.b(pair),
                                                 result.renders[planned.phong ? kReferencePhong : kReference]));
         if (planned.judged) pair.verdict = judge(result, pair);
-        // The interior is what is judged; an edge pixel that is wholly different must not darken it.
+        // A large difference in an edge pixel must not make the differences away from edges invisible.
         pair.factor = amplification_for(pair.difference.interior.max);
         result.pairs.push_back(pair);
     }

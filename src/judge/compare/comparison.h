@@ -1,5 +1,4 @@
-// The comparison of one scene drawn several ways: three renderers per vertex, two per pixel, and the pairs of
-// them that are compared.
+// The comparison of a scene drawn five ways: by three renderers with lighting per vertex, and by two with lighting per pixel.
 #pragma once
 
 #include <functional>
@@ -19,47 +18,47 @@
 
 namespace twinlight::compare {
 
-// What compare_scene draws with.
+// The renderers that compare_scene uses.
 struct Renderers {
     std::function<Image(const Scene&, const fixed::Options&)> fixed;
     std::function<programmable::Picture(const Frame&, const programmable::Options&)> programmable;
     std::function<Image(const Frame&, const reference::Options&)> reference;
-    // The pixels where right rasterisers may differ; all others are interior.
+    // The edge pixels, where correct rasterisers may differ, and the allowed difference of all others ("interior").
     std::function<AllowedDifference(const Frame&, const reference::Options&)> allowed_difference;
 };
 
 struct Render {
     Path path = Path::kFixed;
     std::string name;     // "fixed", "programmable", "reference", "programmable-phong", "reference-phong"; or -exact
-    std::string meaning;  // a sentence for who sees the picture
+    std::string meaning;  // the picture's caption: a sentence
     Image image;
-    double ms = 0;  // one render, the picture read back
-    // The reference's picture with quadrilaterals cut the other way, where the scene has any: the specification
+    double ms = 0;  // of one drawing, including reading the picture back
+    // The reference's picture with quadrilaterals split along the other diagonal, if the scene has any. The specification
     // allows both (QuadCut), so another picture is compared with the nearer one, pixel by pixel.
     std::optional<Image> other_cut{};
-    // What it was drawn from, where that is plans: how far they leave it from the scene is allowed.
+    // The plans that it was drawn from, if any. The error that they allow is an allowed difference.
     std::vector<ExplainedDraw> plan{};
 };
 
 enum class Verdict : std::uint8_t {
-    kWithin,       // the tolerance
-    kBeyond,       // the tolerance
-    kPartial,      // the pictures are not the whole scene, and what both show does not differ beyond the tolerance
-    kInformative,  // the two show different models: no tolerance applies
+    kWithin,       // within the tolerance
+    kBeyond,       // beyond the tolerance
+    kPartial,      // a picture lacks part of the scene; what both pictures show is within the tolerance
+    kInformative,  // the pictures show different models and are meant to differ, so there is no tolerance
 };
 
-// What a judged pair is held to away from edges, beyond the allowed difference (allowances.h): no channel off by more than max,
-// and a share of the pixels that differ below differing_share.
+// The tolerance of a pair, for pixels away from edges and for the part of each difference that exceeds the allowed difference
+// (allowances.h): no channel is off by more than max, and the share of differing pixels is below differing_share.
 struct Tolerance {
-    double max = 1 / 255.0;          // one code: two right roundings of one value may be neighbours
-    double differing_share = 0.001;  // as rarely as float and double lie on different sides of a rounding border
+    double max = 1 / 255.0;          // a correct value may be rounded up or down
+    double differing_share = 0.001;  // float and double rarely round to different sides
 };
 
 struct Pair {
     std::size_t a = 0, b = 0;  // into Comparison::renders
     ImageDifference difference;
     Verdict verdict = Verdict::kInformative;
-    int factor = 1;  // by which the difference picture is amplified
+    int factor = 1;  // amplification of the difference picture
 };
 
 struct Comparison {
@@ -68,44 +67,44 @@ struct Comparison {
     int width = 0, height = 0;
     std::vector<Render> renders;
     std::vector<Pair> pairs;
-    AllowedDifference allowed;  // of the per-vertex pictures; its edges are of all
+    AllowedDifference allowed;  // for the per-vertex pictures; the edge mask is shared by all
     std::vector<Unsupported> unsupported;
-    // Where pictures differ beyond the tolerance: what the scene does that this driver is known to get wrong, "name (section)".
+    // If pictures differ beyond the tolerance: the known bugs of this driver that the scene may trigger, "name (section)".
     std::vector<std::string> known_departures{};
-    bool is_listed_driver = false;  // whether anything is known of this driver
+    bool is_listed_driver = false;  // whether any bugs of this driver are listed
     Tolerance tolerance;
 
     const Render& a(const Pair& pair) const { return renders[pair.a]; }
     const Render& b(const Pair& pair) const { return renders[pair.b]; }
-    // The picture of b that a is compared with: of a reference with two cuts, the nearer one at each pixel.
+    // The picture of b that a is compared with. If the reference has two cuts, takes the nearer one at each pixel.
     Image counterpart(const Pair& pair) const;
-    Verdict verdict() const;        // kBeyond if a pair is; else kPartial if one is; else kWithin
-    bool within_tolerance() const;  // as far as the pictures tell: no pair is beyond
+    Verdict verdict() const;        // kBeyond if any pair is; else kPartial if any pair is; else kWithin
+    bool within_tolerance() const;  // no pair is beyond it
 };
 
 // ---- The verdict (verdict.cpp) ----
 
-// What a comparison says of two pictures that show the whole scene.
+// The verdict for two pictures that show the whole scene.
 Verdict judge(const ImageDifference& difference, const Tolerance& tolerance);
-// The same of two that may lack what is in Comparison::unsupported.
+// The verdict for two pictures that may lack the commands in Comparison::unsupported.
 Verdict judge(const Comparison& comparison, const Pair& pair);
 
 // ---- How it is made ----
 
 struct CompareOptions {
     std::string driver{};                  // driver_name() of the driver that the renderers use
-    double budget = PlanOptions{}.budget;  // of shaders
-    bool precise = false;  // the programmable per-vertex picture is drawn with programmable::Options::precise
-    // kPhong, or kExact, whose pictures, "programmable-exact" and "reference-exact", take the place of phong's.
+    double budget = PlanOptions{}.budget;  // for shaders
+    bool precise = false;                  // programmable::Options::precise, for the picture with lighting per vertex
+    // kPhong, or kExact: the pictures "programmable-exact" and "reference-exact" then replace those with phong shading.
     Shading per_pixel = Shading::kPhong;
-    bool per_vertex_only = false;  // no pictures per pixel; each is drawn once, and not timed
-    // Called before each step: how many are done, how many there are, what comes next.
+    bool per_vertex_only = false;  // draws no pictures with lighting per pixel; draws the others once, without timing
+    // Called before each step: the number of finished steps, the number of all steps, the name of the next.
     std::function<void(int done, int total, std::string_view next)> progress{};
 };
 
-// The per-vertex pictures follow GL's own model (the lecture's variants off), flat or gouraud as the scene
-// says, so that the three can be compared; the phong pictures follow the scene's variants.
-// The driver draws each picture twice, and the second is timed: in the first it compiles.
+// The per-vertex pictures follow GL's own model (without the lecture's variants), with the scene's flat or smooth shading, so that
+// the three can be compared. The per-pixel pictures follow the scene's variants.
+// The driver draws each picture twice, and only the second is timed, because the first includes compiling.
 Comparison compare_scene(const Scene& scene, const CompareOptions& options, const Renderers& renderers);
 
 }  // namespace twinlight::compare

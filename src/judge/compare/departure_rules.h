@@ -1,12 +1,12 @@
-// What the table of departures asks (departures.cpp), one question each: does it apply to the commands so far, to this Draw, to
-// this vertex of it?
+// The rules of the table in departures.cpp. Each decides whether a driver's known bug may show: in the commands so far, in a Draw,
+// or at a vertex of a Draw.
 #pragma once
 
 #include "judge/compare/departures.h"
 
 namespace twinlight::compare {
 
-// ---- Of the order of commands ----
+// ---- In the order of commands ----
 
 CommandRule mixes_glcolor3_and_4();
 CommandRule mixes_tex_coords();
@@ -39,7 +39,7 @@ bool biases_level_of_points(const Draw& draw);
 bool adds_secondary_color_in_fog(const Draw& draw);
 bool clamps_between_nearest_and_linear(const Draw& draw);
 
-// ---- Of lighting ----
+// ---- In lighting ----
 
 bool has_shininess_0_with_factors(const Draw& draw);
 bool has_shininess_0_on_one_side(const Draw& draw);

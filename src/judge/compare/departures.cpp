@@ -1,4 +1,4 @@
-// The table of departures, and what of it applies to a scene.
+// The table of departures, and the rules that find those of a scene.
 #include "judge/compare/departures.h"
 
 #include <algorithm>
@@ -17,179 +17,183 @@ constexpr SeenOn kSoftpipe[] = {{"softpipe", "Mesa 22.3"}};
 
 const std::vector<Departure>& departures() {
     static const std::vector<Departure> list = {
-        // What shaders share comes first: where one of these applies, the others do not matter.
-        {.name = "no answer in the text",
-         .section = "2.1.1, 2.11.3, 2.14.1: singular matrices, directions of length 0, a vertex without a place, a "
-                    "light at it",
-         .leaves = Leaves::kOpen,
-         .of_vertex = has_no_answer},
+        // Departures that affect shaders too come first: if one of these applies, the others do not matter.
+        {.name = "no answer in the specification",
+         .section =
+             "2.1.1, 2.11.3, 2.14.1: singular matrix, direction of length 0, vertex whose w is not positive, light "
+             "at the vertex",
+         .cause = Cause::kUnspecified,
+         .vertex_rule = has_no_answer},
         {.name = "light at the horizon of a vertex",
-         .section = "2.14.1: f_i jumps at n.VP = 0, and rounding decides",
-         .leaves = Leaves::kOpen,
-         .of_vertex = has_light_at_horizon},
+         .section = "2.14.1: f_i jumps where n.VP is 0, so rounding decides",
+         .cause = Cause::kUnspecified,
+         .vertex_rule = has_light_at_horizon},
         {.name = "a vertex on the edge of a spot's cone",
-         .section = "2.14.1: lit where the angle is the cutoff: on the axis of a cone of 0, at 90 degrees in one of 90",
+         .section = "2.14.1: a vertex is lit if its angle equals the cutoff, here of 0 or 90 degrees",
          .seen_on = kBoth,
-         .of_vertex = is_at_exact_edge_of_cone},
+         .vertex_rule = is_at_exact_edge_of_cone},
         {.name = "vertex near the edge of a spot's cone",
-         .section = "2.14.1: spot_i jumps at the cutoff, and rounding decides",
-         .leaves = Leaves::kOpen,
-         .of_vertex = is_near_edge_of_cone},
+         .section = "2.14.1: spot_i jumps at the cutoff, so rounding decides",
+         .cause = Cause::kUnspecified,
+         .vertex_rule = is_near_edge_of_cone},
         {.name = "texture coordinates whose q is 0",
-         .section = "3.8.7: s/q and t/q have no value",
-         .leaves = Leaves::kOpen,
-         .of_vertex = has_no_q},
+         .section = "3.8.7: s/q and t/q are undefined",
+         .cause = Cause::kUnspecified,
+         .vertex_rule = has_no_q},
         {.name = "clipped polygons as lines and points",
          .section = "2.12, 3.5.4",
-         .leaves = Leaves::kDriver,
+         .cause = Cause::kDriver,
          .seen_on = kBoth,
-         .of_draw = draws_borders_of_clipped_polygons},
+         .draw_rule = draws_borders_of_clipped_polygons},
         {.name = "edge flags of strips and fans",
          .section = "2.6.2",
-         .leaves = Leaves::kDriver,
+         .cause = Cause::kDriver,
          .seen_on = kBoth,
-         .of_draw = has_edge_flags_in_strip},
+         .draw_rule = has_edge_flags_in_strip},
         {.name = "polygon offset of borders without area",
-         .section = "3.5.5: m is a slope, which these polygons do not have",
-         .leaves = Leaves::kOpen,
-         .of_draw = offsets_borders_without_area},
+         .section = "3.5.5: m is a slope, and these polygons have none",
+         .cause = Cause::kUnspecified,
+         .draw_rule = offsets_borders_without_area},
         {.name = "polygon offset of borders that leaves the depth range",
-         .section = "3.5.5: fragments' depths are offset and clamped; the driver clamps those of corners",
-         .leaves = Leaves::kDriver,
+         .section =
+             "3.5.5: the depth of each fragment is offset and clamped; the driver clamps the depths of the corners",
+         .cause = Cause::kDriver,
          .seen_on = kBoth,
-         .of_draw = offsets_borders_out_of_range},
-        {.name = "polygon offset of lines or points alone",
-         .section = "3.5.5: filled polygons have an offset where GL_POLYGON_OFFSET_FILL is enabled",
-         .leaves = Leaves::kDriver,
+         .draw_rule = offsets_borders_out_of_range},
+        {.name = "polygon offset of only lines or points",
+         .section = "3.5.5: filled polygons are offset only if GL_POLYGON_OFFSET_FILL is enabled",
+         .cause = Cause::kDriver,
          .seen_on = kLlvmpipe,
-         .of_draw = offsets_other_modes_alone},
+         .draw_rule = offsets_other_modes_alone},
         {.name = "polygon offset of one of two polygon modes",
          .section = "3.5.5",
-         .leaves = Leaves::kDriver,
+         .cause = Cause::kDriver,
          .seen_on = kBoth,
-         .of_draw = offsets_one_of_two_modes},
+         .draw_rule = offsets_one_of_two_modes},
         {.name = "level of detail of points",
          .section = "3.8.8",
-         .leaves = Leaves::kDriver,
+         .cause = Cause::kDriver,
          .seen_on = kBoth,
-         .of_draw = biases_level_of_points},
+         .draw_rule = biases_level_of_points},
         {.name = "faces of borders in softpipe's shaders",
-         .section = "GLSL 1.20, 7.2: gl_FrontFacing is that of the primitive; docs/architecture.md",
-         .leaves = Leaves::kDriver,
+         .section = "GLSL 1.20 section 7.2: gl_FrontFacing describes the whole polygon, also for its edges and corners",
+         .cause = Cause::kDriver,
          .seen_on = kSoftpipe,
-         .of_draw = has_faces_on_borders},
+         .draw_rule = has_faces_on_borders},
         {.name = "wide lines in softpipe",
-         .section = "3.4.2: a wide line ends where the thin one does; softpipe's is half a pixel further along",
-         .leaves = Leaves::kDriver,
+         .section = "3.4.2: a wide line ends where a thin one does; softpipe's ends half a pixel later",
+         .cause = Cause::kDriver,
          .seen_on = kSoftpipe,
-         .of_draw = has_wide_lines},
+         .draw_rule = has_wide_lines},
         {.name = "wide points in softpipe",
-         .section = "3.3: a square of a whole number of pixels about a corner or a centre; softpipe's is as it falls",
-         .leaves = Leaves::kDriver,
+         .section = "3.3: a wide point is a square of whole pixels; softpipe does not align it to pixels",
+         .cause = Cause::kDriver,
          .seen_on = kSoftpipe,
-         .of_draw = has_wide_points},
+         .draw_rule = has_wide_points},
         {.name = "level of detail in softpipe",
-         .section = "3.8.8: rho may be as small as the larger of m_u and m_v; the reference allows less",
-         .leaves = Leaves::kOpen,
+         .section = "3.8.8: rho may be as small as the larger of m_u and m_v; the reference allows a narrower range",
+         .cause = Cause::kUnspecified,
          .seen_on = kSoftpipe,
-         .of_draw = has_level_of_detail},
+         .draw_rule = has_level_of_detail},
         {.name = "the colour sum in fog",
          .section = "3.9, 3.10",
          .seen_on = kBoth,
-         .of_draw = adds_secondary_color_in_fog},
+         .draw_rule = adds_secondary_color_in_fog},
         {.name = "GL_CLAMP between a nearest and a linear filter",
          .section = "3.8.7, 3.8.8",
-         .leaves = Leaves::kDriver,
+         .cause = Cause::kDriver,
          .seen_on = kLlvmpipe,
-         .of_draw = clamps_between_nearest_and_linear},
+         .draw_rule = clamps_between_nearest_and_linear},
         {.name = "shininess 0 with attenuation or a spot",
-         .section = "2.14.1: a factor of 1; the driver gives (n.VP)^(n.VP)",
+         .section = "2.14.1: (n.h)^0 is 1; the driver computes (n.VP)^(n.VP)",
          .seen_on = kBoth,
-         .of_draw = has_shininess_0_with_factors},
+         .draw_rule = has_shininess_0_with_factors},
         {.name = "shininess 0 on one side of two",
-         .section = "2.14.1: a factor of 1 on that side whatever the other has",
+         .section = "2.14.1: (n.h)^0 is 1, whatever the shininess of the other side",
          .seen_on = kLlvmpipe,
-         .of_draw = has_shininess_0_on_one_side},
+         .draw_rule = has_shininess_0_on_one_side},
         {.name = "colour material before the first glColor",
-         .section = "2.14.3: the material follows the current colour from glEnable on",
+         .section = "2.14.3: from glEnable on, the material follows the current colour",
          .seen_on = kBoth,
-         .of_vertex = has_color_material_of_no_color},
+         .vertex_rule = has_color_material_of_no_color},
         {.name = "glMaterial, a tracked glColor, glNewList",
          .section = "2.14.3: the material follows the colour",
          .seen_on = kBoth,
-         .of_commands = tracks_color_before_list},
-        {.name = "colour material on the back alone of two sides",
-         .section =
-             "2.14.3: all channels of the back's material follow; the driver's program multiplies the red one only",
+         .command_rule = tracks_color_before_list},
+        {.name = "two-sided colour material only on the back",
+         .section = "2.14.3: all channels of the back material follow the colour; the driver updates only red",
          .seen_on = kBoth,
-         .of_draw = has_color_material_on_back_alone},
-        {.name = "materials of vertices that two sides do not share",
+         .draw_rule = has_color_material_on_back_alone},
+        {.name = "vertex materials that differ between two sides",
          .section = "2.14.2: glMaterial between glBegin and glEnd changes all channels of the side that it names",
          .seen_on = kBoth,
-         .of_commands = sets_sides_apart},
+         .command_rule = sets_sides_apart},
         {.name = "glMaterial of two sides after a vertex",
-         .section = "2.6, 2.14.2: the vertices before it in the same glBegin have the material that each side had",
+         .section = "2.6, 2.14.2: vertices before it in the same glBegin keep the old material of each side",
          .seen_on = kBoth,
-         .of_commands = sets_both_sides_after_vertex},
+         .command_rule = sets_both_sides_after_vertex},
         {.name = "glColor before a new glColorMaterial",
          .section = "2.14.3",
          .seen_on = kBoth,
-         .of_commands = sets_color_before_new_mode},
+         .command_rule = sets_color_before_new_mode},
         {.name = "colour material after glPopAttrib",
          .section = "2.14.3",
          .seen_on = kBoth,
-         .of_commands = restores_tracked_color},
-        {.name = "glColor3 after glColor4", .section = "2.7", .seen_on = kBoth, .of_commands = mixes_glcolor3_and_4},
+         .command_rule = restores_tracked_color},
+        {.name = "glColor3 after glColor4", .section = "2.7", .seen_on = kBoth, .command_rule = mixes_glcolor3_and_4},
         {.name = "glTexCoord1 to 3 after glTexCoord4",
          .section = "2.7",
          .seen_on = kBoth,
-         .of_commands = mixes_tex_coords},
+         .command_rule = mixes_tex_coords},
         {.name = "glMaterial right before glPopAttrib",
          .section = "6.1.14",
          .seen_on = kBoth,
-         .of_commands = sets_material_before_pop},
+         .command_rule = sets_material_before_pop},
         {.name = "edge flags in a display list",
-         .section = "5.4, 2.6.2: a list draws what its commands draw",
+         .section = "5.4, 2.6.2: a list draws the same as its commands",
          .seen_on = kBoth,
-         .of_commands = lists_edge_flags},
+         .command_rule = lists_edge_flags},
         {.name = "glRect as a quadrilateral",
          .section = "2.10: glRect is a GL_POLYGON",
          .seen_on = kBoth,
-         .of_commands = shows_cut_of_rectangles},
+         .command_rule = shows_cut_of_rectangles},
         {.name = "glShadeModel after glPopAttrib in a display list",
-         .section = "5.4: a list holds every command that may be compiled",
+         .section = "5.4: a list keeps every command that can be compiled",
          .seen_on = kBoth,
-         .of_commands = shades_after_pop_in_list},
+         .command_rule = shades_after_pop_in_list},
         {.name = "lights after glPopAttrib of GL_ENABLE_BIT",
          .section = "6.2, table 6.10",
          .seen_on = kBoth,
-         .of_commands = switches_lights_before_pop},
+         .command_rule = switches_lights_before_pop},
         {.name = "GL_GENERATE_MIPMAP after glPopAttrib",
          .section = "6.2, table 6.17",
          .seen_on = kBoth,
-         .of_commands = generates_mipmaps_after_pop},
+         .command_rule = generates_mipmaps_after_pop},
         {.name = "a vertex whose w is not 1 under a positional light",
-         .section = "2.14.1: P1P2 is homogeneous",
+         .section = "2.14.1: for the direction P1P2, both points are divided by their w",
          .seen_on = kBoth,
-         .of_vertex = has_w_under_positional_light},
-        {.name = "fog of a vertex whose w is not 1", .section = "3.10", .seen_on = kBoth, .of_draw = has_w_in_fog},
-        {.name = "a direction whose square leaves the floats",
-         .section = "2.14.1, 2.1.1: positions and normals up to 2^32 are representable, and unit vectors have length 1",
+         .vertex_rule = has_w_under_positional_light},
+        {.name = "fog of a vertex whose w is not 1", .section = "3.10", .seen_on = kBoth, .draw_rule = has_w_in_fog},
+        {.name = "a direction whose square does not fit a float",
+         .section = "2.14.1, 2.1.1: positions and normals up to 2^32 are valid, and unit vectors have length 1",
          .seen_on = kBoth,
-         .of_vertex = has_extreme_direction},
-        {.name = "rescaling under a great scale", .section = "2.11.3", .seen_on = kBoth, .of_draw = rescales_much},
+         .vertex_rule = has_extreme_direction},
+        {.name = "GL_RESCALE_NORMAL under a large scale",
+         .section = "2.11.3",
+         .seen_on = kBoth,
+         .draw_rule = rescales_much},
     };
     return list;
 }
 
 namespace {
 
-// Of those that ask for commands, which apply: in the order of the list, a bool each.
-class OfCommands {
+// The departures with a rule for commands, and whether each applies.
+class CommandRules {
   public:
-    OfCommands() {
+    CommandRules() {
         for (const Departure& departure : departures())
-            if (departure.of_commands) rules_.push_back({&departure, departure.of_commands(), false});
+            if (departure.command_rule) rules_.push_back({&departure, departure.command_rule(), false});
     }
 
     void see(const Command& command) {
@@ -211,9 +215,9 @@ class OfCommands {
 
 bool applies_in(const Departure& departure, const Frame& frame) {
     return std::ranges::any_of(frame.draws(), [&](const Draw* draw) {
-        if (departure.of_draw) return departure.of_draw(*draw);
+        if (departure.draw_rule) return departure.draw_rule(*draw);
         return std::ranges::any_of(draw->vertices,
-                                   [&](const Vertex& vertex) { return departure.of_vertex(*draw, vertex); });
+                                   [&](const Vertex& vertex) { return departure.vertex_rule(*draw, vertex); });
     });
 }
 
@@ -224,7 +228,7 @@ bool Departure::is_known_on(const Driver& driver) const {
         seen_on, [&](const SeenOn& seen) { return seen.driver == driver.name && driver.has_version(seen.version); });
 }
 
-// What several drivers show, any may: they share parts of Mesa.
+// What several drivers show, any driver may show, because they share parts of Mesa.
 bool Departure::may_show_on(const Driver& driver) const {
     const auto is_other = [&](const SeenOn& seen) { return seen.driver != seen_on.front().driver; };
     return seen_on.empty() || std::ranges::any_of(seen_on, is_other) || seen_on.front().driver == driver.name;
@@ -235,15 +239,15 @@ bool is_listed(const Driver& driver) {
 }
 
 std::vector<const Departure*> known_departures_in(const Scene& scene, const Driver& driver) {
-    OfCommands of_commands;
+    CommandRules command_rules;
     scene.recording->for_each([&](const Step& step) {
-        if (step.kind == Step::Kind::kCommand) of_commands.see(step.command);
+        if (step.kind == Step::Kind::kCommand) command_rules.see(step.command);
         return true;
     });
     std::vector<const Departure*> found;
     for (const Departure& departure : departures()) {
-        if (departure.leaves == Leaves::kOpen || !departure.is_known_on(driver)) continue;
-        if (departure.of_commands ? of_commands.apply(departure) : applies_in(departure, scene.frame))
+        if (departure.cause == Cause::kUnspecified || !departure.is_known_on(driver)) continue;
+        if (departure.command_rule ? command_rules.apply(departure) : applies_in(departure, scene.frame))
             found.push_back(&departure);
     }
     return found;
@@ -251,21 +255,21 @@ std::vector<const Departure*> known_departures_in(const Scene& scene, const Driv
 
 DeparturesOfScene::DeparturesOfScene(const CommandList& scene, const Driver& driver,
                                      const std::vector<std::string_view>& lifted) {
-    OfCommands of_commands;
-    for (const Command& command : scene.commands) of_commands.see(command);
+    CommandRules command_rules;
+    for (const Command& command : scene.commands) command_rules.see(command);
     for (const Departure& departure : departures()) {
         if (!departure.may_show_on(driver) || std::ranges::find(lifted, departure.name) != lifted.end()) continue;
-        if (departure.of_draw || departure.of_vertex) asked_.push_back(&departure);
-        if (!of_all_ && of_commands.apply(departure)) of_all_ = &departure;
+        if (departure.draw_rule || departure.vertex_rule) local_.push_back(&departure);
+        if (!in_commands_ && command_rules.apply(departure)) in_commands_ = &departure;
     }
 }
 
 const Departure* DeparturesOfScene::find(const std::function<bool(const Departure&)>& applies) const {
-    const Departure* found = of_all_;
-    for (const Departure* departure : asked_) {
-        if (found && departure->leaves == Leaves::kFixedFunction) continue;
+    const Departure* found = in_commands_;
+    for (const Departure* departure : local_) {
+        if (found && departure->cause == Cause::kFixedFunction) continue;
         if (applies(*departure)) {
-            if (departure->leaves != Leaves::kFixedFunction) return departure;
+            if (departure->cause != Cause::kFixedFunction) return departure;
             found = departure;
         }
     }
@@ -274,7 +278,7 @@ const Departure* DeparturesOfScene::find(const std::function<bool(const Departur
 
 const Departure* DeparturesOfScene::at(const Draw& draw, const Vertex& vertex) const {
     return find([&](const Departure& departure) {
-        return departure.of_draw ? departure.of_draw(draw) : departure.of_vertex(draw, vertex);
+        return departure.draw_rule ? departure.draw_rule(draw) : departure.vertex_rule(draw, vertex);
     });
 }
 

@@ -1,5 +1,5 @@
-// Where a driver is known to leave the specification's text (golden/known_differences), and where the text leaves the answer
-// to rounding. `compare` names the first on the drivers where they were seen; the fuzzer leaves both out by name, and counts them.
+// Departures: known bugs of drivers (golden/known_differences), and cases where the specification leaves the result to rounding.
+// `compare` names the bugs of the driver in use; the fuzzer skips both kinds by name, and counts them.
 #pragma once
 
 #include <functional>
@@ -13,16 +13,16 @@
 
 namespace twinlight::compare {
 
-enum class Leaves : std::uint8_t {
-    kFixedFunction,  // the driver's fixed function leaves the text; its shaders do not
-    kDriver,         // both do: it stands behind the shaders
-    kOpen,           // nobody does: the equation jumps there, and rounding decides
+enum class Cause : std::uint8_t {
+    kFixedFunction,  // a bug of the driver's fixed function only; shaders are right
+    kDriver,         // a bug of the driver behind the vertex stage, so that shaders show it too
+    kUnspecified,    // no bug: the formula jumps and rounding decides, or the specification gives no result
 };
 
-// Is handed the commands of a scene, one after the other, and says each time whether the departure shows in those so far.
+// Called with each command of a scene in order; returns whether the departure may show in the commands so far.
 using CommandRule = std::function<bool(const Command&)>;
 
-// A driver on which a departure was seen, and the release of Mesa: "Mesa 22.3" stands for all its patches.
+// A driver on which a departure was seen, and its release: "Mesa 22.3" includes all of its patch versions.
 struct SeenOn {
     std::string_view driver, version;
 };
@@ -30,39 +30,39 @@ struct SeenOn {
 struct Departure {
     std::string_view name;
     std::string_view section;
-    Leaves leaves = Leaves::kFixedFunction;
-    std::span<const SeenOn> seen_on{};  // empty: of no driver in particular
-    // The first that is there says where it applies: anywhere in a scene, to a Draw, or to a vertex.
-    CommandRule (*of_commands)() = nullptr;
-    bool (*of_draw)(const Draw& draw) = nullptr;
-    bool (*of_vertex)(const Draw& draw, const Vertex& vertex) = nullptr;
+    Cause cause = Cause::kFixedFunction;
+    std::span<const SeenOn> seen_on{};  // empty: not a bug of any driver
+    // One of these is set: a rule for the whole scene, for a Draw, or for a vertex.
+    CommandRule (*command_rule)() = nullptr;
+    bool (*draw_rule)(const Draw& draw) = nullptr;
+    bool (*vertex_rule)(const Draw& draw, const Vertex& vertex) = nullptr;
 
     bool is_known_on(const Driver& driver) const;
-    // Whether a driver that was not measured, or in another version, may show it as well.
+    // Whether a driver or version that was not measured may show it as well.
     bool may_show_on(const Driver& driver) const;
 };
 const std::vector<Departure>& departures();
 
-// Whether departures of this driver in this version are listed at all.
+// Whether any departures are listed for this version of the driver.
 bool is_listed(const Driver& driver);
 
-// All that this driver is known to show somewhere in a scene. Goes through its commands once.
+// The known bugs of this driver that may show in the scene. Reads the scene's commands once.
 std::vector<const Departure*> known_departures_in(const Scene& scene, const Driver& driver);
 
-// What the fuzzer leaves out of a scene; asked vertex by vertex. `lifted`: names that are not left out.
+// The departures that the fuzzer skips in a scene. `lifted`: names of departures that are not skipped.
 class DeparturesOfScene {
   public:
     DeparturesOfScene(const CommandList& scene, const Driver& driver, const std::vector<std::string_view>& lifted);
 
-    // Null where nothing applies. Those that are of shaders, too, come first.
+    // The departure that applies, or null. Those that affect shaders too come first.
     const Departure* at(const Draw& draw, const Vertex& vertex) const;
     const Departure* in(const Frame& frame) const;
 
   private:
     const Departure* find(const std::function<bool(const Departure&)>& applies) const;
 
-    std::vector<const Departure*> asked_;  // of which a Draw or a vertex must be asked
-    const Departure* of_all_ = nullptr;
+    std::vector<const Departure*> local_;  // those with a rule for a Draw or a vertex
+    const Departure* in_commands_ = nullptr;
 };
 
 }  // namespace twinlight::compare

@@ -1,5 +1,5 @@
-// Departures that show in the order of a scene's commands. A rule sees a command after the other and keeps as little as the
-// driver's state machine would: a recording may be longer than memory.
+// Departures that depend on the order of a scene's commands. A rule sees the commands one after the other and keeps little state,
+// because a recording may be larger than memory.
 #include <algorithm>
 #include <initializer_list>
 #include <set>
@@ -28,19 +28,19 @@ bool lights_two_sides(const Command& command) {
            command.number(1) != 0;
 }
 
-// Of glMaterial; others are errors, and change nothing.
+// For glMaterial; other parameters are errors and change nothing.
 bool is_material_parameter(Enum pname) {
     return pname == kGL_AMBIENT || pname == kGL_DIFFUSE || pname == kGL_SPECULAR || pname == kGL_EMISSION ||
            pname == kGL_SHININESS || pname == kGL_AMBIENT_AND_DIFFUSE || pname == kGL_COLOR_INDEXES;
 }
 
-// A command of which `shows` is true, anywhere.
+// Any command for which `shows` is true.
 template <typename Shows>
 CommandRule any_command(Shows shows) {
     return [shows, found = false](const Command& command) mutable { return found = shows(command) || found; };
 }
 
-// Both, wherever in the scene.
+// Both rules, at any two places of the scene.
 CommandRule both(CommandRule first, CommandRule second) {
     return [first = std::move(first), second = std::move(second)](const Command& command) {
         const bool a = first(command), b = second(command);
@@ -48,7 +48,7 @@ CommandRule both(CommandRule first, CommandRule second) {
     };
 }
 
-// Such a command between a glPushAttrib whose mask has one of `bits`, and none of `without`, and its glPopAttrib.
+// A command for which `is_it` is true, inside a glPushAttrib whose mask has one of `bits` and none of `without`.
 template <typename IsIt>
 CommandRule inside_push(Enum bits, Enum without, IsIt is_it) {
     return any_command([=, masks = std::vector<Enum>()](const Command& command) mutable {
@@ -61,7 +61,7 @@ CommandRule inside_push(Enum bits, Enum without, IsIt is_it) {
     });
 }
 
-// The parameters of a material that varies from vertex to vertex, by side and by what varies it (2.14.2, 2.14.3).
+// The material parameters that vary from vertex to vertex: by side, and by the command that changes them (2.14.2, 2.14.3).
 class VaryingMaterials {
   public:
     void see(const Command& command) {
@@ -76,8 +76,8 @@ class VaryingMaterials {
         insert(command.enumerant(0), command.enumerant(1), kByMaterial);
     }
 
-    // The back's has some, and they are not the front's: set by glMaterial of one side, or in another way, or the front's
-    // are others.
+    // Whether the back has such parameters and they differ from the front's: others, changed by another command, or set by a
+    // glMaterial of one side only.
     bool has_sides_apart() const { return apart_; }
 
   private:
@@ -94,7 +94,7 @@ class VaryingMaterials {
         if (face != kGL_FRONT) back_.emplace(pname, way);
         apart_ = are_apart(without_tracked(front_), without_tracked(back_));
     }
-    // What tracks the colour is not changed by glMaterial.
+    // glMaterial does not change parameters that follow the colour.
     static Parameters without_tracked(const Parameters& side) {
         Parameters left = side;
         for (const auto& [pname, way] : side)
@@ -136,7 +136,7 @@ CommandRule sets_material_before_pop() {
                        [](const Command& command) { return command.name().starts_with("glMaterial"); });
 }
 
-// The same glShadeModel before and after a glPopAttrib of one list.
+// The same glShadeModel before and after a glPopAttrib in one list.
 CommandRule shades_after_pop_in_list() {
     struct InList {
         bool in_list = false, popped = false;
@@ -180,7 +180,7 @@ CommandRule sets_sides_apart() {
     });
 }
 
-// A parameter of both sides' material that the first vertex of a glBegin does not have, but a later one.
+// A glMaterial of both sides that comes after the first vertex of a glBegin, of a parameter not set before that vertex.
 CommandRule sets_both_sides_after_vertex() {
     return both(any_command(lights_two_sides),
                 any_command([set = std::set<Enum>(), has_vertex = false](const Command& command) mutable {
@@ -230,7 +230,7 @@ CommandRule lists_edge_flags() {
                 }));
 }
 
-// Where it can be seen: by colours that are no linear function, and where one is drawn again, by depths.
+// Where the cut is visible: with lighting, whose colours are not linear; and with several rectangles, by their depths.
 CommandRule shows_cut_of_rectangles() {
     return [lit = false, rectangles = 0](const Command& command) mutable {
         lit = lit || (command.id == Id::glEnable && command.enumerant(0) == kGL_LIGHTING);

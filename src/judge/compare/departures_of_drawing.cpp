@@ -1,4 +1,4 @@
-// Departures between a Draw's vertices and its pixels.
+// Departures in drawing primitives: clipping, polygon modes, lines, points, texturing, fog.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +24,7 @@ bool is_clipped(const Draw& draw) {
 }
 
 bool offsets_borders(const Draw& draw) {
-    if (!draw.raster.depth_test) return false;  // which alone shows it
+    if (!draw.raster.depth_test) return false;  // otherwise the offset is invisible
     const auto draws_offset_borders = [&](Enum mode) {
         return mode != kGL_FILL && draw.raster.polygon_offset.is_enabled_for(mode);
     };
@@ -33,11 +33,12 @@ bool offsets_borders(const Draw& draw) {
 
 struct Corners {
     std::array<glm::dvec3, 3> window;
-    double determinant;  // of their unit x, y, w in clip coordinates: 0 where they are on one line through the eye
-    double slope;        // m of 3.5.5; infinite where that is
+    double
+        determinant;  // of their normalised (x, y, w) in clip coordinates; 0 if the corners lie in a plane with the eye
+    double slope;     // m of 3.5.5, which is infinite then
 };
 
-// Whether any three corners that a polygon of the Draw may be cut to.
+// Whether `are` is true for any three corners that a polygon of the Draw may be cut into.
 bool any_corners(const Draw& draw, const std::function<bool(const Corners&)>& are) {
     const auto window = [&](const glm::dvec4& clip) {
         const RasterState& raster = draw.raster;
@@ -78,7 +79,7 @@ bool has_faces_on_borders(const Draw& draw) {
 
 bool has_wide_lines(const Draw& draw) { return draw.draws_lines() && draw.raster.line_width > 1; }
 
-// Whatever chooses by the level of detail: a mipmap, or one of two filters.
+// A texture that uses the level of detail: with mipmaps, or with two different filters.
 bool has_level_of_detail(const Draw& draw) {
     const Texture* texture = draw.texture.texture.get();
     return texture && texture->min_filter != texture->mag_filter;
@@ -102,7 +103,7 @@ bool offsets_one_of_two_modes(const Draw& draw) {
            offset.is_enabled_for(draw.raster.polygon_mode_back);
 }
 
-// A polygon that is seen from its edge has no slope m, but lines and points.
+// A polygon seen edge-on has no slope m, but its lines and points are still drawn.
 bool offsets_borders_without_area(const Draw& draw) {
     constexpr double kNoArea = 1e-7;
     return offsets_borders(draw) &&
@@ -112,7 +113,8 @@ bool offsets_borders_without_area(const Draw& draw) {
 bool offsets_borders_out_of_range(const Draw& draw) {
     const PolygonOffset& offset = draw.raster.polygon_offset;
     constexpr double kRounding = 1e-5;  // of the slope
-    constexpr double kStep = 0x1p-24;   // 3.5.5 leaves r open: it is this to the reference, and twice as much to Mesa
+    constexpr double kStep =
+        0x1p-24;  // r of 3.5.5 depends on the implementation: the reference uses this, Mesa twice it
     return offsets_borders(draw) && any_corners(draw, [&](const Corners& corners) {
                return std::ranges::any_of(corners.window, [&](const glm::dvec3& corner) {
                    for (const double r : {kStep, 2 * kStep}) {

@@ -1,4 +1,4 @@
-// Departures in the lighting of a Draw's vertices, and what rounding decides there.
+// Departures in the lighting of a Draw's vertices, and cases where rounding decides.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -34,19 +34,19 @@ bool any_light(const Draw& draw, Predicate predicate) {
                        [&](const LightSource& light) { return light.enabled && predicate(light); });
 }
 
-// Of either face, whichever vertex has it.
+// Whether `predicate` is true for any vertex's materials, (front, back).
 bool any_material(const Draw& draw, const std::function<bool(const Material&, const Material&)>& predicate) {
     if (predicate(draw.lighting.front, draw.lighting.back)) return true;
     return std::ranges::any_of(draw.materials, [&](const Materials& m) { return predicate(m.front, m.back); });
 }
 
-// The squares of such lengths are 0, subnormal or infinite in floats.
+// The square of such a length is 0, subnormal or infinite in a float.
 bool leaves_floats(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length < 1e-18 || length > 1e18;
 }
 
-// Float rounding moves a cosine of unit vectors by some 1e-6: nearer than this to a jump, it decides.
+// Float rounding changes the cosine of unit vectors by about 1e-6. Closer to a jump than this, rounding may decide.
 constexpr double kJump = 1e-5;
 
 bool is_at_edge_of_cone(const Draw& draw, const Vertex& vertex) {
@@ -132,7 +132,7 @@ bool has_no_answer(const Draw& draw, const Vertex& vertex) {
     });
 }
 
-// On the axis of a cone of 0 degrees, or at 90 degrees in one of 90: floats have no other answer than the text's.
+// On the axis of a cone of 0 degrees, or at 90 degrees in one of 90, floats give the specification's answer without rounding.
 bool is_at_exact_edge_of_cone(const Draw& draw, const Vertex& vertex) {
     return is_at_edge_of_cone(draw, vertex) && any_light(draw, [&](const LightSource& light) {
                return light.spot_cutoff_deg == 0 || light.spot_cutoff_deg == 90;

@@ -1,4 +1,4 @@
-// A context of its own and the shaders in it, for those who keep several.
+// An offscreen context together with a shader renderer in it, for code that uses several contexts.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace twinlight::compare {
 
 class ShaderContext {
   public:
-    // Current from here on. Throws std::runtime_error that says what the driver refused.
+    // Makes the context current. Throws std::runtime_error with the driver's reason if there is none.
     ShaderContext(int width, int height, ColorBuffer color_buffer = ColorBuffer::kUnorm8)
         : context_(make_offscreen_context(width, height, color_buffer)) {
         shaders_.emplace();

@@ -1,4 +1,4 @@
-// What decides a verdict.
+// The rules for verdicts.
 #include <algorithm>
 
 #include "judge/compare/comparison.h"
@@ -17,7 +17,7 @@ Verdict judge(const Comparison& comparison, const Pair& pair) {
     const Render &a = comparison.a(pair), &b = comparison.b(pair);
     bool partial = false;
     for (const Unsupported& item : comparison.unsupported) {
-        if (lacks(a.path, item) != lacks(b.path, item)) return Verdict::kPartial;  // which may be why they differ
+        if (lacks(a.path, item) != lacks(b.path, item)) return Verdict::kPartial;  // a difference may be caused by this
         partial = partial || lacks(a.path, item);
     }
     return partial && verdict == Verdict::kWithin ? Verdict::kPartial : verdict;

@@ -20,8 +20,8 @@ namespace {
 
 glm::dvec2 ndc(const reference::LitVertex& vertex) { return glm::dvec2(vertex.position_clip) / vertex.position_clip.w; }
 
-// Each vertex in a corner of the view of its own, where feedback and the shaders' picture have a place for it.
-bool stands_in_corners(const std::vector<reference::LitVertex>& lit) {
+// Whether each vertex is in a different corner of the view, where feedback and the shaders' picture expect it.
+bool are_in_different_corners(const std::vector<reference::LitVertex>& lit) {
     std::array<bool, 4> taken{};
     for (const reference::LitVertex& vertex : lit) {
         const glm::dvec2 place = ndc(vertex);
@@ -52,12 +52,12 @@ std::optional<VertexScene> make_vertex_scene(Scene made, std::string& error) {
     const Draw* draw = frame.items.empty() ? nullptr : std::get_if<Draw>(&frame.items.back());
     const std::size_t least = draw && draws_polygons(draw->mode) ? 3 : 1;
     if (!draw || !draw->lighting.enabled || draw->vertices.size() < least || draw->vertices.size() > 3)
-        error = "the last thing drawn is not a lit primitive of three vertices";
+        error = "the scene must end with a lit primitive of at most three vertices";
     else if (!frame.unsupported.empty())
         error = frame.unsupported.front().name + " is not supported";
     if (!error.empty()) return std::nullopt;
     scene.lit = reference::light_vertices(*draw, {kGlsOwnModel}, false);
-    if (!stands_in_corners(scene.lit)) error = "two vertices stand in one corner of the view, or one in none";
+    if (!are_in_different_corners(scene.lit)) error = "the vertices must be in different corners of the view";
     if (!error.empty()) return std::nullopt;
     return scene;
 }
@@ -75,7 +75,7 @@ std::optional<VertexScene> make_vertex_scene(const std::shared_ptr<const Command
 
 namespace {
 
-// Without it colours are clamped, and glClampColor is an error that is not the scene's.
+// Without this extension colours are clamped, and glClampColor would raise an error that is not the scene's.
 bool can_show_unclamped_colors() {
     const auto* const extensions = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
     return extensions && std::string_view(extensions).find("GL_ARB_color_buffer_float") != std::string_view::npos;
@@ -83,7 +83,7 @@ bool can_show_unclamped_colors() {
 
 }  // namespace
 
-// By where the vertices stand in the window.
+// Finds the vertices in the feedback buffer by their window positions.
 std::vector<Color> fixed_colors(const VertexScene& scene) {
     std::vector<Color> colors(scene.lit.size());
     std::array<GLfloat, 512> buffer{};
@@ -119,14 +119,14 @@ std::vector<Color> fixed_colors(const VertexScene& scene) {
 
 namespace {
 
-// The Draw as points where its vertices stand, in a tile of its own.
+// The Draw as points at its vertices, inside the tile.
 Draw as_points(const VertexScene& scene, const Viewport& tile) {
     Draw draw = scene.draw();
     if (!draws_polygons(draw.mode)) {
         draw.mode = kGL_POINTS;
         draw.indices.clear();
     }
-    RasterState raster;  // nothing but the facing
+    RasterState raster;  // keeps only the facing
     raster.front_face = draw.raster.front_face;
     raster.viewport = tile;
     raster.polygon_mode_front = raster.polygon_mode_back = kGL_POINT;
@@ -177,20 +177,20 @@ bool knows_faces_of_corners() { return current_driver().name != "softpipe"; }
 
 namespace {
 
-// What a channel may be off by, relative to the sum of the magnitudes of a colour's terms, in units of a float's last place.
-// 2.1.1 allows each operation 1e-5; what drivers and shaders really lose is less.
+// The allowed error of a channel, relative to the sum of the magnitudes of a colour's terms, in units of a float's last place.
+// 2.1.1 allows each operation an error of 1e-5; drivers and shaders are more accurate.
 constexpr double kUlp = 0x1p-23;
-constexpr double kArithmeticUlps = 40;  // as many operations deep
-// Of n.h, which its power multiplies by the exponent: a unit normal, and one that is the product of an inverse matrix that
-// the driver has in floats.
+constexpr double kArithmeticUlps = 40;  // the depth of the computation, in operations
+// The error of n.h, which the power multiplies by the exponent: for a unit normal, and for one transformed by an inverse matrix
+// in floats.
 constexpr double kUnitCosineUlps = 1, kCosineUlps = 3;
-// Of the logarithm that a power is made of: it is multiplied by the exponent, and matters where n.h is greater than 1, for
-// then the power is the greatest term by far.
+// The error of the logarithm inside a power, multiplied by the exponent. It matters if n.h is greater than 1, because the power is
+// then by far the largest term.
 constexpr double kLogarithmUlps = 5;
-// Of each of the two unit vectors whose sum is made unit to h_i: where they nearly cancel, the sum is as far off, but short.
+// The error of each of the two unit vectors whose normalised sum is h_i. If they nearly cancel, the short sum has the same error.
 constexpr double kHalfVectorUlps = 1;
 
-// The shortest sum of the directions to a light and to the viewer: 2 at most.
+// The length of the shortest sum of the directions to a light and to the viewer; at most 2.
 double shortest_half_vector(const Draw& draw, const Vertex& vertex) {
     const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
     const glm::dvec3 position_eye = glm::dvec3(at) / at.w;

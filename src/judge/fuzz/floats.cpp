@@ -13,10 +13,10 @@ namespace twinlight::fuzz {
 
 namespace {
 
+using compare::Cause;
 using compare::Color;
 using compare::Departure;
 using compare::FaceColors;
-using compare::Leaves;
 using compare::VertexScene;
 
 static_assert(compare::kMostVertexScenes == Floats::kMostScenes);
@@ -79,7 +79,7 @@ StateDifferences judge(const VertexScene& scene, const std::vector<Color>& fixed
         }
         for (std::size_t pair = 0; pair < kPairs; ++pair) {
             if (!has_shaders && pair != static_cast<std::size_t>(RendererPair::kFixedReference)) continue;
-            if (departure && (has_fixed(pair) || departure->leaves != Leaves::kFixedFunction)) continue;
+            if (departure && (has_fixed(pair) || departure->cause != Cause::kFixedFunction)) continue;
             PairDifferences& all = found.pairs[pair];
             all.compared += here[pair].compared;
             if (here[pair].fails && !all.fails) all.what = here[pair].what;

@@ -187,7 +187,7 @@ class Builder {
         if (shows("polygon offset of borders that leaves the depth range"))
             add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 8e6);"
                 "glLineWidth(9); glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
-        if (shows("polygon offset of lines or points alone"))
+        if (shows("polygon offset of only lines or points"))
             add("glDisable(GL_POLYGON_OFFSET_FILL); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 8e6);"
                 "glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
         add("glShadeModel({});", structure_.chance(0.2) ? "GL_FLAT" : "GL_SMOOTH");
@@ -249,7 +249,7 @@ class Builder {
         materials_ = lit_ && structure_.chance(0.5);
         const bool of_triangles = shows("polygon offset of one of two polygon modes") ||
                                   shows("polygon offset of borders that leaves the depth range") ||
-                                  shows("polygon offset of lines or points alone") ||
+                                  shows("polygon offset of only lines or points") ||
                                   shows("clipped polygons as lines and points") || shows("the colour sum in fog");
         if (shows("glRect as a quadrilateral")) return flat("glRectf");
         if (shows("edge flags of strips and fans")) return anywhere("GL_TRIANGLE_STRIP");

@@ -133,7 +133,7 @@ class LightingState {
             add(chance(0.5) ? Id::glScaled : Id::glScalef, {by.x, by.y, by.z});
             eye_from_object_ = glm::scale(eye_from_object_, by);
         };
-        if (shows("rescaling under a great scale")) {
+        if (shows("GL_RESCALE_NORMAL under a large scale")) {
             scaled(glm::dvec3(1e7));
             return add(Id::glEnable, {kGL_RESCALE_NORMAL});
         }
@@ -159,10 +159,9 @@ class LightingState {
             add(chance(0.5) ? Id::glLightModeli : Id::glLightModelf, {static_cast<double>(name), on});
         };
         flag(kGL_LIGHT_MODEL_LOCAL_VIEWER, 0.5);
-        const bool of_two_sides = shows("shininess 0 on one side of two") ||
-                                  shows("colour material on the back alone of two sides") ||
-                                  shows("materials of vertices that two sides do not share") ||
-                                  shows("glMaterial of two sides after a vertex");
+        const bool of_two_sides =
+            shows("shininess 0 on one side of two") || shows("two-sided colour material only on the back") ||
+            shows("vertex materials that differ between two sides") || shows("glMaterial of two sides after a vertex");
         two_sided_ = of_two_sides;
         flag(kGL_LIGHT_MODEL_TWO_SIDE, of_two_sides ? 1 : 0.5);
         add(Id::glLightModeli,
@@ -184,7 +183,7 @@ class LightingState {
         for (const double pname : {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR}) color(Id::glLightfv, {l, pname});
         const bool needs_place = shows("a vertex whose w is not 1 under a positional light") ||
                                  shows("shininess 0 with attenuation or a spot");
-        const bool tiny = shows("a direction whose square leaves the floats");
+        const bool tiny = shows("a direction whose square does not fit a float");
         const bool directional = tiny || (!needs_place && chance(0.4));
         const double reach = tiny ? 1e-30 : directional ? 1 : 4;
         add(Id::glLightfv, {l, kGL_POSITION, reach * coordinate(), reach * coordinate(), reach * coordinate(),
@@ -228,7 +227,7 @@ class LightingState {
             add(Id::glMaterialf, {face, kGL_SHININESS, shininess(face == kGL_FRONT)});
         }
         static constexpr std::string_view kOfColorMaterial[] = {"colour material before the first glColor",
-                                                                "colour material on the back alone of two sides",
+                                                                "two-sided colour material only on the back",
                                                                 "glColor before a new glColorMaterial",
                                                                 "colour material after glPopAttrib",
                                                                 "glColor3 after glColor4",
@@ -239,7 +238,7 @@ class LightingState {
             return one_of({kGL_EMISSION, kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_AMBIENT_AND_DIFFUSE});
         };
         double face = one_of({kGL_FRONT, kGL_FRONT_AND_BACK});
-        if (shows("colour material on the back alone of two sides")) face = kGL_BACK;
+        if (shows("two-sided colour material only on the back")) face = kGL_BACK;
         if (shows("glColor before a new glColorMaterial")) {
             add(Id::glColorMaterial, {face, kGL_AMBIENT});
             add(Id::glEnable, {kGL_COLOR_MATERIAL});
@@ -324,7 +323,7 @@ class LightingState {
 
     void vertex_normal() {
         const glm::dvec3 n =
-            direction() * (shows("a direction whose square leaves the floats") && chance(0.5) ? 1e25 : 1.0);
+            direction() * (shows("a direction whose square does not fit a float") && chance(0.5) ? 1e25 : 1.0);
         switch (normal_form_) {
             case 0: return add(Id::glNormal3b, {std::round(127 * n.x), std::round(127 * n.y), std::round(127 * n.z)});
             case 1:
@@ -347,7 +346,7 @@ class LightingState {
     }
 
     void choose_vertex_materials() {
-        const bool of_back = shows("materials of vertices that two sides do not share");
+        const bool of_back = shows("vertex materials that differ between two sides");
         const bool of_both = shows("glMaterial of two sides after a vertex");
         const bool of_another = !departure_.empty();
         if (!of_back && !of_both && (of_another || !chance(0.25))) return;

@@ -47,7 +47,7 @@ StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& com
             // surface may round either way.
             const bool fails = beyond.max > comparison.tolerance.max;
             shows_bug = shows_bug || (fails && has_fixed(pair));
-            if (departure && (has_fixed(pair) || departure->leaves != compare::Leaves::kFixedFunction)) continue;
+            if (departure && (has_fixed(pair) || departure->cause != compare::Cause::kFixedFunction)) continue;
             PairDifferences& here = found.pairs[pair];
             here.compared = static_cast<long>(beyond.pixels);
             here.differing = static_cast<long>(beyond.differing);

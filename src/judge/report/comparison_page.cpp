@@ -1,7 +1,6 @@
-// The report's page: pages/page.html with its {{places}} filled.
+// The report's page: pages/page.html with each {{name}} filled in.
 //
-// Tables and pictures are plain HTML, so that the page reads without its script too; the script adds the wipe
-// and the magnifier to what stands there.
+// Tables and pictures are plain HTML, so that the page is readable without its script, which adds the wipe and the magnifiers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@ std::string image(const Comparison& comparison, std::string_view png, std::strin
                        data_uri(png));
 }
 
-// A picture with its name below; `name` is also what the script's lists call it.
+// A picture with its name below it, which the script's lists use too.
 std::string figure(const Comparison& comparison, std::string_view png, const std::string& name, std::string_view kind,
                    std::string_view remark, std::string_view meaning) {
     return fmt::format("<figure>{}<figcaption>{} <span>{}</span><small>{}</small></figcaption></figure>\n",
@@ -39,36 +38,39 @@ std::string cells(const RegionDifference& region) {
             : fmt::format(R"(<button type="button" class="place" data-x="{0}" data-y="{1}">{0}, {1}</button>)",
                           region.worst_x, region.worst_y);
     return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>", grouped(region.differing),
-                       share_of(region), codes_of(region.max),
+                       share_of(region), in_255ths(region.max),
                        region.rms == 0 ? "0" : fmt::format("{:.2e}", region.rms), worst);
 }
 
 std::string pair_rows(const Comparison& comparison) {
     std::string rows;
     for (const Pair& pair : comparison.pairs) {
-        rows += fmt::format("<tr><th scope=\"row\">{0}<br>~ {1}</th><td class=\"verdict {2}\">{2}</td>{3}{4}</tr>\n",
+        rows += fmt::format("<tr><th scope=\"row\">{}<br>~ {}</th><td class=\"verdict {}\">{}</td>{}{}</tr>\n",
                             comparison.a(pair).name, comparison.b(pair).name, word_of(pair.verdict),
-                            cells(pair.difference.interior), cells(pair.difference.edge));
+                            words_of(pair.verdict), cells(pair.difference.interior), cells(pair.difference.edge));
         if (!has_allowed_difference(pair)) continue;
-        rows +=
-            fmt::format("<tr><th scope=\"row\">beyond what is allowed</th><td></td>{}<td colspan=\"5\"></td></tr>\n",
-                        cells(pair.difference.beyond_allowed));
+        rows += fmt::format("<tr><th scope=\"row\">not allowed</th><td></td>{}<td colspan=\"5\"></td></tr>\n",
+                            cells(pair.difference.beyond_allowed));
     }
     return rows;
 }
 
+// The answers to three questions, with the details folded.
 std::string verdict(const Comparison& comparison) {
-    const std::vector<std::string> sentences = verdict_sentences(comparison);
-    std::string html = "<p>" + escaped(sentences.front()) + "</p>";
-    if (sentences.size() == 1) return html;
-    html += "\n<ul>";
-    for (std::size_t i = 1; i < sentences.size(); ++i) html += "<li>" + escaped(sentences[i]) + "</li>";
-    return html + "</ul>";
+    const Answer answers = answer(comparison);
+    std::string html = fmt::format(
+        "<dl>\n<dt>Is it right?</dt><dd>{}</dd>\n<dt>If not, where?</dt><dd>{}</dd>\n<dt>By how much?</dt><dd>{}</dd>\n"
+        "</dl>",
+        escaped(answers.is_right), escaped(answers.where), escaped(answers.how_much));
+    if (answers.details.empty()) return html;
+    html += "\n<details><summary>Details</summary>\n<ul>";
+    for (const std::string& sentence : answers.details) html += "<li>" + escaped(sentence) + "</li>";
+    return html + "</ul></details>";
 }
 
 std::string unsupported(const Comparison& comparison) {
-    if (comparison.unsupported.empty()) return "<p>Every command of the scene is done by every renderer.</p>";
-    std::string html = "<p>These pictures are not the whole scene:</p>\n<ul>";
+    if (comparison.unsupported.empty()) return "<p>Every renderer draws every command of the scene.</p>";
+    std::string html = "<p>Some pictures do not show the whole scene:</p>\n<ul>";
     for (const Unsupported& item : comparison.unsupported) html += "<li>" + escaped(sentence_of(item)) + "</li>\n";
     return html + "</ul>";
 }
@@ -77,21 +79,23 @@ std::string plan_rows(const Plan& plan) {
     std::string rows;
     const auto add = [&](std::string_view state, std::string_view what, std::string_view why) {
         rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"{}\">{}</td><td>{}</td></tr>\n", escaped(what),
-                            state == "in" ? "within" : "informative", state, escaped(why));
+                            state == "used" ? "within" : "informative", state, escaped(why));
     };
-    for (const ExplainedLights& lights : explain_lights(plan)) add(lights.in ? "in" : "out", lights.names, lights.why);
-    for (const LeftOut& left_out : plan.left_out) add("out", left_out.what, left_out.why);
+    for (const ExplainedLights& lights : explain_lights(plan))
+        add(lights.in ? "used" : "skipped", lights.names, lights.why);
+    for (const LeftOut& left_out : plan.left_out) add("skipped", left_out.what, left_out.why);
     return rows;
 }
 
-// A section that opens for each picture that is drawn from plans. Of very many different plans the first are shown.
+// A folded section for each picture that is drawn from plans, with the first kShown plans.
 std::string plans(const Comparison& comparison) {
     constexpr std::size_t kShown = 100;
     std::string html;
     for (const Render& render : comparison.renders) {
         if (render.plan.empty()) continue;
-        html += fmt::format("<details>\n<summary>{}: off by {}{}</summary>\n", render.name,
-                            error_bound(render.plan) > 0 ? "at most " : "", in_codes(error_bound(render.plan)));
+        const double error = error_bound(render.plan);
+        html += fmt::format("<details>\n<summary>{}: skipping effects changes {}</summary>\n", render.name,
+                            error > 0 ? "a channel by at most " + in_codes(error) : "no pixel");
         for (std::size_t i = 0; i < std::min(render.plan.size(), kShown); ++i) {
             const ExplainedDraw& draw = render.plan[i];
             html += fmt::format(
@@ -100,10 +104,10 @@ std::string plans(const Comparison& comparison) {
                 escaped(name_of(draw)), escaped(describe(draw.plan.effects)), plan_rows(draw.plan));
         }
         if (render.plan.size() > kShown)
-            html += fmt::format("<p>And {} plans more.</p>\n", render.plan.size() - kShown);
+            html += fmt::format("<p>{} more are not shown.</p>\n", render.plan.size() - kShown);
         html += "</details>\n";
     }
-    return html.empty() ? "<p>Nothing is drawn from a plan.</p>" : html;
+    return html.empty() ? "<p>The shaders of these pictures skip nothing.</p>" : html;
 }
 
 }  // namespace
@@ -135,6 +139,7 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
          {"interior_pixels", grouped(comparison.pairs.front().difference.interior.pixels)},
          {"edge_pixels", grouped(comparison.pairs.front().difference.edge.pixels)},
          {"tolerance", words_of(comparison.tolerance)},
+         {"open_if_unsupported", comparison.unsupported.empty() ? "" : " open"},
          {"unsupported", unsupported(comparison)},
          {"plans", plans(comparison)},
          {"script", std::string(page_file("page.js"))}});

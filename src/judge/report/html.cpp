@@ -28,7 +28,7 @@ std::string base64(std::string_view bytes) {
 
 std::string_view page_file(std::string_view name) {
     const auto file = std::ranges::find(kPageFiles, name, &EmbeddedFile::name);
-    if (file == kPageFiles.end()) throw std::logic_error("the page's file is not embedded: " + std::string(name));
+    if (file == kPageFiles.end()) throw std::logic_error("this page file is not embedded: " + std::string(name));
     return file->text;
 }
 
@@ -48,7 +48,6 @@ std::string escaped(std::string_view text) {
 
 std::string data_uri(std::string_view png) { return "data:image/png;base64," + base64(png); }
 
-// Replaces each {{name}}; what is put in is not looked at again.
 std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values) {
     std::string result;
     for (std::size_t at = 0;;) {
@@ -57,7 +56,7 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
         if (open == std::string_view::npos) return result;
         const std::size_t close = text.find("}}", open);
         const auto value = values.find(text.substr(open + 2, close - open - 2));
-        if (value == values.end()) throw std::logic_error("the page has a place that nothing fills");
+        if (value == values.end()) throw std::logic_error("the page has a {{name}} without a value");
         result += value->second;
         at = close + 2;
     }

@@ -1,4 +1,4 @@
-// What pages are made with.
+// Helpers for writing HTML pages.
 #pragma once
 
 #include <functional>
@@ -18,19 +18,19 @@ extern const std::vector<EmbeddedFile> kPageFiles;
 
 namespace twinlight::report {
 
-// One of kPageFiles. Throws std::logic_error where there is none.
+// The text of one of kPageFiles. Throws std::logic_error if there is none of this name.
 std::string_view page_file(std::string_view name);
 
-// As text or an attribute's value.
+// Escapes text for HTML, also inside attributes.
 std::string escaped(std::string_view text);
 
 // "data:image/png;base64,..."
 std::string data_uri(std::string_view png);
 
-// Replaces each {{name}}; what is put in is not looked at again. Throws std::logic_error for a name without a value.
+// Replaces each {{name}} with its value; a {{name}} inside a value stays. Throws std::logic_error for a name without a value.
 std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
 
-// All of a page up to its body.
+// Everything of a page before its body.
 std::string page_head(std::string_view title, const std::string& style);
 
 }  // namespace twinlight::report

@@ -13,7 +13,7 @@ using compare::Verdict;
 
 namespace {
 
-using Json = nlohmann::ordered_json;  // keys stand in the order they are written in
+using Json = nlohmann::ordered_json;  // keeps the keys in this order
 
 Json json_of(const RegionDifference& region) {
     return {{"pixels", region.pixels},

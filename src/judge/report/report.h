@@ -1,4 +1,4 @@
-// What is written of a comparison: its pictures, comparison.json and index.html.
+// The report of a comparison: its pictures, comparison.json and index.html.
 #pragma once
 
 #include <string>
@@ -14,22 +14,22 @@ std::string picture_file(const compare::Render& render);
 std::string difference_file(const compare::Comparison& comparison, const compare::Pair& pair);
 
 // One JSON object, indented, with a newline at the end:
-//   {"scene", "driver", "size": [w, h], "verdict": "within" | "beyond" | "partial",
-//    "renders": [{"name", "file", "ms", "error_bound"}],   the last of what is drawn from plans
+//   {"scene", "driver", "size": [w, h], "verdict": "within" | "beyond" (the tolerance) | "partial",
+//    "renders": [{"name", "file", "ms", "error_bound"}],   error_bound: only for pictures drawn from plans
 //    "pairs": [{"a", "b",                        names of renders
-//               "interior": {"pixels", "differing", "max", "rms", "worst": [x, y]},
-//               "beyond_slack": {the same},     what is judged of the interior
-//               "edge": {the same},
-//               "verdict": "within" | "beyond" | "partial" | "informative",
-//               "tolerance": {"max", "differing_share"},   of the interior; not where informative
+//               "interior": {"pixels", "differing", "max", "rms", "worst": [x, y]},   pixels away from edges
+//               "beyond_slack": {the same},     the part of these differences that is not allowed; the verdict follows from it
+//               "edge": {the same},             pixels at edges, which have no tolerance
+//               "verdict": "within" | "beyond" | "partial" | "informative" (meant to differ),
+//               "tolerance": {"max", "differing_share"},   for beyond_slack; missing for "informative"
 //               "file", "factor"}],             the difference picture and its amplification
 //    "is_listed_driver": whether any bugs of this driver and version are listed
-//    "known_departures": ["name (section)"],    where beyond: known of this driver, and the scene may show it
-//    "unsupported": [{"name", "count", "place", "renderers": [...]}]}
-// max and rms are of channels on [0,1]; x and y count from the top left.
+//    "known_departures": ["name (section)"],    if "beyond": known bugs of this driver that the scene may show
+//    "unsupported": [{"name", "count", "place", "renderers": [...]}]}   commands that some renderers cannot draw
+// max and rms are for channels on [0,1]; x and y count from the top left.
 std::string comparison_json(const compare::Comparison& comparison);
 
-// Encoded once, written as files and inside the page.
+// Encoded once; written as files and embedded in the page.
 struct EncodedPictures {
     std::vector<std::string> renders;      // PNG, in the order of Comparison::renders
     std::vector<std::string> differences;  // PNG, in the order of Comparison::pairs
@@ -37,11 +37,11 @@ struct EncodedPictures {
 };
 EncodedPictures encode_pictures(const compare::Comparison& comparison);
 
-// A page that holds everything: pictures, style and script are inside.
+// A page that contains everything: pictures, style and script.
 std::string comparison_page(const compare::Comparison& comparison, const EncodedPictures& pictures);
 
-// The pictures, comparison.json and index.html, into a folder that is made if it is not there: all of them or
-// none. Throws FileError.
+// Writes the pictures, comparison.json and index.html into a folder, which is created if it does not exist: all of them or none.
+// Throws FileError.
 void write_report(const compare::Comparison& comparison, const std::string& folder);
 
 }  // namespace twinlight::report

@@ -1,4 +1,4 @@
-// A comparison in words: what the page and the terminal say alike.
+// A comparison as text, for the page and the terminal.
 #pragma once
 
 #include <span>
@@ -11,22 +11,29 @@
 namespace twinlight::report {
 
 std::string grouped(std::size_t number);                                                // "1,234,567"
-std::string codes_of(double max);                                                       // "3/255"
+std::string in_255ths(double max);                                                      // "3/255"
 std::string share_of(const RegionDifference& region);                                   // "0.03%", "< 0.01%", "0%"
 std::string name_of(const compare::Comparison& comparison, const compare::Pair& pair);  // "fixed ~ reference"
-std::string word_of(compare::Verdict verdict);  // "within", "beyond", "informative"
+std::string word_of(compare::Verdict verdict);   // for comparison.json: "within", "beyond", "partial", "informative"
+std::string words_of(compare::Verdict verdict);  // for people: "agree", "differ", "partial", "meant to differ"
 
-// "no interior channel off by more than 1/255, fewer than 0.1% of interior pixels differing"
+// "up to 1/255, in fewer than 0.1% of the pixels"
 std::string words_of(const compare::Tolerance& tolerance);
 
-// The whole's verdict, then a sentence for each judged pair that is beyond the tolerance.
-std::vector<std::string> verdict_sentences(const compare::Comparison& comparison);
+// The answers to a reader's three questions, a sentence each.
+struct Answer {
+    std::string is_right, where, how_much;
+    std::vector<std::string> details;  // sentences: other pairs that differ, known bugs
 
-// Whether a part of the pair's difference is allowed, and is not judged.
+    std::vector<std::string> sentences() const;  // all of them, in this order
+};
+Answer answer(const compare::Comparison& comparison);
+
+// Whether a part of the pair's difference is allowed.
 bool has_allowed_difference(const compare::Pair& pair);
-// Those of the `shown` renderers that do not do it.
+// The renderers among `shown` that cannot draw the command.
 std::vector<std::string_view> names_of(const Unsupported& unsupported, std::span<const Path> shown = kAllPaths);
-// "glEnable(GL_FOG), 2 times, first at scene.gl:3:1, is not done by programmable and reference."
+// "glEnable(GL_FOG) (2 times, first at scene.gl:3:1) is not drawn by programmable and reference."
 std::string sentence_of(const Unsupported& unsupported, std::span<const Path> shown = kAllPaths);
 
 }  // namespace twinlight::report

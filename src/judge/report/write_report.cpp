@@ -1,4 +1,4 @@
-// The report's files.
+// Writes the files of a report.
 #include <filesystem>
 #include <system_error>
 

@@ -68,8 +68,7 @@ class Assembler {
                                      "colours that point (GL 2.1, "
                                      "sections 3.8 to 3.10).\n";
             return lights_here ? "// Fragment shader: lights each fragment as section 2.14 of GL 2.1 lights a vertex.\n"
-                               : "// Fragment shader: textures, colour sum and fog for the interpolated colours (GL "
-                                 "2.1, sections "
+                               : "// Fragment shader: computes the colour from interpolated values (GL 2.1, sections "
                                  "3.8 to 3.10).\n";
         }
         if (has_ray())

@@ -22,7 +22,7 @@ using CType = std::tuple_element_t<static_cast<std::size_t>(kind), CTypes>;
 std::size_t size_of(Kind kind);           // in bytes
 std::string_view c_type_name(Kind kind);  // "GLfloat"
 Kind c_type(Kind kind);                   // the same kind for all names of one C type (GLint and GLsizei, ...)
-// The kind of GL_BYTE to GL_DOUBLE, the types of arrays, pixels and names; nothing for other names.
+// The kind of GL_BYTE to GL_DOUBLE, the types of arrays, pixels and names; nullopt for other values.
 std::optional<Kind> kind_of_type(Enum type);
 inline bool is_real(Kind kind) { return kind == Kind::kFloat || kind == Kind::kDouble; }
 

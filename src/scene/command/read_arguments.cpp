@@ -231,9 +231,9 @@ void Reader::give_names(Command& command, ObjectType type, const Value& array, s
 // The result of a command, if the reader can know it: the names of new lists; otherwise 0.
 double Reader::result(const Command& command, const Parameter& parameter) {
     if (returns_) {
-        const double said = *returns_;
+        const double value = *returns_;
         returns_.reset();
-        return said;
+        return value;
     }
     if (parameter.kind == Kind::kQuadric) return ++quadrics_;
     const std::optional<ObjectType> type = named_objects(parameter);

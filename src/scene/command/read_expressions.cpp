@@ -140,7 +140,7 @@ Value Reader::moved(const Token& op, Value pointer, const Value& by) {
     fail(op.place, "this pointer is outside {}, which has {} values", pointer.object->shown, pointer.object->length());
 }
 
-// Operands with one of the operators between each two.
+// Reads operands separated by one of the operators.
 template <class Operand, class... Operators>
 Value Reader::left_to_right(const Operand& operand, Operators... operators) {
     Value value = operand();

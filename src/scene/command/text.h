@@ -13,7 +13,7 @@
 
 namespace twinlight {
 
-// Bad input. what() is one line: "file:line:column: what is wrong; how to mend it".
+// Bad input. what() is one line: "file:line:column: what is wrong; how to fix it".
 struct SceneError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

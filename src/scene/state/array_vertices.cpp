@@ -10,7 +10,7 @@ namespace twinlight {
 
 namespace {
 
-Kind kind_of(Enum type) { return *kind_of_type(type); }  // of a legal array
+Kind kind_of(Enum type) { return *kind_of_type(type); }  // the type must be valid
 
 std::uint64_t element_bytes(const ArrayPointer& array) {
     return static_cast<std::uint64_t>(array.size) * size_of(kind_of(array.type));

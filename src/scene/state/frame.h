@@ -336,7 +336,7 @@ struct Frame {
     // The names of display lists that another list called before they existed.
     std::vector<std::uint32_t> lists_called_before_made{};
 
-    // The Draws alone.
+    // The items that are Draws, without the Clears.
     std::vector<const Draw*> draws() const { return draws_of<const Draw>(items); }
     std::vector<Draw*> draws() { return draws_of<Draw>(items); }
 

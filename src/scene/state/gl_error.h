@@ -19,12 +19,12 @@ struct GlError {
     bool is_undefined = false;
 };
 
-// The error of a command. The message is formatted by fmt.
+// Makes the error of a command. fmt formats the message.
 template <class... Values>
 GlError refused(Enum code, const Command& command, fmt::format_string<Values...> message, Values&&... values) {
     return {code, command.place, fmt::format(message, std::forward<Values>(values)...)};
 }
-// The same, where is_undefined.
+// The same with is_undefined set.
 template <class... Values>
 GlError undefined(Enum code, const Command& command, fmt::format_string<Values...> message, Values&&... values) {
     return {code, command.place, fmt::format(message, std::forward<Values>(values)...), true};

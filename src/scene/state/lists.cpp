@@ -41,7 +41,7 @@ std::uint32_t list_name(std::span<const std::byte> bytes, Enum type) {
         return static_cast<std::uint32_t>(
             static_cast<std::int64_t>(is_real(*kind) ? std::clamp(value, -2147483648.0, kLargestFloat) : value));
     }
-    std::uint32_t name = 0;  // of GL_2_BYTES and its like: the highest byte first
+    std::uint32_t name = 0;  // GL_2_BYTES, ...: the highest byte comes first
     for (const std::byte byte : bytes.first(static_cast<std::size_t>(list_name_bytes(type))))
         name = name << 8 | std::to_integer<std::uint32_t>(byte);
     return name;

@@ -22,7 +22,7 @@ struct Pixels {
         return rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
     }
     // A mean as the type stores it: adds `rounding` units, then rounds down.
-    glm::dvec4 held(const glm::dvec4& mean, double rounding) const {
+    glm::dvec4 as_stored(const glm::dvec4& mean, double rounding) const {
         constexpr double kDust = 1e-6;  // sums of n / 255 may fall this far below a whole number
         return largest == 0 ? mean : glm::floor(mean * largest + rounding + kDust) / largest;
     }
@@ -52,7 +52,7 @@ Pixels scaled(const Pixels& image, int width, int height) {
             for (int v = static_cast<int>(y0); v < std::min<double>(image.height, y1); ++v)
                 for (int u = static_cast<int>(x0); u < std::min<double>(image.width, x1); ++u)
                     sum += image.at(u, v) * (overlap(x0, x1, u) * overlap(y0, y1, v));
-            result.rgba.push_back(result.held(sum / (step_x * step_y), 0));
+            result.rgba.push_back(result.as_stored(sum / (step_x * step_y), 0));
         }
     }
     return result;
@@ -67,7 +67,7 @@ Pixels halved(const Pixels& image) {
             const int u = x * (1 + dx), v = y * (1 + dy);
             const glm::dvec4 mean =
                 (image.at(u, v) + image.at(u + dx, v) + image.at(u, v + dy) + image.at(u + dx, v + dy)) / 4.0;
-            result.rgba.push_back(result.held(mean, dx + dy == 2 ? 0.5 : 0));
+            result.rgba.push_back(result.as_stored(mean, dx + dy == 2 ? 0.5 : 0));
         }
     }
     return result;

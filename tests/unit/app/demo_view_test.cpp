@@ -266,11 +266,11 @@ TEST(DemoKeys, ChangeWhatTheHelpSays) {
     press(controls, 'r');
     EXPECT_EQ(controls.view, controls.initial_view);
     press(controls, 's');
-    EXPECT_TRUE(controls.save_asked);
+    EXPECT_TRUE(controls.save_requested);
     press(controls, '?');
     EXPECT_TRUE(controls.keys_shown);
     press(controls, 27);
-    EXPECT_TRUE(controls.quit_asked);
+    EXPECT_TRUE(controls.quit_requested);
     EXPECT_FALSE(press(controls, '9'));
     EXPECT_FALSE(press(controls, 0));
 }

@@ -192,13 +192,16 @@ TEST(Verdict, OfEqualPicturesIsWithin) {
     Stub stub;
     const Comparison comparison = stub.compare();
     EXPECT_TRUE(comparison.within_tolerance());
-    EXPECT_EQ(verdict_sentences(comparison).size(), 1U);
+    EXPECT_EQ(answer(comparison).is_right, "Yes: the renderers agree.");
+    EXPECT_EQ(answer(comparison).where, "Away from edges, no pixel differs.");
+    EXPECT_EQ(answer(comparison).how_much, "By 0; allowed is up to 1/255, in fewer than 0.1% of the pixels.");
+    EXPECT_TRUE(answer(comparison).details.empty());
 }
 
 TEST(Verdict, OfEdgesAloneIsToldAsNone) {
     Comparison comparison = Stub().compare();
     comparison.pairs.front().difference.interior.pixels = 0;
-    EXPECT_TRUE(verdict_sentences(comparison).front().starts_with("Nothing is judged"));
+    EXPECT_TRUE(answer(comparison).is_right.starts_with("Unknown: every pixel is at an edge"));
 }
 
 TEST(Verdict, NamesThePairsThatDiffer) {
@@ -211,10 +214,37 @@ TEST(Verdict, NamesThePairsThatDiffer) {
     EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kWithin);
     EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kWithin);
     EXPECT_EQ(pair_named(comparison, "fixed ~ programmable-phong").verdict, Verdict::kInformative);
-    const std::vector<std::string> sentences = verdict_sentences(comparison);
-    ASSERT_EQ(sentences.size(), 4U);
-    EXPECT_EQ(sentences[1],
-              "fixed ~ programmable: 1,170 of 1,170 interior pixels differ (100.00%), by up to 25/255 at (1, 0).");
+    const Answer answers = answer(comparison);
+    EXPECT_EQ(answers.is_right, "No: the renderers differ more than allowed.");
+    EXPECT_EQ(answers.where,
+              "Most in fixed ~ programmable: 1,170 of 1,170 pixels away from edges differ (100.00%); the worst is at "
+              "(1, 0).");
+    EXPECT_EQ(answers.how_much, "By up to 25/255; allowed is up to 1/255, in fewer than 0.1% of the pixels.");
+    ASSERT_EQ(answers.details.size(), 2U);
+    EXPECT_EQ(
+        answers.details[0],
+        "fixed ~ reference: 1,170 of 1,170 pixels away from edges differ (100.00%), by up to 25/255; the worst is at "
+        "(1, 0).");
+    EXPECT_EQ(answers.sentences().size(), 5U);
+}
+
+// A pixel off by 1/255 is within the tolerance, and the answers still say where it is.
+TEST(Verdict, ShowsWhereAllowedRoundingDiffers) {
+    Comparison comparison = Stub().compare();
+    RegionDifference& beyond = comparison.pairs[1].difference.beyond_allowed;
+    beyond = {.pixels = 5000, .differing = 2, .max = 1 / 255.0, .rms = 1e-4, .worst_x = 7, .worst_y = 8};
+    comparison.pairs[1].difference.interior = beyond;
+    EXPECT_EQ(answer(comparison).is_right, "Yes: the renderers agree.");
+    EXPECT_EQ(answer(comparison).where,
+              "Few pixels differ, most in fixed ~ reference: 2 of 5,000 pixels away from edges differ (0.04%); for "
+              "example at (7, 8).");
+    EXPECT_EQ(answer(comparison).how_much, "By up to 1/255; allowed is up to 1/255, in fewer than 0.1% of the pixels.");
+    beyond = {.pixels = 5000};  // all of it is allowed
+    EXPECT_EQ(answer(comparison).where,
+              "Nowhere more than allowed, most in fixed ~ reference: 2 of 5,000 pixels away from edges differ (0.04%); "
+              "for example at (7, 8).");
+    EXPECT_EQ(answer(comparison).how_much,
+              "By up to 1/255, which rounding, filters or blending explain at each of these pixels.");
 }
 
 // A wide line, which softpipe draws half a pixel too far along, and no other driver.
@@ -230,24 +260,24 @@ TEST(Verdict, NamesWhatTheDriverIsKnownToGetWrongWhereItIsBeyond) {
         return compare_scene(scene, {.driver = driver + ", EGL", .per_vertex_only = true}, stub.renderers());
     };
     const std::string softpipe = "softpipe, 3.3 (Compatibility Profile) Mesa 22.3.1";
-    EXPECT_EQ(verdict_sentences(compared(softpipe)).size(), 1U);
-    EXPECT_EQ(verdict_sentences(compared("a GPU, 4.6 Mesa 22.3.6")).size(), 1U);
+    EXPECT_TRUE(answer(compared(softpipe)).details.empty());
+    EXPECT_TRUE(answer(compared("a GPU, 4.6 Mesa 22.3.6")).details.empty());
     stub.fixed = 0.6F;
     const Comparison beyond = compared(softpipe);
     ASSERT_EQ(beyond.known_departures.size(), 1U);
     EXPECT_TRUE(beyond.known_departures[0].starts_with("wide lines in softpipe (3.4.2: "));
-    EXPECT_EQ(verdict_sentences(beyond).back(), "This scene does what softpipe of Mesa 22.3.1 is known to get wrong: " +
-                                                    beyond.known_departures[0] + "; see golden/known_differences.");
+    EXPECT_EQ(answer(beyond).details.back(), "A known bug of softpipe in Mesa 22.3.1 may be the cause: " +
+                                                 beyond.known_departures[0] + ". See golden/known_differences.");
     EXPECT_EQ(json::parse(comparison_json(beyond))["known_departures"], json(beyond.known_departures));
     EXPECT_EQ(json::parse(comparison_json(beyond))["is_listed_driver"], true);
     for (const char* driver : {"a GPU, 4.6 Mesa 22.3.6", "softpipe, 3.3 (Compatibility Profile) Mesa 25.0.7", "?"}) {
         const Comparison other = compared(driver);
         EXPECT_EQ(other.known_departures.size(), 0U);
         EXPECT_EQ(json::parse(comparison_json(other))["is_listed_driver"], false);
-        EXPECT_EQ(verdict_sentences(other).back(), "No known bugs are listed for this driver.");
+        EXPECT_EQ(answer(other).details.back(), "No known bugs are listed for this driver.");
     }
     const Comparison listed = compared("llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6");
-    EXPECT_TRUE(verdict_sentences(listed).back().starts_with("fixed ~ reference: "));
+    EXPECT_TRUE(answer(listed).details.back().starts_with("fixed ~ reference: "));
 }
 
 TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
@@ -260,7 +290,9 @@ TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
     EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kPartial);
     EXPECT_EQ(comparison.verdict(), Verdict::kPartial);
     EXPECT_TRUE(comparison.within_tolerance());
-    EXPECT_TRUE(verdict_sentences(comparison).front().starts_with("The comparison is partial"));
+    EXPECT_EQ(answer(comparison).is_right,
+              "The comparison is partial: one kind of command is not drawn by every renderer.");
+    EXPECT_EQ(answer(comparison).where, "The first is glEnable(GL_FOG) at scene.gl:3:1.");
     EXPECT_EQ(json::parse(comparison_json(comparison))["verdict"], "partial");
 }
 
@@ -381,8 +413,12 @@ TEST(ComparisonPage, HoldsEverythingAndAsksForNothing) {
         EXPECT_NE(page.find("data-name=\"" + render.name + "\""), std::string::npos);
         EXPECT_NE(render.meaning, "");
     }
-    EXPECT_NE(page.find("The renderers agree"), std::string::npos);
-    EXPECT_NE(page.find("Every command of the scene is done by every renderer."), std::string::npos);
+    const std::size_t right = page.find("<dt>Is it right?</dt><dd>Yes: the renderers agree.</dd>");
+    const std::size_t where = page.find("<dt>If not, where?</dt>"), by = page.find("<dt>By how much?</dt>");
+    EXPECT_NE(by, std::string::npos);
+    EXPECT_LT(right, where);
+    EXPECT_LT(where, by);
+    EXPECT_NE(page.find("Every renderer draws every command of the scene."), std::string::npos);
 }
 
 TEST(ComparisonPage, NamesWhatIsNotDrawn) {
@@ -390,7 +426,7 @@ TEST(ComparisonPage, NamesWhatIsNotDrawn) {
     Comparison comparison = stub.compare();
     comparison.unsupported.push_back(fog(1));
     const std::string page = comparison_page(comparison, encode_pictures(comparison));
-    EXPECT_NE(page.find("glEnable(GL_FOG) (once, at scene.gl:3:1) is not done by programmable and reference."),
+    EXPECT_NE(page.find("glEnable(GL_FOG) (once, at scene.gl:3:1) is not drawn by programmable and reference."),
               std::string::npos);
 }
 
@@ -402,7 +438,7 @@ TEST(Words, GroupDigitsAndRoundShares) {
     EXPECT_EQ(share_of({.pixels = 100'000, .differing = 0}), "0%");
     EXPECT_EQ(share_of({.pixels = 100'000, .differing = 9}), "< 0.01%");
     EXPECT_EQ(share_of({.pixels = 1'000, .differing = 123}), "12.30%");
-    EXPECT_EQ(codes_of(3 / 255.0), "3/255");
+    EXPECT_EQ(in_255ths(3 / 255.0), "3/255");
 }
 
 // What a plan leaves out is told, and not held against the shaders; it is held against pairs without them.

@@ -1,4 +1,4 @@
-// The wipe between two pictures and the magnifiers. The pictures are the <img data-name> of the page.
+// The wipe between two pictures, and the magnifiers. The pictures are the page's <img data-name>.
 "use strict";
 (() => {
     const element = (id) => document.getElementById(id);
@@ -8,14 +8,14 @@
     const edges = element("edges");
     const width = edges.width, height = edges.height;
     const kAcross = 11;   // pixels that a magnifier shows, across and down
-    const kZoom = 7;      // of which each is so many canvas pixels wide
+    const kZoom = 7;      // canvas pixels for each of them
     const kReach = (kAcross - 1) / 2;
 
     const state = {left: "fixed", right: "programmable", wipe: 50, x: width >> 1, y: height >> 1, held: false};
     const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
     const named = (name) => pictures.find((picture) => picture.dataset.name === name);
 
-    // The state stands in the address, so that a view can be passed on: #left=fixed&right=reference&wipe=30&pixel=3,4
+    // The address holds the state, so that a view can be shared: #left=fixed&right=reference&wipe=30&pixel=3,4
     const read_address = () => {
         const values = new URLSearchParams(location.hash.slice(1));
         for (const side of ["left", "right"]) if (named(values.get(side))) state[side] = values.get(side);
@@ -80,7 +80,7 @@
     // ---- The magnifiers ----
     const one_pixel = document.createElement("canvas").getContext("2d", {willReadFrequently: true});
     one_pixel.canvas.width = one_pixel.canvas.height = 1;
-    const codes_at = (picture, x, y) => {
+    const values_at = (picture, x, y) => {
         one_pixel.drawImage(picture, x, y, 1, 1, 0, 0, 1, 1);
         return [...one_pixel.getImageData(0, 0, 1, 1).data.slice(0, 3)];
     };
@@ -95,8 +95,8 @@
     });
     const show_pixel = () => {
         const {x, y} = state;
-        const kind = codes_at(edges, x, y)[0] > 127 ? "edge" : "interior";
-        element("pixel").innerHTML = `Pixel ${x}, ${y} <span>${kind}${state.held ? ", held" : ""}</span>`;
+        const kind = values_at(edges, x, y)[0] > 127 ? "at an edge" : "away from edges";
+        element("pixel").innerHTML = `Pixel ${x}, ${y} <span>${kind}${state.held ? ", selected" : ""}</span>`;
         for (const {picture, context, output} of magnifiers) {
             context.imageSmoothingEnabled = false;
             context.fillStyle = "#808080";
@@ -108,7 +108,7 @@
                 const start = kReach * kZoom - grow, side = kZoom + 2 * grow;
                 context.strokeRect(start, start, side, side);
             }
-            output.value = codes_at(picture, x, y).map((code) => String(code).padStart(3)).join(" ");
+            output.value = values_at(picture, x, y).map((value) => String(value).padStart(3)).join(" ");
         }
         Object.assign(element("marker").style, {
             left: x / width * 100 + "%", top: y / height * 100 + "%",
@@ -152,11 +152,11 @@
             set_pixel(Number(button.dataset.x), Number(button.dataset.y));
             hold(true);
             element("wipe-section").scrollIntoView();
-            stage.focus({preventScroll: true});   // the arrow keys go on from there
+            stage.focus({preventScroll: true});   // so that the arrow keys start from this pixel
         });
     }
 
-    // ---- Size: small pictures by a whole factor, large ones as the page allows ----
+    // ---- Size: small pictures are enlarged by a whole factor, large ones fill the page ----
     const fit = () => {
         const room = element("wipe-section").clientWidth;
         const beside = room > 900 ? room - 270 : room;

@@ -1,4 +1,4 @@
-// The study's plots, its table and what they show of a choice. All of it comes from the object in #study.
+// The plots and the table of a study, and the pictures of the selected choice. The data is the object in #study.
 "use strict";
 (() => {
     document.documentElement.classList.add("with-script");
@@ -9,7 +9,7 @@
     const severalMachines = study.series.length > 1;
     const state = {chosen: null, target: null, hidden: new Map()};
 
-    // ---- Looks: colour-blind safe (Okabe and Ito, 2008), a mark a shading ----
+    // ---- Colours that are safe for colour blindness (Okabe and Ito, 2008), and a mark for each shading ----
 
     const kLight = ["#d55e00", "#0072b2", "#56b4e9", "#cc79a7", "#009e73", "#e69f00", "#000000", "#8a8a8a"];
     const kDark = ["#f0813a", "#4fa3e0", "#9bd3f5", "#e49cc5", "#3fc99b", "#f5b83d", "#ffffff", "#9a9a9a"];
@@ -19,11 +19,11 @@
     const palette = () => dark.matches ? kDark : kLight;
     const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-    // What colours tell apart: an axis, or the machines.
+    // Colours distinguish the values of an axis, or the machines.
     const group = (point, by) => by === "series" ? study.series[point.series].name : point.values[by];
     const groups = (by) => [...new Set(points.map((point) => group(point, by)))];
     const colour = (point) => palette()[groups(element("colour").value).indexOf(group(point, element("colour").value)) % kLight.length];
-    // As the scene says, sent and drawn in the usual way.
+    // Drawn in the usual way, without changes to the scene.
     const usual = (point) => Object.keys(point.axes).every((axis) =>
         ["renderer", "shading", "slices"].includes(axis) || point.axes[axis] === study.points[0].axes[axis]);
 
@@ -34,9 +34,9 @@
     const visible = () => points.filter((point) => study.axes.every(
         (axis) => !(state.hidden.get(axis.name) ?? new Set()).has(point.values[axis.name])));
     const name = (point) => (severalMachines ? study.series[point.series].name + ": " : "") + point.words;
-    const told = (point) => `${name(point)} (${numeral(milliseconds(point))} ms, ${measure().unit} ${numeral(error(point))})`;
+    const described = (point) => `${name(point)} (${numeral(milliseconds(point))} ms, ${measure().unit} ${numeral(error(point))})`;
 
-    // No other of its machine is both as fast and as accurate, to half a percent.
+    // The choices of a machine for which no other is both as fast and as accurate, to half a percent.
     const front = (series) => {
         let least = Infinity;
         return visible().filter((point) => point.series === series)
@@ -62,7 +62,7 @@
             },
         },
     });
-    // Data between round numbers, with a little air.
+    // The range of the data, with a margin.
     const limits = (values) => values.length === 0 ? {} : {min: Math.min(...values) / 1.3, max: Math.max(...values) * 1.3};
     const motionless = {animation: false, responsive: true, maintainAspectRatio: false};
 
@@ -70,11 +70,11 @@
         .map((point) => ({x: milliseconds(point), y: error(point), point}));
     const line = (data, options) => ({type: "line", data, pointRadius: 0, pointHitRadius: 0, borderWidth: 1.5, ...options});
 
-    // Chart.js gives the last event again whenever it draws: where a pointer rests, keys are to move on all the same.
-    let answered = null;
+    // Chart.js repeats the last event whenever it draws. A resting pointer must not undo what the arrow keys select.
+    let handled = null;
     function pointAt(event, found) {
-        if (event.native === answered) return;
-        answered = event.native;
+        if (event.native === handled) return;
+        handled = event.native;
         if (found.length) show(chart.data.datasets[found[0].datasetIndex].data[found[0].index].point);
     }
 
@@ -88,7 +88,7 @@
             onClick: pointAt,
             plugins: {
                 legend: {display: false},
-                tooltip: {filter: (item) => item.raw.point !== undefined, callbacks: {label: (item) => told(item.raw.point)}},
+                tooltip: {filter: (item) => item.raw.point !== undefined, callbacks: {label: (item) => described(item.raw.point)}},
             },
         },
     });
@@ -116,7 +116,7 @@
         chart.update("none");
         const without = visible().filter((point) => error(point) === 0);
         element("without").textContent = without.length === 0 ? "" :
-            "Not in the plot, for they have no error: " + without.map((point) => told(point)).join("; ") + ".";
+            "Not in the plot, because their error is 0: " + without.map((point) => described(point)).join("; ") + ".";
     }
 
     const convergence = new Chart(element("convergence"), {
@@ -177,7 +177,7 @@
         element("legend").replaceChildren(
             ...groups(by).map((words, i) => entry("\u25ac", words, palette()[i % kLight.length])),
             ...Object.keys(kSigns).filter((shading) => seen.has(shading)).map((shading) => entry(kSigns[shading], shading)),
-            entry("\u25cb", "hollow: something is changed"), entry("- - -", "beaten by no other"));
+            entry("\u25cb", "hollow: drawn in an unusual way"), entry("- - -", "nothing is both faster and more accurate"));
     }
 
     // ---- One choice ----
@@ -189,7 +189,7 @@
         state.chosen = point;
         for (const row of rows) row.classList.toggle("chosen", Number(row.dataset.point) === point.number);
         element("detail").hidden = false;
-        tellChosen();
+        nameChosen();
         for (const image of ["picture", "difference"]) {
             element("detail-" + image).hidden = !point[image];
             if (point[image]) element("detail-" + image).src = point[image];
@@ -198,9 +198,9 @@
         drawChart();
     }
 
-    function tellChosen() {
+    function nameChosen() {
         const point = state.chosen;
-        if (point) element("detail-name").textContent = told(point) + (point.picture ? "" : "; its picture is not at hand");
+        if (point) element("detail-name").textContent = described(point) + (point.picture ? "" : "; its picture is missing");
     }
 
     function wipe() {
@@ -227,7 +227,7 @@
         element("target-value").textContent = numeral(state.target);
         const best = visible().filter((point) => error(point) <= state.target * (1 + 1e-9))
             .sort((a, b) => milliseconds(a) - milliseconds(b))[0];
-        element("target-choice").textContent = best ? "The fastest: " + told(best) + "." : "No choice is as near.";
+        element("target-choice").textContent = best ? "The fastest choice: " + described(best) + "." : "No choice is this accurate.";
         if (isMoved && best && best !== state.chosen) show(best);
         else drawChart();
     }
@@ -288,7 +288,7 @@
         });
     });
 
-    // ---- What is chosen above the plots ----
+    // ---- The controls above the plots ----
 
     const fill = (id, options) => element(id).append(...options.map(([value, words]) => new Option(words, value)));
     fill("measure", study.measures.map((one) => [one.name, one.words]));
@@ -299,7 +299,7 @@
     if (shaders && shaders.axes.slices !== null) element("renderer").value = shaders.values.renderer;
 
     function draw() {
-        tellChosen();
+        nameChosen();
         drawLegend();
         target(false);
         drawChart();
