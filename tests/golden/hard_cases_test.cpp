@@ -146,6 +146,14 @@ TEST(HardCases, FailWhereAListedDepartureIsGone) {
     EXPECT_EQ(elsewhere.outcomes[0], Outcome::kPass);
 }
 
+TEST(HardCases, ListADepartureForSeveralDrivers) {
+    const Differs differs{.driver = "llvmpipe*Mesa 22.3|Mesa 25.0", .spot = {}, .value = {}, .name = "some name"};
+    for (const char* driver : {"llvmpipe (LLVM 15.0.6), 4.5 Mesa 22.3.6, OSMesa", "softpipe, 3.3 Mesa 25.0.7, OSMesa"})
+        EXPECT_TRUE(differs.is_of(driver)) << driver;
+    for (const char* driver : {"softpipe, 3.3 Mesa 22.3.6, OSMesa", "llvmpipe, 4.5 Mesa 24.0.5, OSMesa"})
+        EXPECT_FALSE(differs.is_of(driver)) << driver;
+}
+
 TEST(HardCases, FailWhereADepartureIsAnotherThanListedOrInNoList) {
     for (const char* differs : {"", "// differs: *: vertex 0: 0.25 0.5 0.5 1; some name\n"}) {
         const Result result = result_of(std::string("// expect: vertex 0: 0 0.5 0.5 1\n") + differs);

@@ -1,4 +1,5 @@
-// docs/scene-language.md names every command of the table, and no other; docs/lighting.md names only symbols that exist.
+// docs/scene-language.md names every command of the table, and no other; docs/lighting.md names only symbols that exist; README names
+// the systems that docs/testing.md lists.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -144,6 +145,34 @@ TEST(Docs, NameOnlySymbolsOfTheLightingThatExist) {
         EXPECT_TRUE(std::ranges::any_of(files, has_symbol))
             << "docs/lighting.md names " << symbol << ", which is not in src";
     }
+}
+
+// ---- The systems that were tried ----
+
+// Those of the rows "| Debian 13 | trixie | g++ 14.2.0 | 25.0.7 | 2026-11-22 | result |". tools/in-clean-root.sh knows the releases.
+std::set<std::string> tried_systems() {
+    const std::string script = read_file("tools/in-clean-root.sh");
+    std::set<std::string> systems;
+    std::istringstream lines(read_file("docs/testing.md"));
+    const std::regex row(
+        R"(\| ((?:Debian|Ubuntu) [0-9.]+) \| ([a-z]+) \| g\+\+ [0-9.]+ \| [0-9.]+ \| \d{4}-\d\d-\d\d \| .*\|)");
+    std::smatch cells;
+    for (std::string line; std::getline(lines, line);) {
+        if (!std::regex_match(line, cells, row)) continue;
+        systems.insert(cells.str(1));
+        EXPECT_NE(script.find("    " + cells.str(2) + ") name=\"" + cells.str(1) + "\""), std::string::npos) << line;
+    }
+    return systems;
+}
+
+TEST(Docs, NameTheSystemsThatWereTried) {
+    const std::string readme = read_file("README.md");
+    const std::regex system("(Debian|Ubuntu) [0-9]+([.][0-9]+)?");
+    std::set<std::string> named;
+    for (std::sregex_iterator match(readme.begin(), readme.end(), system), end; match != end; ++match)
+        named.insert(match->str());
+    EXPECT_GE(named.size(), 1U);
+    EXPECT_EQ(named, tried_systems());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Reads and writes PNG with the stb library.
 #include "base/image/png.h"
 
+#include <fmt/format.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
@@ -44,15 +45,22 @@ std::string cannot_be_read() {
     return "the PNG cannot be read: " + reason;
 }
 
+constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
+
+// PNG's integers (section 7.1): 4 bytes, the highest first.
+std::uint32_t integer(std::string_view bytes) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+    return value;
+}
+
 // The compressed pixels: the data of all IDAT chunks (PNG, section 5.3: length, type, data, check sum).
 std::string packed_pixels(std::string_view bytes) {
-    constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
     constexpr std::size_t kAroundData = 12;
     if (!bytes.starts_with(kSignature)) throw std::runtime_error("this is not a PNG; convert it to one");
     std::string packed;
     for (std::string_view rest = bytes.substr(kSignature.size()); rest.size() >= kAroundData;) {
-        std::size_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(rest[i]);
+        const std::size_t length = integer(rest);
         if (length > rest.size() - kAroundData) break;
         const std::string_view type = rest.substr(4, 4);
         if (type == "IEND") return packed;
@@ -62,6 +70,20 @@ std::string packed_pixels(std::string_view bytes) {
     throw std::runtime_error("the PNG is cut off; save it again");
 }
 
+// The size from the header, which is the first chunk (section 11.2.2). stbi_info() also reads later chunks, and where one is
+// wrong it does not report why.
+struct Size {
+    std::uint32_t width, height;
+};
+Size size_of(std::string_view bytes) {
+    constexpr std::string_view kHeader("\0\0\0\xDIHDR", 8);  // its length, 13, and its name
+    std::string_view rest = bytes.substr(kSignature.size());
+    if (!rest.starts_with(kHeader) || rest.size() < kHeader.size() + 13)
+        throw std::runtime_error("the PNG cannot be read: its header is missing; save it again");
+    rest.remove_prefix(kHeader.size());
+    return {integer(rest), integer(rest.substr(4))};
+}
+
 }  // namespace
 
 PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
@@ -69,29 +91,27 @@ PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
     const auto refuse = [] { throw std::runtime_error(cannot_be_read() + "; save it again"); };
-    PngPixels image;
-    int channels_in_file = 0;
-    if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels_in_file) == 0) refuse();
-    if (image.width > longest_side || image.height > longest_side) {
-        const std::string limit = std::to_string(longest_side);
-        throw std::runtime_error("the picture has " + std::to_string(image.width) + " x " +
-                                 std::to_string(image.height) + " pixels; the limit is " + limit + " x " + limit +
-                                 "; make it smaller");
+    const auto [width, height] = size_of(bytes);
+    const auto limit = static_cast<std::uint32_t>(longest_side);
+    if (width > limit || height > limit) {
+        throw std::runtime_error(fmt::format("the picture has {} x {} pixels; the limit is {} x {}; make it smaller",
+                                             width, height, limit, limit));
     }
     // The most bytes that the pixels can unpack to: 16 bits per channel, one more byte per row, and the padding of the
     // passes of an interlaced image. The decoder itself has no limit, so a small file could fill the memory.
     constexpr std::size_t kLargestPixel = 8, kRowBytes = 1, kPasses = 8;
-    const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
-    std::string unpacked(height * width * kLargestPixel + (height + kPasses) * kRowBytes * kPasses, '\0');
+    std::string unpacked(std::size_t{height} * width * kLargestPixel + (height + kPasses) * kRowBytes * kPasses, '\0');
     if (stbi_zlib_decode_buffer(unpacked.data(), static_cast<int>(unpacked.size()), packed.data(),
                                 static_cast<int>(packed.size())) < 0) {
         throw std::runtime_error(
             "the PNG's pixels cannot be unpacked, or there are more than its size allows; save it again");
     }
+    PngPixels image;
+    int channels_in_file = 0;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> codes(
         stbi_load_from_memory(data, size, &image.width, &image.height, &channels_in_file, kRgba), stbi_image_free);
     if (!codes) refuse();
-    image.rgba.assign(codes.get(), codes.get() + width * height * kRgba);
+    image.rgba.assign(codes.get(), codes.get() + std::size_t{height} * width * kRgba);
     return image;
 }
 

@@ -1,6 +1,7 @@
 #include "judge/check/case.h"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <cctype>
@@ -261,6 +262,13 @@ void check_consistency(const Case& hard_case, const Head& head) {
 }
 
 }  // namespace
+
+bool Differs::is_of(const std::string& driver_name) const {
+    std::istringstream patterns(driver);
+    for (std::string pattern; std::getline(patterns, pattern, '|');)
+        if (::fnmatch(("*" + pattern + "*").c_str(), driver_name.c_str(), 0) == 0) return true;
+    return false;
+}
 
 std::string Spot::str() const {
     switch (kind) {

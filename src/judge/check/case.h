@@ -60,10 +60,12 @@ struct Expectation {
 
 // A known bug: what a driver's fixed function gives instead.
 struct Differs {
-    std::string driver;  // a shell pattern, found anywhere in driver_name()
+    std::string driver;  // "Mesa 22.3|Mesa 25.0": shell patterns; one of them is found anywhere in driver_name()
     Spot spot;
     Seen value;        // may be NaN
     std::string name;  // in golden/known_differences
+
+    bool is_of(const std::string& driver_name) const;
 };
 
 // The scene that a case's commands make, and the first error that they raise.

@@ -1,7 +1,6 @@
 #include "judge/check/suite.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,8 +99,7 @@ void judge_fixed(const Case& hard_case, const Frame& frame, const std::string& d
         const std::optional<Seen> value =
             expected.spot.kind == Spot::Kind::kError ? std::optional<Seen>(error) : shown(expected);
         const auto listed = std::ranges::find_if(hard_case.differs, [&](const Differs& differs) {
-            return differs.spot == expected.spot &&
-                   ::fnmatch(("*" + differs.driver + "*").c_str(), driver.c_str(), 0) == 0;
+            return differs.spot == expected.spot && differs.is_of(driver);
         });
         const bool agrees = agree(value, of_floats(hard_case, expected));
         Outcome outcome = Outcome::kPass;
