@@ -73,7 +73,11 @@ class Reader {
     // -- tokens --
     void advance();
     bool accept(std::string_view text);
-    void expect(std::string_view text, std::string_view where);
+    template <class... Values>
+    void expect(std::string_view text, fmt::format_string<Values...> where, Values&&... values) {
+        if (!accept(text)) fail_missing(text, fmt::format(where, std::forward<Values>(values)...));
+    }
+    [[noreturn]] void fail_missing(std::string_view text, std::string_view where);
 
     // -- statements (read.cpp) --
     void statement();
