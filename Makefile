@@ -269,7 +269,9 @@ $(PROGRAMS)/twinlight: $(call object,$(SOURCES_cli)) $(OFFSCREEN)
 $(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
 	$(link) $(LIBS_window) $(LIBS)
 
-$(PROGRAMS)/twinlight-tests: $(OBJECTS_tests) $(call object,$(SOURCES_bench_meshes) $(SOURCES_demo_library)) $(OFFSCREEN)
+# The library's objects come first: of a template that a test instantiates too, the linker takes their copy, optimised as in the programs.
+$(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) $(OBJECTS_tests) \
+    $(call object,$(SOURCES_bench_meshes) $(SOURCES_demo_library))
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
 $(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)

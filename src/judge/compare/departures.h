@@ -21,6 +21,10 @@ enum class Cause : std::uint8_t {
 
 // Called with each command of a scene in order; returns whether the departure may show in the commands so far.
 using CommandRule = std::function<bool(const Command&)>;
+// The functions of departure_rules.h.
+using MakeCommandRule = CommandRule();
+using DrawRule = bool(const Draw& draw);
+using VertexRule = bool(const Draw& draw, const Vertex& vertex);
 
 // A driver on which a departure was seen, and its release: "Mesa 22.3" includes all of its patch versions.
 struct SeenOn {
@@ -33,9 +37,9 @@ struct Departure {
     Cause cause = Cause::kFixedFunction;
     std::span<const SeenOn> seen_on{};  // empty: not a bug of any driver
     // One of these is set: a rule for the whole scene, for a Draw, or for a vertex.
-    CommandRule (*command_rule)() = nullptr;
-    bool (*draw_rule)(const Draw& draw) = nullptr;
-    bool (*vertex_rule)(const Draw& draw, const Vertex& vertex) = nullptr;
+    MakeCommandRule* command_rule = nullptr;
+    DrawRule* draw_rule = nullptr;
+    VertexRule* vertex_rule = nullptr;
 
     bool is_known_on(const Driver& driver) const;
     // Whether a driver or version that was not measured may show it as well.

@@ -81,6 +81,7 @@ class Planner {
     Planner(const Draw& draw, const PlanOptions& options, const VertexFacts& vertices)
         : draw_(draw), options_(options), vertices_(vertices) {
         plan_.vertices = vertices;
+        plan_.left_out.reserve(16);
     }
 
     Plan plan() {

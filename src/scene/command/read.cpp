@@ -45,8 +45,7 @@ bool Reader::accept(std::string_view text) {
     return true;
 }
 
-void Reader::expect(std::string_view text, std::string_view where) {
-    if (accept(text)) return;
+void Reader::fail_missing(std::string_view text, std::string_view where) {
     fail(token_.place, "expected '{}' {}, found {}", text, where, shown(token_));
 }
 
@@ -65,7 +64,7 @@ void Reader::statement() {
     if (ahead_.is("=") || ahead_.is("[")) return assignment();
     const std::string name(token_.text);
     call();
-    expect(";", fmt::format("after {}(...)", name));
+    expect(";", "after {}(...)", name);
 }
 
 // Reads a scene in a function: void display(void) { ... }. In a program from print_c_program the function is
@@ -80,8 +79,8 @@ void Reader::program() {
     advance();
     expect("(", "after the function's name");
     accept("void");
-    expect(")", fmt::format("after {}(, because the function of a scene has no parameters", name.text));
-    expect("{", fmt::format("after {}(void)", name.text));
+    expect(")", "after {}(, because the function of a scene has no parameters", name.text);
+    expect("{", "after {}(void)", name.text);
     while (!token_.is("}")) {
         if (token_.kind == TokenKind::kEnd) fail(first.place, "this function is never closed; end it with }}");
         statement();
@@ -202,7 +201,7 @@ const Command& Reader::call() {
     }
     advance();
     Command command{*id, {}, name.place};
-    expect("(", fmt::format("after {}", name.text));
+    expect("(", "after {}", name.text);
     arguments(command, signature(*id));
     names_.follow(command);
     commands_.push_back(std::move(command));
@@ -225,9 +224,9 @@ void Reader::pragma() {
     }
     advance();
     Command command{*id, {}, place};
-    expect("(", fmt::format("after #pragma twinlight {}", name.text));
+    expect("(", "after #pragma twinlight {}", name.text);
     arguments(command, signature(*id));
-    expect(";", fmt::format("or the end of the line after {}(...)", name.text));
+    expect(";", "or the end of the line after {}(...)", name.text);
     commands_.push_back(std::move(command));
 }
 

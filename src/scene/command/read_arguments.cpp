@@ -21,13 +21,13 @@ void Reader::arguments(Command& command, const Signature& sig) {
         }
         if (token_.is(")"))
             wrong_count(token_.place, fmt::format("only {} {} given", given, given == 1 ? "is" : "are"));
-        if (given > 0) expect(",", fmt::format("between the arguments of {}", sig.name));
+        if (given > 0) expect(",", "between the arguments of {}", sig.name);
         if (token_.is(")"))
             wrong_count(token_.place, fmt::format("only {} {} given", given, given == 1 ? "is" : "are"));
         argument(command, given);
     }
     if (token_.is(",")) wrong_count(token_.place, "more are given");
-    expect(")", fmt::format("after the arguments of {}", sig.name));
+    expect(")", "after the arguments of {}", sig.name);
     if (wanted < sig.parameters.size())
         command.arguments.push_back(result(command, sig.parameters.back()));
     else if (returns_)

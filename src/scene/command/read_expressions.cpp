@@ -140,21 +140,14 @@ Value Reader::moved(const Token& op, Value pointer, const Value& by) {
     fail(op.place, "this pointer is outside {}, which has {} values", pointer.object->shown, pointer.object->length());
 }
 
-// Reads operands separated by one of the operators.
-template <class Operand, class... Operators>
-Value Reader::left_to_right(const Operand& operand, Operators... operators) {
-    Value value = operand();
-    while ((token_.is(operators) || ...)) {
-        const Token op = token_;
-        advance();
-        value = arithmetic(op, value, operand());
-    }
-    return value;
-}
-
 Value Reader::expression() {
     if (++nesting_ > kMaxNesting) fail(token_.place, "this expression is nested more than {} levels deep", kMaxNesting);
-    const Value value = left_to_right([this] { return sum(); }, "|");
+    Value value = sum();
+    while (token_.is("|")) {
+        const Token op = token_;
+        advance();
+        value = arithmetic(op, value, sum());
+    }
     --nesting_;
     return value;
 }
@@ -169,7 +162,23 @@ Value Reader::number() {
 }
 
 Value Reader::sum() {
-    return left_to_right([this] { return left_to_right([this] { return unary(); }, "*", "/"); }, "+", "-");
+    Value value = product();
+    while (token_.is("+") || token_.is("-")) {
+        const Token op = token_;
+        advance();
+        value = arithmetic(op, value, product());
+    }
+    return value;
+}
+
+Value Reader::product() {
+    Value value = unary();
+    while (token_.is("*") || token_.is("/")) {
+        const Token op = token_;
+        advance();
+        value = arithmetic(op, value, unary());
+    }
+    return value;
 }
 
 Value Reader::unary() {

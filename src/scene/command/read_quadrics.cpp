@@ -17,7 +17,7 @@ void Reader::quadric_declaration(Object& object) {
 
 // The rest of the assignment q = gluNewQuadric(); after the name.
 void Reader::quadric_assignment(Object& object) {
-    expect("=", fmt::format("after {}", object.shown));
+    expect("=", "after {}", object.shown);
     fill(object, {quadric_value()});
     expect(";", "after the assignment");
 }

@@ -73,7 +73,11 @@ class Reader {
     // -- tokens --
     void advance();
     bool accept(std::string_view text);
-    void expect(std::string_view text, std::string_view where);
+    template <class... Values>
+    void expect(std::string_view text, fmt::format_string<Values...> where, Values&&... values) {
+        if (!accept(text)) fail_missing(text, fmt::format(where, std::forward<Values>(values)...));
+    }
+    [[noreturn]] void fail_missing(std::string_view text, std::string_view where);
 
     // -- statements (read.cpp) --
     void statement();
@@ -117,9 +121,8 @@ class Reader {
     // -- expressions: bitwise or, sum, product, unary, primary; C's precedence (read_expressions.cpp) --
     Value expression();
     Value number();  // an expression that must not be a pointer
-    template <class Operand, class... Operators>
-    Value left_to_right(const Operand& operand, Operators... operators);
     Value sum();
+    Value product();
     Value unary();
     Value primary();
     Value parenthesis();
