@@ -4,10 +4,9 @@
 #include <memory>
 
 #include "../hand_built_draws.h"
-#include "render/context/driver_name.h"
+#include "../quad_cuts.h"
 #include "render/effect/plan.h"
 #include "render/programmable/bake.h"
-#include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
@@ -171,21 +170,9 @@ int differing(const Image& a, const Image& b, const Image& allowed) {
     return count;
 }
 
-// How far the two cuts of quadrilaterals lie apart. llvmpipe of Mesa 25 chooses one for each program, as 2.6.1 allows.
-Image between_cuts(const Frame& frame, std::optional<Shading> shading) {
-    Image between(frame.width, frame.height, {});
-    if (!reference::has_quadrilaterals(frame)) return between;
-    const Image first = reference::render(frame, {{.shading = shading}});
-    const Image second = reference::render(frame, {{.shading = shading}, reference::QuadCut::kSecondToFourth});
-    for (std::size_t i = 0; i < between.pixels.size(); ++i)
-        for (std::size_t c = 0; c < 4; ++c) between.pixels[i][c] = std::abs(first.pixels[i][c] - second.pixels[i][c]);
-    return between;
-}
-
 TEST(TiersPictures, OfTheBuiltInScenesAreTheSameToACode) {
     constexpr int kWidth = 320, kHeight = 240;
     const auto context = make_offscreen_context(kWidth, kHeight);
-    const bool cuts_alike = current_driver().has_version("Mesa 22.3");
     Renderer renderer;
     for (const EmbeddedFile& file : kSceneFiles) {
         const auto scene = std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), "scene"));
@@ -195,8 +182,8 @@ TEST(TiersPictures, OfTheBuiltInScenesAreTheSameToACode) {
             options.shading = shading;
             const Image uniform = renderer.render(frame, options).image;
             options.tier = Tier::kBaked;
-            const Image allowed = cuts_alike ? Image(kWidth, kHeight, {}) : between_cuts(frame, shading);
-            EXPECT_EQ(differing(renderer.render(frame, options).image, uniform, allowed), 0) << file.name;
+            const Image baked = renderer.render(frame, options).image;
+            EXPECT_EQ(differing(baked, uniform, between_cuts(frame, shading)), 0) << file.name;
         }
     }
 }
