@@ -1,0 +1,293 @@
+// glGet* (6.1), answered from State.
+#include "scene/state/answers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include "scene/state/pixel_unpacking.h"
+
+namespace twinlight {
+
+namespace {
+
+Answer list(const glm::dvec4& v) { return {v.x, v.y, v.z, v.w}; }
+Answer list(const glm::dmat4& m) { return {glm::value_ptr(m), glm::value_ptr(m) + 16}; }
+Answer list(const Viewport& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.width),
+            static_cast<double>(v.height)};
+}
+template <class Number>
+Answer one(Number value) {
+    return {static_cast<double>(value)};
+}
+
+Answer of_lighting(const LightingState& lighting, Enum pname) {
+    switch (pname) {
+        case kGL_LIGHT_MODEL_AMBIENT: return list(lighting.light_model.ambient);
+        case kGL_LIGHT_MODEL_LOCAL_VIEWER: return one(lighting.light_model.local_viewer);
+        case kGL_LIGHT_MODEL_TWO_SIDE: return one(lighting.light_model.two_side);
+        case kGL_LIGHT_MODEL_COLOR_CONTROL: return one(lighting.light_model.color_control);
+        case kGL_COLOR_MATERIAL_FACE: return one(lighting.color_material.face);
+        case kGL_COLOR_MATERIAL_PARAMETER: return one(lighting.color_material.mode);
+        case kGL_SHADE_MODEL: return one(lighting.shade_model);
+        default: return {};
+    }
+}
+
+Answer of_raster(const RasterState& raster, Enum pname) {
+    switch (pname) {
+        case kGL_VIEWPORT: return list(raster.viewport);
+        case kGL_DEPTH_RANGE: return {raster.depth_near, raster.depth_far};
+        case kGL_FRONT_FACE: return one(raster.front_face);
+        case kGL_CULL_FACE_MODE: return one(raster.cull_face);
+        case kGL_POLYGON_MODE:
+            return {static_cast<double>(raster.polygon_mode_front), static_cast<double>(raster.polygon_mode_back)};
+        case kGL_POLYGON_OFFSET_FACTOR: return one(raster.polygon_offset.factor);
+        case kGL_POLYGON_OFFSET_UNITS: return one(raster.polygon_offset.units);
+        case kGL_LINE_WIDTH: return one(raster.line_width);
+        case kGL_POINT_SIZE: return one(raster.point_size);
+        case kGL_DEPTH_FUNC: return one(raster.depth_func);
+        case kGL_DEPTH_WRITEMASK: return one(raster.depth_mask);
+        default: return {};
+    }
+}
+
+Answer of_fragments(const FragmentState& fragment, const Fog& fog, const Clear& clear, Enum pname) {
+    switch (pname) {
+        case kGL_SCISSOR_BOX: return list(fragment.scissor.box);
+        case kGL_ALPHA_TEST_FUNC: return one(fragment.alpha_func);
+        case kGL_ALPHA_TEST_REF: return one(fragment.alpha_ref);
+        case kGL_BLEND_SRC:
+        case kGL_BLEND_SRC_RGB: return one(fragment.blend_src);
+        case kGL_BLEND_DST:
+        case kGL_BLEND_DST_RGB: return one(fragment.blend_dst);
+        case kGL_BLEND_SRC_ALPHA: return one(fragment.blend_src_alpha);
+        case kGL_BLEND_DST_ALPHA: return one(fragment.blend_dst_alpha);
+        case kGL_BLEND_EQUATION: return one(fragment.blend_equation);
+        case kGL_BLEND_EQUATION_ALPHA: return one(fragment.blend_equation_alpha);
+        case kGL_BLEND_COLOR: return list(fragment.blend_color);
+        case kGL_COLOR_WRITEMASK: return {fragment.color_mask.begin(), fragment.color_mask.end()};
+        case kGL_FOG_MODE: return one(fog.mode);
+        case kGL_FOG_DENSITY: return one(fog.density);
+        case kGL_FOG_START: return one(fog.start);
+        case kGL_FOG_END: return one(fog.end);
+        case kGL_FOG_COLOR: return list(fog.color);
+        case kGL_COLOR_CLEAR_VALUE: return list(clear.clear_color);
+        case kGL_DEPTH_CLEAR_VALUE: return one(clear.clear_depth);
+        default: return {};
+    }
+}
+
+Answer of_hints(const Hints& hints, Enum pname) {
+    const auto hint = hints.find(pname);
+    return hint == hints.end() ? Answer{} : one(hint->second);
+}
+
+Answer of_pixel_store(const PixelStore& store, Enum pname) {
+    const auto* row = std::ranges::find(kPixelStoreRows, pname, &PixelStoreRow::pname);
+    return row == std::end(kPixelStoreRows) ? Answer{} : one(row->value(store));
+}
+
+// Tables 6.6 to 6.9.
+Answer of_arrays(const VertexArrays& arrays, Enum pname) {
+    const ClientArrays& client = arrays.client();
+    const ArrayPointer& tex_coord = client.tex_coord[client.active_unit];
+    struct Row {
+        Enum array, size, type, stride, buffer;
+        const ArrayPointer* pointer;
+    };
+    const Row rows[] = {
+        {kGL_VERTEX_ARRAY, kGL_VERTEX_ARRAY_SIZE, kGL_VERTEX_ARRAY_TYPE, kGL_VERTEX_ARRAY_STRIDE,
+         kGL_VERTEX_ARRAY_BUFFER_BINDING, &client.vertex},
+        {kGL_NORMAL_ARRAY, 0, kGL_NORMAL_ARRAY_TYPE, kGL_NORMAL_ARRAY_STRIDE, kGL_NORMAL_ARRAY_BUFFER_BINDING,
+         &client.normal},
+        {kGL_COLOR_ARRAY, kGL_COLOR_ARRAY_SIZE, kGL_COLOR_ARRAY_TYPE, kGL_COLOR_ARRAY_STRIDE,
+         kGL_COLOR_ARRAY_BUFFER_BINDING, &client.color},
+        {kGL_TEXTURE_COORD_ARRAY, kGL_TEXTURE_COORD_ARRAY_SIZE, kGL_TEXTURE_COORD_ARRAY_TYPE,
+         kGL_TEXTURE_COORD_ARRAY_STRIDE, kGL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, &tex_coord},
+        {kGL_EDGE_FLAG_ARRAY, 0, 0, kGL_EDGE_FLAG_ARRAY_STRIDE, kGL_EDGE_FLAG_ARRAY_BUFFER_BINDING, &client.edge_flag},
+    };
+    for (const Row& row : rows) {
+        if (pname == 0) break;
+        if (pname == row.array) return one(row.pointer->enabled);
+        if (pname == row.size) return one(row.pointer->size);
+        if (pname == row.type) return one(row.pointer->type);
+        if (pname == row.stride) return one(row.pointer->stride);
+        if (pname == row.buffer) return one(row.pointer->buffer);
+    }
+    switch (pname) {
+        case kGL_ARRAY_BUFFER_BINDING: return one(client.array_buffer);
+        case kGL_ELEMENT_ARRAY_BUFFER_BINDING: return one(client.element_buffer);
+        case kGL_PIXEL_PACK_BUFFER_BINDING: return one(arrays.pixel_pack_name());
+        case kGL_PIXEL_UNPACK_BUFFER_BINDING: return one(arrays.pixel_unpack_name());
+        case kGL_CLIENT_ACTIVE_TEXTURE: return one(kGL_TEXTURE0 + client.active_unit);
+        case kGL_CLIENT_ATTRIB_STACK_DEPTH: return one(arrays.stack_depth());
+        default: return {};
+    }
+}
+
+}  // namespace
+
+Answer answer(const State& state, Enum pname) {
+    if (const auto on = state.capability(pname)) return one(*on);
+    const Attributes& a = state.attributes();
+    for (const Answer& answer :
+         {of_lighting(a.lighting, pname), of_raster(a.raster, pname), of_fragments(a.fragment, a.fog, a.clear, pname),
+          of_hints(a.hints, pname), of_pixel_store(state.pixel_store(), pname), of_arrays(state.arrays(), pname)}) {
+        if (!answer.empty()) return answer;
+    }
+    const TextureBindings& unit = a.units[a.active_unit];
+    const glm::dmat4 &texture = state.texture_matrix(), &m = state.modelview(), &p = state.projection();
+    switch (pname) {
+        case kGL_CURRENT_COLOR: return list(a.current.color);
+        case kGL_CURRENT_NORMAL: {
+            const glm::dvec3& n = a.current.normal_object;
+            return {n.x, n.y, n.z};
+        }
+        case kGL_CURRENT_TEXTURE_COORDS:  // the active unit's; those of unit 0 are followed
+            return a.active_unit == 0 ? list(a.current.tex_coord) : Answer{};
+        case kGL_EDGE_FLAG: return one(a.current.edge_flag);
+        case kGL_MATRIX_MODE: return one(a.matrix_mode);
+        case kGL_MODELVIEW_MATRIX: return list(m);
+        case kGL_PROJECTION_MATRIX: return list(p);
+        case kGL_TEXTURE_MATRIX: return list(texture);
+        case kGL_TRANSPOSE_MODELVIEW_MATRIX: return list(glm::transpose(m));
+        case kGL_TRANSPOSE_PROJECTION_MATRIX: return list(glm::transpose(p));
+        case kGL_TRANSPOSE_TEXTURE_MATRIX: return list(glm::transpose(texture));
+        case kGL_MODELVIEW_STACK_DEPTH: return one(state.matrix_depth(kGL_MODELVIEW));
+        case kGL_PROJECTION_STACK_DEPTH: return one(state.matrix_depth(kGL_PROJECTION));
+        case kGL_TEXTURE_STACK_DEPTH: return one(state.matrix_depth(kGL_TEXTURE));
+        case kGL_ATTRIB_STACK_DEPTH: return one(state.attribute_depth());
+        case kGL_RENDER_MODE: return one(state.render_mode());
+        case kGL_ACTIVE_TEXTURE: return one(kGL_TEXTURE0 + a.active_unit);
+        case kGL_LIST_BASE: return one(a.list_base);
+        case kGL_TEXTURE_BINDING_1D: return one(unit.bound_1d);
+        case kGL_TEXTURE_BINDING_2D: return one(unit.bound_2d);
+        case kGL_LIST_INDEX: return one(state.lists().open_name);
+        case kGL_LIST_MODE: return one(state.lists().open_name == 0 ? 0 : state.lists().open_mode);
+        case kGL_MAX_LIST_NESTING: return one(kMaxListNesting);
+        case kGL_MAX_LIGHTS: return one(kMaxLights);
+        case kGL_MAX_CLIP_PLANES: return one(kMaxClipPlanes);
+        case kGL_MAX_TEXTURE_SIZE: return one(kMaxTextureSize);
+        default: return {};
+    }
+}
+
+Answer clip_plane_answer(const State& state, Enum plane) {
+    if (plane < kGL_CLIP_PLANE0 || plane >= kGL_CLIP_PLANE0 + kMaxClipPlanes) return {};
+    return list(state.attributes().clip_planes[plane - kGL_CLIP_PLANE0].equation_eye);
+}
+
+Answer tex_env_answer(const State& state, Enum target, Enum pname) {
+    const TextureBindings& unit = state.attributes().units[state.attributes().active_unit];
+    if (target == kGL_TEXTURE_FILTER_CONTROL && pname == kGL_TEXTURE_LOD_BIAS) return one(unit.lod_bias);
+    if (target != kGL_TEXTURE_ENV) return {};
+    if (pname == kGL_TEXTURE_ENV_MODE) return one(unit.env_mode);
+    return pname == kGL_TEXTURE_ENV_COLOR ? list(unit.env_color) : Answer{};
+}
+
+Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
+    if (target != kGL_TEXTURE_1D && target != kGL_TEXTURE_2D) return {};
+    const Texture& texture = state.bound_texture(target);
+    switch (pname) {
+        case kGL_TEXTURE_MIN_FILTER: return one(texture.min_filter);
+        case kGL_TEXTURE_MAG_FILTER: return one(texture.mag_filter);
+        case kGL_TEXTURE_WRAP_S: return one(texture.wrap_s);
+        case kGL_TEXTURE_WRAP_T: return one(texture.wrap_t);
+        case kGL_TEXTURE_BORDER_COLOR: return list(texture.border_color);
+        case kGL_TEXTURE_PRIORITY: return one(texture.priority);
+        case kGL_GENERATE_MIPMAP: return one(texture.generate_mipmap);
+        default: return {};
+    }
+}
+
+Answer tex_level_answer(const State& state, Enum target, int level, Enum pname) {
+    if ((target != kGL_TEXTURE_1D && target != kGL_TEXTURE_2D) || level < 0) return {};
+    const Texture& texture = state.bound_texture(target);
+    const bool exists = static_cast<std::size_t>(level) < texture.levels.size();
+    const bool has_image = exists && !texture.levels[static_cast<std::size_t>(level)].texels.empty();
+    const TextureImage image = has_image ? texture.levels[static_cast<std::size_t>(level)] : TextureImage{.height = 0};
+    switch (pname) {
+        case kGL_TEXTURE_WIDTH: return one(image.width);
+        case kGL_TEXTURE_HEIGHT: return one(image.height);
+        case kGL_TEXTURE_BORDER: return one(0);
+        case kGL_TEXTURE_INTERNAL_FORMAT: return one(has_image ? image.internal_format : 1);
+        default: return {};
+    }
+}
+
+bool is_answered(CommandId id) {
+    switch (id) {
+        case CommandId::glGetLightfv:
+        case CommandId::glGetLightiv:
+        case CommandId::glGetMaterialfv:
+        case CommandId::glGetMaterialiv:
+        case CommandId::glGetBooleanv:
+        case CommandId::glGetIntegerv:
+        case CommandId::glGetFloatv:
+        case CommandId::glGetDoublev:
+        case CommandId::glGetClipPlane:
+        case CommandId::glGetTexEnvfv:
+        case CommandId::glGetTexEnviv:
+        case CommandId::glGetTexParameterfv:
+        case CommandId::glGetTexParameteriv:
+        case CommandId::glIsEnabled: return true;
+        default: return false;
+    }
+}
+
+namespace {
+
+// Whether glGetIntegerv maps this value from [-1, 1] to all integers (6.1.2).
+bool is_fraction(const Command& query) {
+    if (owner_of(query.id)) {
+        const ParameterInfo* info = parameter_info(query);
+        return info && info->meaning == Meaning::kColor;
+    }
+    switch (query.enumerant(0)) {
+        case kGL_CURRENT_COLOR:
+        case kGL_CURRENT_NORMAL:
+        case kGL_FOG_COLOR:
+        case kGL_LIGHT_MODEL_AMBIENT:
+        case kGL_COLOR_CLEAR_VALUE:
+        case kGL_BLEND_COLOR:
+        case kGL_ALPHA_TEST_REF:
+        case kGL_DEPTH_RANGE:
+        case kGL_DEPTH_CLEAR_VALUE: return true;
+        default: return false;
+    }
+}
+
+Answer answer_in_doubles(const State& state, const Command& query) {
+    switch (query.id) {
+        case CommandId::glGetLightfv:
+        case CommandId::glGetLightiv: return state.get_light(query.enumerant(0), query.enumerant(1));
+        case CommandId::glGetMaterialfv:
+        case CommandId::glGetMaterialiv: return state.get_material(query.enumerant(0), query.enumerant(1));
+        case CommandId::glGetClipPlane: return clip_plane_answer(state, query.enumerant(0));
+        case CommandId::glGetTexEnvfv:
+        case CommandId::glGetTexEnviv: return tex_env_answer(state, query.enumerant(0), query.enumerant(1));
+        case CommandId::glGetTexParameterfv:
+        case CommandId::glGetTexParameteriv: return tex_parameter_answer(state, query.enumerant(0), query.enumerant(1));
+        default: return answer(state, query.enumerant(0));
+    }
+}
+
+}  // namespace
+
+// 6.1.2.
+Answer answer(const State& state, const Command& query) {
+    Answer values = answer_in_doubles(state, query);
+    const Kind kind = query.sig().parameters.back().kind;
+    const bool fraction = kind == Kind::kInt && is_fraction(query);
+    for (double& value : values) {
+        if (kind == Kind::kBoolean) value = value != 0 ? 1 : 0;
+        if (kind == Kind::kInt) value = std::nearbyint(fraction ? (4294967295.0 * value - 1) / 2 : value);
+        if (kind == Kind::kFloat) value = static_cast<double>(static_cast<float>(value));
+    }
+    return values;
+}
+
+}  // namespace twinlight
