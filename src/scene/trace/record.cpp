@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "base/image/descriptor.h"
 #include "base/image/file.h"
@@ -226,7 +227,8 @@ WindowSystem window_system_of(const std::string& program) {
     constexpr std::size_t kMost = 256u << 20;
     const std::string bytes = read_file(program, kMost);
     const auto names = [&](std::string_view library) { return bytes.find(library) != std::string::npos; };
-    const bool has_glx = names("libGL.so") || names("libGLX.so") || names("libglut.so");
+    // libGL.so says nothing: programs with EGL may use it for GL's functions.
+    const bool has_glx = names("libGLX.so") || names("libglut.so") || names("glXMakeC");
     return names("libEGL.so") && !has_glx ? WindowSystem::kEgl : WindowSystem::kGlx;
 }
 

@@ -1,6 +1,8 @@
 // Compiles and runs programs, and records their GL calls with apitrace.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>

@@ -225,7 +225,9 @@ TEST_F(Cli, ShowsWhatQueriesReturn) {
     for (const json& query : queries) {
         EXPECT_TRUE(query["agree"]) << query;
         EXPECT_NE(query["twinlight"], "?") << query;
-        if (query["call"] != "glGetIntegerv(GL_TEXTURE_BINDING_2D)") EXPECT_NE(query["driver"], "?") << query;
+        // The driver has its own names for textures, so it is not asked for them.
+        const bool names_texture = query["call"] == "glGetIntegerv(GL_TEXTURE_BINDING_2D)";
+        EXPECT_EQ(query["driver"] == "?", names_texture) << query;
     }
     EXPECT_NE(read_file(out_ / "index.html").find("<code>glGetLightfv(GL_LIGHT0, GL_POSITION)</code>"),
               std::string::npos);

@@ -155,6 +155,37 @@ TEST_F(Record, SaysWhichToolIsMissing) {
         << with_path().err;
 }
 
+TEST_F(Record, RecordsProgramsThatUseEgl) {
+    write_file_atomically(in_ / "pbuffer.c", R"(
+#include <EGL/egl.h>
+#include <GL/gl.h>
+int main(void) {
+    const EGLint attributes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    const EGLint size[] = {EGL_WIDTH, 64, EGL_HEIGHT, 48, EGL_NONE};
+    EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+    EGLConfig config;
+    EGLint count;
+    int frame;
+    if (!eglInitialize(display, 0, 0)) return 77;
+    eglBindAPI(EGL_OPENGL_API);
+    eglChooseConfig(display, attributes, &config, 1, &count);
+    EGLSurface surface = eglCreatePbufferSurface(display, config, size);
+    eglMakeCurrent(display, surface, surface, eglCreateContext(display, config, 0, 0));
+    for (frame = 0; frame < 3; ++frame) {
+        glClear(GL_COLOR_BUFFER_BIT);
+        glRectf(-1, -1, 0, 0);
+        eglSwapBuffers(display, surface);
+    }
+    return 0;
+}
+)");
+    if (run_shell("twinlight", "cd " + quoted(in_.str()) + " && cc pbuffer.c -o pbuffer -lEGL -lGL").status != 0)
+        GTEST_SKIP() << "cc finds no EGL";
+    const ProgramResult result = record("./pbuffer");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("It has 3 frames, 0 to 2. Frame 0 is worth a look"), std::string::npos) << result.out;
+}
+
 TEST_F(Record, FindsTheWindowSystemInTheProgramsLibraries) {
     using trace::WindowSystem;
     const auto found = [&](const std::string& bytes) {
@@ -163,7 +194,9 @@ TEST_F(Record, FindsTheWindowSystemInTheProgramsLibraries) {
     };
     EXPECT_EQ(found("..libglut.so.3..libGL.so.1.."), WindowSystem::kGlx);
     EXPECT_EQ(found("..libEGL.so.1..libOpenGL.so.0.."), WindowSystem::kEgl);
-    EXPECT_EQ(found("..libEGL.so.1..libGL.so.1.."), WindowSystem::kGlx);
+    EXPECT_EQ(found("..libEGL.so.1..libGL.so.1.."), WindowSystem::kEgl);
+    EXPECT_EQ(found("..libEGL.so.1..libGL.so.1..glXMakeCurrent.."), WindowSystem::kGlx);
+    EXPECT_EQ(found("..libEGL.so.1..libglut.so.3.."), WindowSystem::kGlx);
     EXPECT_EQ(found("nothing"), WindowSystem::kGlx);
 }
 

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "scene/command/characters.h"
 #include "scene/command/text.h"
+#include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -136,7 +138,7 @@ TEST(TextErrors, NameWrongCharactersAndWhatToType) {
 
 TEST(TextErrors, ShowTheLineAndACaretBelowTheColumn) {
     const auto shown = [](std::string_view text, int line, int column) {
-        return line_with_caret(text, {.line = line, .column = column});
+        return line_with_caret(text, {.file = nullptr, .line = line, .column = column});
     };
     EXPECT_EQ(shown("one\ntwo three\n", 2, 5), "two three\n    ^\n");
     EXPECT_EQ(shown("\tglFoo();\r\n", 1, 2), "\tglFoo();\n\t^\n");
@@ -148,6 +150,38 @@ TEST(TextErrors, ShowTheLineAndACaretBelowTheColumn) {
     const std::string long_line = shown(std::string(1000, 'a') + "b" + std::string(1000, 'c'), 1, 1001);
     EXPECT_LT(long_line.size(), 300u);
     EXPECT_EQ(long_line[long_line.find('^') - long_line.find('\n') - 1], 'b') << long_line;
+}
+
+// Random changes of a scene that uses much of the language: reading ends, with at most ten errors that a terminal can show.
+TEST(TextErrors, OfRandomlyChangedTextsArePrintable) {
+    const auto file = std::ranges::find(kSceneFiles, "report.gl", &EmbeddedFile::name);
+    std::mt19937 random(17);
+    const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+    int with_errors = 0;
+    for (int i = 0; i < 300; ++i) {
+        std::string text(file->text);
+        for (std::size_t changes = 1 + below(5); changes > 0; --changes) {
+            const std::size_t at = below(text.size());
+            constexpr std::string_view kInserted[] = {"}",    "{",    ";", "(",      "\"", "/*", "\xEF\xBC\x9B",
+                                                      "\xFF", "\x1b", "#", "void f("};
+            if (below(2) == 0)
+                text.erase(at, 1 + below(20));
+            else
+                text.insert(at, kInserted[below(std::size(kInserted))]);
+        }
+        try {
+            make_frame(read_scene(text, "scene.gl", "scene"), {});
+        } catch (const SceneError& error) {
+            const SceneError all = with_gl_errors(error, {});
+            ++with_errors;
+            EXPECT_LE(all.errors.size(), kMaxErrorsShown);
+            for (const char c : as_compilers_print(all)) {
+                const auto byte = static_cast<unsigned char>(c);
+                ASSERT_TRUE((byte >= 0x20 && byte != 0x7F) || c == '\n' || c == '\t') << "change " << i;
+            }
+        }
+    }
+    EXPECT_GT(with_errors, 200);
 }
 
 TEST(Characters, AreDecodedFromUtf8) {
