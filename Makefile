@@ -144,7 +144,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check headers tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check includes tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -195,19 +195,19 @@ instructions: deps  ## recount the instructions in tests/instructions after an i
 format:  ## format every source with clang-format
 	clang-format -i $(SOURCES_all) $(HEADERS)
 
-check:  ## check the format, compile each header, run clang-tidy, and run every test under the address and undefined-behaviour sanitizers
+check:  ## check the format, compile each file by itself, run clang-tidy, and run every test under the address and undefined-behaviour sanitizers
 	@if command -v clang-format >/dev/null; then \
 	    clang-format --dry-run -Werror $(SOURCES_all) $(HEADERS); \
 	    else echo "format: skipped, because clang-format is not installed"; fi
-	@$(MAKE) headers
+	@$(MAKE) includes
 	@if command -v clang-tidy >/dev/null; then $(MAKE) tidy; \
 	    else echo "tidy: skipped, because clang-tidy is not installed"; fi
 	@$(MAKE) test config=sanitize
 
-headers: deps  ## compile each header by itself: it must include what it uses
-	@$(MAKE) --keep-going $(HEADERS:%=header/%)
-header/%: %
-	@$(CXX) $(CXXFLAGS_all) -fsyntax-only -include $< -x c++ /dev/null
+includes: deps  ## compile each header and source by itself: it must include what it uses
+	@$(MAKE) --keep-going $(patsubst %,includes/%,$(HEADERS) $(filter-out $(SOURCES_fuzz),$(SOURCES_all)))
+includes/%: %
+	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) -fsyntax-only $(if $(filter %.h,$<),-include $< -x c++ /dev/null,$<)
 
 tidy: $(patsubst %,tidy/%,$(SOURCES_all))
 tidy/%: % programs

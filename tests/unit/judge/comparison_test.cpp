@@ -236,15 +236,16 @@ TEST(Verdict, ShowsWhereAllowedRoundingDiffers) {
     comparison.pairs[1].difference.interior = beyond;
     EXPECT_EQ(answer(comparison).is_right, "Yes: the renderers agree.");
     EXPECT_EQ(answer(comparison).where,
-              "Few pixels differ, most in fixed ~ reference: 2 of 5,000 pixels away from edges differ (0.04%); for "
+              "At a few pixels. Most are in fixed ~ reference: 2 of 5,000 pixels away from edges differ (0.04%), for "
               "example at (7, 8).");
     EXPECT_EQ(answer(comparison).how_much, "By up to 1/255; allowed is up to 1/255, in fewer than 0.1% of the pixels.");
     beyond = {.pixels = 5000};  // all of it is allowed
-    EXPECT_EQ(answer(comparison).where,
-              "Nowhere more than allowed, most in fixed ~ reference: 2 of 5,000 pixels away from edges differ (0.04%); "
-              "for example at (7, 8).");
+    EXPECT_EQ(
+        answer(comparison).where,
+        "Nowhere by more than allowed. Most differences are in fixed ~ reference: 2 of 5,000 pixels away from edges "
+        "differ (0.04%), for example at (7, 8).");
     EXPECT_EQ(answer(comparison).how_much,
-              "By up to 1/255, which rounding, filters or blending explain at each of these pixels.");
+              "By up to 1/255, which rounding, filtering or blending explains at each of these pixels.");
 }
 
 // A wide line, which softpipe draws half a pixel too far along, and no other driver.
