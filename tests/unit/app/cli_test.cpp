@@ -132,6 +132,14 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"render", file, "--with", "programmable", "--precise", "--baked", "-o", out_ / "p.png"}),
                    "does not work with constants");
     expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
+    expect_refused(run({"export", file, "--as", "c", "-o", out_ / "e"}), "apply only to --as glsl");
+    expect_refused(run({"export", file, "--as", "glsl", "--glsl", "330"}), "use it with --as glsl -o DIR");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--glsl", "120"}),
+                   "'120' is not one of 130, 300es, 330");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--for-this-picture"}), "leave out -o");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--precise"}), "add --for-this-picture");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--shading", "exact"}),
+                   "add --for-this-picture");
     expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
     expect_refused(run({"scenes", "no-such-scene-at-all"}), "there is no built-in scene 'no-such-scene-at-all'");
 }
@@ -468,6 +476,20 @@ TEST_F(Cli, ExportsTheShadersOfEachShading) {
     EXPECT_EQ(result.err, "");
     EXPECT_NE(result.out.find("void main("), std::string::npos);
     EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "phong"}).out, result.out);
+}
+
+// Without -o the shaders are those of this picture, printed; with -o those to keep, in files.
+TEST_F(Cli, ExportsShadersForThisPictureAndToKeep) {
+    const std::string file = scene(kScene);
+    const std::string printed = run({"export", file, "--as", "glsl"}).out;
+    EXPECT_EQ(run({"export", file, "--as", "glsl", "--for-this-picture"}).out, printed);
+    EXPECT_NE(printed.find("// Left out, with the reasons:"), std::string::npos);
+
+    const ProgramResult kept = run({"export", file, "--as", "glsl", "-o", out_ / "new/kept"});
+    EXPECT_EQ(kept.status, 0);
+    EXPECT_EQ(kept.out + kept.err, "");
+    EXPECT_NE(read_file(out_ / "new/kept/kind1.vert").find("#version 330 core"), std::string::npos);
+    EXPECT_NE(read_file(out_ / "new/kept/scene.c").find("void draw_scene(void)"), std::string::npos);
 }
 
 // ---- check ----
