@@ -142,7 +142,8 @@ int run_reporting_errors(std::string_view program, const std::function<int()>& r
     try {
         return run();
     } catch (const SceneError& error) {  // begins with the place, for editors to jump to
-        return fail(one_line(error.what()));
+        fmt::print(stderr, "{}", as_compilers_print(error));
+        return kBadInput;
     } catch (const std::bad_alloc&) {
         return fail(fmt::format("{}: out of memory; try a smaller --size", program));
     } catch (const UsageError& error) {

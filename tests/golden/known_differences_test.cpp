@@ -8,7 +8,6 @@
 #include <array>
 #include <set>
 
-#include "../property/state_answers.h"
 #include "fragment_departures.h"
 #include "judge/check/case.h"
 #include "judge/compare/departures.h"
@@ -17,6 +16,7 @@
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
+#include "scene/state/answers.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
