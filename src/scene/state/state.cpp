@@ -284,6 +284,7 @@ Frame State::take_frame() {
     Frame frame{options_.width, options_.height, std::move(items_), outside_};
     std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
     frame.lists_called_before_made.assign(lists_.called_before_made.begin(), lists_.called_before_made.end());
+    frame.typed_lights = typed_lights_;
     drop_picture();
     return frame;
 }
@@ -293,6 +294,7 @@ void State::drop_picture() {
     item_bytes_ = 0;
     work_ = 0;
     unsupported_.clear();
+    drop_typed_lights();
 }
 
 void State::drop_hidden() {

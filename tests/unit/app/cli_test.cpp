@@ -132,6 +132,14 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"render", file, "--with", "programmable", "--precise", "--baked", "-o", out_ / "p.png"}),
                    "does not work with constants");
     expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
+    expect_refused(run({"export", file, "--as", "c", "-o", out_ / "e"}), "apply only to --as glsl");
+    expect_refused(run({"export", file, "--as", "glsl", "--glsl", "330"}), "use it with --as glsl -o DIR");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--glsl", "120"}),
+                   "'120' is not one of 130, 300es, 330");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--for-this-picture"}), "leave out -o");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--precise"}), "add --for-this-picture");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--shading", "exact"}),
+                   "add --for-this-picture");
     expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
     expect_refused(run({"scenes", "no-such-scene-at-all"}), "there is no built-in scene 'no-such-scene-at-all'");
 }
@@ -470,6 +478,20 @@ TEST_F(Cli, ExportsTheShadersOfEachShading) {
     EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "phong"}).out, result.out);
 }
 
+// Without -o the shaders are those of this picture, printed; with -o those to keep, in files.
+TEST_F(Cli, ExportsShadersForThisPictureAndToKeep) {
+    const std::string file = scene(kScene);
+    const std::string printed = run({"export", file, "--as", "glsl"}).out;
+    EXPECT_EQ(run({"export", file, "--as", "glsl", "--for-this-picture"}).out, printed);
+    EXPECT_NE(printed.find("// Left out, with the reasons:"), std::string::npos);
+
+    const ProgramResult kept = run({"export", file, "--as", "glsl", "-o", out_ / "new/kept"});
+    EXPECT_EQ(kept.status, 0);
+    EXPECT_EQ(kept.out + kept.err, "");
+    EXPECT_NE(read_file(out_ / "new/kept/kind1.vert").find("#version 330 core"), std::string::npos);
+    EXPECT_NE(read_file(out_ / "new/kept/scene.c").find("void draw_scene(void)"), std::string::npos);
+}
+
 // ---- check ----
 
 TEST_F(Cli, CheckTellsOfEachCase) {
@@ -572,7 +594,7 @@ glEnd();
 
 TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
     const std::string file = scene(kLamps);
-    const ProgramResult text = run({"explain", file});
+    const ProgramResult text = run({"explain", file, "--all"});
     EXPECT_EQ(text.status, 0);
     EXPECT_EQ(text.err, "");
     // 90 degrees less the cone's 20 and asin(sqrt(2) / 5).
@@ -580,10 +602,10 @@ TEST_F(Cli, ExplainsWhichLightsMatterAndWhyNotTheOthers) {
          {"1 draw with 1 different set of effects; allowed change of a channel: 0.5",
           "used     directional, diffuse: it adds at most 204/255 to a channel",
           "its cone misses the draw's bounding sphere by 53.6 degrees", "it would add at most 0.204/255 to a channel",
-          "GL_LIGHT3 to GL_LIGHT7", "Skipping them changes a channel by at most 0.204"})
+          "GL_LIGHT3 to GL_LIGHT7", "skipping changes:       a channel by at most 0.204"})
         EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
     EXPECT_EQ(text.out.find('\x1b'), std::string::npos);
-    EXPECT_NE(run({"explain", file, "--budget", "0"}).out.find("Skipping them changes no pixel."), std::string::npos);
+    EXPECT_NE(run({"explain", file, "--budget", "0"}).out.find("skipping changes:       no pixel"), std::string::npos);
 
     const json explained = json::parse(run({"explain", file, "--json"}).out);
     EXPECT_NEAR(explained["error_bound"].get<double>(), 0.0008, 1e-9);
@@ -745,7 +767,8 @@ TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
         EXPECT_NEAR(pixel["pictures"][renderer][0].get<double>(), 0.8008, 1.0 / 255) << renderer;
 
     const ProgramResult text = run({"explain", file, "--size", "20x20", "--pixel", "3,5"});
-    for (const char* expected : {"1 fragment", "GL_LIGHT0 diffuse", "n.VP 1.00000", "before clamping", "programmable"})
+    for (const char* expected :
+         {"1 fragment", "GL_LIGHT0: directional", "n.VP         1.00000", "clamped", "programmable"})
         EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
     EXPECT_NE(run({"explain", scene(kScene), "--size", "20x20", "--pixel", "0,0"}).out.find("no draw covers it"),
               std::string::npos);
@@ -756,15 +779,17 @@ TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
 // kLamps with a pragma: explain names the factors that its terms have.
 TEST_F(Cli, ExplainsAPixelWithTheFormulasOfTheLecturesVariants) {
     struct Formulas {
-        const char *pragma, *ambient, *specular, *ambient_row, *specular_row;
+        const char *pragma, *ambient, *specular, *ambient_rows, *specular_rows;
     };
     for (const Formulas& expected : {
-             Formulas{"", "att spot a_cm a_cli", "att spot f(n.h)^s s_cm s_cli", "att 1.00000  spot 1.00000 ",
-                      "att 1.00000  spot 1.00000  f(n.h)^s "},
+             Formulas{"", "att spot a_cm a_cli", "att spot f(n.h)^s s_cm s_cli",
+                      "att spot a_cm a_cli\n                 1.00000 x 1.00000 x (0.2",
+                      "att spot f(n.h)^s s_cm s_cli\n                 1.00000 x 1.00000 x 1.00000 x (0 0 0)"},
              Formulas{"#pragma twinlight specular(reflection)\n", "att spot a_cm a_cli", "att spot (r.v)^s s_cm s_cli",
-                      "att 1.00000  spot 1.00000 ", "att 1.00000  spot 1.00000  (r.v)^s "},
+                      "att spot a_cm a_cli\n                 1.00000 x 1.00000 x (0.2",
+                      "att spot (r.v)^s s_cm s_cli\n                 1.00000 x 1.00000 x 1.00000 x (0 0 0)"},
              Formulas{"#pragma twinlight ambient(unattenuated)\n", "a_cm a_cli", "att spot f(n.h)^s s_cm s_cli",
-                      "a_cm a_cli ", "att 1.00000  spot 1.00000  f(n.h)^s "},
+                      "a_cm a_cli\n                 (0.2", "att spot f(n.h)^s s_cm s_cli\n                 1.00000"},
          }) {
         const std::string file = scene(expected.pragma + std::string(kLamps));
         const json pixel = json::parse(run({"explain", file, "--size", "20x20", "--pixel", "3,5", "--json"}).out);
@@ -773,14 +798,10 @@ TEST_F(Cli, ExplainsAPixelWithTheFormulasOfTheLecturesVariants) {
         EXPECT_EQ(formulas["diffuse"], "att spot n.VP d_cm d_cli") << expected.pragma;
         EXPECT_EQ(formulas["specular"], expected.specular) << expected.pragma;
 
-        const std::string text = run({"explain", file, "--size", "20x20", "--pixel", "3,5"}).out;
-        const auto row = [&](const std::string& name) {
-            const std::size_t start = text.find(name);
-            return text.substr(start, text.find('\n', start) - start);
-        };
-        EXPECT_NE(row("GL_LIGHT0 ambient").find(expected.ambient_row), std::string::npos) << text;
-        EXPECT_NE(row("GL_LIGHT0 diffuse").find("att 1.00000  spot 1.00000  n.VP 1.00000 "), std::string::npos) << text;
-        EXPECT_NE(row("GL_LIGHT0 specular").find(expected.specular_row), std::string::npos) << text;
+        const std::string text = run({"explain", file, "--size", "20x20", "--pixel", "3,5", "--all"}).out;
+        for (const char* rows :
+             {expected.ambient_rows, expected.specular_rows, "att spot n.VP d_cm d_cli\n                 1.00000 x"})
+            EXPECT_NE(text.find(rows), std::string::npos) << rows << "\n" << text;
     }
 }
 
