@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/mat4x4.hpp>
 #include <sstream>
+#include <string_view>
 
 #include "app/cli/command_line.h"
 #include "app/cli/derivation_light.h"
@@ -225,7 +226,11 @@ std::string light_text(const Derivation& at, std::size_t i, bool whole) {
     const lighting::Formulas& formulas = at.point.formulas;
     const auto add = [&](const char* name, const char* formula, const Vec& of, const Vec& color, const Vec& product) {
         const bool is_black = (is_zero(of) || is_zero(color)) && is_zero(product);
-        if (!is_black || whole) text += product_rows(at, light, name, formula, of, color, product, whole);
+        if (whole || !is_black)
+            text += product_rows(at, light, name, formula, of, color, product, whole);
+        else if (name != std::string_view("ambient"))
+            text +=
+                line(name, "0", fmt::format("{} {} is black", is_zero(of) ? "the material's" : "the light's", name));
     };
     add("ambient", formulas.ambient, material.ambient, light.ambient(), light.terms.ambient);
     add("diffuse", formulas.diffuse, material.diffuse, light.diffuse(), light.terms.diffuse);

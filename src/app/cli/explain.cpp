@@ -81,12 +81,12 @@ std::string counted(std::size_t count, const char* what) {
 }
 
 // At most ten names, so that a scene with many lights stays readable.
-std::string listed(const std::set<std::string>& items, const char* none) {
+std::string listed(const std::set<std::string>& items, const char* none, const char* separator = ", ") {
     constexpr std::size_t kMost = 10;
     if (items.empty()) return none;
     const std::vector<std::string> shown(
         items.begin(), std::next(items.begin(), static_cast<std::ptrdiff_t>(std::min(items.size(), kMost))));
-    return fmt::format("{}", fmt::join(shown, ", ")) +
+    return fmt::format("{}", fmt::join(shown, separator)) +
            (items.size() > kMost ? fmt::format(" and {} more", items.size() - kMost) : "");
 }
 
@@ -118,8 +118,8 @@ std::string summary(const Scene& scene, const std::vector<ExplainedDraw>& draws,
                         unlit == 0 ? "" : "; GL_LIGHTING is disabled for the rest, which show glColor");
     text += "  shading:                " + listed(shadings, "no draw is lit") + "\n";
     text += "  lights that matter:     " + listed(matters, "none") + "\n";
-    text += "  enabled, but skipped:   " + listed(skipped, "none") + "\n";
-    text += "  effects in use:         " + listed(effects, "none") + "\n";
+    text += "  enabled, but skipped:   " + listed(skipped, "none", "; ") + "\n";
+    text += "  effects in use:         " + listed(effects, "none", "; ") + "\n";
     const double error = error_bound(draws);
     text += "  skipping changes:       " +
             (error == 0 ? "no pixel" : fmt::format("a channel by at most {}", in_codes(error))) + "\n";

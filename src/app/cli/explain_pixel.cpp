@@ -142,6 +142,17 @@ std::string fragment_head(const PixelFragment& fragment, const Draw& draw) {
            fmt::format(": {}, depth {:.6f}", face_words(fragment.face), fragment.depth);
 }
 
+// What happens to the lit colour before blending: "after clamping, texture and fog".
+std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw) {
+    std::vector<std::string> steps = {"clamping"};
+    if (draw.texture.texture) steps.emplace_back("texture (3.8)");
+    if (fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
+        steps.emplace_back("colour sum (3.9)");
+    if (draw.fog.enabled) steps.emplace_back("fog (3.10)");
+    if (draw.fragment.srgb_coded) steps.emplace_back("sRGB");
+    return fmt::format("after {}", fmt::join(steps, ", "));
+}
+
 std::string fragment_text(const PixelFragment& fragment, const Scene& scene, const Draw& draw, bool all) {
     std::string text = fragment_head(fragment, draw) + (fragment.passes ? "\n" : "; discarded by a test\n");
     if (fragment.is_lit) {
@@ -161,10 +172,7 @@ std::string fragment_text(const PixelFragment& fragment, const Scene& scene, con
     } else {
         text += "  GL_LIGHTING is disabled: the colour is glColor's, and no light matters\n";
     }
-    text += "\n" + color_row("fragment",
-                             draw.fragment.srgb_coded ? "after clamping, texture, sum, fog and sRGB"
-                                                      : "after clamping, texture, colour sum and fog",
-                             vec3_cast<Vec>(fragment.color));
+    text += "\n" + color_row("fragment", steps_after_lighting(fragment, draw), vec3_cast<Vec>(fragment.color));
     return text + rulings_text(fragment.rulings);
 }
 
@@ -305,7 +313,7 @@ std::string explain_pixel(const Scene& scene, const ExplainOptions& options, con
     }
     std::string text = fmt::format(
         "{}, pixel {},{} of {} x {}: {}\n", scene.name(), pixel.x, pixel.y, frame.width, frame.height,
-        fragments.empty() ? "no draw covers it"
+        fragments.empty() ? "no draw covers it, so it shows what glClear left"
                           : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
     if (std::ranges::any_of(fragments, &PixelFragment::is_lit)) text += legend();
     const std::size_t first_seen = first_seen_of(fragments, draws);

@@ -352,6 +352,10 @@ TEST_F(Explain, HasALineForEveryEffect) {
     expect_line("glMaterialfv(GL_FRONT, GL_EMISSION, (GLfloat[]){1, 1, 1, 1});\n", "e_cm      ");
     expect_line("glDisable(GL_LIGHT0);\n", "no light is enabled");
     expect_line("glDisable(GL_LIGHTING);\n", "GL_LIGHTING is disabled: the colour is glColor's");
+    expect_line("glEnable(GL_LIGHT5);\n", "the light's diffuse is black");
+    expect_line("glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){0, 0, 0, 1});\n", "the material's specular is black");
+    expect_line("glEnable(GL_FOG);\n", "after clamping, fog (3.10)");
+    expect_line("glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);\n", "colour sum (3.9)");
     expect_line("glEnable(GL_LIGHT5);\n", "GL's initial value");
     EXPECT_NE(without.find("this changes it"), std::string::npos);  // the highlight is brighter than 1
     EXPECT_EQ(text("glDisable(GL_LIGHT0);\n").find("this changes it"), std::string::npos);
