@@ -134,9 +134,10 @@ FILES_cases := $(wildcard golden/hard/*.gl)
 FILES_pages := $(wildcard src/judge/report/pages/*) $(BUILD)/embedded/chart.js
 
 # With units=rooms, each folder of src/ (a room) is one translation unit, which reads its headers once. Files with their own
-# flags are compiled separately, and so are those that a program links without the rest of their room.
+# flags are compiled separately, and so are those that a program links without the rest of their room, and one that calls so many of
+# the equation's functions that g++ would no longer inline them where pictures are lit.
 ALONE := $(if $(filter files,$(units)),%.cpp,src/render/context/%.cpp src/lighting/points_avx%.cpp \
-    src/app/demo/main.cpp src/app/demo/window.cpp src/app/cli/progress.cpp tests/%.cpp)
+    src/render/reference/pixel_history.cpp src/app/demo/main.cpp src/app/demo/window.cpp src/app/cli/progress.cpp tests/%.cpp)
 ROOMS := $(patsubst %/,%,$(sort $(dir $(filter-out $(ALONE),$(SOURCES_all)))))
 object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
     $(patsubst %,$(BUILD)/objects/%.room.o,$(patsubst %/,%,$(dir $(filter-out $(ALONE),$(1))))))
