@@ -59,9 +59,6 @@ bool parse_command_line(CLI::App& app, int argc, char** argv);
 // Writes all of `bytes` to standard output. Throws FileError.
 void write_result(std::string_view bytes);
 
-// Escapes control characters, so that a message with any file name stays on one line.
-std::string one_line(std::string_view text);
-
 // Runs a program and returns its exit status. If it throws, prints the error on standard error and returns kBadInput.
 int run_reporting_errors(std::string_view program, const std::function<int()>& run);
 

@@ -16,6 +16,7 @@
 #include "render/effect/scrubbed_state.h"
 #include "render/fixed/replay.h"
 #include "render/reference/reference.h"
+#include "scene/command/text.h"
 
 namespace twinlight::cli {
 

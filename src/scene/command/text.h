@@ -37,6 +37,9 @@ struct SceneError : std::runtime_error {
 // All errors as compilers print them: "file:line:column: error: message", the line of the text, and a caret below the
 // column. An error without a text is one line. Control characters of the text are shown as '?'.
 std::string as_compilers_print(const SceneError& error);
+
+// Escapes control characters, so that a message with any file name stays on one line.
+std::string one_line(std::string_view text);
 // The line of the text at this place and a line with a caret below the column; "" if there is no such line.
 std::string line_with_caret(std::string_view text, const Place& place);
 

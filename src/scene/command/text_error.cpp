@@ -69,27 +69,28 @@ std::string line_with_caret(std::string_view text, const Place& place) {
     return shown + "\n" + below + "^\n";
 }
 
-namespace {
-
-// File names may have control characters.
-std::string printable(std::string text) {
-    std::ranges::replace_if(
-        text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
-    return text;
+std::string one_line(std::string_view text) {
+    std::string line;
+    for (const char c : text) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+        } else {
+            line += c;
+        }
+    }
+    return line;
 }
 
-}  // namespace
-
 std::string as_compilers_print(const SceneError& error) {
-    if (error.errors.empty()) return printable(error.what()) + "\n";
+    if (error.errors.empty()) return one_line(error.what()) + "\n";
     std::string printed;
     for (const TextError& one : error.errors) {
-        printed += printable(fmt::format("{}: error: {}", one.place.str(), one.message)) + "\n";
+        printed += one_line(fmt::format("{}: error: {}", one.place.str(), one.message)) + "\n";
         if (error.text) printed += line_with_caret(*error.text, one.place);
     }
     if (error.errors.size() >= kMaxErrorsShown)
         printed += fmt::format("note: only the first {} errors are shown\n", kMaxErrorsShown);
-    if (!error.note.empty()) printed += "note: " + printable(error.note) + "\n";
+    if (!error.note.empty()) printed += "note: " + one_line(error.note) + "\n";
     return printed;
 }
 

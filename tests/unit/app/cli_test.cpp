@@ -179,7 +179,7 @@ TEST_F(Cli, RefusesScenesThatAreNone) {
     expect_scene_refused(std::string("\x7f"
                                      "ELF\x02\x01\x01\0\0\n\xff\xfe",
                                      12),
-                         "scene.gl:1:1: ");
+                         "scene.gl: this is a program, not a scene");
     expect_scene_refused(std::string(1 << 20, '\0'), "scene.gl:1:1: ");
     expect_scene_refused(std::string(1 << 20, '('), "scene.gl:1:");
     expect_scene_refused("glScalef(" + std::string(1 << 20, '(') + "1", "scene.gl:1:");

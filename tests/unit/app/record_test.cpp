@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
 }
 )";
 
-class Record : public testing::Test {
+class RecordCommand : public testing::Test {
   protected:
     void SetUp() override {
         for (const char* tool : {"apitrace", "Xvfb", "cc"}) {
@@ -73,7 +73,7 @@ class Record : public testing::Test {
     const TemporaryFolder in_;
 };
 
-TEST_F(Record, CompilesRunsAndNamesAFrame) {
+TEST_F(RecordCommand, CompilesRunsAndNamesAFrame) {
     source("6");
     const ProgramResult result = record("homework.c title --seconds 60");
     EXPECT_EQ(result.status, 0) << result.err;
@@ -93,7 +93,7 @@ TEST_F(Record, CompilesRunsAndNamesAFrame) {
     EXPECT_EQ(image.at(32, 24)[2], 0.0F);
 }
 
-TEST_F(Record, EndsAProgramThatDoesNotEndAndKeepsTheFirstFrames) {
+TEST_F(RecordCommand, EndsAProgramThatDoesNotEndAndKeepsTheFirstFrames) {
     source("-1");
     const ProgramResult result = record("-o short.trace --seconds 1 --frames 2 homework.c");
     // The first two frames draw nothing.
@@ -105,7 +105,7 @@ TEST_F(Record, EndsAProgramThatDoesNotEndAndKeepsTheFirstFrames) {
     EXPECT_EQ(more.out.find("until the program ended"), std::string::npos) << more.out;
 }
 
-TEST_F(Record, ShowsTheCompilersErrors) {
+TEST_F(RecordCommand, ShowsTheCompilersErrors) {
     write_file_atomically(in_ / "wrong.c", "int main(void) { return x; }\n");
     const ProgramResult result = record("wrong.c");
     EXPECT_EQ(result.status, 2);
@@ -114,7 +114,7 @@ TEST_F(Record, ShowsTheCompilersErrors) {
     EXPECT_FALSE(std::filesystem::exists(in_ / "wrong.trace"));
 }
 
-TEST_F(Record, RefusesWhatItCannotRecord) {
+TEST_F(RecordCommand, RefusesWhatItCannotRecord) {
     write_file_atomically(in_ / "scene.gl", "glutSolidCube(1);\n");
     const auto expect_refused = [&](const std::string& arguments, const std::string& expected) {
         const ProgramResult result = record(arguments);
@@ -133,7 +133,7 @@ TEST_F(Record, RefusesWhatItCannotRecord) {
     expect_refused("true --api wgl", "'wgl' is not one of egl, glx");
 }
 
-TEST_F(Record, SaysWhichToolIsMissing) {
+TEST_F(RecordCommand, SaysWhichToolIsMissing) {
     std::filesystem::create_symlink("/bin/true", in_ / "program");
     // PATH holds only env and realpath.
     std::filesystem::create_directory(in_ / "bin");
@@ -155,7 +155,7 @@ TEST_F(Record, SaysWhichToolIsMissing) {
         << with_path().err;
 }
 
-TEST_F(Record, RecordsProgramsThatUseEgl) {
+TEST_F(RecordCommand, RecordsProgramsThatUseEgl) {
     write_file_atomically(in_ / "pbuffer.c", R"(
 #include <EGL/egl.h>
 #include <GL/gl.h>
@@ -186,7 +186,7 @@ int main(void) {
     EXPECT_NE(result.out.find("It has 3 frames, 0 to 2. Frame 0 is worth a look"), std::string::npos) << result.out;
 }
 
-TEST_F(Record, FindsTheWindowSystemInTheProgramsLibraries) {
+TEST_F(RecordCommand, FindsTheWindowSystemInTheProgramsLibraries) {
     using trace::WindowSystem;
     const auto found = [&](const std::string& bytes) {
         write_file_atomically(in_ / "program", bytes);
