@@ -116,7 +116,9 @@ class Planner {
   private:
     EffectSet& facts() { return plan_.effects; }
     LightingState& state() { return plan_.lighting; }
-    void leave_out(std::string what, std::string why) { plan_.left_out.push_back({std::move(what), std::move(why)}); }
+    void leave_out(std::string what, std::string why, bool is_off = false) {
+        plan_.left_out.push_back({std::move(what), std::move(why), is_off});
+    }
 
     void plan_unlit() {
         leave_out("lighting", "GL_LIGHTING is disabled, so vertex colours are drawn unchanged");
@@ -212,7 +214,7 @@ class Planner {
         }();
         facts().two_side = why_one_sided.empty();
         if (!facts().two_side) {
-            leave_out("two-sided lighting", why_one_sided);
+            leave_out("two-sided lighting", why_one_sided, !state().light_model.two_side);
             state().back = state().front;
         }
         for (const std::uint32_t i : vertices_.materials) materials_.push_back(draw_.materials.at(i));
@@ -224,7 +226,7 @@ class Planner {
     void plan_color_material() {
         ColorMaterial& tracking = state().color_material;
         if (!tracking.enabled) {
-            leave_out("colour material", "GL_COLOR_MATERIAL is disabled");
+            leave_out("colour material", "GL_COLOR_MATERIAL is disabled", true);
             return;
         }
         const FaceEffects tracked = tracked_by(tracking.mode);
@@ -324,7 +326,7 @@ class Planner {
         }
         facts().separate_specular = model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
         if (!facts().separate_specular)
-            leave_out("separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR");
+            leave_out("separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR", true);
         facts().highlight = model.specular == Word::reflection ? Highlight::kReflection : Highlight::kHalfVector;
         // Phong shading interpolates the exponent, which is then not an integer.
         const bool between =
@@ -336,8 +338,10 @@ class Planner {
         if (facts().shininess == Power::kZero)
             leave_out("specular exponent", "GL_SHININESS is 0, and x^0 is 1 for every x");
         if (!facts().local_viewer)
-            leave_out("local viewer", model.local_viewer ? "GL_SHININESS is 0, so the viewer's position does not matter"
-                                                         : "GL_LIGHT_MODEL_LOCAL_VIEWER is off");
+            leave_out("local viewer",
+                      model.local_viewer ? "GL_SHININESS is 0, so the viewer's position does not matter"
+                                         : "GL_LIGHT_MODEL_LOCAL_VIEWER is off",
+                      !model.local_viewer);
     }
 
     // A vertex colour that no light uses is dropped. The diffuse colour is also the alpha.
@@ -399,9 +403,10 @@ class Planner {
         if (!facts().needs_normal())
             leave_out("normals", "no light has a diffuse or specular term");
         else if (!state().normalize)
-            leave_out("GL_NORMALIZE", state().rescale_normal
-                                          ? "it is disabled; the normal matrix includes GL_RESCALE_NORMAL's factor"
-                                          : "it is disabled");
+            leave_out("GL_NORMALIZE",
+                      state().rescale_normal ? "it is disabled; the normal matrix includes GL_RESCALE_NORMAL's factor"
+                                             : "it is disabled",
+                      !state().rescale_normal);
         else if (!options_.for_any_pose)
             plan_normalize(bounds);
     }

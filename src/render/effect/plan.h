@@ -17,8 +17,9 @@
 namespace twinlight {
 
 struct LeftOut {
-    std::string what;  // "GL_LIGHT0's attenuation", "two-sided lighting"
-    std::string why;   // "its constant, linear and quadratic factors are 1, 0, 0"
+    std::string what;     // "GL_LIGHT0's attenuation", "two-sided lighting"
+    std::string why;      // "its constant, linear and quadratic factors are 1, 0, 0"
+    bool is_off = false;  // the scene does not turn it on
 };
 
 struct PlannedLight {

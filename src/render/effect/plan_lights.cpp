@@ -220,19 +220,21 @@ class LightsPlanner {
     void take(const Candidate& candidate) {
         const LightSource& light = source(candidate.entry);
         const LightEffects& effects = candidate.effects;
-        const auto note = [&](const char* what, std::string why) {
+        const auto note = [&](const char* what, std::string why, bool is_off = false) {
             plan_.left_out.push_back(
-                {fmt::format("{}'s {}", light_name(candidate.planned.number), what), std::move(why)});
+                {fmt::format("{}'s {}", light_name(candidate.planned.number), what), std::move(why), is_off});
         };
         const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
         const double reach = candidate.planned.constant_reach;
         if (effects.directional)
-            note("attenuation", "the light is directional (its position has w = 0)");
+            note("attenuation", "the light is directional (its position has w = 0)", light.has_initial_attenuation());
         else if (!effects.attenuated)
-            note("attenuation", fmt::format("its factors are {}, 0, 0, so it is {:.6g} at every vertex",
-                                            light.constant_attenuation, reach));
+            note("attenuation",
+                 fmt::format("its factors are {}, 0, 0, so it is {:.6g} at every vertex", light.constant_attenuation,
+                             reach),
+                 light.has_initial_attenuation());
         if (!is_spot)
-            note("cone", "GL_SPOT_CUTOFF is 180");
+            note("cone", "GL_SPOT_CUTOFF is 180", true);
         else if (effects.directional)
             note("cone", fmt::format("the light is directional, so its spot factor is {:.6g} everywhere", reach));
         else if (!effects.spot && !effects.smooth_cone)
