@@ -190,6 +190,7 @@ struct Recording {
 
 struct CommandList final : Recording {
     std::vector<Command> commands;
+    std::string source{};  // the text that they were read from; empty if there is none
 
     CommandList() = default;
     CommandList(std::string given_name, std::vector<Command> given_commands)

@@ -23,7 +23,9 @@ CommandList read_limited(const std::string& text, const std::string& file, const
         throw SceneError(file + ": is larger than " + std::to_string(kMaxSceneBytes >> 20) +
                          " MiB, the limit for a scene");
     }
-    return read_scene(text, file, name, load_image);
+    CommandList list = read_scene(text, file, name, load_image);
+    list.source = text;
+    return list;
 }
 
 // Whether the front of a file or of standard input looks like a .trace. The newest format of apitrace has no signature.
@@ -46,7 +48,7 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene) {
     for (const EmbeddedFile& file : kSceneFiles) {
         names.push_back(file.name.substr(0, file.name.rfind(".gl")));
         if (names.back() == scene) {
-            return std::make_shared<CommandList>(read_scene(file.text, std::string(file.name), scene));
+            return std::make_shared<CommandList>(read_limited(std::string(file.text), std::string(file.name), scene));
         }
     }
     const std::filesystem::path path = scene;
