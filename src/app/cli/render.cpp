@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/cli/command_line.h"
+#include "app/cli/lint_notes.h"
 #include "app/cli/renderers.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
@@ -94,6 +95,7 @@ int run_render(const RenderArguments& arguments) {
         write_file_atomically(arguments.output, png);
     }
     warn_unsupported(scene.frame, kRenderers.at(arguments.renderer));
+    print_lint_notes(lint::lint(scene), arguments.scene);
     return kFine;
 }
 

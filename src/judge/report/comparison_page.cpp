@@ -75,6 +75,15 @@ std::string unsupported(const Comparison& comparison) {
     return html + "</ul>";
 }
 
+std::string warnings(const Comparison& comparison) {
+    if (comparison.warnings.empty()) return "";
+    std::string html = "<section>\n<h2>Possible mistakes in the scene</h2>\n<ul>\n";
+    for (const compare::SceneWarning& warning : comparison.warnings)
+        html += fmt::format("<li><code>{}</code><br>{}<br>To mend it: <code>{}</code></li>\n", escaped(warning.line),
+                            escaped(warning.why), escaped(warning.fix));
+    return html + "</ul>\n</section>\n";
+}
+
 std::string plan_rows(const Plan& plan) {
     std::string rows;
     const auto add = [&](std::string_view state, std::string_view what, std::string_view why) {
@@ -132,6 +141,7 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
          {"size", fmt::format("{} &times; {}", comparison.width, comparison.height)},
          {"state", word_of(comparison.verdict())},
          {"verdict", verdict(comparison)},
+         {"warnings", warnings(comparison)},
          {"renders", renders},
          {"differences", differences},
          {"edges", image(comparison, pictures.edges, R"(id="edges" alt="" hidden)")},
