@@ -1,10 +1,13 @@
-// twinlight export: prints a scene as a C program, as GLSL, or as a scene file.
+// twinlight export: prints a scene as a C program, as GLSL, or as a scene file, or writes shaders to keep.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <functional>
 #include <map>
 
 #include "app/cli/command_line.h"
+#include "base/image/file.h"
+#include "render/programmable/kept/kept_files.h"
 #include "render/programmable/programmable.h"
 #include "scene/command/text.h"
 #include "scene/shape/written_out.h"
@@ -19,6 +22,9 @@ struct ExportArguments {
     std::optional<Shading> shading;
     std::optional<int> frame;
     bool precise = false;
+    std::string folder;  // for shaders to keep; empty: prints the shaders of this picture
+    std::string glsl;    // the version of shaders to keep; empty: 330
+    bool for_this_picture = false;
 };
 
 // C compilers fail on functions that are much larger.
@@ -45,16 +51,49 @@ const std::map<std::string, Export> kForms = {
     {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_of(scene)); }},
 };
 
+const std::map<std::string, programmable::Glsl> kVersions = {
+    {"130", programmable::Glsl::k130}, {"330", programmable::Glsl::k330}, {"300es", programmable::Glsl::k300es}};
+
+// Writes the shaders to keep and the program that draws the scene with them.
+void write_kept(const Scene& scene, const programmable::Options& options, const ExportArguments& arguments) {
+    if (options.shading == Shading::kExact)
+        throw UsageError("--shading exact finds surfaces by rays for one picture; add --for-this-picture");
+    if (options.precise) throw UsageError("--precise follows the driver for one picture; add --for-this-picture");
+    if (const std::string why = programmable::why_not_kept(scene.frame); !why.empty())
+        throw UsageError(
+            fmt::format("{}: shaders to keep cannot draw this scene: {}; use --for-this-picture", scene.name(), why));
+    const programmable::Glsl version = kVersions.at(arguments.glsl.empty() ? "330" : arguments.glsl);
+    const auto files = programmable::kept_files(scene.frame, options, version, scene.name());
+    std::error_code error;
+    std::filesystem::create_directories(arguments.folder, error);
+    if (error) throw FileError(fmt::format("{}: {}", arguments.folder, error.message()));
+    std::vector<FileToWrite> to_write;
+    for (const programmable::NamedFile& file : files)
+        to_write.push_back({(std::filesystem::path(arguments.folder) / file.name).string(), file.bytes});
+    write_files_atomically(to_write);
+}
+
 int run_export(const ExportArguments& arguments) {
     if (arguments.form != "glsl" && arguments.shading) {
         throw UsageError("--shading applies only to --as glsl; the other formats keep the scene's glShadeModel");
     }
     if (arguments.form != "glsl" && arguments.precise)
         throw UsageError("--precise applies only to shaders; use it with --as glsl");
+    const bool kept = arguments.form == "glsl" && !arguments.folder.empty() && !arguments.for_this_picture;
+    if (arguments.form != "glsl" && (!arguments.folder.empty() || arguments.for_this_picture))
+        throw UsageError("-o and --for-this-picture apply only to --as glsl; the other formats are printed");
+    if (arguments.for_this_picture && !arguments.folder.empty())
+        throw UsageError("--for-this-picture prints the shaders; leave out -o, and redirect standard output");
+    if (!arguments.glsl.empty() && !kept)
+        throw UsageError("--glsl applies only to shaders to keep; use it with --as glsl -o DIR");
     // Loading runs the whole scene, so that a scene with an error is not exported.
     const Scene scene = load_scene(arguments.scene, {}, arguments.frame);
     programmable::Options options{{{.shading = arguments.shading}}};
     options.precise = arguments.precise;
+    if (kept) {
+        write_kept(scene, options, arguments);
+        return kFine;
+    }
     write_result(kForms.at(arguments.form)(scene, options));
     return kFine;
 }
@@ -73,6 +112,17 @@ Subcommand add_export(CLI::App& app) {
     add_shading_option(*exporting, arguments->shading);
     add_frame_option(*exporting, arguments->frame);
     add_precise_flag(*exporting, arguments->precise);
+    exporting
+        ->add_option("-o", arguments->folder,
+                     "with --as glsl: write shaders to keep into this folder; they stay right when objects, lights "
+                     "and the camera move. A C program that draws the scene with them is beside them")
+        ->type_name("DIR")
+        ->check(not_empty());
+    exporting->add_option("--glsl", arguments->glsl, "GLSL version of the shaders to keep (default: 330, core profile)")
+        ->type_name("130|330|300es")
+        ->check(one_of(kVersions));
+    exporting->add_flag("--for-this-picture", arguments->for_this_picture,
+                        "print shaders with only the effects that this picture needs, as without -o");
     return {exporting, [arguments] { return run_export(*arguments); }};
 }
 

@@ -52,7 +52,7 @@ void write_rules(const std::string& folder) {
 
 int write_mended(const LintArguments& arguments, const Scene& scene, const std::vector<lint::Warning>& warnings) {
     const CommandList* list = scene.recording->command_list();
-    if (!list) throw UsageError("--fix works on scenes in C, not on recorded programs");
+    if (!list || !list->text) throw UsageError("--fix works on scenes in C, not on recorded programs");
     const lint::Rule* rule = lint::find_rule(arguments.fix);
     if (!rule) {
         std::vector<std::string_view> names;
@@ -73,7 +73,7 @@ int write_mended(const LintArguments& arguments, const Scene& scene, const std::
         std::ranges::any_of(found->edits, [](const lint::Edit& edit) { return edit.removes; }))
         throw UsageError(fmt::format("--fix: '{}' is in {} places; mend them yourself: {}", arguments.fix, found->count,
                                      found->fix));
-    const std::string text = lint::mended(list->source, *found);
+    const std::string text = lint::mended(*list->text, *found);
     if (arguments.output == "-")
         write_result(text);
     else
@@ -101,7 +101,8 @@ int run_lint(const LintArguments& arguments) {
     } else {
         const CommandList* list = scene.recording->command_list();
         std::string text;
-        for (const lint::Warning& warning : warnings) text += lint::full_text(warning, list ? list->source : "");
+        for (const lint::Warning& warning : warnings)
+            text += lint::full_text(warning, list && list->text ? std::string_view(*list->text) : "");
         write_result(text);
     }
     return warnings.empty() ? kFine : kDifferent;

@@ -109,8 +109,8 @@ std::vector<Warning> lint(const Scene& scene) {
     });
     const CommandList* list = scene.recording->command_list();
     std::vector<Warning> warnings = walk.finish(scene.frame, list == nullptr);
-    if (list) {
-        const Allowed allowed(list->source);
+    if (list && list->text) {
+        const Allowed allowed(*list->text);
         std::erase_if(warnings,
                       [&](const Warning& warning) { return allowed.has(warning.rule->name, warning.place.line); });
     }

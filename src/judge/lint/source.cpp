@@ -36,6 +36,9 @@ bool Allowed::has(std::string_view rule, int line) const {
     return everywhere_.contains(rule) || (found != on_line_.end() && found->second.contains(rule));
 }
 
+namespace {
+
+// Counted from 1; empty if there is none.
 std::string_view line_of(std::string_view source, int line) {
     for (; line > 1; --line) {
         const std::size_t end = source.find('\n');
@@ -45,8 +48,6 @@ std::string_view line_of(std::string_view source, int line) {
     return source.substr(0, source.find('\n'));
 }
 
-namespace {
-
 // From the first byte of a statement to one past its semicolon; a pragma ends with its line.
 struct Span {
     std::size_t start = 0, end = 0;
@@ -54,8 +55,12 @@ struct Span {
 
 Span statement_at(std::string_view source, const Place& place) {
     const std::string_view line = line_of(source, place.line);
-    const std::size_t start = static_cast<std::size_t>(line.data() - source.data()) +
-                              std::min(line.size(), static_cast<std::size_t>(std::max(place.column, 1) - 1));
+    // Columns count characters, whose later bytes in UTF-8 start with the bits 10.
+    std::size_t bytes = 0;
+    for (int column = 1; column < place.column && bytes < line.size(); ++column) do
+            ++bytes;
+        while (bytes < line.size() && (static_cast<unsigned char>(line[bytes]) & 0xC0) == 0x80);
+    const std::size_t start = static_cast<std::size_t>(line.data() - source.data()) + bytes;
     if (line.starts_with('#')) return {start, static_cast<std::size_t>(line.data() - source.data()) + line.size()};
     const std::size_t semicolon = source.find(';', start);
     return {start, semicolon == source.npos ? source.size() : semicolon + 1};

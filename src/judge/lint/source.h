@@ -19,7 +19,4 @@ class Allowed {
     std::map<int, std::set<std::string, std::less<>>> on_line_;
 };
 
-// A line of the text, counted from 1; empty if there is none.
-std::string_view line_of(std::string_view source, int line);
-
 }  // namespace twinlight::lint

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "judge/lint/source.h"
 #include "judge/lint/watch.h"
+#include "scene/command/text.h"
 
 namespace twinlight::lint {
 
@@ -41,15 +41,7 @@ std::string headline(const Warning& warning) {
 
 std::string full_text(const Warning& warning, std::string_view source) {
     std::string text = headline(warning) + "\n";
-    const std::string_view line = is_call(warning.place) ? "" : line_of(source, warning.place.line);
-    if (!line.empty()) {
-        const auto column = std::min(line.size(), static_cast<std::size_t>(std::max(warning.place.column, 1) - 1));
-        std::string blanks(line.substr(0, column));
-        for (char& c : blanks)
-            if (c != '\t') c = ' ';
-        const std::string number = std::to_string(warning.place.line);
-        text += fmt::format("  {} | {}\n  {} | {}^\n", number, line, std::string(number.size(), ' '), blanks);
-    }
+    if (!is_call(warning.place)) text += line_with_caret(source, warning.place);
     return text + fmt::format("  why: {}\n  fix: {}\n", warning.rule->why, warning.fix);
 }
 
@@ -78,8 +70,8 @@ std::string markdown() {
         "finds {} of them.\n\n"
         "    $ twinlight lint scene.gl\n"
         "    scene.gl:7:1: warning: GL_LIGHT1 is on but black: only GL_LIGHT0 starts with a colour [light-black]\n"
-        "      7 | glEnable(GL_LIGHT1);\n"
-        "        | ^\n"
+        "    glEnable(GL_LIGHT1);\n"
+        "    ^\n"
         "      why: Table 2.10: the initial diffuse and specular colours are white for `GL_LIGHT0`, and black for all "
         "others.\n"
         "      fix: glLightfv(GL_LIGHT1, GL_DIFFUSE, (GLfloat[]){{1, 1, 1, 1}});\n\n"

@@ -61,6 +61,14 @@ std::string comparison_json(const Comparison& comparison) {
                                        {"place", unsupported.first.str()},
                                        {"renderers", names_of(unsupported)}});
     }
+    json["queries"] = Json::array();
+    for (const compare::Query& query : comparison.queries) {
+        json["queries"].push_back({{"place", query.place.str()},
+                                   {"call", query.call},
+                                   {"twinlight", query.state},
+                                   {"driver", query.driver},
+                                   {"agree", query.agree}});
+    }
     json["warnings"] = Json::array();
     for (const compare::SceneWarning& warning : comparison.warnings) json["warnings"].push_back(warning.line);
     // A scene's name may hold any bytes; JSON is UTF-8.

@@ -16,14 +16,20 @@ struct Scope {
     Words words;                                        // identifiers and their replacements
 };
 
+// The text of a file in shaders/, precise/ or kept/.
+std::string_view file_text(std::string_view name);
+
+// The text with the words replaced, each where it is a whole identifier.
+std::string with_words(std::string_view text, const Words& words);
+
 // The file's text after its directives.
 std::string preprocessed(std::string_view file, const Scope& scope);
 
-// One definition in a library, a function or a uniform, with the comment above it.
+// One definition in a library, a function, a uniform or a uniform's struct, with the comment above it.
 struct Definition {
     std::string name;
     std::string text;
-    bool is_uniform = false;
+    bool is_uniform = false;  // or a uniform's struct
 };
 std::vector<Definition> definitions(std::string_view file, const Words& words);
 
