@@ -16,6 +16,7 @@
 #include "render/fixed/replay.h"
 #include "render/reference/pixel_history.h"
 #include "render/reference/reference.h"
+#include "scene/command/text.h"
 #include "scene/state/lecture_variants.h"
 
 namespace twinlight::cli {

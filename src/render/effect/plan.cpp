@@ -86,7 +86,8 @@ class Planner {
 
     Plan plan() {
         state().enabled = draw_.lighting.enabled;
-        plan_.budget = keeps_errors_from_adding(draw_.fragment) ? std::max(options_.budget, 0.0) : 0;
+        const bool has_budget = !options_.for_any_pose && keeps_errors_from_adding(draw_.fragment);
+        plan_.budget = has_budget ? std::max(options_.budget, 0.0) : 0;
         facts().srgb_coded = options_.lecture_variants && draw_.fragment.srgb_coded;
         // sRGB's curve is steepest at black, so an error in linear light grows most there.
         if (facts().srgb_coded) plan_.budget /= kSteepestSrgb;
@@ -140,7 +141,8 @@ class Planner {
         const LightsToPlan lights{
             .bounds = draw_bounds(draw_, vertices_, state(), facts().shading == Shading::kPhong),
             .faces = {face_range(&Materials::front, facts().front), face_range(&Materials::back, facts().back)},
-            .primary = facts().needs_primary_rgb()};
+            .primary = facts().needs_primary_rgb(),
+            .for_any_pose = options_.for_any_pose};
         plan_clamp(lights, plan_lights(lights, plan_));
         plan_specular();
         drop_idle_colors();
@@ -311,7 +313,7 @@ class Planner {
         // Separate colours are clamped one by one: a negative highlight becomes 0, whatever the primary colour is.
         if (state().light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
             for (int c = 0; c < 3; ++c) low = std::min(low, of_lights.low[c]);
-        facts().clamp = !(low >= 0 && high <= 1);
+        facts().clamp = options_.for_any_pose || !(low >= 0 && high <= 1);
         if (!facts().clamp)
             leave_out("clamping", fmt::format("the sum of all terms is at most {:.3g}, and no term is negative", high));
     }
@@ -405,7 +407,7 @@ class Planner {
                       state().rescale_normal ? "it is disabled; the normal matrix includes GL_RESCALE_NORMAL's factor"
                                              : "it is disabled",
                       !state().rescale_normal);
-        else
+        else if (!options_.for_any_pose)
             plan_normalize(bounds);
     }
 

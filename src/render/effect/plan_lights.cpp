@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/common.hpp>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -70,7 +71,31 @@ class LightsPlanner {
         return false;
     }
 
+    // Plans a light for any pose: its effects follow from its state, the materials and the colours of the vertices.
+    void plan_light_for_any_pose(std::size_t number) {
+        const LightSource& light = source(number);
+        Candidate candidate{.planned = {.number = static_cast<int>(number)}, .entry = number};
+        LightEffects& effects = candidate.effects;
+        effects.directional = light.position_eye.w == 0;
+        effects.attenuated =
+            !effects.directional &&
+            (light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0);
+        effects.smooth_cone = light.smooth_cone.has_value();
+        effects.spot = light.spot_cutoff_deg != 180 && !effects.smooth_cone;
+        if (effects.spot) effects.spot_exponent = power_of(light.spot_exponent);
+        const bool ambient = given_.primary && meets(ambient_of(light), &FaceRange::ambient);
+        effects.ambient = ambient && !is_unattenuated();
+        effects.diffuse = given_.primary && meets(diffuse_of(light), &FaceRange::diffuse);
+        effects.specular =
+            (given_.primary || is_specular_separate()) && meets(specular_of(light), &FaceRange::specular);
+        plan_.light_bounds[number].bound = glm::dvec3(std::numeric_limits<double>::infinity());
+        const bool folded = ambient && is_unattenuated();
+        if (folded) plan_.constant_ambient += glm::dvec3(light.ambient);
+        decide(candidate, {}, folded, false);
+    }
+
     void plan_light(std::size_t number) {
+        if (given_.for_any_pose) return plan_light_for_any_pose(number);
         const LightSource& light = source(number);
         Candidate candidate{.planned = {.number = static_cast<int>(number)}, .entry = number};
         LightEffects& effects = candidate.effects;

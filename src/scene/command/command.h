@@ -190,6 +190,7 @@ struct Recording {
 
 struct CommandList final : Recording {
     std::vector<Command> commands;
+    std::shared_ptr<const std::string> text = nullptr;  // the C text, for messages; null if there is none
 
     CommandList() = default;
     CommandList(std::string given_name, std::vector<Command> given_commands)

@@ -31,14 +31,17 @@ class Lexer {
     Lexer(std::string_view text, const std::string& file);
 
     // Throws SceneError for a character that C does not use, an unclosed comment or string, or a directive not allowed
-    // in scenes.
+    // in scenes. The next call continues after it; after full-width punctuation it returns the ASCII character.
     Token next();
+    bool at_end() const { return position_ >= text_.size(); }
 
   private:
     void skip_space_and_comments();
     void advance();
     void directive();
     void string();
+    void skip_line();
+    [[noreturn]] void refuse_character();
     bool at(std::string_view word) const { return text_.substr(position_).starts_with(word); }
 
     std::string_view text_;
@@ -47,6 +50,7 @@ class Lexer {
     bool in_pragma_ = false;
     bool line_start_ = true;
     bool pragma_found_ = false;
+    std::string_view replacement_{};  // the ASCII character instead of the last one; empty if there is none
 };
 
 // Untrusted text for a message: in quotes, one line, only printable characters, shortened if long.

@@ -21,22 +21,28 @@ std::string shown(const Token& token) {
 }
 
 std::vector<Command> Reader::read() {
-    while (token_.kind != TokenKind::kEnd && !program_read_) statement();
+    try {
+        advance();
+        while (token_.kind != TokenKind::kEnd && !program_read_) statement_or_error();
+    } catch (const TooManyErrors&) {
+    }
     return std::move(commands_);
 }
 
 // ---- Tokens ----
 
 void Reader::advance() {
+    line_before_ = token_.place.line;
+    ++tokens_;
     token_ = std::move(ahead_);
     if (!primed_) {
         primed_ = true;
-        token_ = lexer_.next();
+        token_ = next_token();
     }
     if (token_.kind == TokenKind::kEnd)
         ahead_ = token_;
     else
-        ahead_ = lexer_.next();
+        ahead_ = next_token();
 }
 
 bool Reader::accept(std::string_view text) {
@@ -83,7 +89,7 @@ void Reader::program() {
     expect("{", "after {}(void)", name.text);
     while (!token_.is("}")) {
         if (token_.kind == TokenKind::kEnd) fail(first.place, "this function is never closed; end it with }}");
-        statement();
+        statement_or_error();
     }
     program_read_ = name.is("draw_scene");
     if (program_read_) return;
@@ -106,6 +112,7 @@ void Reader::declaration() {
             fail(name.place, "expected a variable's name, found {}{}", shown(name),
                  name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : "");
         }
+        misdeclared_.insert(name.text);
         advance();
         if (token_.is("(")) {
             fail(name.place,
@@ -124,6 +131,7 @@ void Reader::declaration() {
                       .unknown_because = "it was declared without a value"};
         initialise(object, name);
         variables_.emplace(name.text, std::move(object));
+        misdeclared_.erase(name.text);
     } while (accept(","));
     expect(";", "after the declaration");
 }
@@ -161,6 +169,7 @@ void Reader::initialise(Object& object, const Token& name) {
 void Reader::assignment() {
     const Token name = token_;
     const auto refuse = [&] {
+        if (!variables_.contains(name.text) && misdeclared_.contains(name.text)) throw FollowingError();
         fail(name.place, "a scene cannot assign to {}; give it its value in its declaration", in_quotes(name.text));
     };
     advance();
@@ -344,7 +353,14 @@ CommandList read_scene(std::string_view text, const std::string& file, const std
         throw SceneError(
             fmt::format("{}: this scene has {} bytes; the limit is {}", file, text.size(), kMaxSceneBytes));
     }
-    return {name, Reader(text, file, load_image).read()};
+    const auto kept = std::make_shared<const std::string>(text);
+    Reader reader(*kept, file, load_image);
+    CommandList commands(name, reader.read());
+    commands.text = kept;
+    if (reader.errors().empty()) return commands;
+    SceneError error(reader.errors(), kept);
+    error.readable = std::make_shared<const CommandList>(std::move(commands));
+    throw error;
 }
 
 }  // namespace twinlight

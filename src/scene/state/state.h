@@ -17,6 +17,8 @@
 
 namespace twinlight {
 
+struct SceneError;
+
 struct StateOptions {
     int width = 640;  // the size of the window in pixels
     int height = 480;
@@ -225,9 +227,12 @@ class State {
     std::optional<GlError> exhausted_;
 };
 
-// Executes all commands of a scene. Throws SceneError at the first GL error, if a glBegin, glNewList or push is still
-// open at the end, and if nothing is drawn.
+// Executes all commands of a scene. Throws SceneError with its GL errors, if a glBegin, glNewList or push is still open
+// at the end, and if nothing is drawn.
 Frame make_frame(const CommandList& commands, const StateOptions& options);
+// For a scene whose text has errors: adds the GL errors of the commands that could be read and do not depend on others
+// (wrong names and values).
+SceneError with_gl_errors(const SceneError& error, const StateOptions& options);
 Scene make_scene(std::shared_ptr<const CommandList> commands, const StateOptions& options);
 
 }  // namespace twinlight
