@@ -34,7 +34,7 @@ Size parse_size(const std::string& text);
 void add_size_option(CLI::App& app, Size& size);
 // Empty if the option is not given; --help then shows `default_size`.
 void add_size_option(CLI::App& app, std::optional<Size>& size,
-                     const std::string& default_size = "640x480; for a recorded program, its window's size");
+                     const std::string& default_size = "640x480; for a program, its window's size");
 
 // Rejects empty names of files and scenes.
 CLI::Validator not_empty();
