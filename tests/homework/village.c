@@ -132,7 +132,7 @@ void display(void)
     color(0.3f, 0.55f, 0.2f);
     glNormal3f(0, 0, 1);
     glBegin(GL_QUADS);
-    glVertex2i(-20, -20); glVertex2i(20, -20); glVertex2i(20, 20); glVertex2i(-20, 20);
+    glVertex2i(-20, -9); glVertex2i(20, -9); glVertex2i(20, 20); glVertex2i(-20, 20);
     glEnd();
     for (i = 0; i < HOUSES; i++) {
         double a = 2 * M_PI * i / HOUSES;

@@ -149,7 +149,6 @@ void Lexer::character() {
 
 std::size_t Lexer::operator_length() const {
     const std::string_view rest = text_.substr(position_);
-    if (language_ == Language::kScene) return std::string_view("(){}[],;=+-*/|&").find(rest[0]) != rest.npos ? 1 : 0;
     for (std::string_view three : {"<<=", ">>="})
         if (rest.starts_with(three)) return 3;
     for (std::string_view two : {"==", "!=", "<=", ">=", "&&", "||", "++", "--", "+=", "-=",
@@ -214,7 +213,9 @@ Token Lexer::next() {
     } else if (c == '"') {
         token.kind = TokenKind::kString;
         string();
-    } else if (const std::size_t length = operator_length()) {
+    } else if (language_ == Language::kScene && std::string_view("(){}[],;=+-*/|&").find(c) != std::string_view::npos) {
+        advance();
+    } else if (const std::size_t length = language_ == Language::kProgram ? operator_length() : 0; length > 0) {
         for (std::size_t i = 0; i < length; ++i) advance();
     } else if (c == '\'' && language_ == Language::kProgram) {
         token.kind = TokenKind::kNumber;

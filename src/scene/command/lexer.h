@@ -48,7 +48,7 @@ class Lexer {
     void directive();
     void string();
     void character();
-    // The length of the operator or bracket here; 0 if there is none.
+    // The length of the operator or bracket here in a program; 0 if there is none.
     std::size_t operator_length() const;
     bool at(std::string_view word) const { return text_.substr(position_).starts_with(word); }
 

@@ -217,12 +217,12 @@ Value Reader::product() {
 
 Value Reader::unary() {
     const Token start = token_;
-    bool negative = false;
+    bool negative = false, has_sign = false;
     while (token_.is("-") || token_.is("+")) {
+        has_sign = true;
         negative ^= token_.is("-");
         advance();
     }
-    const bool has_sign = start.is("-") || start.is("+");
     Value value = program_ ? prefix() : primary();
     if (has_sign && value.is_pointer()) fail(start.place, "an array cannot have a sign");
     if (!negative) return value;
