@@ -63,9 +63,10 @@ export DEPENDENCIES
 # ---- Flags ------------------------------------------------------------------------------------------------------
 
 MODULES := glm fmt CLI11 nlohmann_json stb
+GCC := $(shell $(CXX) -dumpversion 2>/dev/null)
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(if $(CI),-Werror)
-# False alarms of g++ 14 about copies of the standard library's vectors and shared pointers.
-WARNINGS += $(if $(filter 14,$(shell $(CXX) -dumpversion 2>/dev/null)),-Wno-free-nonheap-object -Wno-maybe-uninitialized)
+# False alarms of g++ 13 and 14 about the standard library's own copies.
+WARNINGS += $(if $(filter 13,$(GCC)),-Wno-array-bounds) $(if $(filter 14,$(GCC)),-Wno-free-nonheap-object -Wno-maybe-uninitialized)
 # The reference is compared bit by bit across builds: no contraction of a*b+c behind the source's back.
 CXXFLAGS_common := -std=c++20 -ffp-contract=off $(WARNINGS) -Isrc -DGL_GLEXT_PROTOTYPES
 CXXFLAGS_release := -O2
@@ -126,16 +127,17 @@ SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOUR
 HEADERS := $(sort $(shell find src tests -name '*.h'))
 EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes shaders pages cases)
 FILES_scenes := $(wildcard src/scene/scenes/*.gl)
-FILES_shaders := $(wildcard src/render/programmable/shaders/*.glsl src/render/programmable/precise/*.glsl)
+FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl precise/*.glsl kept/*.glsl kept/loader.* kept/page.html))
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)
 FILES_pages := $(wildcard src/judge/report/pages/*) $(BUILD)/embedded/chart.js
 
 # With units=rooms, each folder of src/ (a room) is one translation unit, which reads its headers once. Files with their own
-# flags are compiled separately, and so are those that a program links without the rest of their room.
+# flags are compiled separately, and so are those that a program links without the rest of their room, and one that calls so many of
+# the equation's functions that g++ would no longer inline them where pictures are lit.
 ALONE := $(if $(filter files,$(units)),%.cpp,src/render/context/%.cpp src/lighting/points_avx%.cpp \
-    src/app/demo/main.cpp src/app/demo/window.cpp src/app/cli/progress.cpp tests/%.cpp)
+    src/render/reference/pixel_history.cpp src/app/demo/main.cpp src/app/demo/window.cpp src/app/cli/progress.cpp tests/%.cpp)
 ROOMS := $(patsubst %/,%,$(sort $(dir $(filter-out $(ALONE),$(SOURCES_all)))))
 object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
     $(patsubst %,$(BUILD)/objects/%.room.o,$(patsubst %/,%,$(dir $(filter-out $(ALONE),$(1))))))
@@ -144,7 +146,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check headers tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check includes tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -195,19 +197,19 @@ instructions: deps  ## recount the instructions in tests/instructions after an i
 format:  ## format every source with clang-format
 	clang-format -i $(SOURCES_all) $(HEADERS)
 
-check:  ## check the format, compile each header, run clang-tidy, and run every test under the address and undefined-behaviour sanitizers
+check:  ## check the format, compile each file by itself, run clang-tidy, and run every test under the address and undefined-behaviour sanitizers
 	@if command -v clang-format >/dev/null; then \
 	    clang-format --dry-run -Werror $(SOURCES_all) $(HEADERS); \
 	    else echo "format: skipped, because clang-format is not installed"; fi
-	@$(MAKE) headers
+	@$(MAKE) includes
 	@if command -v clang-tidy >/dev/null; then $(MAKE) tidy; \
 	    else echo "tidy: skipped, because clang-tidy is not installed"; fi
 	@$(MAKE) test config=sanitize
 
-headers: deps  ## compile each header by itself: it must include what it uses
-	@$(MAKE) --keep-going $(HEADERS:%=header/%)
-header/%: %
-	@$(CXX) $(CXXFLAGS_all) -fsyntax-only -include $< -x c++ /dev/null
+includes: deps  ## compile each header and source by itself: it must include what it uses
+	@$(MAKE) --keep-going $(patsubst %,includes/%,$(HEADERS) $(filter-out $(SOURCES_fuzz),$(SOURCES_all)))
+includes/%: %
+	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) -fsyntax-only $(if $(filter %.h,$<),-include $< -x c++ /dev/null,$<)
 
 tidy: $(patsubst %,tidy/%,$(SOURCES_all))
 tidy/%: % programs

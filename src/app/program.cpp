@@ -122,18 +122,6 @@ void write_result(std::string_view bytes) {
     }
 }
 
-std::string one_line(std::string_view text) {
-    std::string line;
-    for (const char c : text) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-        } else {
-            line += c;
-        }
-    }
-    return line;
-}
-
 int run_reporting_errors(std::string_view program, const std::function<int()>& run) {
     const auto fail = [](const std::string& message) {
         fmt::print(stderr, "{}\n", message);
@@ -142,7 +130,8 @@ int run_reporting_errors(std::string_view program, const std::function<int()>& r
     try {
         return run();
     } catch (const SceneError& error) {  // begins with the place, for editors to jump to
-        return fail(one_line(error.what()));
+        fmt::print(stderr, "{}", as_compilers_print(error));
+        return kBadInput;
     } catch (const std::bad_alloc&) {
         return fail(fmt::format("{}: out of memory; try a smaller --size", program));
     } catch (const UsageError& error) {

@@ -1,12 +1,15 @@
 // Shared by the command lines of both programs: version, exit status, error messages, sizes.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace twinlight {
 
@@ -15,7 +18,7 @@ inline constexpr const char* kVersion = "0.1";
 // Exit status.
 inline constexpr int kFine = 0;
 inline constexpr int kDifferent = 1;  // a difference that is larger than allowed
-inline constexpr int kBadInput = 2;   // or bad usage; standard error has one line
+inline constexpr int kBadInput = 2;   // or bad usage; standard error has one line, or a scene's errors
 
 // Bad usage. what() is one line: what is wrong, and how to correct it.
 struct UsageError : std::runtime_error {
@@ -36,6 +39,17 @@ void add_size_option(CLI::App& app, Size& size);
 void add_size_option(CLI::App& app, std::optional<Size>& size,
                      const std::string& default_size = "640x480; for a program, its window's size");
 
+// Accepts numbers from `low` to `high`. Unlike CLI::Range, adds nothing to --help, and its message is plain.
+template <class Number>
+CLI::Validator number_from(Number low, Number high) {
+    const auto check = [low, high](const std::string& text) {
+        if (CLI::Range(low, high)(text).empty()) return std::string();
+        return fmt::format("'{}' is not a {}number from {} to {}", text, std::is_integral_v<Number> ? "whole " : "",
+                           low, high);
+    };
+    return CLI::Validator(check, "");
+}
+
 // Rejects empty names of files and scenes.
 CLI::Validator not_empty();
 
@@ -44,9 +58,6 @@ bool parse_command_line(CLI::App& app, int argc, char** argv);
 
 // Writes all of `bytes` to standard output. Throws FileError.
 void write_result(std::string_view bytes);
-
-// Escapes control characters, so that a message with any file name stays on one line.
-std::string one_line(std::string_view text);
 
 // Runs a program and returns its exit status. If it throws, prints the error on standard error and returns kBadInput.
 int run_reporting_errors(std::string_view program, const std::function<int()>& run);

@@ -1,4 +1,5 @@
-// The equation's colour with its parts: the terms of each light, and the magnitude that errors are divided by.
+// The equation's colour with its parts: the terms of each light with the directions and cosines behind them, and the
+// magnitude that errors are divided by.
 #pragma once
 
 #include "lighting/equation.h"
@@ -24,6 +25,36 @@ MeasuredLit<Real> measured_light(const Model<Real>& model, const Material<Real>&
         if (!model.separate_specular) sum += magnitudes(t.specular);
     });
     return {lit, finite_or_zero(sum)};
+}
+
+// What light_terms() finds on its way to a light's factors.
+template <class Real>
+struct LightGeometry {
+    Vec3<Real> vp_dir{};       // VP_i: from the vertex to the light
+    Real distance{0};          // d; only of a positional light
+    Real cosine_to_light{0};   // n . VP_i, not clamped; the cosine of the angle if n is a unit vector
+    Vec3<Real> half_dir{};     // h_i; in the lecture's variant r
+    Real cosine_highlight{0};  // n . h_i, not clamped; in the lecture's variant r . VP_e
+    Real denominator{1};       // k_0 + k_1 d + k_2 d^2; 1 for a directional light
+    Real cosine_to_axis{1};    // PV . s_dli, not clamped; only of a spot
+};
+
+template <class Real>
+LightGeometry<Real> light_geometry(const Model<Real>& model, const SurfacePoint<Real>& surface,
+                                   const Light<Real>& light) {
+    const Vec3<Real> n = surface.normal_eye;
+    const Vec3<Real> vpe_dir = toward_viewer(model, surface.position_eye);
+    const auto [vp_dir, d] = toward_light(light, surface.position_eye);
+    LightGeometry<Real> g{.vp_dir = vp_dir};
+    g.cosine_to_light = dot(n, vp_dir);
+    g.half_dir = model.reflection ? Real(2) * g.cosine_to_light * n - vp_dir : unit(vp_dir + vpe_dir);
+    g.cosine_highlight = highlight_cosine(model, light, n, vp_dir, vpe_dir);
+    if (!light.directional) {
+        g.distance = d;
+        g.denominator = attenuation_denominator(light, d);
+    }
+    if (light.is_spot || light.has_smooth_cone) g.cosine_to_axis = cosine_to_axis(light, vp_dir);
+    return g;
 }
 
 }  // namespace twinlight::lighting

@@ -117,11 +117,13 @@ Vec3<Real> toward_viewer(const Model<Real>& model, Vec3<Real> position_eye) {
 // RULING: 0 if the denominator is not positive (k = 0, 0, 0; or k_0 = 0 and the light is at the vertex).
 // Horner's form avoids the overflow of d^2 when k_2 is 0.
 template <class Real>
+Real attenuation_denominator(const Light<Real>& light, Real d) {
+    return light.constant_attenuation + d * (light.linear_attenuation + light.quadratic_attenuation * d);
+}
+template <class Real>
 Real attenuation(const Light<Real>& light, Real d) {
     if (light.directional) return Real(1);
-    const Real denominator =
-        light.constant_attenuation + d * (light.linear_attenuation + light.quadratic_attenuation * d);
-    return inverse_or_zero(denominator, Ruling::kAttenuation);
+    return inverse_or_zero(attenuation_denominator(light, d), Ruling::kAttenuation);
 }
 
 // The lecture's cone: clamp((cos t - cos outer) / (cos inner - cos outer), 0, 1).
@@ -135,6 +137,12 @@ Real smooth_cone(const Light<Real>& light, Real cos_angle) {
     return select(span > Real(0), slope, ruled(Ruling::kEqualCones, step));
 }
 
+// PV . s_dli: the cosine of the angle between the cone's axis and the direction to the vertex. Not clamped to 0.
+template <class Real>
+Real cosine_to_axis(const Light<Real>& light, Vec3<Real> vp_dir) {
+    return dot(-vp_dir, light.spot_dir_eye);
+}
+
 // spot_i = (PV . s_dli)^s_rli inside the cone, 0 outside, where PV = -VP. Applies to directional lights too.
 // The cone includes its border, so the comparison allows for the rounding of a cosine (4 epsilon).
 // RULING: a cone of 90 degrees is dark behind the light. The specification compares a cosine that is clamped to 0, so
@@ -142,7 +150,7 @@ Real smooth_cone(const Light<Real>& light, Real cos_angle) {
 template <class Real>
 Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
     if (!light.is_spot && !light.has_smooth_cone) return Real(1);
-    const Real cos_angle = dot(-vp_dir, light.spot_dir_eye);
+    const Real cos_angle = cosine_to_axis(light, vp_dir);
     if (light.has_smooth_cone) return smooth_cone(light, cos_angle);
     const Real rounding = Real(4) * Limits<Real>::epsilon;
     const Real falloff = power(larger(cos_angle, Real(0)), light.spot_exponent);
@@ -158,20 +166,26 @@ Real cosine_to_half(Vec3<Real> n, Vec3<Real> a, Vec3<Real> b) {
     return over_length(dot(n, a) + dot(n, b), length(a + b), Ruling::kOppositeHalfVector);
 }
 
+// The base of the highlight's power: n . h_i, or r . VP_e in the lecture's variant. Not clamped to 0.
+template <class Real>
+Real highlight_cosine(const Model<Real>& model, const Light<Real>& light, Vec3<Real> n, Vec3<Real> vp_dir,
+                      Vec3<Real> vpe_dir) {
+    if (model.reflection) {
+        const Vec3<Real> reflected = Real(2) * dot(n, vp_dir) * n - vp_dir;
+        return dot(reflected, vpe_dir);
+    }
+    return light.directional && !model.local_viewer ? dot(n, light.half_dir_eye) : cosine_to_half(n, vp_dir, vpe_dir);
+}
+
 // f_i (n . h_i)^s_rm. h_i is halfway between VP and VP_e; f_i is 1 if n . VP > 0, otherwise 0.
 // The lecture's variant is (r . VP_e)^s_rm, where r is VP reflected about n. It has no f_i, so a light behind the
 // surface may shine through.
 template <class Real>
 Real highlight(const Model<Real>& model, const Light<Real>& light, Real shininess, Vec3<Real> n, Vec3<Real> vp_dir,
                Vec3<Real> vpe_dir) {
-    const Real n_dot_vp = dot(n, vp_dir);
-    if (model.reflection) {
-        const Vec3<Real> reflected = Real(2) * n_dot_vp * n - vp_dir;
-        return power(positive_dot(reflected, vpe_dir), shininess);
-    }
-    const Real n_dot_h =
-        light.directional && !model.local_viewer ? dot(n, light.half_dir_eye) : cosine_to_half(n, vp_dir, vpe_dir);
-    return select(n_dot_vp > Real(0), power(larger(n_dot_h, Real(0)), shininess), Real(0));
+    const Real cosine = highlight_cosine(model, light, n, vp_dir, vpe_dir);
+    const Real highlight = power(larger(cosine, Real(0)), shininess);
+    return model.reflection ? highlight : select(dot(n, vp_dir) > Real(0), highlight, Real(0));
 }
 
 // ---- The sum ----

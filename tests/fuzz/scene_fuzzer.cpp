@@ -34,6 +34,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         scene = read_scene(text, "fuzz.gl", "fuzz", image, {.most_steps = 100'000});
     } catch (const SceneError& error) {
         check_message(error.what());
+        for (const char c : as_compilers_print(error))
+            if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7F)
+                fail("a control character in an error", error.what());
         return 0;
     }
     const std::string printed = print_scene(scene);

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "../golden/picture_failure.h"
+#include "../unit/quad_cuts.h"
 #include "judge/fuzz/random.h"
 #include "render/context/context.h"
 #include "render/effect/plan.h"
@@ -290,10 +291,12 @@ Scene scene_of(const std::string& text) {
 // The range that the fixed function may show, channel by channel.
 struct Bounds {
     Image least, greatest, itself;
+    Image between_cuts;  // how much further the other cut of quadrilaterals may take a channel
 };
 
 Bounds fixed_bounds(const SceneText& scene) {
     Bounds bounds;
+    bounds.between_cuts = between_cuts(scene_of(scene.text({})).frame, {});
     bounds.itself = fixed::render(scene_of(scene.text({})));
     bounds.least = bounds.greatest = bounds.itself;
     std::vector<SceneText::Moved> moves = {{.level = kLevelStep}, {.level = -kLevelStep}};
@@ -311,7 +314,7 @@ Bounds fixed_bounds(const SceneText& scene) {
     return bounds;
 }
 
-// Counts of pixels: all; drawn on; different from the fixed function; with a range of more than kOpen steps of 1/255.
+// Counts of pixels: all; drawn on; different from the fixed function where both cuts are alike; with a range of more than kOpen steps of 1/255.
 struct Count {
     std::size_t pixels = 0, drawn = 0, different = 0, open = 0;
     int worst = 0;  // steps of 1/255 beyond the bounds
@@ -324,16 +327,20 @@ Count count(const Bounds& bounds, const Image& picture) {
     const Rgba background = bounds.itself.at(0, 0);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         int beyond = 0, width = 0;
+        bool is_cut_alike = true;
         for (std::size_t c = 0; c < 4; ++c) {
             const int code = channel_code(picture.pixels[i][c]);
             const int least = channel_code(bounds.least.pixels[i][c]);
             const int greatest = channel_code(bounds.greatest.pixels[i][c]);
-            beyond = std::max({beyond, least - code, code - greatest});
+            const float between = bounds.between_cuts.pixels[i][c];
+            is_cut_alike = is_cut_alike && between == 0;
+            beyond =
+                std::max(beyond, std::max(least - code, code - greatest) - static_cast<int>(std::ceil(255 * between)));
             width = std::max(width, greatest - least);
         }
         ++count.pixels;
         count.drawn += bounds.itself.pixels[i] != background;
-        count.different += picture.pixels[i] != bounds.itself.pixels[i];
+        count.different += is_cut_alike && picture.pixels[i] != bounds.itself.pixels[i];
         count.open += width > kOpen;
         count.worst = std::max(count.worst, beyond);
     }

@@ -14,8 +14,8 @@
 #include "render/fixed/fixed.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
+#include "scene/state/answers.h"
 #include "scene/state/state.h"
-#include "state_answers.h"
 
 namespace twinlight {
 namespace {

@@ -4,11 +4,13 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <map>
 
 #include "app/cli/progress.h"
 #include "base/image/file.h"
+#include "scene/command/text.h"
 #include "scene/scenes/load.h"
 #include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
@@ -100,8 +102,12 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
 }  // namespace
 
 Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame) {
-    std::shared_ptr<const Recording> recording =
-        load_recording(name, size ? std::optional(WindowSize{size->width, size->height}) : std::nullopt);
+    std::shared_ptr<const Recording> recording;
+    try {
+        recording = load_recording(name, size ? std::optional(WindowSize{size->width, size->height}) : std::nullopt);
+    } catch (const SceneError& error) {
+        throw with_gl_errors(error, {});
+    }
     const CommandList* commands = recording->command_list();
     if (!commands) return load_recorded_frame(recording, size, frame);
     if (frame) {
@@ -111,6 +117,12 @@ Scene load_scene(const std::string& name, std::optional<Size> size, std::optiona
     const auto [width, height] = size.value_or(Size{});
     Frame made = make_frame(*commands, {.width = width, .height = height});
     return {std::move(recording), std::move(made)};
+}
+
+std::string name_after_scene(const std::string& scene, std::string_view suffix) {
+    std::string stem = scene == "-" ? "stdin" : std::filesystem::path(scene).stem().string();
+    if (stem.empty()) stem = "scene";
+    return stem + std::string(suffix);
 }
 
 bool result_in_color() {

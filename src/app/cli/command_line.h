@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
 #include "app/program.h"
 #include "render/look.h"
@@ -28,6 +27,7 @@ Subcommand add_render(CLI::App& app);
 Subcommand add_compare(CLI::App& app);
 Subcommand add_explain(CLI::App& app);
 Subcommand add_export(CLI::App& app);
+Subcommand add_record(CLI::App& app);
 Subcommand add_scenes(CLI::App& app);
 Subcommand add_study(CLI::App& app);
 Subcommand add_fuzz(CLI::App& app);
@@ -40,17 +40,6 @@ CLI::Validator one_of(const Map& map) {
     for (const auto& [name, value] : map) names += (names.empty() ? "" : ", ") + name;
     const auto check = [&map, names](const std::string& text) {
         return map.contains(text) ? "" : "'" + text + "' is not one of " + names;
-    };
-    return CLI::Validator(check, "");
-}
-
-// Accepts numbers from `low` to `high`. Unlike CLI::Range, adds nothing to --help, and its message is plain.
-template <class Number>
-CLI::Validator number_from(Number low, Number high) {
-    const auto check = [low, high](const std::string& text) {
-        if (CLI::Range(low, high)(text).empty()) return std::string();
-        return fmt::format("'{}' is not a {}number from {} to {}", text, std::is_integral_v<Number> ? "whole " : "",
-                           low, high);
     };
     return CLI::Validator(check, "");
 }
@@ -69,6 +58,9 @@ void add_frame_option(CLI::App& app, std::optional<int>& frame);
 
 // Loads a scene, or a frame of a recorded program. Notes about a recording (cut short, GL errors) go to standard error.
 Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame = std::nullopt);
+
+// The default of -o: "lab-report" for the scene lab or dir/lab.gl with the suffix "-report", in the working folder.
+std::string name_after_scene(const std::string& scene, std::string_view suffix);
 
 // Whether standard output may be coloured: it is a terminal, and NO_COLOR (no-color.org) is not set.
 bool result_in_color();

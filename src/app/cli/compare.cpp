@@ -67,6 +67,7 @@ std::string summary(const compare::Comparison& comparison, const std::string& fo
         fmt::format("{}, {} x {}, {}\n\n", comparison.scene, comparison.width, comparison.height, comparison.driver);
     for (const std::string& sentence : report::answer(comparison).sentences()) text += sentence + "\n";
     for (const Unsupported& item : comparison.unsupported) text += report::sentence_of(item) + "\n";
+    for (const compare::Query& query : comparison.queries) text += compare::sentence_of(query) + "\n";
     text += "\n" + table(comparison) + "\nTime:";
     for (const compare::Render& render : comparison.renders) {
         text += fmt::format("{} {} {:.1f} ms", text.back() == ':' ? "" : ",", render.name, render.ms);
@@ -74,7 +75,8 @@ std::string summary(const compare::Comparison& comparison, const std::string& fo
     return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
-int run_compare(const CompareArguments& arguments) {
+int run_compare(CompareArguments arguments) {
+    if (arguments.folder.empty()) arguments.folder = name_after_scene(arguments.scene, "-report");
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
     compare::Comparison comparison;
     {
@@ -100,8 +102,9 @@ Subcommand add_compare(CLI::App& app) {
     const auto arguments = std::make_shared<CompareArguments>();
     CLI::App* compare = app.add_subcommand("compare", "Draw a scene with all renderers and report where they differ");
     add_scene_argument(*compare, arguments->scene);
-    compare->add_option("-o", arguments->folder, "folder for the report; created if it does not exist")
-        ->required()
+    compare
+        ->add_option("-o", arguments->folder,
+                     "folder for the report; created if it does not exist (default: the scene's name and -report)")
         ->type_name("DIR")
         ->check(not_empty());
     add_size_option(*compare, arguments->size);

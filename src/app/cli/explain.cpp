@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -21,9 +23,9 @@ struct ExplainArguments {
     std::optional<Shading> shading;
     std::optional<Size> size;
     std::optional<int> frame;
-    std::string pixel;
+    std::string pixel, vertex;
     double budget = PlanOptions{}.budget;
-    bool json = false;
+    bool json = false, all = false;
 };
 
 // ---- As text ----
@@ -50,7 +52,8 @@ Facts facts_of(const Plan& plan) {
     return facts;
 }
 
-std::string table(const Plan& plan) {
+// Without `all`, leaves out lights and effects that the scene does not turn on.
+std::string table(const Plan& plan, bool all) {
     struct Row {
         std::string what, why;
         bool in;
@@ -59,9 +62,11 @@ std::string table(const Plan& plan) {
     const Facts facts = facts_of(plan);
     std::size_t in = 0;
     for (const ExplainedLights& lights : explain_lights(plan))
-        rows.push_back(
-            {lights.names, lights.in ? facts.of_lights.at(in++) + ": " + lights.why : lights.why, lights.in});
-    for (const LeftOut& left_out : plan.left_out) rows.push_back({left_out.what, left_out.why, false});
+        if (all || !lights.is_off)
+            rows.push_back(
+                {lights.names, lights.in ? facts.of_lights.at(in++) + ": " + lights.why : lights.why, lights.in});
+    for (const LeftOut& left_out : plan.left_out)
+        if (all || !left_out.is_off) rows.push_back({left_out.what, left_out.why, false});
     std::size_t width = 0;
     for (const Row& row : rows) width = std::max(width, row.what.size());
     std::string text;
@@ -75,25 +80,65 @@ std::string counted(std::size_t count, const char* what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+// At most ten names, so that a scene with many lights stays readable.
+std::string listed(const std::set<std::string>& items, const char* none, const char* separator = ", ") {
+    constexpr std::size_t kMost = 10;
+    if (items.empty()) return none;
+    const std::vector<std::string> shown(
+        items.begin(), std::next(items.begin(), static_cast<std::ptrdiff_t>(std::min(items.size(), kMost))));
+    return fmt::format("{}", fmt::join(shown, separator)) +
+           (items.size() > kMost ? fmt::format(" and {} more", items.size() - kMost) : "");
+}
+
+// Ten lines at most: what a reader with a wrong picture looks at first.
 std::string summary(const Scene& scene, const std::vector<ExplainedDraw>& draws, double budget) {
-    std::size_t count = 0;
-    for (const ExplainedDraw& draw : draws) count += draw.numbers.size();
+    std::size_t unlit = 0, count = 0;
+    std::set<std::string> shadings, matters, skipped, effects;
+    std::map<std::string, std::set<std::string>> reasons;  // why a light is skipped, in some draw
+    for (const ExplainedDraw& draw : draws) {
+        count += draw.numbers.size();
+        const EffectSet& facts = draw.plan.effects;
+        if (!facts.lighting) unlit += draw.numbers.size();
+        if (facts.lighting) shadings.insert(name_of(facts.shading));
+        for (const LightBound& light : draw.plan.light_bounds) {
+            if (light.in()) matters.insert(light_name(light.number));
+            if (!light.in() && light.fate != LightFate::kDisabled)
+                reasons[light_name(light.number)].insert(reason(light));
+        }
+        for (const std::string& fact : facts_of(draw.plan).of_draw)
+            if (!fact.ends_with("lighting") && !fact.ends_with(" shading")) effects.insert(fact);
+        if (facts.two_side) effects.insert("two-sided lighting");
+    }
+    for (const auto& [light, why] : reasons)
+        if (!matters.contains(light)) skipped.insert(light + " (" + *why.begin() + ")");
     std::string text = fmt::format("{}, {} x {}: {} with {} of effects; allowed change of a channel: {}\n",
                                    scene.name(), scene.frame.width, scene.frame.height, counted(count, "draw"),
                                    counted(draws.size(), "different set"), in_codes(budget));
+    text += fmt::format("  lit:                    {} of {}{}\n", count - unlit, count,
+                        unlit == 0 ? "" : "; GL_LIGHTING is disabled for the rest, which show glColor");
+    text += "  shading:                " + listed(shadings, "no draw is lit") + "\n";
+    text += "  lights that matter:     " + listed(matters, "none") + "\n";
+    text += "  enabled, but skipped:   " + listed(skipped, "none", "; ") + "\n";
+    text += "  effects in use:         " + listed(effects, "none", "; ") + "\n";
+    const double error = error_bound(draws);
+    text += "  skipping changes:       " +
+            (error == 0 ? "no pixel" : fmt::format("a channel by at most {}", in_codes(error))) + "\n";
+    return text + "  one pixel, one vertex:  --pixel X,Y and --vertex DRAW,N; everything that is off: --all\n";
+}
+
+std::string explanation(const Scene& scene, const std::vector<ExplainedDraw>& draws, double budget, bool all) {
+    std::string text = summary(scene, draws, budget);
     for (const ExplainedDraw& draw : draws) {
         text += "\n" + heading(name_of(draw)) +
                 "\n  effects: " + fmt::format("{}", fmt::join(facts_of(draw.plan).of_draw, ", ")) + "\n" +
-                table(draw.plan);
+                table(draw.plan, all);
         if (draw.plan.error_bound > 0)
             text += fmt::format("  all skipped lights together change a channel by at most {}\n",
                                 in_codes(draw.plan.error_bound));
         if (draw.plan.budget < budget)
             text += "  nothing is skipped that changes a pixel, because blending may add up such errors\n";
     }
-    const double error = error_bound(draws);
-    return text + (error == 0 ? "\nSkipping them changes no pixel.\n"
-                              : fmt::format("\nSkipping them changes a channel by at most {}.\n", in_codes(error)));
+    return text;
 }
 
 // ---- As JSON ----
@@ -116,7 +161,7 @@ Json json_of(const ExplainedDraw& draw) {
                                   {"bound", {number(light.bound.r), number(light.bound.g), number(light.bound.b)}}});
     json["left_out"] = Json::array();
     for (const LeftOut& left_out : draw.plan.left_out)
-        json["left_out"].push_back({{"what", left_out.what}, {"why", left_out.why}});
+        json["left_out"].push_back({{"what", left_out.what}, {"why", left_out.why}, {"is_off", left_out.is_off}});
     json["budget"] = draw.plan.budget;
     json["error_bound"] = draw.plan.error_bound;
     return json;
@@ -131,15 +176,24 @@ std::string json_text(const Scene& scene, const std::vector<ExplainedDraw>& draw
 }
 
 int run_explain(const ExplainArguments& arguments) {
+    if (!arguments.pixel.empty() && !arguments.vertex.empty())
+        throw UsageError("--pixel and --vertex are two questions; give one of them");
+    if (!arguments.vertex.empty() && arguments.shading)
+        throw UsageError("--shading does not change how a vertex is lit; leave it out, or use --pixel X,Y");
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
     const PlanOptions options{{.shading = arguments.shading}, arguments.budget};
+    const ExplainOptions of_point{options, arguments.json, arguments.all};
     if (!arguments.pixel.empty()) {
-        const Pixel pixel = parse_pixel(arguments.pixel, scene.frame);
-        write_result(explain_pixel(scene, options, pixel, arguments.json));
+        write_result(explain_pixel(scene, of_point, parse_pixel(arguments.pixel, scene.frame)));
+        return kFine;
+    }
+    if (!arguments.vertex.empty()) {
+        write_result(explain_vertex(scene, of_point, parse_vertex(arguments.vertex, scene.frame)));
         return kFine;
     }
     const std::vector<ExplainedDraw> draws = explain(scene.frame, options);
-    write_result(arguments.json ? json_text(scene, draws, arguments.budget) : summary(scene, draws, arguments.budget));
+    write_result(arguments.json ? json_text(scene, draws, arguments.budget)
+                                : explanation(scene, draws, arguments.budget, arguments.all));
     return kFine;
 }
 
@@ -147,16 +201,23 @@ int run_explain(const ExplainArguments& arguments) {
 
 Subcommand add_explain(CLI::App& app) {
     const auto arguments = std::make_shared<ExplainArguments>();
-    CLI::App* explain = app.add_subcommand("explain", "Show which effects a scene uses, and why others are skipped");
+    CLI::App* explain = app.add_subcommand(
+        "explain", "Show which effects a scene uses, or the lighting equation with its numbers at a pixel");
     add_scene_argument(*explain, arguments->scene);
     add_shading_option(*explain, arguments->shading);
     add_size_option(*explain, arguments->size);
     add_frame_option(*explain, arguments->frame);
     add_budget_option(*explain, arguments->budget);
     explain
-        ->add_option("--pixel", arguments->pixel, "show every lighting term of one pixel; 0,0 is the top left corner")
+        ->add_option("--pixel", arguments->pixel,
+                     "show the lighting equation with its numbers at one pixel; 0,0 is the top left corner")
         ->type_name("X,Y")
         ->check(not_empty());
+    explain->add_option("--vertex", arguments->vertex, "the same at a vertex; draws and vertices count from 1")
+        ->type_name("DRAW,N")
+        ->check(not_empty());
+    explain->add_flag("--all", arguments->all,
+                      "show also lights and effects that the scene does not turn on, and every vertex of a pixel");
     explain->add_flag("--json", arguments->json, "print one JSON object instead of the text");
     return {explain, [arguments] { return run_explain(*arguments); }};
 }

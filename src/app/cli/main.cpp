@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/cli/command_line.h"
 #include "scene/command/names.h"
+#include "scene/scenes/load.h"
 
 namespace {
 
@@ -33,6 +36,15 @@ void check_subcommand(int argc, char** argv, const std::vector<std::string>& nam
         throw UsageError("give a command before '" + name + "': " + listed(names) + "; see 'twinlight --help'");
     }
     if (std::ranges::find(names, name) != names.end()) return;
+    if (name == "help")
+        throw UsageError("there is no command 'help'; 'twinlight --help' and 'twinlight COMMAND --help' print help");
+    std::error_code ignored;
+    const bool is_scene =
+        std::ranges::any_of(kSceneFiles, [&](const EmbeddedFile& file) { return file.name == name + ".gl"; }) ||
+        std::filesystem::is_regular_file(name, ignored);
+    if (is_scene)
+        throw UsageError(
+            fmt::format("a command is missing before the scene '{}'; try 'twinlight compare {}'", name, name));
     const auto near = nearest(name, {names.begin(), names.end()});
     throw UsageError(
         fmt::format("there is no command '{}'; {}", name,
@@ -49,8 +61,9 @@ int run(int argc, char** argv) {
     app.set_help_flag("-h,--help", "Print this help and exit");
     app.set_version_flag("--version", version, "Print the version and exit");
 
-    const std::array subcommands = {add_render(app), add_compare(app), add_explain(app), add_export(app),
-                                    add_scenes(app), add_study(app),   add_fuzz(app),    add_check(app)};
+    const std::array subcommands = {add_render(app), add_compare(app), add_explain(app),
+                                    add_export(app), add_record(app),  add_scenes(app),
+                                    add_study(app),  add_fuzz(app),    add_check(app)};
     std::vector<std::string> names;
     for (const Subcommand& subcommand : subcommands) {
         names.push_back(subcommand.app->get_name());

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <filesystem>
 #include <map>
 
 #include "app/cli/command_line.h"
@@ -13,6 +16,7 @@
 #include "render/effect/scrubbed_state.h"
 #include "render/fixed/replay.h"
 #include "render/reference/reference.h"
+#include "scene/command/text.h"
 
 namespace twinlight::cli {
 
@@ -41,8 +45,7 @@ void warn_unsupported(const Frame& frame, Path path) {
         if (lacks(path, item)) fmt::print(stderr, "twinlight: note: {}\n", report::sentence_of(item, std::array{path}));
 }
 
-Image drawn(const RenderArguments& arguments, const Scene& scene) {
-    const RendererSet renderers(scene.frame.width, scene.frame.height);
+Image drawn(const RenderArguments& arguments, const Scene& scene, const RendererSet& renderers) {
     const PlanOptions plan{{.shading = arguments.shading}, arguments.budget};
     switch (kRenderers.at(arguments.renderer)) {
         case Path::kFixed:
@@ -61,7 +64,22 @@ Image drawn(const RenderArguments& arguments, const Scene& scene) {
     return {};
 }
 
-int run_render(const RenderArguments& arguments) {
+// -o writes a PNG whatever the name is, so it refuses the names of other formats.
+void check_is_png(const std::string& file) {
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    for (std::string_view other :
+         {".jpg", ".jpeg", ".gif", ".bmp", ".ppm", ".tif", ".tiff", ".webp", ".svg", ".pdf", ".tga"}) {
+        if (extension != other) continue;
+        throw UsageError(fmt::format("-o {}: render writes only PNG files; use -o {}", file,
+                                     std::filesystem::path(file).replace_extension(".png").string()));
+    }
+}
+
+int run_render(RenderArguments arguments) {
+    const bool names_file = !arguments.output.empty();
+    if (!names_file) arguments.output = name_after_scene(arguments.scene, ".png");
+    check_is_png(arguments.output);
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kPhong) {
         throw UsageError("the fixed function has no phong shading; use --with programmable or --with reference");
     }
@@ -87,12 +105,16 @@ int run_render(const RenderArguments& arguments) {
         throw UsageError("-o - would write a PNG to the terminal; redirect standard output or give a file name");
     }
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
-    const std::string png = encode_png(drawn(arguments, scene));
+    const RendererSet renderers(scene.frame.width, scene.frame.height);
+    const std::string png = encode_png(drawn(arguments, scene, renderers));
     if (to_stdout) {
         write_result(png);
     } else {
         write_file_atomically(arguments.output, png);
+        if (!names_file) write_result(fmt::format("Picture: {}\n", one_line(arguments.output)));
     }
+    for (const compare::Query& query : compare::queries_of(scene, renderers.functions().answers))
+        fmt::print(stderr, "{}\n", one_line(compare::sentence_of(query)));
     warn_unsupported(scene.frame, kRenderers.at(arguments.renderer));
     return kFine;
 }
@@ -118,8 +140,9 @@ Subcommand add_render(CLI::App& app) {
     render->add_flag("--baked", arguments->baked,
                      "with programmable: write the scene's numbers into the shaders as constants, instead of uniforms");
     add_precise_flag(*render, arguments->precise);
-    render->add_option("-o", arguments->output, "output file, or - for standard output")
-        ->required()
+    render
+        ->add_option("-o", arguments->output,
+                     "output PNG file, or - for standard output (default: the scene's name and .png)")
         ->type_name("FILE")
         ->check(not_empty());
     return {render, [arguments] { return run_render(*arguments); }};

@@ -1,6 +1,7 @@
 #include "app/cli/renderers.h"
 
 #include "render/fixed/fixed.h"
+#include "render/fixed/queries.h"
 #include "render/reference/reference.h"
 
 namespace twinlight::cli {
@@ -12,6 +13,7 @@ RendererSet::RendererSet(int width, int height) : context_(make_offscreen_contex
     };
     functions_.reference = reference::render;
     functions_.allowed_difference = reference::allowed_difference;
+    functions_.answers = fixed::answers;
 }
 
 }  // namespace twinlight::cli

@@ -114,8 +114,10 @@ void check_resumable(const study::Study& earlier, const study::Study& now) {
 }
 
 int run_study(StudyArguments arguments) {
+    if (arguments.scene.empty() && arguments.merge.empty())
+        throw UsageError("SCENE is missing; give a scene, or --merge and study.json files");
+    if (arguments.folder.empty()) arguments.folder = name_after_scene(arguments.scene, "-study");
     if (!arguments.merge.empty()) return merge(arguments);
-    if (arguments.scene.empty()) throw UsageError("SCENE is missing; give a scene, or --merge and study.json files");
     const std::optional<study::Study> earlier = earlier_study(arguments);
     const Size size = arguments.size.value_or(arguments.quick ? kQuickSize : kSize);
     const Scene scene = load_scene(arguments.scene, size);
@@ -184,8 +186,7 @@ Subcommand add_study(CLI::App& app) {
     study
         ->add_option("-o", arguments->folder,
                      "folder for index.html, study.json, study.csv, study.svg and pictures/; created if it does not "
-                     "exist")
-        ->required()
+                     "exist (default: the scene's name and -study)")
         ->type_name("DIR")
         ->check(not_empty());
     add_size_option(*study, arguments->size, "320x240, or 240x180 with --quick");

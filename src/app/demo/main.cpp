@@ -42,7 +42,7 @@ int run(int argc, char** argv) {
         ->option_text("FILE")
         ->check(not_empty());
     app.add_option("--quit-after", options.quit_after, "write the screenshot and quit after this many frames")
-        ->check(CLI::Range(1, kMaxFrames))
+        ->check(number_from(1, kMaxFrames))
         ->option_text("FRAMES");
 
     if (!parse_command_line(app, argc, argv)) return kFine;

@@ -109,10 +109,11 @@ class Window {
 [[noreturn]] void refuse(const char* format, va_list arguments, void*) {
     char reason[512];
     std::vsnprintf(reason, sizeof reason, format, arguments);
+    const char* display = std::getenv("DISPLAY");
     std::fprintf(stderr,
                  "twinlight-demo: cannot open a window: %s (DISPLAY is %s); "
                  "without a display, use 'twinlight compare SCENE -o DIR'\n",
-                 reason, std::getenv("DISPLAY") ? std::getenv("DISPLAY") : "not set");
+                 reason, display && *display ? display : "not set");
     std::exit(2);
 }
 

@@ -166,6 +166,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
         pair.factor = amplification_for(pair.difference.interior.max);
         result.pairs.push_back(pair);
     }
+    if (all) result.queries = queries_of(scene, renderers.answers);
     const Driver driver = parse_driver_name(options.driver);
     result.is_listed_driver = is_listed(driver);
     if (!result.within_tolerance())

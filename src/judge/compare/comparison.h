@@ -9,6 +9,7 @@
 
 #include "base/image/difference.h"
 #include "base/image/image.h"
+#include "judge/compare/queries.h"
 #include "render/effect/explanation.h"
 #include "render/fixed/fixed.h"
 #include "render/path.h"
@@ -25,6 +26,7 @@ struct Renderers {
     std::function<Image(const Frame&, const reference::Options&)> reference;
     // The edge pixels, where correct rasterisers may differ, and the allowed difference of all others ("interior").
     std::function<AllowedDifference(const Frame&, const reference::Options&)> allowed_difference;
+    DriversAnswers answers{};  // to the scene's queries; may be empty
 };
 
 struct Render {
@@ -72,6 +74,7 @@ struct Comparison {
     // If pictures differ beyond the tolerance: the known bugs of this driver that the scene may trigger, "name (section)".
     std::vector<std::string> known_departures{};
     bool is_listed_driver = false;  // whether any bugs of this driver are listed
+    std::vector<Query> queries{};   // glGet* and glIsEnabled in the scene, and what they return
     Tolerance tolerance;
 
     const Render& a(const Pair& pair) const { return renders[pair.a]; }

@@ -9,9 +9,11 @@ namespace twinlight::compare {
 
 namespace {
 
-constexpr SeenOn kBoth[] = {{"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}};
-constexpr SeenOn kLlvmpipe[] = {{"llvmpipe", "Mesa 22.3"}};
-constexpr SeenOn kSoftpipe[] = {{"softpipe", "Mesa 22.3"}};
+constexpr SeenOn kBoth[] = {
+    {"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}, {"llvmpipe", "Mesa 25.0"}, {"softpipe", "Mesa 25.0"}};
+constexpr SeenOn kBothUntilMended[] = {{"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}};  // by Mesa 25.0
+constexpr SeenOn kLlvmpipe[] = {{"llvmpipe", "Mesa 22.3"}, {"llvmpipe", "Mesa 25.0"}};
+constexpr SeenOn kSoftpipe[] = {{"softpipe", "Mesa 22.3"}, {"softpipe", "Mesa 25.0"}};
 
 }  // namespace
 
@@ -114,23 +116,23 @@ const std::vector<Departure>& departures() {
          .draw_rule = has_shininess_0_on_one_side},
         {.name = "colour material before the first glColor",
          .section = "2.14.3: from glEnable on, the material follows the current colour",
-         .seen_on = kBoth,
+         .seen_on = kBothUntilMended,
          .vertex_rule = has_color_material_of_no_color},
         {.name = "glMaterial, a tracked glColor, glNewList",
          .section = "2.14.3: the material follows the colour",
-         .seen_on = kBoth,
+         .seen_on = kBothUntilMended,
          .command_rule = tracks_color_before_list},
         {.name = "two-sided colour material only on the back",
          .section = "2.14.3: all channels of the back material follow the colour; the driver updates only red",
-         .seen_on = kBoth,
+         .seen_on = kBothUntilMended,
          .draw_rule = has_color_material_on_back_alone},
         {.name = "vertex materials that differ between two sides",
          .section = "2.14.2: glMaterial between glBegin and glEnd changes all channels of the side that it names",
-         .seen_on = kBoth,
+         .seen_on = kBothUntilMended,
          .command_rule = sets_sides_apart},
         {.name = "glMaterial of two sides after a vertex",
          .section = "2.6, 2.14.2: vertices before it in the same glBegin keep the old material of each side",
-         .seen_on = kBoth,
+         .seen_on = kBothUntilMended,
          .command_rule = sets_both_sides_after_vertex},
         {.name = "glColor before a new glColorMaterial",
          .section = "2.14.3",
@@ -138,7 +140,7 @@ const std::vector<Departure>& departures() {
          .command_rule = sets_color_before_new_mode},
         {.name = "colour material after glPopAttrib",
          .section = "2.14.3",
-         .seen_on = kBoth,
+         .seen_on = kBothUntilMended,
          .command_rule = restores_tracked_color},
         {.name = "glColor3 after glColor4", .section = "2.7", .seen_on = kBoth, .command_rule = mixes_glcolor3_and_4},
         {.name = "glTexCoord1 to 3 after glTexCoord4",
@@ -151,7 +153,7 @@ const std::vector<Departure>& departures() {
          .command_rule = sets_material_before_pop},
         {.name = "edge flags in a display list",
          .section = "5.4, 2.6.2: a list draws the same as its commands",
-         .seen_on = kBoth,
+         .seen_on = kBothUntilMended,
          .command_rule = lists_edge_flags},
         {.name = "glRect as a quadrilateral",
          .section = "2.10: glRect is a GL_POLYGON",

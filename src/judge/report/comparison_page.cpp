@@ -75,6 +75,24 @@ std::string unsupported(const Comparison& comparison) {
     return html + "</ul>";
 }
 
+// What the scene's queries return; "" if it has none.
+std::string queries(const Comparison& comparison) {
+    if (comparison.queries.empty()) return "";
+    std::string rows;
+    for (const compare::Query& query : comparison.queries) {
+        rows += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td><code>{}</code></td><td class=\"{}\">{}</td><td>{}</td></tr>\n",
+            escaped(query.place.str()), escaped(query.call), query.agree ? "" : "beyond", escaped(query.state),
+            escaped(query.driver));
+    }
+    return fmt::format(
+        "<details open>\n<summary>What the scene&rsquo;s queries return</summary>\n<div class=\"scroll\"><table "
+        "class=\"plan\">\n<thead><tr><th scope=\"col\">Place</th><th scope=\"col\">Query</th><th "
+        "scope=\"col\">Twinlight</th><th scope=\"col\">Driver</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n"
+        "</details>\n",
+        rows);
+}
+
 std::string plan_rows(const Plan& plan) {
     std::string rows;
     const auto add = [&](std::string_view state, std::string_view what, std::string_view why) {
@@ -141,6 +159,7 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
          {"tolerance", words_of(comparison.tolerance)},
          {"open_if_unsupported", comparison.unsupported.empty() ? "" : " open"},
          {"unsupported", unsupported(comparison)},
+         {"queries", queries(comparison)},
          {"plans", plans(comparison)},
          {"script", std::string(page_file("page.js"))}});
 }

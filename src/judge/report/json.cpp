@@ -61,6 +61,14 @@ std::string comparison_json(const Comparison& comparison) {
                                        {"place", unsupported.first.str()},
                                        {"renderers", names_of(unsupported)}});
     }
+    json["queries"] = Json::array();
+    for (const compare::Query& query : comparison.queries) {
+        json["queries"].push_back({{"place", query.place.str()},
+                                   {"call", query.call},
+                                   {"twinlight", query.state},
+                                   {"driver", query.driver},
+                                   {"agree", query.agree}});
+    }
     // A scene's name may hold any bytes; JSON is UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -99,16 +99,17 @@ Answer agreeing_answer(const Comparison& comparison) {
                *any = worst_pair(comparison, Verdict::kWithin, &ImageDifference::interior);
     if (beyond && beyond->difference.beyond_allowed.differing > 0) {
         const RegionDifference& region = beyond->difference.beyond_allowed;
-        answer.where = fmt::format("Few pixels differ, most in {}; for example at ({}, {}).",
+        answer.where = fmt::format("At a few pixels. Most are in {}, for example at ({}, {}).",
                                    count_of(comparison, *beyond, region), region.worst_x, region.worst_y);
         answer.how_much =
             fmt::format("By up to {}; allowed is {}.", in_255ths(region.max), words_of(comparison.tolerance));
     } else if (any && any->difference.interior.differing > 0) {
         const RegionDifference& region = any->difference.interior;
-        answer.where = fmt::format("Nowhere more than allowed, most in {}; for example at ({}, {}).",
+        answer.where = fmt::format("Nowhere by more than allowed. Most differences are in {}, for example at ({}, {}).",
                                    count_of(comparison, *any, region), region.worst_x, region.worst_y);
-        answer.how_much = fmt::format(
-            "By up to {}, which rounding, filters or blending explain at each of these pixels.", in_255ths(region.max));
+        answer.how_much =
+            fmt::format("By up to {}, which rounding, filtering or blending explains at each of these pixels.",
+                        in_255ths(region.max));
     } else {
         answer.where = "Away from edges, no pixel differs.";
         answer.how_much = fmt::format("By 0; allowed is {}.", words_of(comparison.tolerance));

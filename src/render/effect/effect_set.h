@@ -17,8 +17,9 @@
 //   spectral_products                        tracks_* or varies_* of an ambient, diffuse or specular colour
 //   spectral_groups                          no spectral_products; only if PlanOptions::fold_spectra is false
 //   tracks_*, varies_*                       that property of the material is used; at most one of the two
-//   lights[i].attenuated, .spot              the light is positional
-//   lights[i].spot without an exponent       part of the Draw is outside its cone
+//   lights[i].attenuated                     the light is positional
+//   lights[i].spot                           the light is positional; for_any_pose: any light
+//   lights[i].spot without an exponent       part of the Draw is outside its cone; for_any_pose: always
 //   lights[i].ambient, .diffuse              the texture does not replace the primary colour's red, green and blue
 //   texture.*                                texture.environment
 //   texture.texels kIntensity                the environment is kBlend or kAdd; otherwise kColorAndAlpha is used
@@ -55,8 +56,9 @@ enum class Highlight : std::uint8_t { kHalfVector, kReflection };
 
 struct LightEffects {
     bool directional = false;  // w of the position is 0
-    bool attenuated = false;   // by a linear or quadratic factor; a constant factor is part of the colour products
-    bool spot = false;         // cutoff other than 180 degrees
+    // By a linear or quadratic factor; a constant factor is part of the colour products, except for_any_pose.
+    bool attenuated = false;
+    bool spot = false;  // cutoff other than 180 degrees
     Power spot_exponent = Power::kZero;
     bool smooth_cone = false;  // the lecture's cone instead of GL's
     bool ambient = false;      // an ambient term that is not the same at every vertex

@@ -111,7 +111,11 @@ std::vector<ExplainedLights> explain_lights(const Plan& plan) {
             continue;
         }
         first = light.number;
-        rows.push_back({.names = light_name(first), .in = light.in(), .why = why, .largest = light.largest()});
+        rows.push_back({.names = light_name(first),
+                        .in = light.in(),
+                        .is_off = light.fate == LightFate::kDisabled,
+                        .why = why,
+                        .largest = light.largest()});
     }
     return rows;
 }

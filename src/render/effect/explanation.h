@@ -35,6 +35,7 @@ double error_bound(const std::vector<ExplainedDraw>& draws);
 struct ExplainedLights {
     std::string names;
     bool in = false;
+    bool is_off = false;  // not enabled
     std::string why;
     double largest = 0;  // LightBound::largest()
 };

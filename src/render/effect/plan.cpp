@@ -86,7 +86,8 @@ class Planner {
 
     Plan plan() {
         state().enabled = draw_.lighting.enabled;
-        plan_.budget = keeps_errors_from_adding(draw_.fragment) ? std::max(options_.budget, 0.0) : 0;
+        const bool has_budget = !options_.for_any_pose && keeps_errors_from_adding(draw_.fragment);
+        plan_.budget = has_budget ? std::max(options_.budget, 0.0) : 0;
         facts().srgb_coded = options_.lecture_variants && draw_.fragment.srgb_coded;
         // sRGB's curve is steepest at black, so an error in linear light grows most there.
         if (facts().srgb_coded) plan_.budget /= kSteepestSrgb;
@@ -115,7 +116,9 @@ class Planner {
   private:
     EffectSet& facts() { return plan_.effects; }
     LightingState& state() { return plan_.lighting; }
-    void leave_out(std::string what, std::string why) { plan_.left_out.push_back({std::move(what), std::move(why)}); }
+    void leave_out(std::string what, std::string why, bool is_off = false) {
+        plan_.left_out.push_back({std::move(what), std::move(why), is_off});
+    }
 
     void plan_unlit() {
         leave_out("lighting", "GL_LIGHTING is disabled, so vertex colours are drawn unchanged");
@@ -138,7 +141,8 @@ class Planner {
         const LightsToPlan lights{
             .bounds = draw_bounds(draw_, vertices_, state(), facts().shading == Shading::kPhong),
             .faces = {face_range(&Materials::front, facts().front), face_range(&Materials::back, facts().back)},
-            .primary = facts().needs_primary_rgb()};
+            .primary = facts().needs_primary_rgb(),
+            .for_any_pose = options_.for_any_pose};
         plan_clamp(lights, plan_lights(lights, plan_));
         plan_specular();
         drop_idle_colors();
@@ -210,7 +214,7 @@ class Planner {
         }();
         facts().two_side = why_one_sided.empty();
         if (!facts().two_side) {
-            leave_out("two-sided lighting", why_one_sided);
+            leave_out("two-sided lighting", why_one_sided, !state().light_model.two_side);
             state().back = state().front;
         }
         for (const std::uint32_t i : vertices_.materials) materials_.push_back(draw_.materials.at(i));
@@ -222,7 +226,7 @@ class Planner {
     void plan_color_material() {
         ColorMaterial& tracking = state().color_material;
         if (!tracking.enabled) {
-            leave_out("colour material", "GL_COLOR_MATERIAL is disabled");
+            leave_out("colour material", "GL_COLOR_MATERIAL is disabled", true);
             return;
         }
         const FaceEffects tracked = tracked_by(tracking.mode);
@@ -309,7 +313,7 @@ class Planner {
         // Separate colours are clamped one by one: a negative highlight becomes 0, whatever the primary colour is.
         if (state().light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
             for (int c = 0; c < 3; ++c) low = std::min(low, of_lights.low[c]);
-        facts().clamp = !(low >= 0 && high <= 1);
+        facts().clamp = options_.for_any_pose || !(low >= 0 && high <= 1);
         if (!facts().clamp)
             leave_out("clamping", fmt::format("the sum of all terms is at most {:.3g}, and no term is negative", high));
     }
@@ -322,7 +326,7 @@ class Planner {
         }
         facts().separate_specular = model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
         if (!facts().separate_specular)
-            leave_out("separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR");
+            leave_out("separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR", true);
         facts().highlight = model.specular == Word::reflection ? Highlight::kReflection : Highlight::kHalfVector;
         // Phong shading interpolates the exponent, which is then not an integer.
         const bool between =
@@ -334,8 +338,10 @@ class Planner {
         if (facts().shininess == Power::kZero)
             leave_out("specular exponent", "GL_SHININESS is 0, and x^0 is 1 for every x");
         if (!facts().local_viewer)
-            leave_out("local viewer", model.local_viewer ? "GL_SHININESS is 0, so the viewer's position does not matter"
-                                                         : "GL_LIGHT_MODEL_LOCAL_VIEWER is off");
+            leave_out("local viewer",
+                      model.local_viewer ? "GL_SHININESS is 0, so the viewer's position does not matter"
+                                         : "GL_LIGHT_MODEL_LOCAL_VIEWER is off",
+                      !model.local_viewer);
     }
 
     // A vertex colour that no light uses is dropped. The diffuse colour is also the alpha.
@@ -397,17 +403,19 @@ class Planner {
         if (!facts().needs_normal())
             leave_out("normals", "no light has a diffuse or specular term");
         else if (!state().normalize)
-            leave_out("GL_NORMALIZE", state().rescale_normal
-                                          ? "it is disabled; the normal matrix includes GL_RESCALE_NORMAL's factor"
-                                          : "it is disabled");
-        else
+            leave_out("GL_NORMALIZE",
+                      state().rescale_normal ? "it is disabled; the normal matrix includes GL_RESCALE_NORMAL's factor"
+                                             : "it is disabled",
+                      !state().rescale_normal);
+        else if (!options_.for_any_pose)
             plan_normalize(bounds);
     }
 
     // 2.11.3: if all normals are unit vectors and the modelview matrix scales all directions alike, one factor
     // makes the normals unit in eye coordinates: GL_RESCALE_NORMAL's, or 1.
     void plan_normalize(const DrawBounds& bounds) {
-        constexpr double kOffByRounding = 10 * kBoundsRounding;  // double's rounding error and the bounds' margin for it
+        constexpr double kOffByRounding =
+            10 * kBoundsRounding;  // double's rounding error and the bounds' margin for it
         const double shortest = vertices_.shortest_normal, longest = vertices_.longest_normal;
         if (longest == 0) return;
         const double off = bounds.unequal_normals + std::max(std::abs(shortest - 1), std::abs(longest - 1));

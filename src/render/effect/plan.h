@@ -17,8 +17,9 @@
 namespace twinlight {
 
 struct LeftOut {
-    std::string what;  // "GL_LIGHT0's attenuation", "two-sided lighting"
-    std::string why;   // "its constant, linear and quadratic factors are 1, 0, 0"
+    std::string what;     // "GL_LIGHT0's attenuation", "two-sided lighting"
+    std::string why;      // "its constant, linear and quadratic factors are 1, 0, 0"
+    bool is_off = false;  // the scene does not turn it on
 };
 
 struct PlannedLight {
@@ -85,6 +86,10 @@ struct PlanOptions : Look {
     // For scenes with spectra. False lights every vertex or fragment in all samples, as if materials varied from point
     // to point; the picture is the same. Used to measure the cost of samples (judge/study/spectral.h).
     bool fold_spectra = true;
+    // Decides by state, not by where things are, so that the effects stay right when objects, lights and the camera
+    // move (programmable/kept/): no light is left out as faint, behind or outside its cone; a light that is on keeps
+    // its own ambient term; colours are always clamped; GL_NORMALIZE normalizes. The budget is then 0.
+    bool for_any_pose = false;
 };
 
 Plan plan_effects(const Draw& draw, const PlanOptions& options);

@@ -7,8 +7,8 @@
 namespace twinlight {
 namespace {
 
-void leave_out(Plan& plan, std::string what, std::string why) {
-    plan.left_out.push_back({std::move(what), std::move(why)});
+void leave_out(Plan& plan, std::string what, std::string why, bool is_off = false) {
+    plan.left_out.push_back({std::move(what), std::move(why), is_off});
 }
 
 // ---- The texture ----
@@ -50,7 +50,7 @@ bool q_is_1(const Draw& draw, const VertexFacts& vertices) {
 
 void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     const Texture* texture = draw.texture.texture.get();
-    if (!texture) return leave_out(plan, "texture", "none is enabled, or the enabled one is incomplete");
+    if (!texture) return leave_out(plan, "texture", "none is enabled, or the enabled one is incomplete", true);
     TextureEffects& facts = plan.effects.texture;
     facts = environment_of(draw.texture.env_mode, texture->levels.front().base_format);
     if (!plan.effects.has_texture())
@@ -59,7 +59,7 @@ void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     facts.one_dimensional = texture->target == kGL_TEXTURE_1D;
     facts.matrix = draw.texture.texture_matrix != glm::dmat4(1);
     facts.q = !q_is_1(draw, vertices);
-    if (!facts.matrix) leave_out(plan, "texture matrix", "it is the identity");
+    if (!facts.matrix) leave_out(plan, "texture matrix", "it is the identity", true);
     if (!facts.q) leave_out(plan, "division by q", "q is 1 at every vertex");
 
     const bool clamp_t = !facts.one_dimensional && texture->wrap_t == kGL_CLAMP;
@@ -74,7 +74,7 @@ void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
 // ---- The rest ----
 
 void plan_fog(const Draw& draw, Plan& plan) {
-    if (!draw.fog.enabled) return leave_out(plan, "fog", "GL_FOG is disabled");
+    if (!draw.fog.enabled) return leave_out(plan, "fog", "GL_FOG is disabled", true);
     if (draw.fog.mode == kGL_LINEAR) {
         plan.effects.fog = FogEffect::kLinear;
     } else if (draw.fog.density == 0) {
@@ -92,7 +92,7 @@ void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     const auto& planes = draw.raster.clip_planes_eye;
     plan.effects.clip_plane_count = static_cast<int>(
         std::count_if(planes.begin(), planes.end(), [](const auto& plane) { return plane.has_value(); }));
-    if (plan.effects.clip_plane_count == 0) leave_out(plan, "clip planes", "none is enabled");
+    if (plan.effects.clip_plane_count == 0) leave_out(plan, "clip planes", "none is enabled", true);
     if (draw.fragment.color_sum && !draw.lighting.enabled)
         leave_out(plan, "colour sum", "without lighting the secondary colour is black");
 }

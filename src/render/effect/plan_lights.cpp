@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/common.hpp>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -70,7 +71,31 @@ class LightsPlanner {
         return false;
     }
 
+    // Plans a light for any pose: its effects follow from its state, the materials and the colours of the vertices.
+    void plan_light_for_any_pose(std::size_t number) {
+        const LightSource& light = source(number);
+        Candidate candidate{.planned = {.number = static_cast<int>(number)}, .entry = number};
+        LightEffects& effects = candidate.effects;
+        effects.directional = light.position_eye.w == 0;
+        effects.attenuated =
+            !effects.directional &&
+            (light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0);
+        effects.smooth_cone = light.smooth_cone.has_value();
+        effects.spot = light.spot_cutoff_deg != 180 && !effects.smooth_cone;
+        if (effects.spot) effects.spot_exponent = power_of(light.spot_exponent);
+        const bool ambient = given_.primary && meets(ambient_of(light), &FaceRange::ambient);
+        effects.ambient = ambient && !is_unattenuated();
+        effects.diffuse = given_.primary && meets(diffuse_of(light), &FaceRange::diffuse);
+        effects.specular =
+            (given_.primary || is_specular_separate()) && meets(specular_of(light), &FaceRange::specular);
+        plan_.light_bounds[number].bound = glm::dvec3(std::numeric_limits<double>::infinity());
+        const bool folded = ambient && is_unattenuated();
+        if (folded) plan_.constant_ambient += glm::dvec3(light.ambient);
+        decide(candidate, {}, folded, false);
+    }
+
     void plan_light(std::size_t number) {
+        if (given_.for_any_pose) return plan_light_for_any_pose(number);
         const LightSource& light = source(number);
         Candidate candidate{.planned = {.number = static_cast<int>(number)}, .entry = number};
         LightEffects& effects = candidate.effects;
@@ -195,19 +220,21 @@ class LightsPlanner {
     void take(const Candidate& candidate) {
         const LightSource& light = source(candidate.entry);
         const LightEffects& effects = candidate.effects;
-        const auto note = [&](const char* what, std::string why) {
+        const auto note = [&](const char* what, std::string why, bool is_off = false) {
             plan_.left_out.push_back(
-                {fmt::format("{}'s {}", light_name(candidate.planned.number), what), std::move(why)});
+                {fmt::format("{}'s {}", light_name(candidate.planned.number), what), std::move(why), is_off});
         };
         const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
         const double reach = candidate.planned.constant_reach;
         if (effects.directional)
-            note("attenuation", "the light is directional (its position has w = 0)");
+            note("attenuation", "the light is directional (its position has w = 0)", light.has_initial_attenuation());
         else if (!effects.attenuated)
-            note("attenuation", fmt::format("its factors are {}, 0, 0, so it is {:.6g} at every vertex",
-                                            light.constant_attenuation, reach));
+            note("attenuation",
+                 fmt::format("its factors are {}, 0, 0, so it is {:.6g} at every vertex", light.constant_attenuation,
+                             reach),
+                 light.has_initial_attenuation());
         if (!is_spot)
-            note("cone", "GL_SPOT_CUTOFF is 180");
+            note("cone", "GL_SPOT_CUTOFF is 180", true);
         else if (effects.directional)
             note("cone", fmt::format("the light is directional, so its spot factor is {:.6g} everywhere", reach));
         else if (!effects.spot && !effects.smooth_cone)

@@ -12,6 +12,7 @@ struct LightsToPlan {
     DrawBounds bounds;
     std::array<FaceRange, 2> faces;  // effective materials; the back's counts only with effects.two_side
     bool primary = true;             // false if the texture replaces the primary colour's red, green and blue
+    bool for_any_pose = false;       // PlanOptions::for_any_pose
 };
 
 // Fills plan.lights, effects.lights, constant_ambient, light_bounds and error_bound, from plan.lighting and

@@ -256,12 +256,9 @@ class DrawUniforms {
         number(name("cos_cutoff"), cos_deg(light.spot_cutoff_deg) - kCosineRounding);
         number(name("spot_exponent"), light.spot_exponent);
         if (!light.smooth_cone) return;
-        // RULING: if the inner angle equals the outer one (or is wider), the cone is a step at the outer angle, which
-        // belongs to the cone: a very steep slope just outside it.
-        const double outer = cos_deg(light.smooth_cone->outer_deg);
-        const double span = cos_deg(light.smooth_cone->inner_deg) - outer;
-        number(name("cos_outer"), span > 0 ? outer : outer - 2 * kCosineRounding);
-        number(name("cone_slope"), 1 / (span > 0 ? span : kCosineRounding));
+        const SmoothConeValues cone = smooth_cone_values(light);
+        number(name("cos_outer"), cone.cos_outer);
+        number(name("cone_slope"), cone.slope);
     }
 
     const LightModel& model() const { return plan_.lighting.light_model; }
@@ -282,6 +279,15 @@ class DrawUniforms {
 };
 
 }  // namespace
+
+// RULING: if the inner angle equals the outer one (or is wider), the cone is a step at the outer angle, which belongs
+// to the cone: a very steep slope just outside it.
+SmoothConeValues smooth_cone_values(const LightSource& light) {
+    const double outer = cos_deg(light.smooth_cone->outer_deg);
+    const double span = cos_deg(light.smooth_cone->inner_deg) - outer;
+    if (span > 0) return {.cos_outer = outer, .slope = 1 / span};
+    return {.cos_outer = outer - 2 * kCosineRounding, .slope = 1 / kCosineRounding};
+}
 
 DrawProgram draw_program(const Draw& draw, const Plan& plan, bool precise) {
     if (precise && floats_suffice(draw, plan)) {

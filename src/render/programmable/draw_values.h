@@ -16,6 +16,12 @@
 
 namespace twinlight::programmable {
 
+// The uniforms of a light's smooth cone.
+struct SmoothConeValues {
+    double cos_outer = 0, slope = 0;  // slope: 1 / (cos inner - cos outer)
+};
+SmoothConeValues smooth_cone_values(const LightSource& light);
+
 // Maps a uniform's name to its floats: matrices column by column, arrays element by element.
 using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
 

@@ -28,6 +28,20 @@ struct SurfaceForm {
     friend auto operator<=>(const SurfaceForm&, const SurfaceForm&) = default;  // NOLINT
 };
 
+enum class Glsl : std::uint8_t { k130, k330, k300es };
+
+// Shaders to keep (kept/kept_files.h): their uniforms are GL's state with GL's names, without the prefix gl_.
+struct KeptForm {
+    Glsl version = Glsl::k330;
+    std::vector<int> lights;       // for each light of the effects: its number in GL
+    int light_count = kMaxLights;  // the length of the array LightSource
+    std::vector<int> clip_planes;  // the numbers of the enabled ones
+    bool sizes_points = false;     // the shader sets glPointSize's size, which OpenGL ES lacks
+    Enum alpha_func = kGL_ALWAYS;  // core GL and WebGL lack the alpha test
+
+    friend auto operator<=>(const KeptForm&, const KeptForm&) = default;  // NOLINT
+};
+
 // NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
 struct Form {
     // Vertices are lit in object coordinates, and the lights are brought there once per Draw. Possible if the
@@ -35,12 +49,13 @@ struct Form {
     bool object_space = false;
     // Every sum in the order of --precise (precise.h). Then object_space follows the driver's choice.
     bool precise = false;
-    bool rescale = false;    // precise only: multiplies normals by GL_RESCALE_NORMAL's factor
+    bool rescale = false;    // precise and kept only: multiplies normals by GL_RESCALE_NORMAL's factor
     bool position_w = true;  // a position's w may differ from 1
     // Each of the last loops.size() lights of the effects represents many lights that differ only in numbers. The
     // shader goes through them in a loop, over arrays of these lengths.
     std::vector<int> loops;
     SurfaceForm surface{};
+    std::optional<KeptForm> kept{};
 
     friend auto operator<=>(const Form&, const Form&) = default;  // NOLINT
 };

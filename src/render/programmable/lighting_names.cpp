@@ -5,6 +5,12 @@
 #include "render/programmable/vertex_attributes.h"
 
 namespace twinlight::programmable {
+namespace {
+
+// GL's name of a face's material, in shaders to keep.
+std::string kept_material(const std::string& face) { return face == "back" ? "BackMaterial" : "FrontMaterial"; }
+
+}  // namespace
 
 bool shares_faces(const EffectSet& effects) {
     return effects.two_side && effects.shading == Shading::kPhong && effects.front == effects.back;
@@ -39,13 +45,31 @@ int LightingNames::loop_length(std::size_t i) const {
 
 std::string LightingNames::light(std::size_t i, const std::string& type, const std::string& what,
                                  const std::string& comment) {
+    if (form_.kept) return kept_light(i, type, what);
     const int length = loop_length(i);
     const std::string name = fmt::format("u_light{}_{}", i, what);
     return length == 0 ? uniform(type, name, comment)
                        : uniform(type, name, comment, fmt::format("[{}]", length)) + "[i]";
 }
 
+// The same from GL's own state.
+std::string LightingNames::kept_light(std::size_t i, const std::string& type, const std::string& what) {
+    const int number = form_.kept->lights.at(i);
+    const std::string source = fmt::format("LightSource[{}].", number);
+    if (what == "position_eye") return fmt::format("{0}position.xyz / {0}position.w", source);
+    if (what == "direction_eye") return fmt::format("unit({}position.xyz)", source);
+    if (what == "half_dir_eye") return source + "halfVector.xyz";
+    if (what == "spot_dir_eye") return fmt::format("unit({}spotDirection)", source);
+    if (what == "cos_cutoff") return source + "spotCosCutoff - 4.8e-7";  // kCosineRounding
+    if (what == "spot_exponent")
+        return type == "int" ? fmt::format("int({}spotExponent)", source) : source + "spotExponent";
+    if (what == "attenuation")
+        return fmt::format("vec3({0}constantAttenuation, {0}linearAttenuation, {0}quadraticAttenuation)", source);
+    return uniform(type, fmt::format("u_light{}_{}", number, what), "the lecture's smooth cone (not in GL)");
+}
+
 std::string LightingNames::light_block(std::size_t i) {
+    if (form_.kept) return fmt::format("    {{  // {}\n", light_name(form_.kept->lights.at(i)));
     if (loop_length(i) == 0) return fmt::format("    {{  // light{}\n", i);
     const std::string count = uniform("int", fmt::format("u_count_of_light{}", i), "the number of lights in this loop");
     return fmt::format("    for (int i = 0; i < {}; ++i) {{  // light{}\n", count, i);
@@ -53,6 +77,13 @@ std::string LightingNames::light_block(std::size_t i) {
 
 std::string LightingNames::product(std::size_t i, const std::string& face, const std::string& term,
                                    PerVertexColor per_vertex) {
+    if (form_.kept) {
+        const std::string color = per_vertex ? per_vertex_color(face, term, per_vertex) + ".rgb"
+                                             : of_face(face, [&](const std::string& name) {
+                                                   return fmt::format("{}.{}.rgb", kept_material(name), term);
+                                               });
+        return fmt::format("{} * LightSource[{}].{}.rgb", color, form_.kept->lights.at(i), term);
+    }
     const char letter = term.front();
     const std::string comment = per_vertex ? fmt::format("{}_cli", letter) : fmt::format("{0}_cm {0}_cli", letter);
     const std::string color = of_face(face, [&](const std::string& name) {
@@ -81,6 +112,14 @@ std::string LightingNames::per_vertex_color(const std::string& face, const std::
 
 std::string LightingNames::scene_color(const std::string& face, const FaceEffects& varying) {
     const PerVertexColor emission = emission_of(varying), ambient = ambient_of(varying);
+    if (form_.kept) {
+        const auto color = [&](const char* property, PerVertexColor per_vertex) {
+            if (per_vertex) return per_vertex_color(face, property, per_vertex) + ".rgb";
+            return of_face(
+                face, [&](const std::string& name) { return fmt::format("{}.{}.rgb", kept_material(name), property); });
+        };
+        return fmt::format("{} + {} * LightModel.ambient.rgb", color("emission", emission), color("ambient", ambient));
+    }
     std::string sum;
     const auto add = [&](const std::string& term) { sum += (sum.empty() ? "" : " + ") + term; };
     if (emission) add(per_vertex_color(face, "emission", emission) + ".rgb");
@@ -98,6 +137,7 @@ std::string LightingNames::scene_color(const std::string& face, const FaceEffect
 std::string LightingNames::alpha(const std::string& face, const FaceEffects& varying) {
     if (const PerVertexColor diffuse = diffuse_of(varying)) return per_vertex_color(face, "diffuse", diffuse) + ".a";
     return of_face(face, [&](const std::string& name) {
+        if (form_.kept) return kept_material(name) + ".diffuse.a";
         return uniform("float", fmt::format("u_{}_alpha", name), "the alpha of d_cm");
     });
 }
@@ -107,6 +147,11 @@ std::string LightingNames::shininess(const std::string& face, const FaceEffects&
     if (varying.varies_shininess) {
         const std::string value =
             of_face(face, [&](const std::string& name) { return fmt::format("surface.{}_shininess", name); });
+        return whole ? fmt::format("int({})", value) : value;
+    }
+    if (form_.kept) {
+        const std::string value =
+            of_face(face, [&](const std::string& name) { return kept_material(name) + ".shininess"; });
         return whole ? fmt::format("int({})", value) : value;
     }
     return of_face(face, [&](const std::string& name) {

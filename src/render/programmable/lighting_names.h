@@ -2,7 +2,7 @@
 //
 // Lights are light0, light1, ... Their uniforms are u_light0_position_eye, u_light0_direction_eye and
 // u_light0_half_dir_eye (or _object), u_light0_attenuation, u_light0_front_diffuse and so on; those of faces are
-// u_front_base, u_back_base and so on.
+// u_front_base, u_back_base and so on. In shaders to keep they are GL's: LightSource[0].diffuse, FrontMaterial.ambient.
 #pragma once
 
 #include <fmt/format.h>
@@ -68,6 +68,7 @@ class LightingNames {
     bool has_surface() const;
 
   private:
+    std::string kept_light(std::size_t i, const std::string& type, const std::string& what);
     template <class Name>
     std::string of_face(const std::string& face, const Name& name);
     std::string per_vertex_color(const std::string& face, const std::string& property, PerVertexColor per_vertex);

@@ -18,6 +18,7 @@ class Writer : LightingWriter {
             "        u_clip_from_object[2] * position.z + u_clip_from_object[3] * position.w;\n";
         text.vertex_position = form_.object_space ? "position" : "u_eye_from_object * position";
         text.vertex_normal = form_.object_space ? "a_normal" : "u_eye_from_object_normal * a_normal";
+        if (form_.rescale) text.vertex_normal = fmt::format("u_normal_scale * ({})", text.vertex_normal);
         if (effects_.normalize) text.vertex_normal = fmt::format("unit({})", text.vertex_normal);  // GL_NORMALIZE
         if (!effects_.lighting) return text;
         std::string faces;
@@ -28,10 +29,13 @@ class Writer : LightingWriter {
             "//   c_pri = e_cm + a_cm a_cs + sum_i att_i spot_i [ a_cm a_cli + (n . VP_i) d_cm d_cli\n"
             "//                                                   + f_i (n . h_i)^s_rm s_cm s_cli ]\n"
             "//\n"
-            "// Only the terms that this draw needs are here. Products of light and material colours are uniforms;\n"
-            "// material colours that come with each vertex are multiplied here.\n"
-            "{}{}",
-            names_.space(), names_.structs(), faces);
+            "{}{}{}",
+            names_.space(),
+            form_.kept ? "// Only the lights that are on and the terms that are not 0 are here.\n"
+                       : "// Only the terms that this draw needs are here. Products of light and material colours are "
+                         "uniforms;\n"
+                         "// material colours that come with each vertex are multiplied here.\n",
+            names_.structs(), faces);
         text.uniforms = names_.declarations();
         return text;
     }

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "render/programmable/kept/kept_text.h"
 #include "render/programmable/lighting_names.h"
 #include "render/programmable/lighting_text.h"
 #include "render/programmable/precise/precise.h"
@@ -38,16 +39,18 @@ class Assembler {
         std::string body = !is_vertex && has_ray() ? preprocessed("surface_crossings.glsl", scope) : "";
         if (lights_here) body += lighting_.functions;
         body += preprocessed(is_vertex ? "vertex.glsl" : "fragment.glsl", scope);
+        if (form_.kept) body = with_words(body, kept_names());
 
         std::string uniforms, functions;
         for (const Definition& definition : used_definitions(library(scope.words), body))
             (definition.is_uniform ? uniforms : functions) += definition.text + (definition.is_uniform ? "" : "\n");
         if (lights_here) uniforms += lighting_.uniforms;
-        for (int i = 0; is_vertex != has_ray() && i < effects_.clip_plane_count; ++i)
+        for (int i = 0; !form_.kept && is_vertex != has_ray() && i < effects_.clip_plane_count; ++i)
             uniforms += fmt::format(
                 "uniform vec4 u_clip_plane{}_object;  // glClipPlane (section 2.12), in object coordinates\n", i);
         if (!uniforms.empty()) uniforms += "\n";
-        return fmt::format("#version {}\n{}\n{}{}{}{}{}", lighting_.version, purpose(stage),
+        return fmt::format("#version {}\n{}\n{}{}{}{}{}",
+                           form_.kept ? kept_version(form_.kept->version) : lighting_.version, purpose(stage),
                            is_vertex ? attributes_text(body) : inputs_text(), uniforms, is_vertex ? outputs_text() : "",
                            functions, body);
     }
@@ -93,8 +96,13 @@ class Assembler {
 
     std::string attributes_text(const std::string& body) const {
         std::vector<Definition> all;
-        for (const Attribute& attribute : attributes(effects_))
-            all.push_back({attribute.name, fmt::format("in {} {};\n", attribute.type, attribute.name)});
+        int location = 0;
+        for (const Attribute& attribute : attributes(effects_)) {
+            const std::string name = form_.kept ? with_words(attribute.name, kept_names()) : attribute.name;
+            const bool is_located = form_.kept && form_.kept->version != Glsl::k130;
+            const std::string layout = is_located ? fmt::format("layout(location = {}) ", location++) : "";
+            all.push_back({name, fmt::format("{}in {} {};\n", layout, attribute.type, name)});
+        }
         std::string text;
         for (const Definition& definition : used_definitions(all, body)) text += definition.text;
         return text + "\n";
@@ -138,6 +146,8 @@ class Assembler {
         if (effects_.has_fog() && !has_ray())
             list.push_back({effects_.vertex_w ? "vec2" : "float", "v_eye_z", eye_z("position"),
                             effects_.vertex_w ? "  // z and w" : ""});
+        for (int i = 0; discards_clipped() && i < effects_.clip_plane_count; ++i)
+            list.push_back({"float", fmt::format("v_clip_distance{}", i), clip_distance(i)});
         return list;
     }
     std::string declared(const char* direction) const {
@@ -150,7 +160,7 @@ class Assembler {
     }
     std::string outputs_text() const {
         std::string text = declared("out");
-        if (effects_.clip_plane_count > 0 && !has_ray())
+        if (effects_.clip_plane_count > 0 && !has_ray() && !discards_clipped())
             text += fmt::format("out float gl_ClipDistance[{}];\n", effects_.clip_plane_count);
         return text + (text.empty() ? "" : "\n") +
                "invariant gl_Position;  // another program with the same positions gets the same depths\n\n";
@@ -165,8 +175,19 @@ class Assembler {
         return text;
     }
 
+    // OpenGL ES has no clip planes: the fragment shader discards what they clip.
+    bool discards_clipped() const { return form_.kept && form_.kept->version == Glsl::k300es; }
+    // Negative where the plane clips (section 2.12).
+    std::string clip_distance(int i) const {
+        if (form_.kept)
+            return fmt::format("dot(ClipPlane[{}], ModelViewMatrix * position)",
+                               form_.kept->clip_planes.at(static_cast<std::size_t>(i)));
+        return fmt::format("dot(u_clip_plane{}_object, position)", i);
+    }
+
     // The eye coordinate z of an object position, and w if it may differ from 1.
     std::string eye_z(const char* position) const {
+        if (form_.kept) return fmt::format("(ModelViewMatrix * {}).{}", position, effects_.vertex_w ? "zw" : "z");
         const std::string z = fmt::format("dot(u_eye_z_from_object, {})", position);
         return effects_.vertex_w ? fmt::format("vec2({}, dot(u_eye_w_from_object, {}))", z, position) : z;
     }
@@ -303,10 +324,12 @@ class Assembler {
         const TextureEffects& texture = effects_.texture;
         const auto is = [&](SurfaceKind kind) { return surface.kind == kind; };
         const bool steps = surface.offset || surface.tex_coord;
-        std::string clip_distances, within_clip_planes;
+        std::string clip_distances, within_clip_planes, clip_discards;
         for (int i = 0; i < effects_.clip_plane_count; ++i) {
-            clip_distances += fmt::format("    gl_ClipDistance[{0}] = dot(u_clip_plane{0}_object, position);{1}\n", i,
+            clip_distances += fmt::format("    gl_ClipDistance[{}] = {};{}\n", i, clip_distance(i),
                                           i == 0 ? "  // clipped where negative (section 2.12)" : "");
+            clip_discards += fmt::format("    if (v_clip_distance{} < 0.0) discard;{}\n", i,
+                                         i == 0 ? "  // a clip plane (section 2.12)" : "");
             within_clip_planes +=
                 fmt::format("    is_seen = is_seen && dot(u_clip_plane{}_object, place) >= 0.0;\n", i);
         }
@@ -340,7 +363,12 @@ class Assembler {
             .inserts = {{"clip_position", lighting_.clip_position},
                         {"lit", lit(stage)},
                         {"outputs", outputs()},
-                        {"clip_distances", has_ray() ? "" : clip_distances},
+                        {"point_size", form_.kept && form_.kept->sizes_points
+                                           ? "    gl_PointSize = PointSize;  // glPointSize (section 3.3)\n"
+                                           : ""},
+                        {"clip_distances", has_ray() || discards_clipped() ? "" : clip_distances},
+                        {"clip_discards", discards_clipped() ? clip_discards : ""},
+                        {"alpha_test", form_.kept ? kept_alpha_test(form_.kept->alpha_func) : ""},
                         {"within_clip_planes", within_clip_planes},
                         {"texture_environment", texture_environment()}},
             .words = {{"POSITION", form_.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
@@ -352,6 +380,7 @@ class Assembler {
                                             : one             ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
                                                               : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
                       {"TEX_COORD_S", one ? "tex_coord" : "tex_coord.s"},
+                      {"LIGHT_COUNT", form_.kept ? fmt::format("{}", form_.kept->light_count) : ""},
                       {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"}}};
     }
 
@@ -360,7 +389,7 @@ class Assembler {
         bool has_whole = effects_.shininess == Power::kWhole, has_real = effects_.shininess == Power::kReal;
         for (const LightEffects& light : effects_.lights)
             if (light.spot) (light.spot_exponent == Power::kReal ? has_real : has_whole) = true;
-        std::vector<Definition> library = definitions("uniforms.glsl", words);
+        std::vector<Definition> library = definitions(form_.kept ? "kept_uniforms.glsl" : "uniforms.glsl", words);
         std::set<std::string> names;
         for (const char* file : lighting_.libraries) {
             const std::vector<Definition> whole = definitions(file, {{"EXPONENT", "int"}, {"POWER", "whole_power"}});

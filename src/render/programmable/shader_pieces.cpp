@@ -25,37 +25,6 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
     return parts;
 }
 
-std::string_view file_text(std::string_view name) {
-    for (const EmbeddedFile& file : kShaderFiles)
-        if (file.name == name) return file.text;
-    throw std::logic_error(fmt::format("there is no shader file {}", name));
-}
-
-// ---- Identifiers ----
-
-constexpr std::string_view kInIdentifiers = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
-
-// Visits each identifier (or number), and the text between them with is_identifier false.
-template <class Visit>
-void for_each_token(std::string_view text, const Visit& visit) {
-    while (!text.empty()) {
-        const bool is_identifier = kInIdentifiers.find(text.front()) != kInIdentifiers.npos;
-        const std::size_t end =
-            is_identifier ? text.find_first_not_of(kInIdentifiers) : text.find_first_of(kInIdentifiers);
-        visit(text.substr(0, end), is_identifier);
-        text.remove_prefix(std::min(end, text.size()));
-    }
-}
-
-std::string with_words(std::string_view text, const Words& words) {
-    std::string result;
-    for_each_token(text, [&](std::string_view token, bool is_identifier) {
-        const auto word = is_identifier ? words.find(token) : words.end();
-        result += word == words.end() ? token : word->second;
-    });
-    return result;
-}
-
 // ---- Directives ----
 
 // "A && !B || C" over the scope's switches.
@@ -85,6 +54,21 @@ struct Branch {
 };
 
 }  // namespace
+
+std::string_view file_text(std::string_view name) {
+    for (const EmbeddedFile& file : kShaderFiles)
+        if (file.name == name) return file.text;
+    throw std::logic_error(fmt::format("there is no shader file {}", name));
+}
+
+std::string with_words(std::string_view text, const Words& words) {
+    std::string result;
+    for_each_token(text, [&](std::string_view token, bool is_identifier) {
+        const auto word = is_identifier ? words.find(token) : words.end();
+        result += word == words.end() ? token : word->second;
+    });
+    return result;
+}
 
 std::string preprocessed(std::string_view file, const Scope& scope) {
     std::string text;
@@ -129,12 +113,12 @@ std::vector<Definition> definitions(std::string_view file, const Words& words) {
             continue;
         }
         text += with_words(line, words) + "\n";
-        const bool is_uniform = line.starts_with("uniform ");
+        const bool is_uniform = line.starts_with("uniform ") || line == "};";
         if (!is_uniform && line != "}") continue;
-        // The first identifier before a parenthesis or a semicolon, in the first line of code.
+        // The last identifier before a bracket or a semicolon, in the first line of code.
         std::string_view code = text;
         while (code.starts_with("//")) code.remove_prefix(code.find('\n') + 1);
-        code = code.substr(0, code.find_first_of("(;"));
+        code = trimmed(code.substr(0, code.find_first_of("({[;")));
         result.push_back({std::string(code.substr(code.rfind(' ') + 1)), std::move(text), is_uniform});
         text.clear();
     }

@@ -1,6 +1,7 @@
 #include "render/reference/pixel_history.h"
 
 #include <algorithm>
+#include <span>
 
 #include "lighting/real_cast.h"
 #include "render/reference/framebuffer.h"
@@ -26,10 +27,31 @@ VertexRulings rulings_of_place(const Draw& draw, const Fragment& fragment) {
     return all;
 }
 
-LitPoint lit_point(const DrawLighting& lighting, const PointOfFragment& at,
+NormalSteps normal_steps(const Draw& draw, const Vertex& vertex) {
+    const glm::dmat3 normal_eye_from_object = normal_matrix(draw.eye_from_object);
+    const bool rescales = draw.lighting.rescale_normal && !draw.lighting.normalize;
+    return {.object = vec3_cast<Vec>(vertex.normal_object),
+            .transformed = vec3_cast<Vec>(normal_eye_from_object * vertex.normal_object),
+            .rescale = rescales ? rescale_factor(normal_eye_from_object) : 1};
+}
+
+LitPoint lit_point(const Draw& draw, const DrawLighting& lighting, const PointOfFragment& at,
                    const std::vector<lighting::Light<Marked>>& lights, const VertexRulings& rulings) {
     const lighting::SurfacePoint<double> surface = surface_of(at.vertex.position_eye, at.vertex.normal_eye, at.face);
-    LitPoint point{.weight = at.weight, .material = at.material};
+    LitPoint point{.weight = at.weight,
+                   .face = at.face,
+                   .vertex = at.number,
+                   .position_eye = at.vertex.position_eye,
+                   .surface = surface,
+                   .vpe_dir = lighting::toward_viewer(lighting.model(), surface.position_eye),
+                   .material = at.material};
+    if (at.number) {
+        const Vertex& vertex = draw.vertices[*at.number];
+        point.position_object = vertex.position_object;
+        point.normal_steps = normal_steps(draw, vertex);
+    }
+    for (const lighting::Light<double>& light : lighting.lights())
+        point.geometry.push_back(lighting::light_geometry(lighting.model(), surface, light));
     point.terms.resize(lights.size());
     point.formulas = lighting::formulas(lighting.model());
     const lighting::Lit<double> lit = lighting.light_surface(at.material, surface, point.terms.data());
@@ -51,13 +73,26 @@ LitPoint lit_point(const DrawLighting& lighting, const PointOfFragment& at,
     return point;
 }
 
+std::vector<int> enabled_lights(const Draw& draw) {
+    std::vector<int> numbers;
+    const auto& lights = draw.lighting.lights;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (lights[i].enabled) numbers.push_back(static_cast<int>(i));
+    return numbers;
+}
+
+void add_corners(const Fragment& seen, PixelFragment& fragment) {
+    if (seen.piece->rays) return;
+    const glm::dvec3 weights = weights_at(*seen.piece, seen.position_window);
+    for (int i = 0; i < 3; ++i)
+        if (weights[i] != 0) fragment.corners.push_back({seen.piece->primitive.vertices[i], weights[i]});
+}
+
 void add_points(const Draw& draw, const Shader& shader, const Fragment& seen, const VertexRulings& of_place,
                 bool lecture_variants, PixelFragment& fragment) {
     fragment.is_lit = shader.lighting().enabled();
     if (!fragment.is_lit) return;
-    const auto& lights = draw.lighting.lights;
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        if (lights[i].enabled) fragment.lights.push_back(static_cast<int>(i));
+    fragment.lights = enabled_lights(draw);
     const auto marked = marked_lights(draw, lecture_variants);
     for (const PointOfFragment& point : shader.points(seen)) {
         VertexRulings rulings = of_place;
@@ -65,7 +100,7 @@ void add_points(const Draw& draw, const Shader& shader, const Fragment& seen, co
         const bool is_between = !point.number && !seen.point;
         if (is_between && point.vertex.normal_eye == glm::dvec3(0) && rulings.normal.empty())
             rulings.normal = {lighting::Ruling::kZeroNormal};
-        fragment.points.push_back(lit_point(shader.lighting(), point, marked, rulings));
+        fragment.points.push_back(lit_point(draw, shader.lighting(), point, marked, rulings));
     }
 }
 
@@ -84,21 +119,29 @@ Shader::MarkedColors marked_colors(const PixelFragment& fragment) {
     return colors;
 }
 
-void add_rulings(const Shader& shader, const Fragment& seen, const VertexRulings& of_place, PixelFragment& fragment) {
-    lighting::RulingSet decided;
-    for (const Marked& channel : shader.marked_color(seen, marked_colors(fragment), of_place.position))
-        decided |= channel.rulings;
+// The rulings with the lights whose terms they affected.
+std::vector<PixelFragment::Decided> with_lights(lighting::RulingSet decided, const std::vector<int>& lights,
+                                                std::span<const LitPoint> points) {
+    std::vector<PixelFragment::Decided> rulings;
     for (const lighting::RulingText& text : lighting::kRulings) {
         if (!decided.contains(text.ruling)) continue;
-        PixelFragment::Decided& one = fragment.rulings.emplace_back(PixelFragment::Decided{text.ruling, {}});
-        for (std::size_t i = 0; i < fragment.lights.size(); ++i)
-            if (std::ranges::any_of(fragment.points, [&](const LitPoint& point) {
+        PixelFragment::Decided& one = rulings.emplace_back(PixelFragment::Decided{text.ruling, {}});
+        for (std::size_t i = 0; i < lights.size(); ++i)
+            if (std::ranges::any_of(points, [&](const LitPoint& point) {
                     const lighting::LightTerms<Marked>& terms = point.marked_terms[i];
                     return (rulings_of(terms.ambient) | rulings_of(terms.diffuse) | rulings_of(terms.specular))
                         .contains(text.ruling);
                 }))
-                one.lights.push_back(fragment.lights[i]);
+                one.lights.push_back(lights[i]);
     }
+    return rulings;
+}
+
+void add_rulings(const Shader& shader, const Fragment& seen, const VertexRulings& of_place, PixelFragment& fragment) {
+    lighting::RulingSet decided;
+    for (const Marked& channel : shader.marked_color(seen, marked_colors(fragment), of_place.position))
+        decided |= channel.rulings;
+    fragment.rulings = with_lights(decided, fragment.lights, fragment.points);
 }
 
 }  // namespace
@@ -120,11 +163,26 @@ PixelHistory pixel_history(const Frame& frame, const Options& options, int x, in
         const bool is_seen = fragment.passes && overwrites_color(draw.fragment);
         fragment.color = is_seen ? fragment.after : color_of(shader.shade<double>(seen).color);
         const VertexRulings of_place = rulings_of_place(draw, seen);
+        add_corners(seen, fragment);
         add_points(draw, shader, seen, of_place, options.lecture_variants, fragment);
         add_rulings(shader, seen, of_place, fragment);
         history.fragments.push_back(std::move(fragment));
     });
     history.color = rgba(pixel.colors().front());
+    return history;
+}
+
+VertexHistory vertex_history(const Draw& draw, const Options& options, std::uint32_t vertex, Face face) {
+    const DrawLighting lighting(draw, options.lecture_variants);
+    const StageVertex staged = vertex_stage(draw).at(vertex);
+    const PointOfFragment at{
+        .vertex = staged, .face = face, .material = lighting.material(staged, face), .number = vertex};
+    const VertexRulings rulings = vertex_rulings(draw, draw.vertices[vertex], draw.lighting.normalize);
+    VertexHistory history{.lights = enabled_lights(draw)};
+    history.point = lit_point(draw, lighting, at, marked_lights(draw, options.lecture_variants), rulings);
+    const lighting::RulingSet decided =
+        rulings_of(history.point.marked_primary) | rulings_of(history.point.marked_secondary);
+    history.rulings = with_lights(decided, history.lights, std::span(&history.point, 1));
     return history;
 }
 

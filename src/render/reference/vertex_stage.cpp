@@ -15,14 +15,14 @@ namespace {
 
 glm::dvec3 unit(const glm::dvec3& v) { return vec3_cast<glm::dvec3>(lighting::unit(vec3_cast<Vec>(v))); }
 
+}  // namespace
+
 // 2.11.3: 1 / sqrt(m31^2 + m32^2 + m33^2), where m is the inverse of the modelview matrix. Its third row is the third
 // column of the normal matrix.
 double rescale_factor(const glm::dmat3& normal_eye_from_object) {
     const double row = lighting::unit_and_length(vec3_cast<Vec>(normal_eye_from_object[2])).length;
     return row > 0 ? 1 / row : 0;
 }
-
-}  // namespace
 
 glm::dmat3 normal_matrix(const glm::dmat4& eye_from_object) {
     // Divides by the largest element, so that the determinant does not underflow or overflow with scales of 1e-120 or

@@ -31,4 +31,7 @@ VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex, bool normal
 // singular matrix takes every normal to 0, which no light reaches.
 glm::dmat3 normal_matrix(const glm::dmat4& eye_from_object);
 
+// The factor of GL_RESCALE_NORMAL (2.11.3), from the normal matrix.
+double rescale_factor(const glm::dmat3& normal_eye_from_object);
+
 }  // namespace twinlight::reference

@@ -196,7 +196,8 @@ struct WindowSize {
 
 struct CommandList final : Recording {
     std::vector<Command> commands;
-    std::optional<WindowSize> window{};  // of a whole program: the size that it was run with
+    std::optional<WindowSize> window{};                 // of a whole program: the size that it was run with
+    std::shared_ptr<const std::string> text = nullptr;  // the C text, for messages; null if there is none
 
     CommandList() = default;
     CommandList(std::string given_name, std::vector<Command> given_commands)

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "scene/command/characters.h"
 #include "scene/command/text.h"
 
 namespace twinlight {
@@ -12,6 +14,7 @@ namespace {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr std::string_view kPunctuation = "(){}[],;=+-*/|&";
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
 
 }  // namespace
@@ -30,7 +33,7 @@ std::string in_quotes(std::string_view text) {
 }
 
 void fail_with(const Place& place, fmt::string_view message, fmt::format_args values) {
-    throw SceneError(fmt::format("{}: {}", place.str(), fmt::vformat(message, values)));
+    throw SceneError({TextError{place, fmt::vformat(message, values)}});
 }
 
 Lexer::Lexer(std::string_view text, const std::string& file, Language language) : text_(text), language_(language) {
@@ -108,9 +111,15 @@ void Lexer::directive() {
         return;
     }
     const bool asks_for_prototypes = name == "define" && line.ends_with("GL_GLEXT_PROTOTYPES");
-    if (name != "include" && name != "pragma" && !asks_for_prototypes)
+    if (name != "include" && name != "pragma" && !asks_for_prototypes) {
+        skip_line();
         fail(start, "a scene cannot use #{}; only #include (which is ignored) and #pragma twinlight are allowed", name);
-    while (position_ < line_end) advance();
+    }
+    skip_line();
+}
+
+void Lexer::skip_line() {
+    while (position_ < text_.size() && text_[position_] != '\n') advance();
 }
 
 // Reads from '"' to '"'. In scenes strings are file names, so they have no escapes.
@@ -125,8 +134,12 @@ void Lexer::string() {
             advance();
             continue;
         }
-        if (byte < 0x20 || byte == 0x7F || byte == '\\')
-            fail(place_, "a string cannot contain {}", in_quotes(text_.substr(position_, 1)));
+        if (byte < 0x20 || byte == 0x7F || byte == '\\') {
+            const Place place = place_;
+            const std::string_view character = text_.substr(position_, 1);
+            skip_line();
+            fail(place, "a string cannot contain {}", in_quotes(character));
+        }
         advance();
     }
     if (position_ >= text_.size() || text_[position_] != '"')
@@ -167,7 +180,34 @@ void Lexer::skip_to_directive() {
     }
 }
 
+// Moves past a character that scenes do not use, and reports it.
+void Lexer::refuse_character() {
+    const Place place = place_;
+    const std::string_view rest = text_.substr(position_);
+    const auto [character, bytes] = decode_utf8(rest);
+    const auto number = static_cast<std::uint32_t>(character);
+    for (std::size_t i = 0; i < std::max<std::size_t>(bytes, 1); ++i) advance();
+    const std::string_view shown = rest.substr(0, bytes);
+    if (bytes == 0)
+        fail(place, "unexpected byte {}, which is not UTF-8; save the scene as UTF-8 text",
+             in_quotes(rest.substr(0, 1)));
+    if (character < 0x20 || character == 0x7F) {
+        position_ = text_.size();  // a file with such a byte is not text
+        fail(place, "unexpected {}; a scene consists of C statements such as glEnable(GL_LIGHTING);", in_quotes(shown));
+    }
+    if (character < 0x80)
+        fail(place, "unexpected {}; a scene consists of C statements such as glEnable(GL_LIGHTING);", in_quotes(shown));
+    const std::string_view ascii = ascii_for(character);
+    if (ascii.empty())
+        fail(place, "unexpected character {} (U+{:04X}); only comments may have characters outside ASCII",
+             character < 0xA0 ? in_quotes(shown) : fmt::format("'{}'", shown), number);
+    if (kPunctuation.find(ascii) != std::string_view::npos) replacement_ = ascii;
+    fail(place, "'{}' (U+{:04X}{}) is not C; type {} instead", shown, number,
+         is_full_width(character) ? ", full width" : "", ascii == " " ? "a space" : fmt::format("'{}'", ascii));
+}
+
 Token Lexer::next() {
+    if (!replacement_.empty()) return {TokenKind::kPunctuation, std::exchange(replacement_, {}), place_};
     while (true) {
         skip_space_and_comments();
         if (position_ >= text_.size() || text_[position_] != '#' || !line_start_) break;
@@ -213,7 +253,7 @@ Token Lexer::next() {
     } else if (c == '"') {
         token.kind = TokenKind::kString;
         string();
-    } else if (language_ == Language::kScene && std::string_view("(){}[],;=+-*/|&").find(c) != std::string_view::npos) {
+    } else if (language_ == Language::kScene && kPunctuation.find(c) != std::string_view::npos) {
         advance();
     } else if (const std::size_t length = language_ == Language::kProgram ? operator_length() : 0; length > 0) {
         for (std::size_t i = 0; i < length; ++i) advance();
@@ -221,8 +261,7 @@ Token Lexer::next() {
         token.kind = TokenKind::kNumber;
         character();
     } else {
-        fail(place_, "unexpected {}; a scene consists of C statements such as glEnable(GL_LIGHTING);",
-             in_quotes(text_.substr(position_, 1)));
+        refuse_character();
     }
     token.text = text_.substr(start, position_ - start);
     return token;

@@ -37,10 +37,11 @@ class Lexer {
     Lexer(std::string_view text, const std::string& file, Language language = Language::kScene);
 
     // Throws SceneError for a character that C does not use, an unclosed comment or string, or a directive not allowed
-    // in scenes.
+    // in scenes. The next call continues after it; after full-width punctuation it returns the ASCII character.
     Token next();
     // Skips lines up to the next one that starts with '#'.
     void skip_to_directive();
+    bool at_end() const { return position_ >= text_.size(); }
 
   private:
     void skip_space_and_comments();
@@ -50,6 +51,8 @@ class Lexer {
     void character();
     // The length of the operator or bracket here in a program; 0 if there is none.
     std::size_t operator_length() const;
+    void skip_line();
+    [[noreturn]] void refuse_character();
     bool at(std::string_view word) const { return text_.substr(position_).starts_with(word); }
 
     std::string_view text_;
@@ -60,7 +63,8 @@ class Lexer {
     bool pragma_found_ = false;
     Language language_;
     bool in_directive_ = false;
-    std::string_view directive_;  // the name of the directive that was just found
+    std::string_view directive_;      // the name of the directive that was just found
+    std::string_view replacement_{};  // the ASCII character instead of the last one; empty if there is none
 };
 
 // Untrusted text for a message: in quotes, one line, only printable characters, shortened if long.

@@ -23,14 +23,16 @@ std::string shown(const Token& token) {
 }
 
 Reader::Reader(std::string_view text, const std::string& file, const ImageLoader& load_image)
-    : lexer_(text, file), load_image_(load_image) {
-    advance();
-}
+    : lexer_(text, file), load_image_(load_image) {}
 
 Reader::~Reader() = default;
 
 std::vector<Command> Reader::read() {
-    while (token_.kind != TokenKind::kEnd && !program_read_) statement();
+    try {
+        advance();
+        while (token_.kind != TokenKind::kEnd && !program_read_) statement_or_error();
+    } catch (const TooManyErrors&) {
+    }
     return std::move(commands_);
 }
 
@@ -38,15 +40,17 @@ std::vector<Command> Reader::read() {
 
 void Reader::advance() {
     if (program_) return step();
+    line_before_ = token_.place.line;
+    ++tokens_;
     token_ = std::move(ahead_);
     if (!primed_) {
         primed_ = true;
-        token_ = lexer_.next();
+        token_ = next_token();
     }
     if (token_.kind == TokenKind::kEnd)
         ahead_ = token_;
     else
-        ahead_ = lexer_.next();
+        ahead_ = next_token();
 }
 
 bool Reader::accept(std::string_view text) {
@@ -93,7 +97,7 @@ void Reader::program() {
     expect("{", "after {}(void)", name.text);
     while (!token_.is("}")) {
         if (token_.kind == TokenKind::kEnd) fail(first.place, "this function is never closed; end it with }}");
-        statement();
+        statement_or_error();
     }
     program_read_ = name.is("draw_scene");
     if (program_read_) return;
@@ -119,6 +123,7 @@ void Reader::declaration() {
             fail(name.place, "expected a variable's name, found {}{}", shown(name),
                  name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : "");
         }
+        misdeclared_.insert(name.text);
         advance();
         if (token_.is("(")) {
             fail(name.place,
@@ -151,6 +156,8 @@ void Reader::declaration() {
             *find_variable(name.text) = std::move(object);
         else
             variables_.emplace(name.text, std::move(object));
+        variables_.emplace(name.text, std::move(object));
+        misdeclared_.erase(name.text);
     } while (accept(","));
     expect(";", "after the declaration");
 }
@@ -189,6 +196,7 @@ void Reader::initialise(Object& object, const Token& name) {
 void Reader::assignment() {
     const Token name = token_;
     const auto refuse = [&] {
+        if (!variables_.contains(name.text) && misdeclared_.contains(name.text)) throw FollowingError();
         fail(name.place, "a scene cannot assign to {}; give it its value in its declaration", in_quotes(name.text));
     };
     advance();
@@ -391,13 +399,29 @@ CommandList read_scene(std::string_view text, const std::string& file, const std
         throw SceneError(
             fmt::format("{}: this scene has {} bytes; the limit is {}", file, text.size(), kMaxSceneBytes));
     }
+    const auto kept = std::make_shared<const std::string>(text);
     // A whole program has the function main and waits in GLUT's loop. What 'twinlight export --as c' prints has them too,
     // but only its function draw_scene is the scene.
     if (text.find("glutMainLoop") != text.npos && text.substr(0, 400).find(kPrintedProgram) == text.npos) {
-        std::vector<Token> tokens = preprocess(text, file);
-        if (is_program(tokens)) return Reader(std::move(tokens), file, load_image, options).run(name);
+        try {
+            std::vector<Token> tokens = preprocess(*kept, file);
+            if (is_program(tokens)) {
+                CommandList commands = Reader(std::move(tokens), file, load_image, options).run(name);
+                commands.text = kept;
+                return commands;
+            }
+        } catch (const SceneError& error) {
+            if (error.errors.empty()) throw;
+            throw SceneError(error.errors, kept);
+        }
     }
-    return {name, Reader(text, file, load_image).read()};
+    Reader reader(*kept, file, load_image);
+    CommandList commands(name, reader.read());
+    commands.text = kept;
+    if (reader.errors().empty()) return commands;
+    SceneError error(reader.errors(), kept);
+    error.readable = std::make_shared<const CommandList>(std::move(commands));
+    throw error;
 }
 
 }  // namespace twinlight

@@ -42,7 +42,7 @@ void Reader::argument(Command& command, std::size_t i) {
     if (parameter.extent == Extent::kOutputMemory) return written_argument(command, parameter);
     if (parameter.extent == Extent::kImage) return image_argument(command);
     if (parameter.kind == Kind::kWord) {
-        command.arguments.push_back(word_argument(parameter));
+        command.arguments.push_back(word_argument(command, parameter));
         return;
     }
     if (parameter.kind == Kind::kQuadric) {
@@ -64,14 +64,38 @@ void Reader::rest_arguments(Command& command, const Parameter& parameter) {
     }
 }
 
-double Reader::word_argument(const Parameter& parameter) {
+namespace {
+
+// The words that a pragma takes, for messages; empty where it takes the name of a spectrum.
+std::vector<std::string_view> words_for(CommandId pragma) {
+    const auto names = [](std::initializer_list<Word> few) {
+        std::vector<std::string_view> all;
+        for (Word word : few) all.push_back(word_name(word));
+        return all;
+    };
+    switch (pragma) {
+        case CommandId::pragma_specular: return names({Word::half_vector, Word::reflection});
+        case CommandId::pragma_ambient: return names({Word::attenuated, Word::unattenuated});
+        case CommandId::pragma_transfer: return names({Word::linear, Word::srgb});
+        case CommandId::pragma_shape:
+            return names({Word::cube, Word::cylinder, Word::cylinder_triangles, Word::cone, Word::sphere});
+        default: return {};
+    }
+}
+
+}  // namespace
+
+double Reader::word_argument(const Command& command, const Parameter& parameter) {
     const std::optional<Enum> word = token_.kind == TokenKind::kName ? find_word(token_.text) : std::nullopt;
     if (!word) {
-        std::vector<std::string_view> names;
-        for (const NamedValue& known : words()) names.push_back(known.name);
+        std::vector<std::string_view> names = words_for(command.id);
+        const std::string expected = names.empty() ? fmt::format("a {} from docs/scene-language.md", parameter.name)
+                                                   : fmt::format("one of {}", fmt::join(names, ", "));
+        if (names.empty())
+            for (const NamedValue& known : words()) names.push_back(known.name);
         const auto near = nearest(token_.text, names);
-        fail(token_.place, "expected a word for {}, found {}{}", parameter.name, shown(token_),
-             near ? fmt::format("; did you mean {}?", *near) : "; docs/scene-language.md lists the words");
+        fail(token_.place, "expected {}, found {}{}", expected, shown(token_),
+             near ? fmt::format("; did you mean {}?", *near) : "");
     }
     advance();
     return *word;
@@ -131,6 +155,15 @@ std::string with_pname(std::string_view name, std::optional<Enum> pname) {
     return std::string(name);
 }
 
+// For messages: what to add to an array of three values where the command reads four.
+std::string_view fourth_value(const Command& command, std::optional<Enum> pname) {
+    const std::optional<Owner> owner = owner_of(command.id);
+    const ParameterInfo* info = owner && pname ? find_parameter(*owner, *pname) : nullptr;
+    if (!info || info->count != 4) return "";
+    if (info->meaning == Meaning::kPosition) return "; add a fourth value w: 1 for a place, 0 for a direction";
+    return info->meaning == Meaning::kColor ? "; add a fourth value, alpha: 1 for an opaque colour" : "";
+}
+
 // Marks the object's values as unknown, because the command writes to it.
 void forget_values(Object& object, const Command& command) {
     object.known = false;
@@ -176,6 +209,10 @@ void Reader::array_argument(Command& command, std::size_t i) {
     const Parameter& parameter = command.sig().parameters[i];
     const std::string_view name = command.name();
     const Token start = token_;
+    if (start.is("{")) {
+        const std::string_view type = c_type_name(c_type(parameter.kind));
+        fail(start.place, "C does not allow {{...}} as an argument; write ({}[]){{...}}", type);
+    }
     const Value given = expression();
     if (!given.object) {
         fail(start.place, "expected an array such as (GLfloat[]){{1, 0, 0, 1}} or the name of one, found {}",
@@ -195,8 +232,9 @@ void Reader::array_argument(Command& command, std::size_t i) {
     const std::size_t length = length_of(command, i, pname).value_or(available);
     const bool is_written = parameter.is_output() || parameter.extent == Extent::kNewNames;
     if (available < length) {
-        fail(start.place, "{} {} {} value{}, but {} has {}", with_pname(name, pname), is_written ? "writes" : "reads",
-             length, length == 1 ? "" : "s", object.shown, available);
+        fail(start.place, "{} {} {} value{}, but {} has {}{}", with_pname(name, pname), is_written ? "writes" : "reads",
+             length, length == 1 ? "" : "s", object.shown, available,
+             available == 3 && !is_written ? fourth_value(command, pname) : "");
     }
     if (parameter.is_output()) return forget_values(object, command);
     constexpr std::size_t kShort = 16;  // the limit on the text covers shorter arrays

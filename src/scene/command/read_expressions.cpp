@@ -252,6 +252,11 @@ Value Reader::primary() {
     if (token.is("sizeof")) return size_of_operand();
     if (program_ && token.kind == TokenKind::kName) return program_name(token);
     if (token.kind == TokenKind::kName) return named_value(token);
+    if (token.is("{")) {
+        fail(token.place,
+             "C does not allow {{...}} here; where an array is needed, write its type in front, as in "
+             "(GLfloat[]){{1, 0, 0, 1}}");
+    }
     fail(token.place, "expected a number or a GL name, found {}", shown(token));
 }
 
@@ -473,6 +478,7 @@ Object* Reader::find_variable(std::string_view name) {
 }
 
 void Reader::unknown_name(const Token& name) {
+    if (misdeclared_.contains(name.text)) throw FollowingError();
     std::vector<std::string_view> names = visible_names();
     for (const NamedValue& row : gl_names()) names.push_back(row.name);
     // The nearest name to GL_LIGHT8 is another light, which is not what the scene means.
@@ -482,6 +488,10 @@ void Reader::unknown_name(const Token& name) {
     if (is_light)
         fail(name.place, "unknown name {}; GL has GL_LIGHT0 to GL_LIGHT7, others need #pragma twinlight light(8, ...)",
              in_quotes(name.text));
+    if (name.is("GL_PHONG"))
+        fail(name.place,
+             "unknown name 'GL_PHONG'; GL has no Phong shading, only GL_FLAT and GL_SMOOTH; to draw with Phong "
+             "shading, run 'twinlight render --shading phong'");
     const auto near = nearest(name.text, names);
     fail(name.place, "unknown name {}{}", in_quotes(name.text),
          near             ? fmt::format("; did you mean {}?", *near)

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,9 +75,12 @@ class Reader {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
+    // Reads all statements. After an error it continues with the next statement; see errors().
     std::vector<Command> read();
     // Runs a whole program in GLUT's order: main up to glutMainLoop, the reshape function, the display function.
     CommandList run(const std::string& name);
+    // At most kMaxErrorsShown; reading ends there.
+    const std::vector<TextError>& errors() const { return errors_; }
 
   private:
     // The object or part of an object that a name with subscripts denotes. Without dimensions it is a single value.
@@ -94,6 +98,15 @@ class Reader {
         if (!accept(text)) fail_missing(text, fmt::format(where, std::forward<Values>(values)...));
     }
     [[noreturn]] void fail_missing(std::string_view text, std::string_view where);
+
+    // -- errors (read_errors.cpp) --
+    struct TooManyErrors {};
+    struct FollowingError {};  // an error that results from an earlier one and is not reported
+    Token next_token();
+    void report(const SceneError& error);
+    void statement_or_error();
+    void skip_rest_of_statement(std::size_t tokens_at_start);
+    bool at_new_statement() const;
 
     // -- statements (read.cpp) --
     void statement();
@@ -119,7 +132,7 @@ class Reader {
     // -- arguments (read_arguments.cpp) --
     void arguments(Command& command, const Signature& sig);
     void argument(Command& command, std::size_t parameter);
-    double word_argument(const Parameter& parameter);
+    double word_argument(const Command& command, const Parameter& parameter);
     void pointer_argument(Command& command, const Parameter& parameter);
     void written_argument(Command& command, const Parameter& parameter);
     void array_argument(Command& command, std::size_t parameter);
@@ -231,6 +244,11 @@ class Reader {
     Place returns_place_;
     std::vector<Command> commands_;
     double quadrics_ = 0;  // number created so far
+    std::vector<TextError> errors_;
+    std::set<std::string_view> misdeclared_;  // names whose declarations have errors
+    std::size_t tokens_ = 0;                  // number read so far
+    int line_before_ = 0;                     // the line of the token before token_
+    int lexical_error_line_ = 0;              // the line of the last error that the lexer reported
 };
 
 // For messages: "'GL_LIGHTT0'", or "the end of the scene".

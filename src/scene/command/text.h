@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,10 +15,34 @@
 
 namespace twinlight {
 
-// Bad input. what() is one line: "file:line:column: what is wrong; how to fix it".
+// One error in a scene's text: its place, what is wrong and how to fix it.
+struct TextError {
+    Place place;
+    std::string message;
+};
+// The number of errors that one SceneError reports.
+inline constexpr std::size_t kMaxErrorsShown = 10;
+
+// Bad input. what() is one line, about the first error: "file:line:column: what is wrong; how to fix it".
 struct SceneError : std::runtime_error {
     using std::runtime_error::runtime_error;
+    // `errors_in_text` must not be empty. Sorts the errors by their places and keeps the first kMaxErrorsShown.
+    explicit SceneError(std::vector<TextError> errors_in_text, std::shared_ptr<const std::string> scene_text = nullptr);
+
+    std::vector<TextError> errors{};  // empty if the input is not a scene's text
+    std::shared_ptr<const std::string> text = nullptr;
+    std::shared_ptr<const CommandList> readable = nullptr;  // the commands without errors
+    std::string note{};                                     // what may help, after the errors; may be empty
 };
+
+// All errors as compilers print them: "file:line:column: error: message", the line of the text, and a caret below the
+// column. An error without a text is one line. Control characters of the text are shown as '?'.
+std::string as_compilers_print(const SceneError& error);
+
+// Escapes control characters, so that a message with any file name stays on one line.
+std::string one_line(std::string_view text);
+// The line of the text at this place and a line with a caret below the column; "" if there is no such line.
+std::string line_with_caret(std::string_view text, const Place& place);
 
 // Limits on untrusted text.
 inline constexpr std::size_t kMaxSceneBytes = 64u << 20;

@@ -31,6 +31,15 @@ bool holds_trace(std::string_view front, const std::filesystem::path& path) {
     return trace::is_trace(front) || (path.extension() == ".trace" && !trace::is_dump(front));
 }
 
+std::string how_to_record(const std::string& scene) {
+    const std::string trace = std::filesystem::path(scene).stem().string() + ".trace";
+    return "to run it and record what it draws: twinlight record " + scene + " -o " + trace;
+}
+
+bool is_c_program(std::string_view text) {
+    return text.find("main(") != std::string_view::npos || text.find("main (") != std::string_view::npos;
+}
+
 std::shared_ptr<const Recording> load_standard_input(std::optional<WindowSize> window) {
     const std::string front = read_standard_input(trace::kFrontBytes);
     if (trace::is_trace(front) || trace::is_dump(front)) return trace::open_standard_input(front);
@@ -67,9 +76,18 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
                 ": cannot read a recorded program from a pipe or a device; give a file, or - for standard input");
         return holds_trace(front, path) ? trace::open_trace(scene) : trace::open_dump(scene);
     }
-    return std::make_shared<CommandList>(read_limited(again ? read_file(scene, kReadAtMost) : front, scene,
-                                                      path.filename().string(), window,
-                                                      again ? images_beside(path) : ImageLoader(no_images)));
+    if (front.starts_with("\x7f"
+                          "ELF"))
+        throw SceneError(scene + ": this is a program, not a scene; " + how_to_record(scene));
+    const std::string text = again ? read_file(scene, kReadAtMost) : front;
+    try {
+        return std::make_shared<CommandList>(read_limited(text, scene, path.filename().string(), window,
+                                                          again ? images_beside(path) : ImageLoader(no_images)));
+    } catch (SceneError& error) {
+        const bool names_record = std::string_view(error.what()).find("twinlight record") != std::string_view::npos;
+        if (is_c_program(text) && !names_record) error.note = "this is a C program; " + how_to_record(scene);
+        throw;
+    }
 }
 
 std::shared_ptr<const CommandList> load_commands(const std::string& scene) {

@@ -49,6 +49,7 @@ struct Material {  // 2.14.2, table 2.10
 
 struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and specular (LightingState sets it)
     bool enabled = false;
+    std::uint32_t typed = 0;  // index into Frame::typed_lights
     glm::dvec4 ambient{0, 0, 0, 1};
     glm::dvec4 diffuse{0, 0, 0, 1};
     glm::dvec4 specular{0, 0, 0, 1};
@@ -74,6 +75,28 @@ struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and spe
         double scale = 1;
     };
     Illuminant diffuse_illuminant, specular_illuminant;
+
+    bool has_initial_attenuation() const {
+        return constant_attenuation == 1 && linear_attenuation == 0 && quadratic_attenuation == 0;
+    }
+};
+
+// What glLight was given for GL_POSITION and GL_SPOT_DIRECTION. LightSource has the same in eye coordinates: the product
+// with the modelview matrix at the call (2.14.1).
+struct TypedLight {
+    template <class Vector>
+    struct Value {
+        Vector value;
+        Place place{};  // of glLight
+        glm::dmat4 eye_from_typed{1};
+
+        bool is_initial() const { return place == Place{}; }
+        friend bool operator==(const Value&, const Value&) = default;
+    };
+    Value<glm::dvec4> position{{0, 0, 1, 0}};
+    Value<glm::dvec3> spot_direction{{0, 0, -1}};
+
+    friend bool operator==(const TypedLight&, const TypedLight&) = default;
 };
 
 // "GL_LIGHT3"; "light(8)" for a light that GL lacks.
@@ -335,6 +358,8 @@ struct Frame {
     std::vector<Unsupported> unsupported{};
     // The names of display lists that another list called before they existed.
     std::vector<std::uint32_t> lists_called_before_made{};
+    // What LightSource::typed counts; the first has GL's initial values. Empty in a Frame that State did not make.
+    std::vector<TypedLight> typed_lights{};
 
     // The items that are Draws, without the Clears.
     std::vector<const Draw*> draws() const { return draws_of<const Draw>(items); }

@@ -126,19 +126,47 @@ void State::light(const Command& c) {
     LightSource* source = light_source(c, c.enumerant(0));
     if (!source) return;
     const Enum pname = c.enumerant(1);
-    if (const auto values = parameter_values(c, Owner::kLight, pname)) set_light(*source, pname, *values);
+    if (const auto values = parameter_values(c, Owner::kLight, pname)) set_light(c, *source, pname, *values);
 }
 
-void State::set_light(LightSource& source, Enum pname, const std::vector<double>& values) const {
+void State::set_light(const Command& c, LightSource& source, Enum pname, const std::vector<double>& values) {
     // 2.14.1: positions are transformed by the current modelview matrix, directions by its upper left 3x3.
-    if (pname == kGL_POSITION)
-        source.position_eye = modelview() * vec4(values);
-    else if (pname == kGL_SPOT_DIRECTION)
-        source.spot_direction_eye = glm::dmat3(modelview()) * glm::dvec3(values[0], values[1], values[2]);
-    else
+    if (pname == kGL_POSITION) {
+        TypedLight typed = typed_lights_[source.typed];
+        typed.position = {vec4(values), c.place, modelview()};
+        if (note_typed(c, source, typed)) source.position_eye = modelview() * typed.position.value;
+    } else if (pname == kGL_SPOT_DIRECTION) {
+        TypedLight typed = typed_lights_[source.typed];
+        typed.spot_direction = {{values[0], values[1], values[2]}, c.place, modelview()};
+        if (note_typed(c, source, typed))
+            source.spot_direction_eye = glm::dmat3(modelview()) * typed.spot_direction.value;
+    } else {
         std::ranges::copy(values, numbers_of(source, pname).begin());
+    }
     if (pname == kGL_DIFFUSE) source.diffuse_illuminant = {};
     if (pname == kGL_SPECULAR) source.specular_illuminant = {};
+}
+
+bool State::note_typed(const Command& c, LightSource& source, const TypedLight& typed) {
+    if (typed == typed_lights_[source.typed]) return true;
+    if (!has_room(c, sizeof typed)) return false;
+    source.typed = static_cast<std::uint32_t>(typed_lights_.size());
+    typed_lights_.push_back(typed);
+    return true;
+}
+
+void State::drop_typed_lights() {
+    std::vector<TypedLight> kept{{}};
+    const auto keep = [&](std::vector<LightSource>& lights) {
+        for (LightSource& light : lights) {
+            if (light.typed == 0) continue;
+            kept.push_back(typed_lights_[light.typed]);
+            light.typed = static_cast<std::uint32_t>(kept.size() - 1);
+        }
+    };
+    keep(a_.lighting.lights);
+    for (SavedAttributes& saved : attribute_stack_) keep(saved.attributes.lighting.lights);
+    typed_lights_ = std::move(kept);
 }
 
 void State::material(const Command& c) { set_material(c, nullptr); }
@@ -308,7 +336,7 @@ void State::extra_light(const Command& c) {
     const auto i = static_cast<std::size_t>(number);
     if (i >= lights.size()) lights.resize(i + 1);
     lights[i].enabled = true;
-    set_light(lights[i], pname, *values);
+    set_light(c, lights[i], pname, *values);
 }
 
 }  // namespace twinlight

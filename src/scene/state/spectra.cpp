@@ -51,7 +51,7 @@ void State::illuminant(const Command& c) {
         return raise(kGL_INVALID_VALUE, c, "the light's scale is {}; it must be 0 or more", scale);
     const std::optional<Command> color = gl_command_of(c);
     const Enum pname = c.enumerant(1);
-    set_light(*source, pname, std::vector<double>(color->arguments.begin() + 2, color->arguments.end()));
+    set_light(c, *source, pname, std::vector<double>(color->arguments.begin() + 2, color->arguments.end()));
     (pname == kGL_DIFFUSE ? source->diffuse_illuminant : source->specular_illuminant) = {light, scale};
 }
 

@@ -11,7 +11,6 @@
 #include <limits>
 
 #include "scene/command/command_set.h"
-#include "scene/command/text.h"
 #include "scene/state/capabilities.h"
 
 namespace twinlight {
@@ -285,6 +284,7 @@ Frame State::take_frame() {
     Frame frame{options_.width, options_.height, std::move(items_), outside_};
     std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
     frame.lists_called_before_made.assign(lists_.called_before_made.begin(), lists_.called_before_made.end());
+    frame.typed_lights = typed_lights_;
     drop_picture();
     return frame;
 }
@@ -294,6 +294,7 @@ void State::drop_picture() {
     item_bytes_ = 0;
     work_ = 0;
     unsupported_.clear();
+    drop_typed_lights();
 }
 
 void State::drop_hidden() {
@@ -304,30 +305,6 @@ void State::drop_hidden() {
     items_.erase(items_.begin(), items_.end() - 1);
     item_bytes_ = 0;
     unsupported_.clear();
-}
-
-Frame make_frame(const CommandList& commands, const StateOptions& options) {
-    State state(options);
-    const auto refuse = [](const GlError& error) {
-        throw SceneError(fmt::format("{}: {} ({})", error.place.str(), error.message, enum_name(error.code)));
-    };
-    for (const Command& command : commands.commands) {
-        state.apply(command);
-        if (!state.errors().empty()) refuse(state.errors().front());
-    }
-    if (const auto error = state.unfinished())
-        throw SceneError(fmt::format("{}: {}", error->place.str(), error->message));
-    Frame frame = state.take_frame();
-    if (frame.draws().empty()) {
-        throw SceneError(fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
-                                     commands.name));
-    }
-    return frame;
-}
-
-Scene make_scene(std::shared_ptr<const CommandList> commands, const StateOptions& options) {
-    Frame frame = make_frame(*commands, options);
-    return {std::move(commands), std::move(frame)};
 }
 
 }  // namespace twinlight

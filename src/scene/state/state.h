@@ -17,6 +17,8 @@
 
 namespace twinlight {
 
+struct SceneError;
+
 struct StateOptions {
     int width = 640;  // the size of the window in pixels
     int height = 480;
@@ -125,7 +127,10 @@ class State {
         delete_textures, prioritize_textures;
     // glMaterial; `reflectance` is null or the spectrum that the colour was computed from.
     void set_material(const Command&, const Spectrum* reflectance);
-    void set_light(LightSource& source, Enum pname, const std::vector<double>& values) const;
+    void set_light(const Command&, LightSource& source, Enum pname, const std::vector<double>& values);
+    // Keeps what glLight was given. Raises GL_OUT_OF_MEMORY and returns false if there is no room.
+    bool note_typed(const Command&, LightSource& source, const TypedLight& typed);
+    void drop_typed_lights();  // those that no current or saved light has
 
     void carry_out(const Command& command);
     bool compile(const Command& command);
@@ -212,8 +217,9 @@ class State {
     std::map<double, Quadric> quadrics_;                 // by number
     std::map<double, Place> deleted_quadrics_;           // the place of gluDeleteQuadric
     std::vector<std::variant<Clear, Draw>> items_;
-    std::size_t item_bytes_ = 0;  // the approximate size of items_
-    double work_ = 0;             // work for this picture so far
+    std::size_t item_bytes_ = 0;  // the approximate size of items_ and of the newest typed_lights_
+    std::vector<TypedLight> typed_lights_{{}};
+    double work_ = 0;  // work for this picture so far
     std::vector<Unsupported> unsupported_;
     std::vector<Unsupported> outside_;
     std::vector<GlError> errors_;
@@ -221,9 +227,12 @@ class State {
     std::optional<GlError> exhausted_;
 };
 
-// Executes all commands of a scene. Throws SceneError at the first GL error, if a glBegin, glNewList or push is still
-// open at the end, and if nothing is drawn.
+// Executes all commands of a scene. Throws SceneError with its GL errors, if a glBegin, glNewList or push is still open
+// at the end, and if nothing is drawn.
 Frame make_frame(const CommandList& commands, const StateOptions& options);
+// For a scene whose text has errors: adds the GL errors of the commands that could be read and do not depend on others
+// (wrong names and values).
+SceneError with_gl_errors(const SceneError& error, const StateOptions& options);
 Scene make_scene(std::shared_ptr<const CommandList> commands, const StateOptions& options);
 
 }  // namespace twinlight

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "../../property/state_answers.h"
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
+#include "scene/state/answers.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

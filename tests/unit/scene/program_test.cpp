@@ -1,6 +1,7 @@
 // Whole GLUT programs as scenes: what their statements mean, the order of their functions, limits and messages.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 

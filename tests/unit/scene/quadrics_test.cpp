@@ -9,10 +9,10 @@
 #include <string>
 #include <variant>
 
-#include "../../property/state_answers.h"
 #include "scene/command/text.h"
 #include "scene/shape/glu_quadrics.h"
 #include "scene/shape/quadric.h"
+#include "scene/state/answers.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

@@ -362,6 +362,53 @@ TEST(Frames, AreRefusedAtTheFirstError) {
 }
 
 // Programs that normalise the normals of degenerate triangles send NaN; freeglut's teapot does too.
+// ---- What glLight was given ----
+
+const TypedLight& typed_light(const Frame& frame, std::size_t light) {
+    return frame.typed_lights.at(first_draw(frame).lighting.lights.at(light).typed);
+}
+constexpr const char* kTriangle =
+    "glBegin(GL_TRIANGLES); glVertex2f(0, 0); glVertex2f(1, 0); glVertex2f(0, 1); glEnd();";
+
+TEST(TypedLights, AreTheValuesBesideThoseInEyeCoordinates) {
+    const Frame frame = frame_of(std::string("glTranslatef(0, 0, -5);\n"
+                                             "glLightfv(GL_LIGHT1, GL_POSITION, (GLfloat[]){1, 2, 3, 1});\n"
+                                             "glLightfv(GL_LIGHT1, GL_SPOT_DIRECTION, (GLfloat[]){0, 1, 0});\n") +
+                                 kTriangle);
+    const TypedLight& typed = typed_light(frame, 1);
+    EXPECT_EQ(typed.position.value, glm::dvec4(1, 2, 3, 1));
+    EXPECT_EQ(typed.position.place.str(), "scene.gl:2:1");
+    EXPECT_EQ(typed.spot_direction.value, glm::dvec3(0, 1, 0));
+    EXPECT_EQ(typed.spot_direction.place.str(), "scene.gl:3:1");
+    EXPECT_EQ(typed.position.eye_from_typed * typed.position.value, glm::dvec4(1, 2, -2, 1));
+    EXPECT_EQ(first_draw(frame).lighting.lights[1].position_eye, glm::dvec4(1, 2, -2, 1));
+    EXPECT_TRUE(typed_light(frame, 0).position.is_initial());
+    EXPECT_EQ(typed_light(frame, 0).position.value, glm::dvec4(0, 0, 1, 0));
+}
+
+TEST(TypedLights, FollowTheAttributeStack) {
+    const std::string inner = "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){9, 9, 9, 1});";
+    const std::string outer = "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){1, 2, 3, 1});";
+    EXPECT_EQ(typed_light(frame_of(outer + "glPushAttrib(GL_LIGHTING_BIT);" + inner + "glPopAttrib();" + kTriangle), 0)
+                  .position.value,
+              glm::dvec4(1, 2, 3, 1));
+    EXPECT_EQ(typed_light(frame_of(outer + inner + kTriangle), 0).position.value, glm::dvec4(9, 9, 9, 1));
+}
+
+// A program of many pictures keeps only what its lights still have.
+TEST(TypedLights, OfEarlierPicturesAreForgotten) {
+    State state = after("glLightfv(GL_LIGHT2, GL_POSITION, (GLfloat[]){5, 6, 7, 1});");
+    for (int picture = 0; picture < 50; ++picture) {
+        const std::string text =
+            "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){" + std::to_string(picture) + ", 0, 0, 1});" + kTriangle;
+        for (const Command& command : read_scene(text, "scene.gl", "scene").commands) state.apply(command);
+        const Frame frame = state.take_frame();
+        EXPECT_LE(frame.typed_lights.size(), 4U);
+        EXPECT_EQ(typed_light(frame, 0).position.value, glm::dvec4(picture, 0, 0, 1));
+        EXPECT_EQ(typed_light(frame, 2).position.value, glm::dvec4(5, 6, 7, 1));
+    }
+}
+
 TEST(State, HasLightsThatGlDoesNotHave) {
     const Frame frame = frame_of(
         "glPushAttrib(GL_LIGHTING_BIT);\n#pragma twinlight light(9, GL_DIFFUSE, 1, 0.5, 0, 1)\nglPopAttrib();\n"

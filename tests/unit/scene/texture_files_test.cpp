@@ -49,12 +49,12 @@ class TextureFiles : public testing::Test {
     }
     static ProgramResult run(const std::vector<std::string>& arguments) { return run_program("twinlight", arguments); }
 
-    // A scene with this picture is refused with one line that starts with the place of the name.
+    // A scene with this picture is refused with one error, at the place of the name.
     void expect_refused(const std::string& picture, const std::string& expected) {
         write_file_atomically(in_ / "refused.gl", "#pragma twinlight texture(" + picture + ")\nglutSolidCube(1);\n");
         const ProgramResult result = run({"render", in_ / "refused.gl", "--with", "reference", "-o", in_ / "p.png"});
         EXPECT_EQ(result.status, 2) << picture;
-        EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+        EXPECT_EQ(std::ranges::count(result.err, '\n'), 3) << result.err;  // the error, the line, the caret
         EXPECT_TRUE(result.err.starts_with(in_ / "refused.gl:1:27: ")) << result.err;
         EXPECT_NE(result.err.find(expected), std::string::npos) << result.err << "  expected: " << expected;
         EXPECT_FALSE(fs::exists(in_ / "p.png"));

@@ -1,4 +1,5 @@
 void main() {
+#insert clip_discards
 #if EFFECT_RAY
 #include "surface_point.glsl"
 #endif
@@ -17,5 +18,6 @@ void main() {
 #if EFFECT_SRGB_CODED
     color.rgb = srgb_coded(color.rgb);
 #endif
+#insert alpha_test
     fragment_color = color;
 }

@@ -1,6 +1,8 @@
-#include "state_answers.h"
+// glGet* (6.1), answered from State.
+#include "scene/state/answers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
@@ -214,6 +216,78 @@ Answer tex_level_answer(const State& state, Enum target, int level, Enum pname) 
         case kGL_TEXTURE_INTERNAL_FORMAT: return one(has_image ? image.internal_format : 1);
         default: return {};
     }
+}
+
+bool is_answered(CommandId id) {
+    switch (id) {
+        case CommandId::glGetLightfv:
+        case CommandId::glGetLightiv:
+        case CommandId::glGetMaterialfv:
+        case CommandId::glGetMaterialiv:
+        case CommandId::glGetBooleanv:
+        case CommandId::glGetIntegerv:
+        case CommandId::glGetFloatv:
+        case CommandId::glGetDoublev:
+        case CommandId::glGetClipPlane:
+        case CommandId::glGetTexEnvfv:
+        case CommandId::glGetTexEnviv:
+        case CommandId::glGetTexParameterfv:
+        case CommandId::glGetTexParameteriv:
+        case CommandId::glIsEnabled: return true;
+        default: return false;
+    }
+}
+
+namespace {
+
+// Whether glGetIntegerv maps this value from [-1, 1] to all integers (6.1.2).
+bool is_fraction(const Command& query) {
+    if (owner_of(query.id)) {
+        const ParameterInfo* info = parameter_info(query);
+        return info && info->meaning == Meaning::kColor;
+    }
+    switch (query.enumerant(0)) {
+        case kGL_CURRENT_COLOR:
+        case kGL_CURRENT_NORMAL:
+        case kGL_FOG_COLOR:
+        case kGL_LIGHT_MODEL_AMBIENT:
+        case kGL_COLOR_CLEAR_VALUE:
+        case kGL_BLEND_COLOR:
+        case kGL_ALPHA_TEST_REF:
+        case kGL_DEPTH_RANGE:
+        case kGL_DEPTH_CLEAR_VALUE: return true;
+        default: return false;
+    }
+}
+
+Answer answer_in_doubles(const State& state, const Command& query) {
+    switch (query.id) {
+        case CommandId::glGetLightfv:
+        case CommandId::glGetLightiv: return state.get_light(query.enumerant(0), query.enumerant(1));
+        case CommandId::glGetMaterialfv:
+        case CommandId::glGetMaterialiv: return state.get_material(query.enumerant(0), query.enumerant(1));
+        case CommandId::glGetClipPlane: return clip_plane_answer(state, query.enumerant(0));
+        case CommandId::glGetTexEnvfv:
+        case CommandId::glGetTexEnviv: return tex_env_answer(state, query.enumerant(0), query.enumerant(1));
+        case CommandId::glGetTexParameterfv:
+        case CommandId::glGetTexParameteriv: return tex_parameter_answer(state, query.enumerant(0), query.enumerant(1));
+        default: return answer(state, query.enumerant(0));
+    }
+}
+
+}  // namespace
+
+// 6.1.2.
+Answer answer(const State& state, const Command& query) {
+    Answer values = answer_in_doubles(state, query);
+    const Kind kind = query.sig().parameters.back().kind;
+    const bool fraction = kind == Kind::kInt && is_fraction(query);
+    for (double& value : values) {
+        if (kind == Kind::kBoolean) value = value != 0 ? 1 : 0;
+        if (kind == Kind::kInt) value = std::nearbyint(fraction ? (4294967295.0 * value - 1) / 2 : value);
+        if (kind == Kind::kFloat) value = static_cast<double>(static_cast<float>(value));
+    }
+    return values;
 }
 
 }  // namespace twinlight

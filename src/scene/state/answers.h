@@ -1,4 +1,4 @@
-// glGet* (6.1) as State answers it: what the tests compare with the driver's answers.
+// The answers to glGet* (6.1), from State.
 #pragma once
 
 #include <vector>
@@ -15,5 +15,10 @@ Answer clip_plane_answer(const State& state, Enum plane);
 Answer tex_env_answer(const State& state, Enum target, Enum pname);
 Answer tex_parameter_answer(const State& state, Enum target, Enum pname);
 Answer tex_level_answer(const State& state, Enum target, int level, Enum pname);
+
+// The queries of lights, materials, capabilities, clip planes, textures and other state, that answer() knows.
+bool is_answered(CommandId id);
+// What a query of is_answered() returns, in its own type (6.1.2): glGetIntegerv whole numbers, glGetFloatv floats.
+Answer answer(const State& state, const Command& query);
 
 }  // namespace twinlight

@@ -1,0 +1,463 @@
+#include "render/programmable/kept/kept_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "render/programmable/draw_values.h"
+#include "render/programmable/kept/core_elements.h"
+#include "render/programmable/kept/kept_text.h"
+#include "render/programmable/kept/spelling.h"
+#include "render/programmable/shader_assembly.h"
+#include "render/programmable/vertex_attributes.h"
+#include "scene/command/names.h"
+
+namespace twinlight::programmable {
+namespace {
+
+constexpr int kMostKeptLights = 16;  // MOST_LIGHTS of loader.c; OpenGL promises room for this many uniforms
+
+// ---- Kinds ----
+
+struct Kind {
+    EffectSet effects;
+    Form form;
+    friend bool operator==(const Kind&, const Kind&) = default;
+};
+
+Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
+    Kind kind{plan.effects, {}};
+    kind.form.position_w = !plan.vertices.w_is_1;
+    kind.form.rescale = plan.lighting.rescale_normal && kind.effects.needs_normal() && !kind.effects.normalize &&
+                        kind.effects.shading != Shading::kPhong;
+    KeptForm kept;
+    kept.version = version;
+    for (const PlannedLight& light : plan.lights) {
+        kept.lights.push_back(light.number);
+        kept.light_count = std::max(kept.light_count, light.number + 1);
+    }
+    for (int i = 0; i < kMaxClipPlanes; ++i)
+        if (draw.raster.clip_planes_eye[static_cast<std::size_t>(i)]) kept.clip_planes.push_back(i);
+    if (draw.fragment.alpha_test) kept.alpha_func = draw.fragment.alpha_func;
+    // OpenGL ES has no 1D textures: they become 2D textures of height 1.
+    if (version == Glsl::k300es) kind.effects.texture.one_dimensional = false;
+    kept.sizes_points = version == Glsl::k300es && draw.mode == kGL_POINTS;
+    kind.form.kept = std::move(kept);
+    return kind;
+}
+
+// ---- Textures ----
+
+// A border's colour as the texels have it (table 3.15).
+glm::dvec4 border_of(const Texture& texture) {
+    const glm::dvec4& c = texture.border_color;
+    switch (texture.levels.front().base_format) {
+        case kGL_ALPHA: return {0, 0, 0, c.a};
+        case kGL_LUMINANCE: return {c.r, c.r, c.r, 1};
+        case kGL_LUMINANCE_ALPHA: return {c.r, c.r, c.r, c.a};
+        case kGL_INTENSITY: return {c.r, c.r, c.r, c.r};
+        case kGL_RGB: return {c.r, c.g, c.b, 1};
+        default: return c;
+    }
+}
+
+class Writer {
+  public:
+    Writer(const Frame& frame, const Options& options, Glsl version, Language language)
+        : frame_(frame), options_(options), version_(version), c_(language) {
+        options_.for_any_pose = true;
+    }
+
+    std::vector<NamedFile> files(const std::string& name) {
+        write_items();
+        std::vector<NamedFile> files;
+        for (std::size_t i = 0; i < kinds_.size(); ++i) {
+            const ShaderSource source = assemble(kinds_[i].effects, kinds_[i].form);
+            files.push_back({fmt::format("kind{}.vert", i + 1), source.vertex});
+            files.push_back({fmt::format("kind{}.frag", i + 1), source.fragment});
+        }
+        files.push_back({"scene.c", scene_text(name)});
+        files.push_back(
+            {"scene.bin", std::string(reinterpret_cast<const char*>(words_.data()), 4 * words_.size())});  // NOLINT
+        for (const char* file : {"loader.h", "loader.c"}) files.push_back({file, std::string(file_text(file))});
+        files.push_back({"README.md", readme(name)});
+        return files;
+    }
+
+    std::string page(const std::string& name) {
+        write_items();
+        std::string shaders;
+        for (std::size_t i = 0; i < kinds_.size(); ++i) {
+            const ShaderSource source = assemble(kinds_[i].effects, kinds_[i].form);
+            for (const auto& [ending, text] : {std::pair("vert", source.vertex), {"frag", source.fragment}})
+                shaders +=
+                    fmt::format("<script type=\"text/plain\" id=\"kind{}.{}\">\n{}</script>\n", i + 1, ending, text);
+        }
+        const std::string load = load_text();  // appends the texels to the words
+        const std::string_view bytes(reinterpret_cast<const char*>(words_.data()), 4 * words_.size());  // NOLINT
+        return filled(file_text("page.html"), {{"title", printable(name)},
+                                               {"width", fmt::format("{}", frame_.width)},
+                                               {"height", fmt::format("{}", frame_.height)},
+                                               {"unsupported", unsupported_text()},
+                                               {"shaders", shaders},
+                                               {"loader", std::string(file_text("loader.js"))},
+                                               {"middle", c_.numbers(middle())},
+                                               {"data", base64(bytes)},
+                                               {"load", load},
+                                               {"draws", body_}});
+    }
+
+  private:
+    // ---- scene.bin ----
+
+    // Appends 4-byte words, unless they were appended before; returns their place.
+    std::size_t place_of(std::vector<std::uint32_t> words) {
+        const auto [at, is_new] = places_.try_emplace(std::move(words), words_.size());
+        if (is_new) words_.insert(words_.end(), at->first.begin(), at->first.end());
+        return at->second;
+    }
+    static std::vector<std::uint32_t> words_of(const std::vector<float>& values) {
+        std::vector<std::uint32_t> words(values.size());
+        if (!values.empty()) std::memcpy(words.data(), values.data(), 4 * values.size());
+        return words;
+    }
+    static std::vector<std::uint32_t> texels_of(const TextureImage& image) {
+        std::vector<std::uint32_t> words;
+        for (const glm::vec4& texel : image.texels) {
+            std::uint32_t word = 0;
+            for (int c = 0; c < 4; ++c)
+                word |= static_cast<std::uint32_t>(std::lround(255 * std::clamp(texel[c], 0.0F, 1.0F))) << (8 * c);
+            words.push_back(word);
+        }
+        return words;
+    }
+
+    // ---- draw_scene() ----
+
+    // Writes a statement, unless the last one under this key was the same.
+    void set(const std::string& key, const std::string& statement) {
+        if (std::exchange(last_[key], statement) != statement) body_ += "    " + c_.statement(statement) + "\n";
+    }
+    void enable(Enum capability, bool enabled) {
+        const std::string name = enum_name(capability);
+        set(name, fmt::format("{}({});", enabled ? "glEnable" : "glDisable", name));
+    }
+    // A uniform of the kind in use.
+    void uniform(const std::string& key, const std::string& statement) {
+        set(fmt::format("kind {} {}", kind_, key), statement);
+    }
+
+    void write_items() {
+        write_clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
+        for (const auto& item : frame_.items) {
+            if (const Clear* clear = std::get_if<Clear>(&item))
+                write_clear(*clear);
+            else if (std::get<Draw>(item).count() > 0)
+                write_draw(std::get<Draw>(item));
+        }
+    }
+
+    void write_scissor(const Scissor& scissor, const std::array<bool, 4>& mask) {
+        enable(kGL_SCISSOR_TEST, scissor.enabled);
+        const Viewport& box = scissor.box;
+        if (scissor.enabled)
+            set("scissor", fmt::format("glScissor({}, {}, {}, {});", box.x, box.y, box.width, box.height));
+        set("color mask", fmt::format("glColorMask({:d}, {:d}, {:d}, {:d});", mask[0], mask[1], mask[2], mask[3]));
+    }
+
+    void write_clear(const Clear& clear) {
+        if (!clear.color && !clear.depth) return;
+        write_scissor(clear.scissor, clear.color_mask);
+        set("depth mask", "glDepthMask(1);");
+        set("clear color", fmt::format("glClearColor({});", c_.numbers(clear.clear_color)));
+        set("clear depth", fmt::format("glClearDepth({});", clear.clear_depth));
+        body_ += c_.statement(fmt::format("    glClear({});\n", !clear.depth ? "GL_COLOR_BUFFER_BIT"
+                                                                : !clear.color
+                                                                    ? "GL_DEPTH_BUFFER_BIT"
+                                                                    : "GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT"));
+    }
+
+    void write_draw(const Draw& draw) {
+        const Plan plan = plan_effects(draw, options_);
+        const Kind kind = kind_of(draw, plan, version_);
+        const auto found = std::ranges::find(kinds_, kind);
+        kind_ = static_cast<int>(found - kinds_.begin()) + 1;
+        if (found == kinds_.end()) kinds_.push_back(kind);
+
+        body_ += fmt::format("\n    // {}\n", printable(draw.place.str()));
+        if (!c_.is_c()) note_unsupported(draw);
+        write_raster(draw);
+        write_fragment(draw.fragment);
+        set("kind", fmt::format("use_kind({});", kind_));
+        write_uniforms(draw, plan, kind);
+
+        // The page can switch to flat shading, so its triangles suit that.
+        const bool flat = kind.effects.shading == Shading::kFlat || !c_.is_c();
+        const auto [mode, indices] = core_elements(draw, flat);
+        const std::size_t vertex = place_of(words_of(vertex_array(draw, kind.effects, {}, glm::dvec3(0))));
+        const std::size_t index = place_of(indices);
+        body_ += c_.statement(
+            fmt::format("    draw({}, {}, {}, {});\n", primitive_name(mode), vertex, index, indices.size()));
+        if (plan.vertices.has_sphere) {
+            middle_ += glm::dvec3(draw.eye_from_object * glm::dvec4(plan.vertices.center_object, 1));
+            ++middle_count_;
+        }
+    }
+
+    void write_raster(const Draw& draw) {
+        const RasterState& raster = draw.raster;
+        const Viewport& v = raster.viewport;
+        set("viewport", fmt::format("glViewport({}, {}, {}, {});", v.x, v.y, v.width, v.height));
+        set("depth range", fmt::format("glDepthRange({}, {});", raster.depth_near, raster.depth_far));
+        set("front face", fmt::format("glFrontFace({});", enum_name(raster.front_face)));
+        enable(kGL_CULL_FACE, raster.cull_enabled);
+        if (raster.cull_enabled) set("cull face", fmt::format("glCullFace({});", enum_name(raster.cull_face)));
+        const PolygonOffset& offset = raster.polygon_offset;
+        enable(kGL_POLYGON_OFFSET_FILL, offset.fill);
+        set("offset", fmt::format("glPolygonOffset({}, {});", c_.number(offset.factor), c_.number(offset.units)));
+        if (draw.draws_lines()) set("line width", fmt::format("glLineWidth({});", c_.number(raster.line_width)));
+        if (c_.is_c()) write_what_webgl_lacks(draw);
+        enable(kGL_DEPTH_TEST, raster.depth_test);
+        set("depth func", fmt::format("glDepthFunc({});", enum_name(raster.depth_func)));
+        set("depth mask", fmt::format("glDepthMask({:d});", raster.depth_mask));
+    }
+
+    void write_what_webgl_lacks(const Draw& draw) {
+        const RasterState& raster = draw.raster;
+        // Core GL has one mode for both faces: that of the face that is not culled.
+        const bool hides_front = raster.cull_enabled && raster.cull_face == kGL_FRONT;
+        set("polygon mode", fmt::format("glPolygonMode(GL_FRONT_AND_BACK, {});",
+                                        enum_name(hides_front ? raster.polygon_mode_back : raster.polygon_mode_front)));
+        enable(kGL_POLYGON_OFFSET_POINT, raster.polygon_offset.point);
+        enable(kGL_POLYGON_OFFSET_LINE, raster.polygon_offset.line);
+        if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", c_.number(raster.point_size)));
+        // The program has one clip distance for each enabled plane, without gaps.
+        const auto planes = std::ranges::count_if(raster.clip_planes_eye, [](const auto& p) { return p.has_value(); });
+        for (int i = 0; i < kMaxClipPlanes; ++i) {
+            const std::string name = fmt::format("GL_CLIP_DISTANCE{}", i);
+            set(name, fmt::format("{}({});", i < planes ? "glEnable" : "glDisable", name));
+        }
+    }
+
+    void write_fragment(const FragmentState& fragment) {
+        write_scissor(fragment.scissor, fragment.color_mask);
+        enable(kGL_BLEND, fragment.blend);
+        if (!fragment.blend) return;
+        set("blend func",
+            fmt::format("glBlendFuncSeparate({}, {}, {}, {});", factor(fragment.blend_src), factor(fragment.blend_dst),
+                        factor(fragment.blend_src_alpha), factor(fragment.blend_dst_alpha)));
+        set("blend equation", fmt::format("glBlendEquationSeparate({}, {});", enum_name(fragment.blend_equation),
+                                          enum_name(fragment.blend_equation_alpha)));
+        set("blend color", fmt::format("glBlendColor({});", c_.numbers(fragment.blend_color)));
+    }
+    static std::string factor(Enum value) {
+        return value == kGL_ZERO ? "GL_ZERO" : value == kGL_ONE ? "GL_ONE" : enum_name(value);
+    }
+
+    void write_uniforms(const Draw& draw, const Plan& plan, const Kind& kind) {
+        const EffectSet& effects = kind.effects;
+        uniform("matrices", fmt::format("matrices({},\n        {});", c_.floats(draw.eye_from_object),
+                                        c_.floats(draw.clip_from_eye)));
+        if (effects.lighting) {
+            uniform("ambient",
+                    fmt::format("light_model_ambient({});", c_.floats(glm::dvec4(plan.constant_ambient, 1))));
+            uniform("front", fmt::format("front_material({});", c_.material(plan.lighting.front)));
+            if (effects.two_side) uniform("back", fmt::format("back_material({});", c_.material(plan.lighting.back)));
+            for (const int number : kind.form.kept->lights) write_light(plan, number);
+        }
+        for (const int number : kind.form.kept->clip_planes)
+            uniform(fmt::format("plane {}", number),
+                    fmt::format("clip_plane({}, {});", number,
+                                c_.floats(*draw.raster.clip_planes_eye[static_cast<std::size_t>(number)])));
+        if (draw.fragment.alpha_test)
+            uniform("alpha", fmt::format("number(\"AlphaRef\", {});", c_.number(draw.fragment.alpha_ref)));
+        if (kind.form.kept->sizes_points)
+            uniform("point size", fmt::format("number(\"PointSize\", {});",
+                                              c_.number(std::max(std::round(draw.raster.point_size), 1.0))));
+        if (effects.has_fog()) {
+            const Fog& fog = draw.fog;
+            uniform("fog", fmt::format("fog({}, {}, {}, {});", c_.floats(fog.color), c_.number(fog.density),
+                                       c_.number(fog.start), c_.number(fog.end)));
+        }
+        if (effects.has_texture()) write_texture(draw.texture, effects);
+    }
+
+    void write_light(const Plan& plan, int number) {
+        const LightSource& light = plan.lighting.lights[static_cast<std::size_t>(number)];
+        uniform(fmt::format("light {}", number), fmt::format("light({}, {});", number, c_.light(light)));
+        if (!light.smooth_cone) return;
+        const SmoothConeValues cone = smooth_cone_values(light);
+        for (const auto& [what, value] : {std::pair("cos_outer", cone.cos_outer), {"cone_slope", cone.slope}}) {
+            const std::string name = fmt::format("u_light{}_{}", number, what);
+            uniform(name, fmt::format("number(\"{}\", {});", name, c_.number(value)));
+        }
+    }
+
+    void write_texture(const TextureUnit& unit, const EffectSet& effects) {
+        auto found = std::ranges::find(textures_, unit.texture);
+        if (found == textures_.end()) found = textures_.insert(found, unit.texture);
+        set("texture", fmt::format("use_texture({}, {}, {});", enum_name(target_of(*unit.texture)),
+                                   found - textures_.begin() + 1, c_.number(unit.lod_bias)));
+        if (effects.texture.matrix)
+            uniform("texture matrix", fmt::format("texture_matrix({});", c_.floats(unit.texture_matrix)));
+        uniform("texture color", fmt::format("texture_env_color({});", c_.floats(unit.env_color)));
+    }
+    Enum target_of(const Texture& texture) const {
+        return version_ == Glsl::k300es ? Enum{kGL_TEXTURE_2D} : texture.target;
+    }
+
+    // ---- The files ----
+
+    glm::dvec3 middle() const { return middle_count_ == 0 ? glm::dvec3(0) : middle_ / middle_count_; }
+
+    // The statements of load_scene().
+    std::string load_text() {
+        std::string load;
+        for (std::size_t i = 0; i < kinds_.size(); ++i) {
+            std::vector<std::string> list;
+            for (const Attribute& attribute : attributes(kinds_[i].effects))
+                list.push_back(
+                    c_.list(fmt::format("\"{}\", {}", with_words(attribute.name, kept_names()), attribute.size)));
+            load +=
+                fmt::format("    load_kind({}, {}, {}{});\n", i + 1, list.size(),
+                            c_.is_c() ? "(struct attribute[])" : "", c_.list(fmt::format("{}", fmt::join(list, ", "))));
+        }
+        for (std::size_t i = 0; i < textures_.size(); ++i) load += texture_text(i + 1, *textures_[i]);
+        return load;
+    }
+
+    std::string scene_text(const std::string& name) {
+        const std::string load = load_text();
+        const char* const gl = version_ == Glsl::k130 ? "3, 0" : version_ == Glsl::k330 ? "3, 3" : "4, 3";
+        return fmt::format(
+            "// {}: its state and its draws, as calls of loader.c and GL. Vertices, indices and texels are in "
+            "scene.bin.\n"
+            "#include \"loader.h\"\n\n"
+            "const int scene_width = {}, scene_height = {};\n"
+            "const int scene_gl_version[2] = {{{}}}, scene_has_core_profile = {:d};\n"
+            "const int scene_kind_count = {}, scene_texture_count = {};\n"
+            "const float scene_middle[3] = {{{}}};\n\n"
+            "void load_scene(void) {{\n{}}}\n\n"
+            "void draw_scene(void) {{\n{}}}\n",
+            printable(name), frame_.width, frame_.height, gl, version_ != Glsl::k130, kinds_.size(), textures_.size(),
+            c_.numbers(middle()), load, body_);
+    }
+
+    std::string texture_text(std::size_t number, const Texture& texture) {
+        // If the shader clamps, a linear filter must see half of the border. WebGL has no border.
+        const Enum clamped = texture.filters_linearly() && c_.is_c() ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
+        const auto wrap = [&](Enum mode) {
+            return enum_name(mode == kGL_CLAMP || (mode == kGL_CLAMP_TO_BORDER && !c_.is_c()) ? clamped : mode);
+        };
+        std::string levels;
+        std::size_t count = 0;
+        constexpr std::size_t kMostLevels = 16;
+        for (const TextureImage& level : texture.levels) {
+            if (level.texels.empty() || count == kMostLevels) break;
+            levels += (count++ == 0 ? "" : ", ") +
+                      c_.list(fmt::format("{}, {}, {}", level.width, level.height, place_of(texels_of(level))));
+        }
+        const auto name = [&](const char* member, Enum value) { return c_.member(member, enum_name(value)) + ", "; };
+        const std::string members = name("target", target_of(texture)) + name("min_filter", texture.min_filter) +
+                                    name("mag_filter", texture.mag_filter) + c_.member("wrap_s", wrap(texture.wrap_s)) +
+                                    ", " + c_.member("wrap_t", wrap(texture.wrap_t)) + ",\n        " +
+                                    c_.member("border_color", c_.list(c_.numbers(border_of(texture)))) + ", " +
+                                    c_.member("level_count", fmt::format("{}", count)) + ", " +
+                                    c_.member("levels", c_.list(levels));
+        return c_.statement(fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members)));
+    }
+
+    // ---- The page ----
+
+    void note_unsupported(const Draw& draw) {
+        const RasterState& raster = draw.raster;
+        const Texture* texture = draw.texture.texture.get();
+        const auto has_border = [&](Enum wrap) {
+            return texture->filters_linearly() && (wrap == kGL_CLAMP || wrap == kGL_CLAMP_TO_BORDER);
+        };
+        const auto note = [&](const char* what, bool is_used) { unsupported_[what] |= is_used; };
+        note("line width", draw.draws_lines() && raster.line_width != 1);
+        note("polygon mode", draw.draws_borders());
+        note("border colours of textures", texture && (has_border(texture->wrap_s) || has_border(texture->wrap_t)));
+        note("GL_TEXTURE_LOD_BIAS", texture && draw.texture.lod_bias != 0);
+        note("a depth range from far to near", raster.depth_near > raster.depth_far);
+    }
+    std::string unsupported_text() const {
+        std::vector<std::string> used, unused;
+        for (const auto& [what, is_used] : unsupported_) (is_used ? used : unused).push_back(what);
+        std::string text;
+        if (!used.empty()) text += fmt::format("WebGL lacks, and this scene uses: {}. ", fmt::join(used, ", "));
+        if (!unused.empty())
+            text += fmt::format("WebGL lacks, but this scene does not use: {}.", fmt::join(unused, ", "));
+        return text;
+    }
+
+    std::string readme(const std::string& name) const {
+        return fmt::format(
+            "# Shaders of {}\n\n"
+            "    cc -std=c99 loader.c scene.c -o scene -lglut -lGL -lm && ./scene     # drag to turn, 1 to 8 switch "
+            "lights\n\n"
+            "- `kindN.vert`, `kindN.frag`: GLSL {}, a pair for each kind of material and set of lights. They stay "
+            "right "
+            "when objects, lights and the camera move.\n"
+            "- Uniforms and attributes are GL's state with the names of GLSL 1.20's `gl_` variables, without that "
+            "prefix: `LightSource[0].position` is in eye coordinates, as glLight stored it.\n"
+            "- `scene.c`: the values, one call for each glLight, glMaterial and so on. `loader.c`: these calls, and "
+            "the window. `scene.bin`: vertices, indices, texels.\n"
+            "- Another light set, a texture, fog or a term that is 0 now needs another kind: change the scene and "
+            "export it again.\n"
+            "- What core GL lacks: edge flags, polygon modes that differ between faces, and wireframes of "
+            "quadrilaterals without their diagonal.\n",
+            printable(name), kept_version_name(version_));
+    }
+    static const char* kept_version_name(Glsl version) {
+        return version == Glsl::k130 ? "1.30" : version == Glsl::k330 ? "3.30 core" : "ES 3.00";
+    }
+
+    const Frame& frame_;
+    Options options_;
+    const Glsl version_;
+    const Spelling c_;
+    std::map<std::string, bool> unsupported_;  // what WebGL lacks; true if a Draw uses it
+    std::vector<Kind> kinds_;
+    std::vector<std::shared_ptr<const Texture>> textures_;
+    std::vector<std::uint32_t> words_;                          // scene.bin
+    std::map<std::vector<std::uint32_t>, std::size_t> places_;  // of what is in words_
+    std::map<std::string, std::string> last_;
+    std::string body_;  // of draw_scene()
+    int kind_ = 0;      // of the Draw being written
+    glm::dvec3 middle_{0};
+    double middle_count_ = 0;
+};
+
+}  // namespace
+
+std::string why_not_kept(const Frame& frame) {
+    for (const Draw* draw : frame.draws()) {
+        if (!draw->lighting.enabled) continue;
+        if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";
+        for (std::size_t i = kMostKeptLights; i < draw->lighting.lights.size(); ++i)
+            if (draw->lighting.lights[i].enabled)
+                return fmt::format("it uses {}, and they have at most {} lights", light_name(static_cast<int>(i)),
+                                   kMostKeptLights);
+    }
+    return "";
+}
+
+std::vector<NamedFile> kept_files(const Frame& frame, const Options& options, Glsl version, const std::string& name) {
+    if (const std::string why = why_not_kept(frame); !why.empty()) throw std::runtime_error(why);
+    return Writer(frame, options, version, Language::kC).files(name);
+}
+
+std::string kept_page(const Frame& frame, const Options& options, const std::string& name) {
+    if (const std::string why = why_not_kept(frame); !why.empty()) throw std::runtime_error(why);
+    return Writer(frame, options, Glsl::k300es, Language::kJavaScript).page(name);
+}
+
+}  // namespace twinlight::programmable

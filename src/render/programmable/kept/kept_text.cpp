@@ -1,0 +1,52 @@
+#include "render/programmable/kept/kept_text.h"
+
+#include <fmt/format.h>
+
+namespace twinlight::programmable {
+
+const Words& kept_names() {
+    static const Words kNames = {{"a_position", "Vertex"},
+                                 {"a_normal", "Normal"},
+                                 {"a_color", "Color"},
+                                 {"a_tex_coord", "MultiTexCoord0"},
+                                 {"u_clip_from_object", "ModelViewProjectionMatrix"},
+                                 {"u_eye_from_object", "ModelViewMatrix"},
+                                 {"u_eye_from_object_normal", "NormalMatrix"},
+                                 {"u_normal_scale", "NormalScale"},
+                                 {"u_texture_matrix", "TextureMatrix[0]"},
+                                 {"u_texture", "Texture0"},
+                                 {"u_texture_env_color", "TextureEnvColor[0]"},
+                                 {"u_fog_color", "Fog.color.rgb"},
+                                 {"u_fog_end", "Fog.end"},
+                                 {"u_fog_scale", "Fog.scale"},
+                                 {"u_fog_density", "Fog.density"}};
+    return kNames;
+}
+
+const char* kept_version(Glsl version) {
+    switch (version) {
+        case Glsl::k130: return "130";
+        case Glsl::k330: return "330 core";
+        case Glsl::k300es: return "300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;";
+    }
+    return "";
+}
+
+std::string kept_alpha_test(Enum alpha_func) {
+    const auto passes = [alpha_func]() -> const char* {
+        switch (alpha_func) {
+            case kGL_LESS: return "<";
+            case kGL_EQUAL: return "==";
+            case kGL_LEQUAL: return "<=";
+            case kGL_GREATER: return ">";
+            case kGL_NOTEQUAL: return "!=";
+            case kGL_GEQUAL: return ">=";
+            default: return "";
+        }
+    }();
+    if (alpha_func == kGL_ALWAYS) return "";
+    if (alpha_func == kGL_NEVER) return "    discard;  // GL_NEVER (section 4.1.4)\n";
+    return fmt::format("    if (!(color.a {} AlphaRef)) discard;  // the alpha test (section 4.1.4)\n", passes);
+}
+
+}  // namespace twinlight::programmable

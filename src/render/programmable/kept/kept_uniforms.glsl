@@ -1,0 +1,57 @@
+// The uniforms of shaders to keep: GL's state under the names of GLSL 1.20's built-in uniforms (its section 7.5), without
+// the prefix gl_, which later versions reserve. A stage declares only those that it uses (shader_assembly.h).
+
+uniform mat4 ModelViewProjectionMatrix;  // glMatrixMode: the product of the projection and the modelview matrix
+uniform mat4 ModelViewMatrix;  // from object to eye coordinates
+uniform mat3 NormalMatrix;  // the transposed inverse of the modelview matrix's upper 3x3 (section 2.11.3)
+uniform float NormalScale;  // GL_RESCALE_NORMAL's factor (section 2.11.3)
+uniform mat4 TextureMatrix[1];
+uniform SAMPLER Texture0;  // of texture unit 0
+uniform vec4 TextureEnvColor[1];  // GL_TEXTURE_ENV_COLOR
+uniform vec4 ClipPlane[8];  // glClipPlane, in eye coordinates (section 2.12)
+uniform float PointSize;  // glPointSize (section 3.3)
+uniform float AlphaRef;  // glAlphaFunc (section 4.1.4)
+
+// glMaterial (section 2.14.2)
+struct MaterialParameters {
+    vec4 emission;  // e_cm
+    vec4 ambient;  // a_cm
+    vec4 diffuse;  // d_cm
+    vec4 specular;  // s_cm
+    float shininess;  // s_rm
+};
+uniform MaterialParameters FrontMaterial;
+uniform MaterialParameters BackMaterial;
+
+// glLight (section 2.14.2)
+struct LightSourceParameters {
+    vec4 ambient;  // a_cli
+    vec4 diffuse;  // d_cli
+    vec4 specular;  // s_cli
+    vec4 position;  // P_pli, in eye coordinates: glLight multiplied it by the modelview matrix
+    vec4 halfVector;  // of a directional light: the direction of VP_i + (0, 0, 1), of length 1
+    vec3 spotDirection;  // s_dli, in eye coordinates
+    float spotExponent;  // s_rli
+    float spotCutoff;  // c_rli, in degrees
+    float spotCosCutoff;  // its cosine
+    float constantAttenuation;  // k_0i
+    float linearAttenuation;  // k_1i
+    float quadraticAttenuation;  // k_2i
+};
+uniform LightSourceParameters LightSource[LIGHT_COUNT];  // GL_LIGHT0, GL_LIGHT1, ...
+
+// glLightModel (section 2.14.2)
+struct LightModelParameters {
+    vec4 ambient;  // a_cs
+};
+uniform LightModelParameters LightModel;
+
+// glFog (section 3.10)
+struct FogParameters {
+    vec4 color;
+    float density;
+    float start;
+    float end;
+    float scale;  // 1 / (end - start)
+};
+uniform FogParameters Fog;

@@ -1,0 +1,149 @@
+// Shaders to keep: planned by state and not by pose, one pair for each kind, GL's names, every version's spelling.
+#include "render/programmable/kept/kept_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "../hand_built_draws.h"
+#include "render/programmable/kept/kept_text.h"
+
+namespace twinlight::programmable {
+namespace {
+
+PlanOptions for_any_pose() {
+    PlanOptions options;
+    options.for_any_pose = true;
+    return options;
+}
+
+// GL_LIGHT0 shines on a white square from the front: attenuated, with a cone, and ambient light.
+LightingState cone() {
+    LightingState lighting = dark();
+    lighting.front.ambient = lighting.front.diffuse = lighting.front.specular = {1, 1, 1, 1};
+    lighting.front.shininess = 8;
+    LightSource& light = lighting.lights[0];
+    light.ambient = light.diffuse = light.specular = {0.25, 0.25, 0.25, 1};
+    light.position_eye = {0, 0, 1, 1};
+    light.constant_attenuation = 2;
+    light.spot_cutoff_deg = 20;
+    return lighting;
+}
+
+std::vector<NamedFile> files_of(const std::vector<Draw>& draws, Glsl version = Glsl::k330) {
+    Frame frame{.width = 8, .height = 8};
+    for (const Draw& draw : draws) frame.items.emplace_back(draw);
+    return kept_files(frame, {}, version, "scene");
+}
+
+std::string text_of(const std::vector<NamedFile>& files, const std::string& name) {
+    const auto found = std::ranges::find(files, name, &NamedFile::name);
+    return found == files.end() ? "" : found->bytes;
+}
+
+// Each pose leaves out something by default: the light is behind the square, its cone misses it, it is too faint.
+TEST(PlanForAnyPose, FollowsTheStateAndNotThePlaces) {
+    const EffectSet here = plan_effects(square(cone()), for_any_pose()).effects;
+    ASSERT_EQ(here.lights.size(), 1U);
+    EXPECT_TRUE(here.lights[0].ambient && here.lights[0].diffuse && here.lights[0].specular);
+    EXPECT_TRUE(here.lights[0].attenuated && here.lights[0].spot);
+    EXPECT_TRUE(here.clamp);
+
+    LightingState behind = cone(), missing = cone(), far = cone();
+    behind.lights[0].position_eye.z = -5;
+    missing.lights[0].spot_direction_eye = {0, 0, 1};
+    far.lights[0].position_eye.z = 1000;
+    far.lights[0].quadratic_attenuation = 1;
+    for (const LightingState& lighting : {behind, missing, far}) {
+        const Draw draw = square(lighting);
+        EXPECT_EQ(plan_effects(draw, for_any_pose()).effects, here);
+        EXPECT_NE(plan_effects(draw, {}).effects.lights, here.lights) << "the default plan needs less";
+    }
+}
+
+TEST(PlanForAnyPose, LeavesOutWhatTheStateExcludes) {
+    LightingState lighting = cone();
+    lighting.lights[0].enabled = false;
+    lighting.lights[1] = lighting.lights[2] = cone().lights[0];
+    lighting.lights[1].specular = lighting.lights[1].ambient = {0, 0, 0, 1};
+    lighting.lights[2].ambient = lighting.lights[2].diffuse = lighting.lights[2].specular = {0, 0, 0, 1};
+    const Plan plan = plan_effects(square(lighting), for_any_pose());
+    ASSERT_EQ(plan.lights.size(), 1U);
+    EXPECT_EQ(plan.lights[0].number, 1);
+    EXPECT_FALSE(plan.effects.lights[0].specular || plan.effects.lights[0].ambient);
+}
+
+// A directional light has a cone too (section 2.14.1); which vertices it reaches changes with its direction.
+TEST(PlanForAnyPose, KeepsTheConeOfADirectionalLight) {
+    LightingState lighting = cone();
+    lighting.lights[0].position_eye = {0, 0, 1, 0};
+    const Plan plan = plan_effects(square(lighting), for_any_pose());
+    ASSERT_EQ(plan.effects.lights.size(), 1U);
+    EXPECT_TRUE(plan.effects.lights[0].spot && plan.effects.lights[0].directional);
+    EXPECT_FALSE(plan.effects.lights[0].attenuated);
+}
+
+TEST(KeptFiles, HaveOnePairForDrawsThatDifferInPlacesAndNumbers) {
+    Draw moved = square(cone());
+    moved.eye_from_object[3] = {3, 1, -40, 1};
+    moved.lighting.front.diffuse = {0.5, 0.4, 0.3, 1};
+    moved.lighting.lights[0].position_eye = {0, 0, -50, 1};
+    LightingState unlit = dark();
+    unlit.enabled = false;
+    const auto files = files_of({square(cone()), moved, square(unlit)});
+    std::vector<std::string> names;
+    for (const NamedFile& file : files) names.push_back(file.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"kind1.vert", "kind1.frag", "kind2.vert", "kind2.frag", "scene.c",
+                                               "scene.bin", "loader.h", "loader.c", "README.md"}));
+    const std::string readme = text_of(files, "README.md");
+    EXPECT_LE(std::ranges::count(readme, '\n'), 10);
+}
+
+TEST(KeptFiles, HaveGlsNamesAndTheEquationsFunctions) {
+    const std::string text = text_of(files_of({square(cone())}), "kind1.vert");
+    for (const char* part :
+         {"#version 330 core\n", "layout(location = 1) in vec3 Normal;", "uniform mat4 ModelViewMatrix;",
+          "uniform LightSourceParameters LightSource[8];", "float attenuation(", "float spot(", "float highlight(",
+          "lit.primary.rgb += reach * n_dot_vp * FrontMaterial.diffuse.rgb * LightSource[0].diffuse.rgb;",
+          "FrontMaterial.emission.rgb + FrontMaterial.ambient.rgb * LightModel.ambient.rgb;"})
+        EXPECT_NE(text.find(part), text.npos) << part << " in\n" << text;
+    EXPECT_EQ(text.find("u_"), text.npos) << text;
+    EXPECT_EQ(text.find("BackMaterial"), text.npos) << "only one side is lit\n" << text;
+}
+
+TEST(KeptFiles, SpellEachVersion) {
+    Draw draw = square(cone());
+    draw.raster.clip_planes_eye[3] = glm::dvec4(0, 0, 1, 0);
+    draw.fragment.alpha_test = true;
+    draw.fragment.alpha_func = kGL_GEQUAL;
+    const auto has = [&](Glsl version, const std::string& file, const char* part) {
+        return text_of(files_of({draw}, version), file).find(part) != std::string::npos;
+    };
+    EXPECT_TRUE(has(Glsl::k130, "kind1.vert", "#version 130\n"));
+    EXPECT_FALSE(has(Glsl::k130, "kind1.vert", "layout("));
+    EXPECT_TRUE(has(Glsl::k330, "kind1.vert", "gl_ClipDistance[0] = dot(ClipPlane[3], ModelViewMatrix * position);"));
+    EXPECT_TRUE(has(Glsl::k330, "kind1.frag", "if (!(color.a >= AlphaRef)) discard;"));
+    EXPECT_TRUE(has(Glsl::k300es, "kind1.vert", "#version 300 es\nprecision highp float;"));
+    EXPECT_FALSE(has(Glsl::k300es, "kind1.vert", "gl_ClipDistance"));
+    EXPECT_TRUE(has(Glsl::k300es, "kind1.frag", "if (v_clip_distance0 < 0.0) discard;"));
+}
+
+TEST(KeptFiles, RefuseSpectraAndManyLights) {
+    LightingState lighting = cone();
+    lighting.lights.resize(20, lighting.lights[0]);
+    Frame frame{.width = 8, .height = 8};
+    frame.items = {square(lighting)};
+    EXPECT_NE(why_not_kept(frame).find("light(16)"), std::string::npos) << why_not_kept(frame);
+    EXPECT_THROW(kept_files(frame, {}, Glsl::k330, "scene"), std::runtime_error);
+    lighting = cone();
+    lighting.light_model.spectrum = std::make_shared<SpectralSamples>(8);
+    frame.items = {square(lighting)};
+    EXPECT_NE(why_not_kept(frame).find("spectra"), std::string::npos);
+    frame.items = {square(cone())};
+    EXPECT_EQ(why_not_kept(frame), "");
+}
+
+}  // namespace
+}  // namespace twinlight::programmable

@@ -1,0 +1,239 @@
+// twinlight export --as glsl -o, to its end: the program is compiled, runs with the real freeglut in a core context
+// under Xvfb, and draws what the fixed function draws; also after lights and the camera have moved.
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../unit/pictures.h"
+#include "../unit/run_program.h"
+#include "base/image/difference.h"
+#include "base/image/file.h"
+#include "judge/compare/allowances.h"
+#include "render/reference/reference.h"
+#include "scene/scenes/load.h"
+#include "scene/state/state.h"
+#include "xvfb.h"
+
+namespace twinlight {
+namespace {
+
+// A scene for tests: every kind of light, two-sided and colour materials, flat quadrilaterals, scaled normals, fog, a
+// clip plane, an alpha test, textures of one and two dimensions. CAMERA and SHIFT are replaced.
+constexpr const char* kScene = R"(
+glClearColor(0.2, 0.25, 0.3, 1);
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+glMatrixMode(GL_PROJECTION); gluPerspective(40, 4.0 / 3.0, 1, 100);
+glMatrixMode(GL_MODELVIEW);
+CAMERA
+glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){SHIFT, 3, -4, 1});
+glLightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, 0.5); glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 0.05);
+glLightfv(GL_LIGHT0, GL_AMBIENT, (GLfloat[]){0.1, 0.1, 0.15, 1});
+gluLookAt(0, 3, 11,  0, 0, 0,  0, 1, 0);
+glLightfv(GL_LIGHT1, GL_POSITION, (GLfloat[]){-1, 2, 1, 0});
+glLightfv(GL_LIGHT1, GL_DIFFUSE, (GLfloat[]){0.3, 0.25, 0.2, 1});
+glLightfv(GL_LIGHT1, GL_SPECULAR, (GLfloat[]){0.4, 0.4, 0.4, 1});
+glLightfv(GL_LIGHT2, GL_POSITION, (GLfloat[]){0, 5, 0, 1});
+glLightfv(GL_LIGHT2, GL_SPOT_DIRECTION, (GLfloat[]){0, -1, 0.1});
+glLightf(GL_LIGHT2, GL_SPOT_CUTOFF, 50); glLightf(GL_LIGHT2, GL_SPOT_EXPONENT, 3.5);
+glLightfv(GL_LIGHT2, GL_DIFFUSE, (GLfloat[]){0.6, 0.5, 0.9, 1});
+glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_LIGHT1); glEnable(GL_LIGHT2);
+glEnable(GL_DEPTH_TEST); glEnable(GL_RESCALE_NORMAL);
+glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, (GLfloat[]){0.5, 0.5, 0.5, 1});
+glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 20);
+
+glPushMatrix(); glTranslatef(-3, 0, 0); glScalef(1.5, 1.5, 1.5); glutSolidSphere(0.8, 24, 12); glPopMatrix();
+glDisable(GL_RESCALE_NORMAL); glEnable(GL_NORMALIZE);
+
+// Both sides, cut by a clip plane.
+glClipPlane(GL_CLIP_PLANE2, (GLdouble[]){0, -1, 0, 0.5}); glEnable(GL_CLIP_PLANE2);
+glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1); glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);
+glMaterialfv(GL_BACK, GL_DIFFUSE, (GLfloat[]){0.9, 0.3, 0.2, 1});
+glutSolidSphere(1.1, 24, 12);
+glDisable(GL_CLIP_PLANE2);
+glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 0); glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 0);
+
+// Colours with each vertex, separate highlights.
+glEnable(GL_COLOR_MATERIAL); glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+glBegin(GL_TRIANGLES);
+glNormal3f(0, 0.3, 1); glColor3f(1, 0, 0); glVertex3f(2, -1, 0);
+glColor3f(0, 1, 0); glVertex3f(4, -1, 0);
+glColor3f(0, 0, 1); glVertex3f(3, 1, 0);
+glEnd();
+glColor3f(0.7, 0.7, 0.5);
+glDisable(GL_COLOR_MATERIAL);
+glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SINGLE_COLOR);
+
+// Flat quadrilaterals in fog.
+glEnable(GL_FOG); glFogi(GL_FOG_MODE, GL_EXP2); glFogf(GL_FOG_DENSITY, 0.05);
+glFogfv(GL_FOG_COLOR, (GLfloat[]){0.2, 0.25, 0.3, 1});
+glShadeModel(GL_FLAT);
+glPushMatrix(); glTranslatef(-2, -1.5, 1); glRotatef(20, 1, 1, 0); glutSolidCube(0.9); glPopMatrix();
+glShadeModel(GL_SMOOTH); glDisable(GL_FOG);
+
+// A texture with holes.
+glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+    (GLubyte[]){255, 0, 0, 255,  0, 255, 0, 60,  0, 0, 255, 60,  255, 255, 0, 255});
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+glEnable(GL_TEXTURE_2D); glEnable(GL_ALPHA_TEST); glAlphaFunc(GL_GREATER, 0.5);
+glBegin(GL_TRIANGLES);
+glNormal3f(0, 0, 1);
+glTexCoord2f(0, 0); glVertex3f(0, -2.5, 2);
+glTexCoord2f(3, 0); glVertex3f(3, -2.5, 2);
+glTexCoord2f(0, 3); glVertex3f(0, -1, 2);
+glEnd();
+glDisable(GL_ALPHA_TEST); glDisable(GL_TEXTURE_2D);
+
+// A texture of one dimension, without lighting, blended.
+glTexImage1D(GL_TEXTURE_1D, 0, GL_LUMINANCE, 4, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, (GLubyte[]){20, 90, 170, 250});
+glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+glEnable(GL_TEXTURE_1D); glDisable(GL_LIGHTING);
+glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA); glColor4f(1, 0.8, 0.6, 0.75);
+glBegin(GL_TRIANGLE_STRIP);
+glTexCoord1f(0.1); glVertex3f(-4, 1.5, 0);
+glTexCoord1f(1.7); glVertex3f(4, 1.5, 0);
+glTexCoord1f(0.1); glVertex3f(-4, 2, 0);
+glTexCoord1f(1.7); glVertex3f(4, 2, 0);
+glEnd();
+)";
+
+std::string scene_with(const std::string& camera, const std::string& shift) {
+    std::string text = kScene;
+    text.replace(text.find("CAMERA"), 6, camera);
+    return text.replace(text.find("SHIFT"), 5, shift);
+}
+
+Image picture_of(const std::string& ppm) {
+    int width = 0, height = 0, most = 0;
+    char p = 0, six = 0;
+    std::istringstream head(ppm);
+    head >> p >> six >> width >> height >> most;
+    Image image(width, height, {0, 0, 0, 1});
+    const std::size_t first = static_cast<std::size_t>(head.tellg()) + 1;
+    if (ppm.size() != first + image.pixels.size() * 3) throw std::runtime_error("not a picture");
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            image.pixels[i][c] = static_cast<float>(static_cast<unsigned char>(ppm[first + 3 * i + c])) / 255;
+    return image;
+}
+
+class ExportedGlsl : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (run_shell("", "command -v " + compiler_).status != 0) GTEST_SKIP() << "there is no C compiler";
+        if (!server_.running()) GTEST_SKIP() << server_.reason();
+    }
+
+    // Exports and compiles the scene; returns the folder of the program.
+    std::string compiled(const std::string& scene, const std::vector<std::string>& options) {
+        const std::string folder = folder_ / ("export" + std::to_string(++count_));
+        std::vector<std::string> words = {"export", scene, "--as", "glsl", "-o", folder};
+        words.insert(words.end(), options.begin(), options.end());
+        const ProgramResult exported = run_program("twinlight", words);
+        EXPECT_EQ(exported.status, 0) << exported.err;
+        EXPECT_EQ(exported.out + exported.err, "");
+        const ProgramResult built =
+            run_shell("", "cd " + quoted(folder) + " && " + compiler_ +
+                              " -std=c99 -Wall -Wextra -Werror loader.c scene.c -o scene -lglut -lGL -lm");
+        EXPECT_EQ(built.status, 0) << built.err;
+        return folder;
+    }
+
+    Image drawn(const std::string& folder, const std::string& arguments = "") {
+        const ProgramResult result = run_shell("", "cd " + quoted(folder) + " && DISPLAY=" + server_.display() +
+                                                       " LIBGL_ALWAYS_SOFTWARE=1 ./scene -o picture.ppm " + arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        return picture_of(read_file(folder + "/picture.ppm"));
+    }
+
+    Image rendered(const std::string& scene, const std::vector<std::string>& options) {
+        std::vector<std::string> words = {"render", scene, "-o", folder_ / "render.png"};
+        words.insert(words.end(), options.begin(), options.end());
+        const ProgramResult result = run_program("twinlight", words);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return read_png(folder_ / "render.png");
+    }
+
+    // The bar of docs/architecture.md, "The judge": in the interior 1/255, in few pixels; filters, blending and ties in
+    // rounding have their allowed difference. Edges: two programs round positions differently, which moves a border
+    // across few centres of pixels.
+    static void expect_close(const std::string& scene, const Image& picture, const Image& expected,
+                             std::optional<Shading> shading = {}) {
+        const Frame frame = make_frame(*load_commands(scene), {});
+        const reference::Options options{{.shading = shading}};
+        AllowedDifference allowed = reference::allowed_difference(frame, options);
+        compare::allow_ties(allowed, reference::render(frame, options));
+        const ImageDifference found = difference(picture, expected, allowed);
+        constexpr double kRoundingOf8Bits = 1.001 / 255, kShare = 0.001, kEdgeShare = 0.02;
+        const RegionDifference& interior = found.beyond_allowed;
+        EXPECT_LE(interior.max, kRoundingOf8Bits) << "at " << interior.worst_x << "," << interior.worst_y;
+        EXPECT_LE(interior.differing_share(), kShare);
+        EXPECT_LE(found.edge.differing_share(), kEdgeShare);
+    }
+
+    const std::string compiler_ = "${CC:-gcc}";
+    Xvfb server_;
+    TemporaryFolder folder_;
+    int count_ = 0;
+};
+
+TEST_F(ExportedGlsl, DrawsWhatTheFixedFunctionDrawsInEveryVersion) {
+    const std::string scene = folder_ / "all.gl";
+    write_file_atomically(scene, scene_with("", "2"));
+    const Image fixed = rendered(scene, {"--with", "fixed"});
+    for (const char* version : {"330", "130", "300es"}) {
+        SCOPED_TRACE(version);
+        expect_close(scene, drawn(compiled(scene, {"--glsl", version})), fixed);
+    }
+}
+
+// The lecture's variants, phong shading and what a driver is known to draw wrong: compared with the reference.
+TEST_F(ExportedGlsl, DrawsWhatTheReferenceDraws) {
+    const auto check = [&](const char* scene, std::optional<Shading> shading) {
+        SCOPED_TRACE(scene);
+        std::vector<std::string> options;
+        if (shading) options = {"--shading", name_of(*shading)};
+        const Image picture = drawn(compiled(scene, options));
+        options.insert(options.end(), {"--with", "reference"});
+        expect_close(scene, picture, rendered(scene, options), shading);
+    };
+    check("report", {});
+    check("report", Shading::kPhong);
+    check("lab", {});
+    check("lab", Shading::kPhong);
+    check("commands", {});
+}
+
+// The camera turns around the scene's middle, and GL_LIGHT0 moves in the coordinates of the scene's own camera, far
+// enough that it shines on other faces and from behind.
+TEST_F(ExportedGlsl, StaysRightWhenLightsAndTheCameraMove) {
+    const std::string scene = folder_ / "still.gl", moved = folder_ / "moved.gl";
+    write_file_atomically(scene, scene_with("", "2"));
+    const std::string folder = compiled(scene, {});
+    std::smatch middle;
+    const std::string text = read_file(folder + "/scene.c");
+    ASSERT_TRUE(std::regex_search(text, middle, std::regex("scene_middle\\[3\\] = \\{(\\S+), (\\S+), (\\S+)\\}")));
+    const auto at = [&](int i) { return std::stod(middle[static_cast<std::size_t>(i)]); };
+    const Image still = drawn(folder);
+    for (const int turn_deg : {40, 130, 250}) {
+        SCOPED_TRACE(turn_deg);
+        std::ostringstream camera;
+        camera.precision(9);
+        camera << "glTranslatef(" << at(1) << ", " << at(2) << ", " << at(3) << "); glRotatef(" << turn_deg
+               << ", 0, 1, 0); glTranslatef(" << -at(1) << ", " << -at(2) << ", " << -at(3) << ");";
+        write_file_atomically(moved, scene_with(camera.str(), "-6"));
+        const Image picture = drawn(folder, "--turn " + std::to_string(turn_deg) + " --light 0 -8 0 0");
+        expect_close(moved, picture, rendered(moved, {"--with", "fixed"}));
+        EXPECT_GT(difference(picture, still, PixelMask(still.pixels.size())).interior.differing, 10'000U);
+    }
+}
+
+}  // namespace
+}  // namespace twinlight
