@@ -127,7 +127,7 @@ SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOUR
 HEADERS := $(sort $(shell find src tests -name '*.h'))
 EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes shaders pages cases)
 FILES_scenes := $(wildcard src/scene/scenes/*.gl)
-FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl precise/*.glsl kept/*.glsl kept/loader.*))
+FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl precise/*.glsl kept/*.glsl kept/loader.* kept/page.html))
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)

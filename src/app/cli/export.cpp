@@ -1,4 +1,4 @@
-// twinlight export: prints a scene as a C program, as GLSL, or as a scene file, or writes shaders to keep.
+// twinlight export: prints a scene as a C program, as GLSL, as a page, or as a scene file, or writes shaders to keep.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct ExportArguments {
     std::optional<Shading> shading;
     std::optional<int> frame;
     bool precise = false;
-    std::string folder;  // for shaders to keep; empty: prints the shaders of this picture
+    std::string output;  // a folder for shaders to keep, a file for a page; empty: standard output
     std::string glsl;    // the version of shaders to keep; empty: 330
     bool for_this_picture = false;
 };
@@ -48,53 +48,68 @@ const std::map<std::string, Export> kForms = {
     {"c",
      [](const Scene& scene, const auto&) { return print_c_program(with_pragmas_written_out(commands_of(scene))); }},
     {"glsl", [](const Scene& scene, const auto& options) { return programmable::shader_source(scene.frame, options); }},
+    {"html", [](const Scene& scene,
+                const auto& options) { return programmable::kept_page(scene.frame, options, scene.name()); }},
     {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_of(scene)); }},
 };
 
 const std::map<std::string, programmable::Glsl> kVersions = {
     {"130", programmable::Glsl::k130}, {"330", programmable::Glsl::k330}, {"300es", programmable::Glsl::k300es}};
 
+void check_can_be_kept(const Scene& scene, const programmable::Options& options) {
+    constexpr const char* kRemedy = "use --as glsl --for-this-picture";
+    if (options.shading == Shading::kExact)
+        throw UsageError(fmt::format("--shading exact finds surfaces by rays for one picture; {}", kRemedy));
+    if (options.precise) throw UsageError(fmt::format("--precise follows the driver for one picture; {}", kRemedy));
+    if (const std::string why = programmable::why_not_kept(scene.frame); !why.empty())
+        throw UsageError(fmt::format("{}: shaders to keep cannot draw this scene: {}; {}", scene.name(), why, kRemedy));
+}
+
 // Writes the shaders to keep and the program that draws the scene with them.
 void write_kept(const Scene& scene, const programmable::Options& options, const ExportArguments& arguments) {
-    if (options.shading == Shading::kExact)
-        throw UsageError("--shading exact finds surfaces by rays for one picture; add --for-this-picture");
-    if (options.precise) throw UsageError("--precise follows the driver for one picture; add --for-this-picture");
-    if (const std::string why = programmable::why_not_kept(scene.frame); !why.empty())
-        throw UsageError(
-            fmt::format("{}: shaders to keep cannot draw this scene: {}; use --for-this-picture", scene.name(), why));
     const programmable::Glsl version = kVersions.at(arguments.glsl.empty() ? "330" : arguments.glsl);
     const auto files = programmable::kept_files(scene.frame, options, version, scene.name());
     std::error_code error;
-    std::filesystem::create_directories(arguments.folder, error);
-    if (error) throw FileError(fmt::format("{}: {}", arguments.folder, error.message()));
+    std::filesystem::create_directories(arguments.output, error);
+    if (error) throw FileError(fmt::format("{}: {}", arguments.output, error.message()));
     std::vector<FileToWrite> to_write;
     for (const programmable::NamedFile& file : files)
-        to_write.push_back({(std::filesystem::path(arguments.folder) / file.name).string(), file.bytes});
+        to_write.push_back({(std::filesystem::path(arguments.output) / file.name).string(), file.bytes});
     write_files_atomically(to_write);
 }
 
-int run_export(const ExportArguments& arguments) {
-    if (arguments.form != "glsl" && arguments.shading) {
-        throw UsageError("--shading applies only to --as glsl; the other formats keep the scene's glShadeModel");
-    }
-    if (arguments.form != "glsl" && arguments.precise)
+void check_usage(const ExportArguments& arguments) {
+    const bool glsl = arguments.form == "glsl", html = arguments.form == "html", to_file = !arguments.output.empty();
+    if (!glsl && !html && arguments.shading)
+        throw UsageError(
+            "--shading applies only to --as glsl and html; the other formats keep the scene's glShadeModel");
+    if (!glsl && !html && arguments.precise)
         throw UsageError("--precise applies only to shaders; use it with --as glsl");
-    const bool kept = arguments.form == "glsl" && !arguments.folder.empty() && !arguments.for_this_picture;
-    if (arguments.form != "glsl" && (!arguments.folder.empty() || arguments.for_this_picture))
-        throw UsageError("-o and --for-this-picture apply only to --as glsl; the other formats are printed");
-    if (arguments.for_this_picture && !arguments.folder.empty())
-        throw UsageError("--for-this-picture prints the shaders; leave out -o, and redirect standard output");
-    if (!arguments.glsl.empty() && !kept)
+    if (!glsl && !html && to_file)
+        throw UsageError("-o applies only to --as glsl and html; the other formats are printed");
+    if (arguments.for_this_picture && (!glsl || to_file))
+        throw UsageError("--for-this-picture prints shaders; use it with --as glsl, without -o");
+    if (!arguments.glsl.empty() && (!glsl || !to_file))
         throw UsageError("--glsl applies only to shaders to keep; use it with --as glsl -o DIR");
+}
+
+int run_export(const ExportArguments& arguments) {
+    check_usage(arguments);
     // Loading runs the whole scene, so that a scene with an error is not exported.
     const Scene scene = load_scene(arguments.scene, {}, arguments.frame);
     programmable::Options options{{{.shading = arguments.shading}}};
     options.precise = arguments.precise;
-    if (kept) {
+    const bool to_file = !arguments.output.empty();
+    if (arguments.form == "html" || (arguments.form == "glsl" && to_file)) check_can_be_kept(scene, options);
+    if (arguments.form == "glsl" && to_file) {
         write_kept(scene, options, arguments);
         return kFine;
     }
-    write_result(kForms.at(arguments.form)(scene, options));
+    const std::string text = kForms.at(arguments.form)(scene, options);
+    if (to_file)
+        write_file_atomically(arguments.output, text);
+    else
+        write_result(text);
     return kFine;
 }
 
@@ -102,21 +117,25 @@ int run_export(const ExportArguments& arguments) {
 
 Subcommand add_export(CLI::App& app) {
     const auto arguments = std::make_shared<ExportArguments>();
-    CLI::App* exporting = app.add_subcommand(
-        "export", "Print a scene as a C program (freeglut), as the GLSL shaders that draw it, or as a scene file");
+    CLI::App* exporting = app.add_subcommand("export",
+                                             "Print a scene as a C program (freeglut), as the GLSL shaders that draw "
+                                             "it, as a page that draws it with WebGL, "
+                                             "or as a scene file");
     add_scene_argument(*exporting, arguments->scene);
     exporting->add_option("--as", arguments->form, "output format")
         ->required()
-        ->type_name("c|glsl|scene")
+        ->type_name("c|glsl|html|scene")
         ->check(one_of(kForms));
     add_shading_option(*exporting, arguments->shading);
     add_frame_option(*exporting, arguments->frame);
     add_precise_flag(*exporting, arguments->precise);
     exporting
-        ->add_option("-o", arguments->folder,
-                     "with --as glsl: write shaders to keep into this folder; they stay right when objects, lights "
-                     "and the camera move. A C program that draws the scene with them is beside them")
-        ->type_name("DIR")
+        ->add_option(
+            "-o", arguments->output,
+            "with --as glsl: write shaders to keep into this folder; they stay right when objects, lights "
+            "and the camera move. A C program that draws the scene with them is beside them. With --as html: the "
+            "file (default: standard output)")
+        ->type_name("PATH")
         ->check(not_empty());
     exporting->add_option("--glsl", arguments->glsl, "GLSL version of the shaders to keep (default: 330, core profile)")
         ->type_name("130|330|300es")

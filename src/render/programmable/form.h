@@ -36,6 +36,7 @@ struct KeptForm {
     std::vector<int> lights;       // for each light of the effects: its number in GL
     int light_count = kMaxLights;  // the length of the array LightSource
     std::vector<int> clip_planes;  // the numbers of the enabled ones
+    bool sizes_points = false;     // the shader sets glPointSize's size, which OpenGL ES lacks
     Enum alpha_func = kGL_ALWAYS;  // core GL and WebGL lack the alpha test
 
     friend auto operator<=>(const KeptForm&, const KeptForm&) = default;  // NOLINT

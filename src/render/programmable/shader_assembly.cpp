@@ -363,6 +363,9 @@ class Assembler {
             .inserts = {{"clip_position", lighting_.clip_position},
                         {"lit", lit(stage)},
                         {"outputs", outputs()},
+                        {"point_size", form_.kept && form_.kept->sizes_points
+                                           ? "    gl_PointSize = PointSize;  // glPointSize (section 3.3)\n"
+                                           : ""},
                         {"clip_distances", has_ray() || discards_clipped() ? "" : clip_distances},
                         {"clip_discards", discards_clipped() ? clip_discards : ""},
                         {"alpha_test", form_.kept ? kept_alpha_test(form_.kept->alpha_func) : ""},

@@ -25,22 +25,6 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
     return parts;
 }
 
-// ---- Identifiers ----
-
-constexpr std::string_view kInIdentifiers = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
-
-// Visits each identifier (or number), and the text between them with is_identifier false.
-template <class Visit>
-void for_each_token(std::string_view text, const Visit& visit) {
-    while (!text.empty()) {
-        const bool is_identifier = kInIdentifiers.find(text.front()) != kInIdentifiers.npos;
-        const std::size_t end =
-            is_identifier ? text.find_first_not_of(kInIdentifiers) : text.find_first_of(kInIdentifiers);
-        visit(text.substr(0, end), is_identifier);
-        text.remove_prefix(std::min(end, text.size()));
-    }
-}
-
 // ---- Directives ----
 
 // "A && !B || C" over the scope's switches.

@@ -1,12 +1,26 @@
 // Pieces of GLSL text: files with directives, and libraries of functions and uniforms (described in shader_assembly.h).
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace twinlight::programmable {
+
+// Visits each identifier (or number), and the text between them with is_identifier false.
+template <class Visit>
+void for_each_token(std::string_view text, const Visit& visit) {
+    constexpr std::string_view kInIdentifiers = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+    while (!text.empty()) {
+        const bool is_identifier = kInIdentifiers.find(text.front()) != kInIdentifiers.npos;
+        const std::size_t end =
+            is_identifier ? text.find_first_not_of(kInIdentifiers) : text.find_first_of(kInIdentifiers);
+        visit(text.substr(0, end), is_identifier);
+        text.remove_prefix(std::min(end, text.size()));
+    }
+}
 
 using Words = std::map<std::string, std::string, std::less<>>;
 

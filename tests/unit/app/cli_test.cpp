@@ -133,15 +133,16 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"render", file, "--with", "programmable", "--precise", "--baked", "-o", out_ / "p.png"}),
                    "does not work with constants");
     expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
-    expect_refused(run({"export", file, "--as", "c", "-o", out_ / "e"}), "apply only to --as glsl");
+    expect_refused(run({"export", file, "--as", "c", "-o", out_ / "e"}), "applies only to --as glsl and html");
     expect_refused(run({"export", file, "--as", "glsl", "--glsl", "330"}), "use it with --as glsl -o DIR");
     expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--glsl", "120"}),
                    "'120' is not one of 130, 300es, 330");
-    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--for-this-picture"}), "leave out -o");
-    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--precise"}), "add --for-this-picture");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--for-this-picture"}), "without -o");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--precise"}),
+                   "use --as glsl --for-this-picture");
     expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--shading", "exact"}),
-                   "add --for-this-picture");
-    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, scene");
+                   "use --as glsl --for-this-picture");
+    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, html, scene");
     expect_refused(run({"scenes", "no-such-scene-at-all"}), "there is no built-in scene 'no-such-scene-at-all'");
 }
 
@@ -491,6 +492,12 @@ TEST_F(Cli, ExportsShadersForThisPictureAndToKeep) {
     EXPECT_EQ(kept.out + kept.err, "");
     EXPECT_NE(read_file(out_ / "new/kept/kind1.vert").find("#version 330 core"), std::string::npos);
     EXPECT_NE(read_file(out_ / "new/kept/scene.c").find("void draw_scene(void)"), std::string::npos);
+
+    const ProgramResult page = run({"export", file, "--as", "html"});
+    EXPECT_EQ(page.status, 0);
+    EXPECT_NE(page.out.find("#version 300 es"), std::string::npos);
+    EXPECT_EQ(run({"export", file, "--as", "html", "-o", out_ / "scene.html"}).out, "");
+    EXPECT_EQ(read_file(out_ / "scene.html"), page.out);
 }
 
 // ---- check ----

@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "render/programmable/draw_values.h"
+#include "render/programmable/kept/core_elements.h"
 #include "render/programmable/kept/kept_text.h"
+#include "render/programmable/kept/spelling.h"
 #include "render/programmable/shader_assembly.h"
 #include "render/programmable/vertex_attributes.h"
 #include "scene/command/names.h"
@@ -20,35 +22,6 @@ namespace twinlight::programmable {
 namespace {
 
 constexpr int kMostKeptLights = 16;  // MOST_LIGHTS of loader.c; OpenGL promises room for this many uniforms
-
-// ---- Triangles ----
-
-// Core GL has no quadrilaterals and polygons. The last vertex of a triangle gives a flat colour: it is the vertex that
-// gives the colour of the quadrilateral or polygon (table 2.12). Smooth quadrilaterals are cut from the first corner
-// to the third, as llvmpipe does.
-std::pair<Enum, std::vector<std::uint32_t>> core_elements(const Draw& draw, bool flat) {
-    const std::size_t count = draw.count();
-    std::vector<std::uint32_t> indices;
-    const auto add = [&](std::initializer_list<std::size_t> corners) {
-        for (const std::size_t corner : corners) indices.push_back(draw.index(corner));
-    };
-    if (draw.mode == kGL_QUADS) {
-        for (std::size_t i = 0; i + 3 < count; i += 4) {
-            if (flat)
-                add({i, i + 1, i + 3, i + 1, i + 2, i + 3});
-            else
-                add({i, i + 1, i + 2, i, i + 2, i + 3});
-        }
-    } else if (draw.mode == kGL_QUAD_STRIP) {
-        for (std::size_t i = 0; i + 3 < count; i += 2) add({i, i + 1, i + 3, i + 2, i, i + 3});
-    } else if (draw.mode == kGL_POLYGON) {
-        for (std::size_t i = 1; i + 1 < count; ++i) add({i, i + 1, 0});
-    } else {
-        for (std::size_t i = 0; i < count; ++i) indices.push_back(draw.index(i));
-        return {draw.mode, indices};
-    }
-    return {kGL_TRIANGLES, indices};
-}
 
 // ---- Kinds ----
 
@@ -74,46 +47,12 @@ Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
     if (draw.fragment.alpha_test) kept.alpha_func = draw.fragment.alpha_func;
     // OpenGL ES has no 1D textures: they become 2D textures of height 1.
     if (version == Glsl::k300es) kind.effects.texture.one_dimensional = false;
+    kept.sizes_points = version == Glsl::k300es && draw.mode == kGL_POINTS;
     kind.form.kept = std::move(kept);
     return kind;
 }
 
-// ---- C ----
-
-std::string literal(double x) {
-    const std::string text = fmt::format("{:.9g}", to_float(x));
-    return text.find_first_of(".en") == text.npos ? text : text + "f";
-}
-template <class Vector>
-std::string numbers(const Vector& v) {
-    std::string text;
-    for (int i = 0; i < Vector::length(); ++i) text += (i == 0 ? "" : ", ") + literal(v[i]);
-    return text;
-}
-template <class Vector>
-std::string floats(const Vector& v) {
-    return "(float[]){" + numbers(v) + "}";
-}
-std::string floats(const glm::dmat4& m) {
-    return fmt::format("(float[]){{{}, {}, {}, {}}}", numbers(m[0]), numbers(m[1]), numbers(m[2]), numbers(m[3]));
-}
-
-std::string material_text(const Material& m) {
-    return fmt::format(
-        "(struct material){{\n        .emission = {{{}}}, .ambient = {{{}}},\n        .diffuse = {{{}}}, .specular = "
-        "{{{}}}, .shininess = {}}}",
-        numbers(m.emission), numbers(m.ambient), numbers(m.diffuse), numbers(m.specular), literal(m.shininess));
-}
-
-std::string light_text(const LightSource& light) {
-    return fmt::format(
-        "(struct light){{\n        .ambient = {{{}}}, .diffuse = {{{}}}, .specular = {{{}}},\n        .position = "
-        "{{{}}}, .spot_direction = {{{}}},\n        .spot_exponent = {}, .spot_cutoff = {}, .attenuation = {{{}, {}, "
-        "{}}}}}",
-        numbers(light.ambient), numbers(light.diffuse), numbers(light.specular), numbers(light.position_eye),
-        numbers(light.spot_direction_eye), literal(light.spot_exponent), literal(light.spot_cutoff_deg),
-        literal(light.constant_attenuation), literal(light.linear_attenuation), literal(light.quadratic_attenuation));
-}
+// ---- Textures ----
 
 // A border's colour as the texels have it (table 3.15).
 glm::dvec4 border_of(const Texture& texture) {
@@ -130,8 +69,8 @@ glm::dvec4 border_of(const Texture& texture) {
 
 class Writer {
   public:
-    Writer(const Frame& frame, const Options& options, Glsl version)
-        : frame_(frame), options_(options), version_(version) {
+    Writer(const Frame& frame, const Options& options, Glsl version, Language language)
+        : frame_(frame), options_(options), version_(version), c_(language) {
         options_.for_any_pose = true;
     }
 
@@ -149,6 +88,29 @@ class Writer {
         for (const char* file : {"loader.h", "loader.c"}) files.push_back({file, std::string(file_text(file))});
         files.push_back({"README.md", readme(name)});
         return files;
+    }
+
+    std::string page(const std::string& name) {
+        write_items();
+        std::string shaders;
+        for (std::size_t i = 0; i < kinds_.size(); ++i) {
+            const ShaderSource source = assemble(kinds_[i].effects, kinds_[i].form);
+            for (const auto& [ending, text] : {std::pair("vert", source.vertex), {"frag", source.fragment}})
+                shaders +=
+                    fmt::format("<script type=\"text/plain\" id=\"kind{}.{}\">\n{}</script>\n", i + 1, ending, text);
+        }
+        const std::string load = load_text();  // appends the texels to the words
+        const std::string_view bytes(reinterpret_cast<const char*>(words_.data()), 4 * words_.size());  // NOLINT
+        return filled(file_text("page.html"), {{"title", printable(name)},
+                                               {"width", fmt::format("{}", frame_.width)},
+                                               {"height", fmt::format("{}", frame_.height)},
+                                               {"unsupported", unsupported_text()},
+                                               {"shaders", shaders},
+                                               {"loader", std::string(file_text("loader.js"))},
+                                               {"middle", c_.numbers(middle())},
+                                               {"data", base64(bytes)},
+                                               {"load", load},
+                                               {"draws", body_}});
     }
 
   private:
@@ -180,7 +142,7 @@ class Writer {
 
     // Writes a statement, unless the last one under this key was the same.
     void set(const std::string& key, const std::string& statement) {
-        if (std::exchange(last_[key], statement) != statement) body_ += "    " + statement + "\n";
+        if (std::exchange(last_[key], statement) != statement) body_ += "    " + c_.statement(statement) + "\n";
     }
     void enable(Enum capability, bool enabled) {
         const std::string name = enum_name(capability);
@@ -213,11 +175,12 @@ class Writer {
         if (!clear.color && !clear.depth) return;
         write_scissor(clear.scissor, clear.color_mask);
         set("depth mask", "glDepthMask(1);");
-        set("clear color", fmt::format("glClearColor({});", numbers(clear.clear_color)));
+        set("clear color", fmt::format("glClearColor({});", c_.numbers(clear.clear_color)));
         set("clear depth", fmt::format("glClearDepth({});", clear.clear_depth));
-        body_ += fmt::format("    glClear({});\n", !clear.depth   ? "GL_COLOR_BUFFER_BIT"
-                                                   : !clear.color ? "GL_DEPTH_BUFFER_BIT"
-                                                                  : "GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
+        body_ += c_.statement(fmt::format("    glClear({});\n", !clear.depth ? "GL_COLOR_BUFFER_BIT"
+                                                                : !clear.color
+                                                                    ? "GL_DEPTH_BUFFER_BIT"
+                                                                    : "GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT"));
     }
 
     void write_draw(const Draw& draw) {
@@ -227,17 +190,20 @@ class Writer {
         kind_ = static_cast<int>(found - kinds_.begin()) + 1;
         if (found == kinds_.end()) kinds_.push_back(kind);
 
-        body_ += fmt::format("\n    // {}\n", draw.place.str());
+        body_ += fmt::format("\n    // {}\n", printable(draw.place.str()));
+        if (!c_.is_c()) note_unsupported(draw);
         write_raster(draw);
         write_fragment(draw.fragment);
         set("kind", fmt::format("use_kind({});", kind_));
         write_uniforms(draw, plan, kind);
 
-        const bool flat = kind.effects.shading == Shading::kFlat;
+        // The page can switch to flat shading, so its triangles suit that.
+        const bool flat = kind.effects.shading == Shading::kFlat || !c_.is_c();
         const auto [mode, indices] = core_elements(draw, flat);
         const std::size_t vertex = place_of(words_of(vertex_array(draw, kind.effects, {}, glm::dvec3(0))));
         const std::size_t index = place_of(indices);
-        body_ += fmt::format("    draw({}, {}, {}, {});\n", primitive_name(mode), vertex, index, indices.size());
+        body_ += c_.statement(
+            fmt::format("    draw({}, {}, {}, {});\n", primitive_name(mode), vertex, index, indices.size()));
         if (plan.vertices.has_sphere) {
             middle_ += glm::dvec3(draw.eye_from_object * glm::dvec4(plan.vertices.center_object, 1));
             ++middle_count_;
@@ -252,26 +218,31 @@ class Writer {
         set("front face", fmt::format("glFrontFace({});", enum_name(raster.front_face)));
         enable(kGL_CULL_FACE, raster.cull_enabled);
         if (raster.cull_enabled) set("cull face", fmt::format("glCullFace({});", enum_name(raster.cull_face)));
+        const PolygonOffset& offset = raster.polygon_offset;
+        enable(kGL_POLYGON_OFFSET_FILL, offset.fill);
+        set("offset", fmt::format("glPolygonOffset({}, {});", c_.number(offset.factor), c_.number(offset.units)));
+        if (draw.draws_lines()) set("line width", fmt::format("glLineWidth({});", c_.number(raster.line_width)));
+        if (c_.is_c()) write_what_webgl_lacks(draw);
+        enable(kGL_DEPTH_TEST, raster.depth_test);
+        set("depth func", fmt::format("glDepthFunc({});", enum_name(raster.depth_func)));
+        set("depth mask", fmt::format("glDepthMask({:d});", raster.depth_mask));
+    }
+
+    void write_what_webgl_lacks(const Draw& draw) {
+        const RasterState& raster = draw.raster;
         // Core GL has one mode for both faces: that of the face that is not culled.
         const bool hides_front = raster.cull_enabled && raster.cull_face == kGL_FRONT;
         set("polygon mode", fmt::format("glPolygonMode(GL_FRONT_AND_BACK, {});",
                                         enum_name(hides_front ? raster.polygon_mode_back : raster.polygon_mode_front)));
-        const PolygonOffset& offset = raster.polygon_offset;
-        enable(kGL_POLYGON_OFFSET_POINT, offset.point);
-        enable(kGL_POLYGON_OFFSET_LINE, offset.line);
-        enable(kGL_POLYGON_OFFSET_FILL, offset.fill);
-        set("offset", fmt::format("glPolygonOffset({}, {});", literal(offset.factor), literal(offset.units)));
-        if (draw.draws_lines()) set("line width", fmt::format("glLineWidth({});", literal(raster.line_width)));
-        if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", literal(raster.point_size)));
+        enable(kGL_POLYGON_OFFSET_POINT, raster.polygon_offset.point);
+        enable(kGL_POLYGON_OFFSET_LINE, raster.polygon_offset.line);
+        if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", c_.number(raster.point_size)));
         // The program has one clip distance for each enabled plane, without gaps.
         const auto planes = std::ranges::count_if(raster.clip_planes_eye, [](const auto& p) { return p.has_value(); });
         for (int i = 0; i < kMaxClipPlanes; ++i) {
             const std::string name = fmt::format("GL_CLIP_DISTANCE{}", i);
             set(name, fmt::format("{}({});", i < planes ? "glEnable" : "glDisable", name));
         }
-        enable(kGL_DEPTH_TEST, raster.depth_test);
-        set("depth func", fmt::format("glDepthFunc({});", enum_name(raster.depth_func)));
-        set("depth mask", fmt::format("glDepthMask({:d});", raster.depth_mask));
     }
 
     void write_fragment(const FragmentState& fragment) {
@@ -283,7 +254,7 @@ class Writer {
                         factor(fragment.blend_src_alpha), factor(fragment.blend_dst_alpha)));
         set("blend equation", fmt::format("glBlendEquationSeparate({}, {});", enum_name(fragment.blend_equation),
                                           enum_name(fragment.blend_equation_alpha)));
-        set("blend color", fmt::format("glBlendColor({});", numbers(fragment.blend_color)));
+        set("blend color", fmt::format("glBlendColor({});", c_.numbers(fragment.blend_color)));
     }
     static std::string factor(Enum value) {
         return value == kGL_ZERO ? "GL_ZERO" : value == kGL_ONE ? "GL_ONE" : enum_name(value);
@@ -291,36 +262,40 @@ class Writer {
 
     void write_uniforms(const Draw& draw, const Plan& plan, const Kind& kind) {
         const EffectSet& effects = kind.effects;
-        uniform("matrices",
-                fmt::format("matrices({},\n        {});", floats(draw.eye_from_object), floats(draw.clip_from_eye)));
+        uniform("matrices", fmt::format("matrices({},\n        {});", c_.floats(draw.eye_from_object),
+                                        c_.floats(draw.clip_from_eye)));
         if (effects.lighting) {
-            uniform("ambient", fmt::format("light_model_ambient({});", floats(glm::dvec4(plan.constant_ambient, 1))));
-            uniform("front", fmt::format("front_material({});", material_text(plan.lighting.front)));
-            if (effects.two_side) uniform("back", fmt::format("back_material({});", material_text(plan.lighting.back)));
+            uniform("ambient",
+                    fmt::format("light_model_ambient({});", c_.floats(glm::dvec4(plan.constant_ambient, 1))));
+            uniform("front", fmt::format("front_material({});", c_.material(plan.lighting.front)));
+            if (effects.two_side) uniform("back", fmt::format("back_material({});", c_.material(plan.lighting.back)));
             for (const int number : kind.form.kept->lights) write_light(plan, number);
         }
         for (const int number : kind.form.kept->clip_planes)
             uniform(fmt::format("plane {}", number),
                     fmt::format("clip_plane({}, {});", number,
-                                floats(*draw.raster.clip_planes_eye[static_cast<std::size_t>(number)])));
+                                c_.floats(*draw.raster.clip_planes_eye[static_cast<std::size_t>(number)])));
         if (draw.fragment.alpha_test)
-            uniform("alpha", fmt::format("number(\"AlphaRef\", {});", literal(draw.fragment.alpha_ref)));
+            uniform("alpha", fmt::format("number(\"AlphaRef\", {});", c_.number(draw.fragment.alpha_ref)));
+        if (kind.form.kept->sizes_points)
+            uniform("point size", fmt::format("number(\"PointSize\", {});",
+                                              c_.number(std::max(std::round(draw.raster.point_size), 1.0))));
         if (effects.has_fog()) {
             const Fog& fog = draw.fog;
-            uniform("fog", fmt::format("fog({}, {}, {}, {});", floats(fog.color), literal(fog.density),
-                                       literal(fog.start), literal(fog.end)));
+            uniform("fog", fmt::format("fog({}, {}, {}, {});", c_.floats(fog.color), c_.number(fog.density),
+                                       c_.number(fog.start), c_.number(fog.end)));
         }
         if (effects.has_texture()) write_texture(draw.texture, effects);
     }
 
     void write_light(const Plan& plan, int number) {
         const LightSource& light = plan.lighting.lights[static_cast<std::size_t>(number)];
-        uniform(fmt::format("light {}", number), fmt::format("light({}, {});", number, light_text(light)));
+        uniform(fmt::format("light {}", number), fmt::format("light({}, {});", number, c_.light(light)));
         if (!light.smooth_cone) return;
         const SmoothConeValues cone = smooth_cone_values(light);
         for (const auto& [what, value] : {std::pair("cos_outer", cone.cos_outer), {"cone_slope", cone.slope}}) {
             const std::string name = fmt::format("u_light{}_{}", number, what);
-            uniform(name, fmt::format("number(\"{}\", {});", name, literal(value)));
+            uniform(name, fmt::format("number(\"{}\", {});", name, c_.number(value)));
         }
     }
 
@@ -328,10 +303,10 @@ class Writer {
         auto found = std::ranges::find(textures_, unit.texture);
         if (found == textures_.end()) found = textures_.insert(found, unit.texture);
         set("texture", fmt::format("use_texture({}, {}, {});", enum_name(target_of(*unit.texture)),
-                                   found - textures_.begin() + 1, literal(unit.lod_bias)));
+                                   found - textures_.begin() + 1, c_.number(unit.lod_bias)));
         if (effects.texture.matrix)
-            uniform("texture matrix", fmt::format("texture_matrix({});", floats(unit.texture_matrix)));
-        uniform("texture color", fmt::format("texture_env_color({});", floats(unit.env_color)));
+            uniform("texture matrix", fmt::format("texture_matrix({});", c_.floats(unit.texture_matrix)));
+        uniform("texture color", fmt::format("texture_env_color({});", c_.floats(unit.env_color)));
     }
     Enum target_of(const Texture& texture) const {
         return version_ == Glsl::k300es ? Enum{kGL_TEXTURE_2D} : texture.target;
@@ -339,17 +314,26 @@ class Writer {
 
     // ---- The files ----
 
-    std::string scene_text(const std::string& name) {
+    glm::dvec3 middle() const { return middle_count_ == 0 ? glm::dvec3(0) : middle_ / middle_count_; }
+
+    // The statements of load_scene().
+    std::string load_text() {
         std::string load;
         for (std::size_t i = 0; i < kinds_.size(); ++i) {
             std::vector<std::string> list;
             for (const Attribute& attribute : attributes(kinds_[i].effects))
-                list.push_back(fmt::format("{{\"{}\", {}}}", with_words(attribute.name, kept_names()), attribute.size));
-            load += fmt::format("    load_kind({}, {}, (struct attribute[]){{{}}});\n", i + 1, list.size(),
-                                fmt::join(list, ", "));
+                list.push_back(
+                    c_.list(fmt::format("\"{}\", {}", with_words(attribute.name, kept_names()), attribute.size)));
+            load +=
+                fmt::format("    load_kind({}, {}, {}{});\n", i + 1, list.size(),
+                            c_.is_c() ? "(struct attribute[])" : "", c_.list(fmt::format("{}", fmt::join(list, ", "))));
         }
         for (std::size_t i = 0; i < textures_.size(); ++i) load += texture_text(i + 1, *textures_[i]);
-        const glm::dvec3 middle = middle_count_ == 0 ? glm::dvec3(0) : middle_ / middle_count_;
+        return load;
+    }
+
+    std::string scene_text(const std::string& name) {
+        const std::string load = load_text();
         const char* const gl = version_ == Glsl::k130 ? "3, 0" : version_ == Glsl::k330 ? "3, 3" : "4, 3";
         return fmt::format(
             "// {}: its state and its draws, as calls of loader.c and GL. Vertices, indices and texels are in "
@@ -361,26 +345,57 @@ class Writer {
             "const float scene_middle[3] = {{{}}};\n\n"
             "void load_scene(void) {{\n{}}}\n\n"
             "void draw_scene(void) {{\n{}}}\n",
-            name, frame_.width, frame_.height, gl, version_ != Glsl::k130, kinds_.size(), textures_.size(),
-            numbers(middle), load, body_);
+            printable(name), frame_.width, frame_.height, gl, version_ != Glsl::k130, kinds_.size(), textures_.size(),
+            c_.numbers(middle()), load, body_);
     }
 
     std::string texture_text(std::size_t number, const Texture& texture) {
-        const Enum clamped = texture.filters_linearly() ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
-        const auto wrap = [&](Enum mode) { return enum_name(mode == kGL_CLAMP ? clamped : mode); };
+        // If the shader clamps, a linear filter must see half of the border. WebGL has no border.
+        const Enum clamped = texture.filters_linearly() && c_.is_c() ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
+        const auto wrap = [&](Enum mode) {
+            return enum_name(mode == kGL_CLAMP || (mode == kGL_CLAMP_TO_BORDER && !c_.is_c()) ? clamped : mode);
+        };
         std::string levels;
         std::size_t count = 0;
         constexpr std::size_t kMostLevels = 16;
         for (const TextureImage& level : texture.levels) {
             if (level.texels.empty() || count == kMostLevels) break;
-            levels += fmt::format("{}{{{}, {}, {}}}", count++ == 0 ? "" : ", ", level.width, level.height,
-                                  place_of(texels_of(level)));
+            levels += (count++ == 0 ? "" : ", ") +
+                      c_.list(fmt::format("{}, {}, {}", level.width, level.height, place_of(texels_of(level))));
         }
-        return fmt::format(
-            "    load_texture({}, (struct texture){{\n        .target = {}, .min_filter = {}, .mag_filter = {}, "
-            ".wrap_s = {}, .wrap_t = {},\n        .border_color = {{{}}}, .level_count = {}, .levels = {{{}}}}});\n",
-            number, enum_name(target_of(texture)), enum_name(texture.min_filter), enum_name(texture.mag_filter),
-            wrap(texture.wrap_s), wrap(texture.wrap_t), numbers(border_of(texture)), count, levels);
+        const auto name = [&](const char* member, Enum value) { return c_.member(member, enum_name(value)) + ", "; };
+        const std::string members = name("target", target_of(texture)) + name("min_filter", texture.min_filter) +
+                                    name("mag_filter", texture.mag_filter) + c_.member("wrap_s", wrap(texture.wrap_s)) +
+                                    ", " + c_.member("wrap_t", wrap(texture.wrap_t)) + ",\n        " +
+                                    c_.member("border_color", c_.list(c_.numbers(border_of(texture)))) + ", " +
+                                    c_.member("level_count", fmt::format("{}", count)) + ", " +
+                                    c_.member("levels", c_.list(levels));
+        return c_.statement(fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members)));
+    }
+
+    // ---- The page ----
+
+    void note_unsupported(const Draw& draw) {
+        const RasterState& raster = draw.raster;
+        const Texture* texture = draw.texture.texture.get();
+        const auto has_border = [&](Enum wrap) {
+            return texture->filters_linearly() && (wrap == kGL_CLAMP || wrap == kGL_CLAMP_TO_BORDER);
+        };
+        const auto note = [&](const char* what, bool is_used) { unsupported_[what] |= is_used; };
+        note("line width", draw.draws_lines() && raster.line_width != 1);
+        note("polygon mode", draw.draws_borders());
+        note("border colours of textures", texture && (has_border(texture->wrap_s) || has_border(texture->wrap_t)));
+        note("GL_TEXTURE_LOD_BIAS", texture && draw.texture.lod_bias != 0);
+        note("a depth range from far to near", raster.depth_near > raster.depth_far);
+    }
+    std::string unsupported_text() const {
+        std::vector<std::string> used, unused;
+        for (const auto& [what, is_used] : unsupported_) (is_used ? used : unused).push_back(what);
+        std::string text;
+        if (!used.empty()) text += fmt::format("WebGL lacks, and this scene uses: {}. ", fmt::join(used, ", "));
+        if (!unused.empty())
+            text += fmt::format("WebGL lacks, but this scene does not use: {}.", fmt::join(unused, ", "));
+        return text;
     }
 
     std::string readme(const std::string& name) const {
@@ -399,7 +414,7 @@ class Writer {
             "export it again.\n"
             "- What core GL lacks: edge flags, polygon modes that differ between faces, and wireframes of "
             "quadrilaterals without their diagonal.\n",
-            name, kept_version_name(version_));
+            printable(name), kept_version_name(version_));
     }
     static const char* kept_version_name(Glsl version) {
         return version == Glsl::k130 ? "1.30" : version == Glsl::k330 ? "3.30 core" : "ES 3.00";
@@ -408,6 +423,8 @@ class Writer {
     const Frame& frame_;
     Options options_;
     const Glsl version_;
+    const Spelling c_;
+    std::map<std::string, bool> unsupported_;  // what WebGL lacks; true if a Draw uses it
     std::vector<Kind> kinds_;
     std::vector<std::shared_ptr<const Texture>> textures_;
     std::vector<std::uint32_t> words_;                          // scene.bin
@@ -435,7 +452,12 @@ std::string why_not_kept(const Frame& frame) {
 
 std::vector<NamedFile> kept_files(const Frame& frame, const Options& options, Glsl version, const std::string& name) {
     if (const std::string why = why_not_kept(frame); !why.empty()) throw std::runtime_error(why);
-    return Writer(frame, options, version).files(name);
+    return Writer(frame, options, version, Language::kC).files(name);
+}
+
+std::string kept_page(const Frame& frame, const Options& options, const std::string& name) {
+    if (const std::string why = why_not_kept(frame); !why.empty()) throw std::runtime_error(why);
+    return Writer(frame, options, Glsl::k300es, Language::kJavaScript).page(name);
 }
 
 }  // namespace twinlight::programmable

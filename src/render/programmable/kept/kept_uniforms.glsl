@@ -9,6 +9,7 @@ uniform mat4 TextureMatrix[1];
 uniform SAMPLER Texture0;  // of texture unit 0
 uniform vec4 TextureEnvColor[1];  // GL_TEXTURE_ENV_COLOR
 uniform vec4 ClipPlane[8];  // glClipPlane, in eye coordinates (section 2.12)
+uniform float PointSize;  // glPointSize (section 3.3)
 uniform float AlphaRef;  // glAlphaFunc (section 4.1.4)
 
 // glMaterial (section 2.14.2)

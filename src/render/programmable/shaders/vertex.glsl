@@ -7,5 +7,6 @@ void main() {
 #endif
 #insert lit
 #insert outputs
+#insert point_size
 #insert clip_distances
 }
