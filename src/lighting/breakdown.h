@@ -47,8 +47,13 @@ LightGeometry<Real> light_geometry(const Model<Real>& model, const SurfacePoint<
     const auto [vp_dir, d] = toward_light(light, surface.position_eye);
     LightGeometry<Real> g{.vp_dir = vp_dir};
     g.cosine_to_light = dot(n, vp_dir);
-    g.half_dir = model.reflection ? Real(2) * g.cosine_to_light * n - vp_dir : unit(vp_dir + vpe_dir);
-    g.cosine_highlight = highlight_cosine(model, light, n, vp_dir, vpe_dir);
+    if (model.reflection) {
+        g.half_dir = reflected(n, g.cosine_to_light, vp_dir);
+        g.cosine_highlight = dot(g.half_dir, vpe_dir);
+    } else {
+        g.half_dir = unit(vp_dir + vpe_dir);
+        g.cosine_highlight = cosine_to_half(model, light, n, vp_dir, vpe_dir);
+    }
     if (!light.directional) {
         g.distance = d;
         g.denominator = attenuation_denominator(light, d);

@@ -166,26 +166,28 @@ Real cosine_to_half(Vec3<Real> n, Vec3<Real> a, Vec3<Real> b) {
     return over_length(dot(n, a) + dot(n, b), length(a + b), Ruling::kOppositeHalfVector);
 }
 
-// The base of the highlight's power: n . h_i, or r . VP_e in the lecture's variant. Not clamped to 0.
+// n . h_i, not clamped to 0. h_i is halfway between VP and VP_e.
 template <class Real>
-Real highlight_cosine(const Model<Real>& model, const Light<Real>& light, Vec3<Real> n, Vec3<Real> vp_dir,
-                      Vec3<Real> vpe_dir) {
-    if (model.reflection) {
-        const Vec3<Real> reflected = Real(2) * dot(n, vp_dir) * n - vp_dir;
-        return dot(reflected, vpe_dir);
-    }
+Real cosine_to_half(const Model<Real>& model, const Light<Real>& light, Vec3<Real> n, Vec3<Real> vp_dir,
+                    Vec3<Real> vpe_dir) {
     return light.directional && !model.local_viewer ? dot(n, light.half_dir_eye) : cosine_to_half(n, vp_dir, vpe_dir);
 }
 
-// f_i (n . h_i)^s_rm. h_i is halfway between VP and VP_e; f_i is 1 if n . VP > 0, otherwise 0.
-// The lecture's variant is (r . VP_e)^s_rm, where r is VP reflected about n. It has no f_i, so a light behind the
-// surface may shine through.
+// r of the lecture's variant: VP reflected about n.
+template <class Real>
+Vec3<Real> reflected(Vec3<Real> n, Real n_dot_vp, Vec3<Real> vp_dir) {
+    return Real(2) * n_dot_vp * n - vp_dir;
+}
+
+// f_i (n . h_i)^s_rm. f_i is 1 if n . VP > 0, otherwise 0.
+// The lecture's variant is (r . VP_e)^s_rm. It has no f_i, so a light behind the surface may shine through.
 template <class Real>
 Real highlight(const Model<Real>& model, const Light<Real>& light, Real shininess, Vec3<Real> n, Vec3<Real> vp_dir,
                Vec3<Real> vpe_dir) {
-    const Real cosine = highlight_cosine(model, light, n, vp_dir, vpe_dir);
-    const Real highlight = power(larger(cosine, Real(0)), shininess);
-    return model.reflection ? highlight : select(dot(n, vp_dir) > Real(0), highlight, Real(0));
+    const Real n_dot_vp = dot(n, vp_dir);
+    if (model.reflection) return power(positive_dot(reflected(n, n_dot_vp, vp_dir), vpe_dir), shininess);
+    const Real n_dot_h = cosine_to_half(model, light, n, vp_dir, vpe_dir);
+    return select(n_dot_vp > Real(0), power(larger(n_dot_h, Real(0)), shininess), Real(0));
 }
 
 // ---- The sum ----

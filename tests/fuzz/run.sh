@@ -18,9 +18,15 @@ dump) for dump in tests/traces/*/dump.txt; do
     done ;;
 esac
 
-# The words of both texts.
+# The words of both texts; those of C and GLUT for whole programs.
 sed -nE 's/^(GL|SHAPE|QUADRIC|PRAGMA)_COMMAND\((\w+),.*/"\2"/p; s/^ENUM\((\w+),.*/"GL_\1"/p; s/^WORD\((\w+),.*/"\1"/p' src/scene/command/*.def |
     sort -u >"$build/$target.dict"
+if [ "$target" = scene ]; then
+    printf '"%s"\n' 'for (' 'while (' 'do ' 'if (' 'else ' 'switch (' 'case ' 'default:' break continue 'return ' static const enum \
+        'void ' 'int ' 'float ' 'double ' 'GLfloat ' 'GLuint ' bool 'main(' 'display' glutDisplayFunc glutReshapeFunc glutInitWindowSize \
+        glutMainLoop glutSwapBuffers '#define ' '#ifdef ' '#if ' '#else\x0a' '#endif\x0a' sin cos sqrt fabs pow atan2 fmod floor M_PI \
+        '++' '--' '+=' '&&' '||' '==' '!=' '<=' '<<' '?' '%' >>"$build/$target.dict"
+fi
 
 # A leak is told at the end; what a machine does in a second may take a sanitizer's build a minute.
 status=0

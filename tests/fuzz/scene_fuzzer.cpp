@@ -30,7 +30,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     CommandList scene;
     try {
-        scene = read_scene(text, "fuzz.gl", "fuzz", image);
+        // A program that does not end would take a sanitizer's build a minute with the usual limit.
+        scene = read_scene(text, "fuzz.gl", "fuzz", image, {.most_steps = 100'000});
     } catch (const SceneError& error) {
         check_message(error.what());
         for (const char c : as_compilers_print(error))

@@ -54,7 +54,8 @@ const std::map<std::string, Table>& rooms() {
           {"report", {"compare"}},
           {"study", {"report"}},
           {"fuzz", {"compare"}},
-          {"check", {"compare"}}}},
+          {"check", {"compare"}},
+          {"lint", {}}}},
         {"app", {{"cli", {}}, {"demo", {}}}},
     };
     return table;

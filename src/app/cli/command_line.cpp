@@ -104,7 +104,7 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
 Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame) {
     std::shared_ptr<const Recording> recording;
     try {
-        recording = load_recording(name);
+        recording = load_recording(name, size ? std::optional(WindowSize{size->width, size->height}) : std::nullopt);
     } catch (const SceneError& error) {
         throw with_gl_errors(error, {});
     }
@@ -113,6 +113,7 @@ Scene load_scene(const std::string& name, std::optional<Size> size, std::optiona
     if (frame) {
         throw UsageError(fmt::format("--frame applies only to recorded programs; '{}' is a scene", name));
     }
+    if (!size && commands->window) size = Size{commands->window->width, commands->window->height};
     const auto [width, height] = size.value_or(Size{});
     Frame made = make_frame(*commands, {.width = width, .height = height});
     return {std::move(recording), std::move(made)};

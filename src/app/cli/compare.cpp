@@ -5,6 +5,7 @@
 #include <map>
 
 #include "app/cli/command_line.h"
+#include "app/cli/lint_notes.h"
 #include "app/cli/progress.h"
 #include "app/cli/renderers.h"
 #include "judge/report/report.h"
@@ -91,8 +92,13 @@ int run_compare(CompareArguments arguments) {
              .progress = [&](int done, int total, std::string_view next) { bar.show(done, total, next); }},
             renderers.functions());
     }
+    const std::vector<lint::Warning> warnings = lint::lint(scene);
+    for (const lint::Warning& warning : warnings)
+        comparison.warnings.push_back(
+            {.line = lint::headline(warning), .why = std::string(warning.rule->why), .fix = warning.fix});
     report::write_report(comparison, arguments.folder);
     write_result(arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder));
+    print_lint_notes(warnings, arguments.scene);
     return comparison.within_tolerance() ? kFine : kDifferent;
 }
 

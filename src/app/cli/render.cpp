@@ -9,6 +9,7 @@
 #include <map>
 
 #include "app/cli/command_line.h"
+#include "app/cli/lint_notes.h"
 #include "app/cli/renderers.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
@@ -116,6 +117,7 @@ int run_render(RenderArguments arguments) {
     for (const compare::Query& query : compare::queries_of(scene, renderers.functions().answers))
         fmt::print(stderr, "{}\n", one_line(compare::sentence_of(query)));
     warn_unsupported(scene.frame, kRenderers.at(arguments.renderer));
+    print_lint_notes(lint::lint(scene), arguments.scene);
     return kFine;
 }
 

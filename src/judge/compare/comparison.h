@@ -63,6 +63,11 @@ struct Pair {
     int factor = 1;  // amplification of the difference picture
 };
 
+// A warning of the linter about the scene.
+struct SceneWarning {
+    std::string line, why, fix;  // "scene.gl:7:1: warning: message [name]", the reason, the call to write
+};
+
 struct Comparison {
     std::string scene;
     std::string driver;  // driver_name()
@@ -71,6 +76,7 @@ struct Comparison {
     std::vector<Pair> pairs;
     AllowedDifference allowed;  // for the per-vertex pictures; the edge mask is shared by all
     std::vector<Unsupported> unsupported;
+    std::vector<SceneWarning> warnings{};  // by the caller; they do not change the verdict
     // If pictures differ beyond the tolerance: the known bugs of this driver that the scene may trigger, "name (section)".
     std::vector<std::string> known_departures{};
     bool is_listed_driver = false;  // whether any bugs of this driver are listed

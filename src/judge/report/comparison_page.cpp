@@ -75,6 +75,15 @@ std::string unsupported(const Comparison& comparison) {
     return html + "</ul>";
 }
 
+std::string warnings(const Comparison& comparison) {
+    if (comparison.warnings.empty()) return "";
+    std::string html = "<section>\n<h2>Possible mistakes in the scene</h2>\n<ul>\n";
+    for (const compare::SceneWarning& warning : comparison.warnings)
+        html += fmt::format("<li><code>{}</code><br>{}<br>To mend it: <code>{}</code></li>\n", escaped(warning.line),
+                            escaped(warning.why), escaped(warning.fix));
+    return html + "</ul>\n</section>\n";
+}
+
 // What the scene's queries return; "" if it has none.
 std::string queries(const Comparison& comparison) {
     if (comparison.queries.empty()) return "";
@@ -150,6 +159,7 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
          {"size", fmt::format("{} &times; {}", comparison.width, comparison.height)},
          {"state", word_of(comparison.verdict())},
          {"verdict", verdict(comparison)},
+         {"warnings", warnings(comparison)},
          {"renders", renders},
          {"differences", differences},
          {"edges", image(comparison, pictures.edges, R"(id="edges" alt="" hidden)")},

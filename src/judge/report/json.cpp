@@ -69,6 +69,8 @@ std::string comparison_json(const Comparison& comparison) {
                                    {"driver", query.driver},
                                    {"agree", query.agree}});
     }
+    json["warnings"] = Json::array();
+    for (const compare::SceneWarning& warning : comparison.warnings) json["warnings"].push_back(warning.line);
     // A scene's name may hold any bytes; JSON is UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

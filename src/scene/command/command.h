@@ -188,8 +188,15 @@ struct Recording {
     Recording& operator=(Recording&&) = default;
 };
 
+struct WindowSize {
+    int width = 640, height = 480;
+
+    friend bool operator==(const WindowSize&, const WindowSize&) = default;
+};
+
 struct CommandList final : Recording {
     std::vector<Command> commands;
+    std::optional<WindowSize> window{};                 // of a whole program: the size that it was run with
     std::shared_ptr<const std::string> text = nullptr;  // the C text, for messages; null if there is none
 
     CommandList() = default;

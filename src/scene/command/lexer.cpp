@@ -36,7 +36,7 @@ void fail_with(const Place& place, fmt::string_view message, fmt::format_args va
     throw SceneError({TextError{place, fmt::vformat(message, values)}});
 }
 
-Lexer::Lexer(std::string_view text, const std::string& file) : text_(text) {
+Lexer::Lexer(std::string_view text, const std::string& file, Language language) : text_(text), language_(language) {
     place_.file = std::make_shared<const std::string>(file);
     place_.line = place_.column = 1;
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -58,7 +58,10 @@ void Lexer::advance() {
 void Lexer::skip_space_and_comments() {
     while (position_ < text_.size()) {
         if (is_space(text_[position_])) {
-            if (in_pragma_ && text_[position_] == '\n') return;
+            if ((in_pragma_ || in_directive_) && text_[position_] == '\n') return;
+            advance();
+        } else if (language_ == Language::kProgram && (at("\\\n") || at("\\\r\n"))) {  // the line continues
+            while (text_[position_] != '\n') advance();
             advance();
         } else if (at("//")) {
             while (position_ < text_.size() && text_[position_] != '\n') advance();
@@ -95,6 +98,18 @@ void Lexer::directive() {
         while (position_ < words) advance();
         return;
     }
+    if (language_ == Language::kProgram) {
+        for (std::string_view known : {"define", "undef", "if", "ifdef", "ifndef", "elif", "else", "endif"}) {
+            if (name != known) continue;
+            directive_ = known;
+            in_directive_ = true;
+            const std::size_t words = static_cast<std::size_t>(name.data() - text_.data()) + name.size();
+            while (position_ < words) advance();
+            return;
+        }
+        while (position_ < text_.size() && text_[position_] != '\n') advance();
+        return;
+    }
     const bool asks_for_prototypes = name == "define" && line.ends_with("GL_GLEXT_PROTOTYPES");
     if (name != "include" && name != "pragma" && !asks_for_prototypes) {
         skip_line();
@@ -107,13 +122,18 @@ void Lexer::skip_line() {
     while (position_ < text_.size() && text_[position_] != '\n') advance();
 }
 
-// Reads from '"' to '"'. Strings are file names, so they have no escapes.
+// Reads from '"' to '"'. In scenes strings are file names, so they have no escapes.
 void Lexer::string() {
     const Place start = place_;
     advance();
     while (position_ < text_.size() && text_[position_] != '"') {
         const auto byte = static_cast<unsigned char>(text_[position_]);
         if (byte == '\n') break;
+        if (language_ == Language::kProgram) {
+            if (byte == '\\' && position_ + 1 < text_.size()) advance();
+            advance();
+            continue;
+        }
         if (byte < 0x20 || byte == 0x7F || byte == '\\') {
             const Place place = place_;
             const std::string_view character = text_.substr(position_, 1);
@@ -125,6 +145,39 @@ void Lexer::string() {
     if (position_ >= text_.size() || text_[position_] != '"')
         fail(start, "this string has no end on its line; end it with \"");
     advance();
+}
+
+// Reads 'a' or '\n'.
+void Lexer::character() {
+    const Place start = place_;
+    advance();
+    while (position_ < text_.size() && text_[position_] != '\'' && text_[position_] != '\n') {
+        if (text_[position_] == '\\' && position_ + 1 < text_.size()) advance();
+        advance();
+    }
+    if (position_ >= text_.size() || text_[position_] != '\'')
+        fail(start, "this character has no end on its line; end it with '");
+    advance();
+}
+
+std::size_t Lexer::operator_length() const {
+    const std::string_view rest = text_.substr(position_);
+    for (std::string_view three : {"<<=", ">>="})
+        if (rest.starts_with(three)) return 3;
+    for (std::string_view two : {"==", "!=", "<=", ">=", "&&", "||", "++", "--", "+=", "-=",
+                                 "*=", "/=", "%=", "|=", "&=", "^=", "<<", ">>", "->", "::"})
+        if (rest.starts_with(two)) return 2;
+    return std::string_view("(){}[],;=+-*/|&<>!?:%^~.").find(rest[0]) != rest.npos ? 1 : 0;
+}
+
+void Lexer::skip_to_directive() {
+    in_directive_ = false;
+    while (position_ < text_.size()) {
+        while (position_ < text_.size() && is_space(text_[position_])) advance();
+        if (position_ < text_.size() && text_[position_] == '#' && line_start_) return;
+        line_start_ = false;
+        while (position_ < text_.size() && text_[position_] != '\n') advance();
+    }
 }
 
 // Moves past a character that scenes do not use, and reports it.
@@ -164,12 +217,20 @@ Token Lexer::next() {
             pragma_found_ = line_start_ = false;
             return {TokenKind::kPragma, "#pragma twinlight", start};
         }
+        if (in_directive_) {
+            line_start_ = false;
+            return {TokenKind::kDirective, directive_, start};
+        }
     }
     line_start_ = false;
     Token token{TokenKind::kPunctuation, ";", place_};
     if (in_pragma_ && (position_ >= text_.size() || text_[position_] == '\n')) {
         in_pragma_ = false;
         return token;
+    }
+    if (in_directive_ && (position_ >= text_.size() || text_[position_] == '\n')) {
+        in_directive_ = false;
+        return {TokenKind::kLineEnd, "the end of the line", place_};
     }
     if (position_ >= text_.size()) return {TokenKind::kEnd, "the end of the scene", place_};
 
@@ -192,8 +253,13 @@ Token Lexer::next() {
     } else if (c == '"') {
         token.kind = TokenKind::kString;
         string();
-    } else if (kPunctuation.find(c) != std::string_view::npos) {
+    } else if (language_ == Language::kScene && kPunctuation.find(c) != std::string_view::npos) {
         advance();
+    } else if (const std::size_t length = language_ == Language::kProgram ? operator_length() : 0; length > 0) {
+        for (std::size_t i = 0; i < length; ++i) advance();
+    } else if (c == '\'' && language_ == Language::kProgram) {
+        token.kind = TokenKind::kNumber;
+        character();
     } else {
         refuse_character();
     }

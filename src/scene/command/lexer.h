@@ -10,29 +10,37 @@
 
 namespace twinlight {
 
-enum class TokenKind : std::uint8_t { kName, kNumber, kString, kPunctuation, kPragma, kEnd };
+enum class TokenKind : std::uint8_t { kName, kNumber, kString, kPunctuation, kPragma, kDirective, kLineEnd, kEnd };
 
 struct Token {
     TokenKind kind = TokenKind::kEnd;
-    // A pragma's text is "#pragma twinlight"; the words after it are separate tokens. A string includes its quotes.
+    // A pragma's text is "#pragma twinlight"; the words after it are separate tokens. A string includes its quotes. A
+    // character such as 'a' is a number. kDirective is the name after '#', as in #define; kLineEnd ends its line. Only
+    // whole programs have characters and these two.
     std::string_view text;
     Place place;
 
     bool is(std::string_view punctuation_or_name) const {
-        return kind != TokenKind::kNumber && kind != TokenKind::kString && kind != TokenKind::kEnd &&
+        return kind != TokenKind::kNumber && kind != TokenKind::kString && kind < TokenKind::kDirective &&
                text == punctuation_or_name;
     }
 };
 
 // Splits text into tokens. Skips comments, white space, #include lines and foreign pragmas. At the end of a Twinlight
 // pragma's line it adds a token ";", so a pragma can be parsed like a call.
+//
+// In a whole program it knows all of C's operators and characters, and gives the directives that a Preprocessor needs.
 class Lexer {
   public:
-    Lexer(std::string_view text, const std::string& file);
+    enum class Language : std::uint8_t { kScene, kProgram };
+
+    Lexer(std::string_view text, const std::string& file, Language language = Language::kScene);
 
     // Throws SceneError for a character that C does not use, an unclosed comment or string, or a directive not allowed
     // in scenes. The next call continues after it; after full-width punctuation it returns the ASCII character.
     Token next();
+    // Skips lines up to the next one that starts with '#'.
+    void skip_to_directive();
     bool at_end() const { return position_ >= text_.size(); }
 
   private:
@@ -40,6 +48,9 @@ class Lexer {
     void advance();
     void directive();
     void string();
+    void character();
+    // The length of the operator or bracket here in a program; 0 if there is none.
+    std::size_t operator_length() const;
     void skip_line();
     [[noreturn]] void refuse_character();
     bool at(std::string_view word) const { return text_.substr(position_).starts_with(word); }
@@ -50,6 +61,9 @@ class Lexer {
     bool in_pragma_ = false;
     bool line_start_ = true;
     bool pragma_found_ = false;
+    Language language_;
+    bool in_directive_ = false;
+    std::string_view directive_;      // the name of the directive that was just found
     std::string_view replacement_{};  // the ASCII character instead of the last one; empty if there is none
 };
 

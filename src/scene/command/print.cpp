@@ -245,11 +245,11 @@ std::string print_c_program(const CommandList& scene) {
     std::string title;  // without '*', so that the name cannot end the comment
     for (char c : scene.name) title += (c >= 0x20 && c < 0x7F && c != '*') ? c : '_';
     std::string text = fmt::format(
-        "/* {}: a scene of Twinlight as a C program.\n"
+        "/* {}{}\n"
         "   Build it with: cc -std=c99 FILE.c -lglut -lGLU -lGL -lm */\n"
         "#define GL_GLEXT_PROTOTYPES\n"
         "#include <GL/freeglut.h>\n#include <math.h>\n\n",
-        title);
+        title, kPrintedProgram);
     text += print_c_function(scene);
     text +=
         "\n"

@@ -7,6 +7,8 @@
 #include <numeric>
 
 #include "scene/command/memory.h"
+#include "scene/command/preprocess.h"
+#include "scene/command/program.h"
 #include "scene/command/reader.h"
 #include "scene/command/text.h"
 
@@ -20,6 +22,11 @@ std::string shown(const Token& token) {
     return token.kind == TokenKind::kEnd ? std::string(token.text) : in_quotes(token.text);
 }
 
+Reader::Reader(std::string_view text, const std::string& file, const ImageLoader& load_image)
+    : lexer_(text, file), load_image_(load_image) {}
+
+Reader::~Reader() = default;
+
 std::vector<Command> Reader::read() {
     try {
         advance();
@@ -32,6 +39,7 @@ std::vector<Command> Reader::read() {
 // ---- Tokens ----
 
 void Reader::advance() {
+    if (program_) return step();
     line_before_ = token_.place.line;
     ++tokens_;
     token_ = std::move(ahead_);
@@ -99,14 +107,17 @@ void Reader::program() {
 }
 
 void Reader::declaration() {
-    bool is_static = false;  // C sets static objects to 0
-    while (token_.is("const") || token_.is("static")) {
+    const bool is_global = program_ && !program_->in_function;
+    bool is_static = false;
+    while (token_.is("const") || token_.is("static") || (program_ && (token_.is("register") || token_.is("extern")))) {
         is_static |= token_.is("static");
         advance();
     }
+    const bool is_text = program_ && at_byte_type();
     const Kind kind = type_name();
     do {
         if (kind == Kind::kQuadric) expect("*", "after GLUquadric, as in GLUquadric* name = gluNewQuadric();");
+        const bool is_pointer = program_ && kind != Kind::kQuadric && accept("*");
         const Token name = token_;
         if (name.kind != TokenKind::kName) {
             fail(name.place, "expected a variable's name, found {}{}", shown(name),
@@ -120,16 +131,31 @@ void Reader::declaration() {
                  "}}",
                  in_quotes(name.text));
         }
-        if (variables_.contains(name.text))
+        if (is_text && (is_pointer || token_.is("["))) {  // a text; only what is passed over can use it
+            skip_expression();
+            continue;
+        }
+        if (is_pointer) {
+            declare_pointer(name, kind, is_static);
+            continue;
+        }
+        if (is_static && program_ && declare_static(name)) continue;
+        if ((!program_ || is_global) && variables_.contains(name.text))
             fail(name.place, "{} is already declared at {}; use another name", in_quotes(name.text),
                  variables_.at(name.text).place.str());
         Object object{.kind = kind,
                       .dimensions = dimensions_in_brackets(),
                       .shown = in_quotes(name.text),
                       .place = name.place,
-                      .known = is_static,
+                      .known = is_static || is_global,  // C sets these to 0
                       .unknown_because = "it was declared without a value"};
         initialise(object, name);
+        if (program_ && !is_global && !is_static)
+            declare(name, std::move(object));
+        else if (program_ && !is_global)
+            *find_variable(name.text) = std::move(object);
+        else
+            variables_.emplace(name.text, std::move(object));
         variables_.emplace(name.text, std::move(object));
         misdeclared_.erase(name.text);
     } while (accept(","));
@@ -142,7 +168,8 @@ void Reader::initialise(Object& object, const Token& name) {
     if (object.dimensions.empty()) {
         allocate(object, name.place);
         if (!accept("=")) return;
-        if (ahead_.is("(") && find_command_or_extension(token_.text)) return assign_result({&object, 0, {}});
+        if (!program_ && ahead_.is("(") && find_command_or_extension(token_.text))
+            return assign_result({&object, 0, {}});
         const Place place = token_.place;
         const double value = converted(number(), object.kind, place, fmt::format("the value of {}", object.shown));
         return fill(object, {value});
@@ -199,6 +226,9 @@ void Reader::assign_result(const Lvalue& target) {
 
 const Command& Reader::call() {
     const Token name = token_;
+    if (program_ && commands_.size() >= kMaxProgramCommands)
+        fail(name.place, "a program can call at most {} commands before its first picture is complete",
+             kMaxProgramCommands);
     const std::optional<CommandId> id = find_command_or_extension(name.text);
     if (!id) {
         std::vector<std::string_view> names;
@@ -347,13 +377,44 @@ ImageFile no_images(const std::string&) {
         "this scene has no folder to read the picture from; save the scene in a file next to the picture");
 }
 
+namespace {
+
+bool is_program(const std::vector<Token>& tokens) {
+    std::size_t depth = 0;
+    bool has_main = false, has_loop = false;
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+        if (tokens[i].is("{")) ++depth;
+        if (tokens[i].is("}") && depth > 0) --depth;
+        has_main |= depth == 0 && tokens[i].is("main") && tokens[i + 1].is("(");
+        has_loop |= tokens[i].is("glutMainLoop");
+    }
+    return has_main && has_loop;
+}
+
+}  // namespace
+
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
-                       const ImageLoader& load_image) {
+                       const ImageLoader& load_image, const ProgramOptions& options) {
     if (text.size() > kMaxSceneBytes) {
         throw SceneError(
             fmt::format("{}: this scene has {} bytes; the limit is {}", file, text.size(), kMaxSceneBytes));
     }
     const auto kept = std::make_shared<const std::string>(text);
+    // A whole program has the function main and waits in GLUT's loop. What 'twinlight export --as c' prints has them too,
+    // but only its function draw_scene is the scene.
+    if (text.find("glutMainLoop") != text.npos && text.substr(0, 400).find(kPrintedProgram) == text.npos) {
+        try {
+            std::vector<Token> tokens = preprocess(*kept, file);
+            if (is_program(tokens)) {
+                CommandList commands = Reader(std::move(tokens), file, load_image, options).run(name);
+                commands.text = kept;
+                return commands;
+            }
+        } catch (const SceneError& error) {
+            if (error.errors.empty()) throw;
+            throw SceneError(error.errors, kept);
+        }
+    }
     Reader reader(*kept, file, load_image);
     CommandList commands(name, reader.read());
     commands.text = kept;

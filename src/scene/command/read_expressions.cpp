@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "scene/command/memory.h"
+#include "scene/command/program.h"
 #include "scene/command/reader.h"
 #include "scene/command/text.h"
 
@@ -52,6 +53,15 @@ bool is_byte_type(const Token& token) {
     return token.is("void") || token.is("GLvoid") || token.is("char") || token.is("GLchar");
 }
 
+// 'a' or '\n'; of longer ones the first character.
+std::int64_t character_code(std::string_view quoted) {
+    const char c = quoted.size() > 2 ? quoted[1] : '\0';
+    if (c != '\\' || quoted.size() < 4) return static_cast<signed char>(c);
+    constexpr std::string_view kLetters = "abefnrtv0", kCodes("\a\b\x1b\f\n\r\t\v\0", 9);
+    const std::size_t at = kLetters.find(quoted[2]);
+    return static_cast<signed char>(at == kLetters.npos ? quoted[2] : kCodes[at]);
+}
+
 std::size_t product_of(std::span<const std::size_t> lengths) {
     return std::accumulate(lengths.begin(), lengths.end(), std::size_t{1}, std::multiplies<>());
 }
@@ -73,8 +83,12 @@ Value real(double value, bool is_float) {
 // ---- Types ----
 
 bool Reader::at_type() const {
-    return token_.is("signed") || token_.is("unsigned") || find_type(token_.text).has_value();
+    if (token_.is("signed") || token_.is("unsigned") || find_type(token_.text).has_value()) return true;
+    if (!program_) return false;
+    return token_.is("char") || token_.is("long") || token_.is("bool") || token_.is("size_t");
 }
+
+bool Reader::at_byte_type() const { return is_byte_type(token_); }
 
 Kind Reader::type_name() {
     while (accept("const")) {
@@ -84,10 +98,19 @@ Kind Reader::type_name() {
         advance();
         if (accept("char")) return is_unsigned ? Kind::kUbyte : Kind::kByte;
         if (accept("short")) return is_unsigned ? Kind::kUshort : Kind::kShort;
+        if (program_) accept("long");
         accept("int");
         return is_unsigned ? Kind::kUint : Kind::kInt;
     }
-    const std::optional<Kind> kind = find_type(token_.text);
+    std::optional<Kind> kind = find_type(token_.text);
+    if (program_ && !kind) {
+        if (token_.is("char")) kind = Kind::kByte;
+        if (token_.is("bool")) kind = Kind::kBoolean;
+        if (token_.is("long")) kind = ahead_.is("double") ? Kind::kDouble : Kind::kInt;
+        if (token_.is("size_t")) kind = Kind::kSizeiptr;
+        if (token_.is("long") && (ahead_.is("double") || ahead_.is("int") || ahead_.is("long"))) advance();
+    }
+    if (program_ && kind == Kind::kShort && ahead_.is("int")) advance();
     if (token_.kind != TokenKind::kName || !kind)
         fail(token_.place, "expected a type such as GLfloat, found {}", shown(token_));
     advance();
@@ -98,7 +121,7 @@ Kind Reader::type_name() {
 
 // ---- Operators ----
 
-Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) {
+Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) const {
     const char o = op.text[0];
     if (a.is_integer() && b.is_integer()) {
         std::int64_t result = 0;
@@ -109,10 +132,12 @@ Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) {
             case '*': overflow = __builtin_mul_overflow(a.integer, b.integer, &result); break;
             case '|': result = a.integer | b.integer; break;
             default:
+                if (b.integer == 0 && dry_) return integer(0);
                 if (b.integer == 0) fail(op.place, "this divides a whole number by 0");
                 overflow = a.integer == std::numeric_limits<std::int64_t>::min() && b.integer == -1;
-                if (!overflow) result = a.integer / b.integer;
+                if (!overflow) result = o == '%' ? a.integer % b.integer : a.integer / b.integer;
         }
+        if (overflow && dry_) return integer(0);
         if (overflow) fail(op.place, "this whole number is too large");
         return integer(result);
     }
@@ -120,6 +145,7 @@ Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) {
     if (b.is_pointer() && a.is_integer() && o == '+') return moved(op, b, a);
     if (a.is_pointer() || b.is_pointer())
         fail(op.place, "'{}' cannot combine an array with this value; only a whole number can be added to an array", o);
+    if (o == '%') fail(op.place, "'%' needs whole numbers; fmod(a, b) divides others");
     if (o == '|') fail(op.place, "'|' combines only whole numbers, as in GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
     const bool is_float = a.type != Value::Type::kDouble && b.type != Value::Type::kDouble;
     const double x = a.number(), y = b.number();
@@ -127,7 +153,8 @@ Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) {
 }
 
 // The pointer moved by a number of elements.
-Value Reader::moved(const Token& op, Value pointer, const Value& by) {
+Value Reader::moved(const Token& op, Value pointer, const Value& by) const {
+    if (dry_) return pointer;
     const auto step = static_cast<std::int64_t>(pointer.step);
     std::int64_t bytes = 0;
     const bool overflow = __builtin_mul_overflow(by.integer, step, &bytes) ||
@@ -142,6 +169,13 @@ Value Reader::moved(const Token& op, Value pointer, const Value& by) {
 
 Value Reader::expression() {
     if (++nesting_ > kMaxNesting) fail(token_.place, "this expression is nested more than {} levels deep", kMaxNesting);
+    if (program_) {
+        if (++program_->depth > kMaxProgramDepth) fail(token_.place, "this program is nested too deeply");
+        Value value = conditional();
+        --program_->depth;
+        --nesting_;
+        return value;
+    }
     Value value = sum();
     while (token_.is("|")) {
         const Token op = token_;
@@ -173,7 +207,7 @@ Value Reader::sum() {
 
 Value Reader::product() {
     Value value = unary();
-    while (token_.is("*") || token_.is("/")) {
+    while (token_.is("*") || token_.is("/") || (program_ && token_.is("%"))) {
         const Token op = token_;
         advance();
         value = arithmetic(op, value, unary());
@@ -183,13 +217,13 @@ Value Reader::product() {
 
 Value Reader::unary() {
     const Token start = token_;
-    bool negative = false;
+    bool negative = false, has_sign = false;
     while (token_.is("-") || token_.is("+")) {
+        has_sign = true;
         negative ^= token_.is("-");
         advance();
     }
-    const bool has_sign = token_.place.column != start.place.column || token_.place.line != start.place.line;
-    Value value = primary();
+    Value value = program_ ? prefix() : primary();
     if (has_sign && value.is_pointer()) fail(start.place, "an array cannot have a sign");
     if (!negative) return value;
     if (value.integer == std::numeric_limits<std::int64_t>::min()) fail(token_.place, "this whole number is too large");
@@ -216,6 +250,7 @@ Value Reader::primary() {
     }
     if (token.kind == TokenKind::kNumber) return literal(token);
     if (token.is("sizeof")) return size_of_operand();
+    if (program_ && token.kind == TokenKind::kName) return program_name(token);
     if (token.kind == TokenKind::kName) return named_value(token);
     if (token.is("{")) {
         fail(token.place,
@@ -253,6 +288,7 @@ Value Reader::cast(const Place& place) {
     } else {
         kind = type_name();
     }
+    if (program_ && !kind && !token_.is("*")) kind = Kind::kByte;  // (char)
     if (kind && token_.is("[")) return compound_literal(*kind, place);
     int stars = 0;
     while (token_.is("*") || token_.is("const")) {
@@ -263,6 +299,7 @@ Value Reader::cast(const Place& place) {
     Value value = unary();
     if (stars == 0) {
         if (value.is_pointer() || !kind) fail(place, "this cast does not give a number");
+        if (program_) return in_kind(value, *kind, place);
         if (is_real(*kind)) return real(value.number(), *kind == Kind::kFloat);
         const double whole = std::trunc(value.number());
         if (!(std::abs(whole) <= 0x1p53)) fail(place, "this number is too large for the cast");
@@ -301,6 +338,7 @@ Value Reader::compound_literal(Kind kind, const Place& place) {
 
 Value Reader::literal(const Token& token) {
     std::string_view digits = token.text;
+    if (digits[0] == '\'') return integer(character_code(digits));
     const bool hex = digits.starts_with("0x") || digits.starts_with("0X");
     const auto is_suffix = [](char c) { return std::string_view("uUlL").find(c) != std::string_view::npos; };
     const bool has_point = !hex && digits.find_first_of(".eE") != std::string_view::npos;
@@ -363,15 +401,19 @@ Value Reader::size_of_operand() {
 
 // Reads the subscripts after a variable's name. Returns nullopt if `name` is not a variable.
 std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
-    const auto found = variables_.find(name.text);
-    if (name.kind != TokenKind::kName || found == variables_.end()) return std::nullopt;
-    Object& object = found->second;
-    Lvalue result{&object, 0, object.dimensions};
+    Object* const found = name.kind == TokenKind::kName ? find_variable(name.text) : nullptr;
+    if (!found) return std::nullopt;
+    Object& object = found->target ? *found->target : *found;
+    Lvalue result{&object, found->offset, found->dimensions};
     while (!result.dimensions.empty() && accept("[")) {
         const Place place = token_.place;
         const Value index = number();
         expect("]", "after the index");
         const std::size_t length = result.dimensions.front();
+        if (dry_) {
+            result.dimensions.erase(result.dimensions.begin());
+            continue;
+        }
         if (!index.is_integer() || index.integer < 0 || index.integer >= static_cast<std::int64_t>(length)) {
             fail(place, "this index is outside {}, which has {} {}{}; indices start at 0", object.shown, length,
                  result.dimensions.size() > 1 ? "row" : "value", length == 1 ? "" : "s");
@@ -383,7 +425,7 @@ std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
 }
 
 // The value of an lvalue: a number, or for an array a pointer to its first element.
-Value Reader::value_of(const Lvalue& lvalue, const Place& place) {
+Value Reader::value_of(const Lvalue& lvalue, const Place& place) const {
     Object& object = *lvalue.object;
     if (!lvalue.dimensions.empty()) {
         return {.type = Value::Type::kPointer,
@@ -392,7 +434,11 @@ Value Reader::value_of(const Lvalue& lvalue, const Place& place) {
                 .kind = object.kind,
                 .step = size_of(object.kind) * product_of(std::span(lvalue.dimensions).subspan(1))};
     }
-    if (object.kind == Kind::kQuadric) fail(place, "{} is a quadric, but a number is needed here", object.shown);
+    if (dry_) return is_real(object.kind) ? real(0, object.kind == Kind::kFloat) : integer(0);
+    if (object.kind == Kind::kQuadric && !program_)
+        fail(place, "{} is a quadric, but a number is needed here", object.shown);
+    if (!object.known && program_)
+        out_of_reach(place, fmt::format("the value of {} ({})", object.shown, object.unknown_because));
     if (!object.known) fail(place, "{} has no value here: {}", object.shown, object.unknown_because);
     const double value = load(std::span(object.memory->bytes).subspan(lvalue.offset), object.kind);
     if (is_real(object.kind)) return real(value, object.kind == Kind::kFloat);
@@ -416,9 +462,19 @@ Value Reader::named_value(const Token& name) {
     if (name.text == "NAN") return real(std::numeric_limits<double>::quiet_NaN(), true);
     if (name.text == "NULL") return {.type = Value::Type::kPointer};
     if (const std::optional<Enum> value = find_gl_name_or_extension(name.text)) return integer(*value);
-    const std::optional<Lvalue> variable = lvalue(name);
-    if (!variable) unknown_name(name);
-    return value_of(*variable, name.place);
+    const std::optional<Lvalue> found = lvalue(name);
+    if (!found) unknown_name(name);
+    return value_of(*found, name.place);
+}
+
+Object* Reader::find_variable(std::string_view name) {
+    if (program_) {
+        const std::vector<Local>& locals = program_->locals;
+        for (std::size_t i = locals.size(); i > program_->frame; --i)
+            if (locals[i - 1].name == name) return locals[i - 1].object;
+    }
+    const auto found = variables_.find(name);
+    return found == variables_.end() ? nullptr : &found->second;
 }
 
 void Reader::unknown_name(const Token& name) {
@@ -446,13 +502,17 @@ void Reader::unknown_name(const Token& name) {
 std::vector<std::string_view> Reader::visible_names() const {
     std::vector<std::string_view> names;
     for (const auto& [name, object] : variables_) names.push_back(name);
+    if (!program_) return names;
+    for (std::size_t i = program_->frame; i < program_->locals.size(); ++i) names.push_back(program_->locals[i].name);
+    for (const auto& [name, function] : program_->functions) names.push_back(name);
     return names;
 }
 
 // ---- Conversion ----
 
 // The value converted to the C type of `kind`. `what` names it in messages.
-double Reader::converted(const Value& number, Kind kind, const Place& place, std::string_view what) {
+double Reader::converted(const Value& number, Kind kind, const Place& place, std::string_view what) const {
+    if (program_) return in_kind(number, kind, place).number();
     const double value = number.number();
     if (is_real(kind)) {
         if (!std::isfinite(value) || kind == Kind::kDouble) return value;

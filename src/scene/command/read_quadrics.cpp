@@ -28,13 +28,13 @@ double Reader::quadric_value() {
     if (token.is("gluNewQuadric")) return call().arguments.back();
     advance();
     if (token.is("NULL") || (token.kind == TokenKind::kNumber && token.text == "0")) return 0;
-    const auto found = variables_.find(token.text);
-    if (token.kind != TokenKind::kName || found == variables_.end() || found->second.kind != Kind::kQuadric) {
+    const Object* const found = token.kind == TokenKind::kName ? find_variable(token.text) : nullptr;
+    if (!found || found->kind != Kind::kQuadric) {
         const auto near = nearest(token.text, visible_names());
         fail(token.place, "expected gluNewQuadric() or the name of a GLUquadric*, found {}{}", shown(token),
-             near && found == variables_.end() ? fmt::format("; did you mean {}?", *near) : "");
+             near && !found ? fmt::format("; did you mean {}?", *near) : "");
     }
-    const Object& object = found->second;
+    const Object& object = *found;
     if (!object.known) {
         fail(token.place, "{} has no value here: {}; write {} = gluNewQuadric();", object.shown, object.unknown_because,
              token.text);

@@ -1,4 +1,7 @@
-// Reader: parses the C dialect and evaluates its expressions. Used only by read*.cpp.
+// Reader: parses the C dialect and evaluates its expressions. Used only by read*.cpp and run*.cpp.
+//
+// A whole program is read by the same functions. Reader runs it while it reads: a loop's body is read again for each
+// round, and what is not executed is skipped.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +33,10 @@ struct Object {
     bool is_literal = false;
     bool known = false;  // false if declared without a value, or written by glGet*
     std::string unknown_because{};
+    // A pointer or an array parameter of a program: the array that it points into, and the offset in bytes. Then
+    // `dimensions` are what lies behind that place, and there is no memory.
+    Object* target = nullptr;
+    std::size_t offset = 0;
 
     std::size_t length() const;  // number of values
 };
@@ -54,13 +61,24 @@ struct Value {
     double number() const { return is_integer() ? static_cast<double>(integer) : real; }
 };
 
+struct Program;
+struct Function;
+enum class Flow : std::uint8_t;
+
 class Reader {
   public:
-    Reader(std::string_view text, const std::string& file, const ImageLoader& load_image)
-        : lexer_(text, file), load_image_(load_image) {}
+    Reader(std::string_view text, const std::string& file, const ImageLoader& load_image);
+    // A whole program, from preprocess().
+    Reader(std::vector<Token> tokens, const std::string& file, const ImageLoader& load_image,
+           const ProgramOptions& options);
+    ~Reader();
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
 
     // Reads all statements. After an error it continues with the next statement; see errors().
     std::vector<Command> read();
+    // Runs a whole program in GLUT's order: main up to glutMainLoop, the reshape function, the display function.
+    CommandList run(const std::string& name);
     // At most kMaxErrorsShown; reading ends there.
     const std::vector<TextError>& errors() const { return errors_; }
 
@@ -144,17 +162,68 @@ class Reader {
     Value size_of_operand();
     std::optional<Lvalue> lvalue(const Token& name);
     [[noreturn]] void unknown_name(const Token& name);
-    static Value value_of(const Lvalue& lvalue, const Place& place);
+    Value value_of(const Lvalue& lvalue, const Place& place) const;
     static Value address_of(const Lvalue& lvalue);
-    static Value arithmetic(const Token& op, const Value& a, const Value& b);
-    static Value moved(const Token& op, Value pointer, const Value& by);
+    Value arithmetic(const Token& op, const Value& a, const Value& b) const;
+    Value moved(const Token& op, Value pointer, const Value& by) const;
+    Object* find_variable(std::string_view name);
 
     bool at_type() const;
     Kind type_name();
-    double converted(const Value& number, Kind kind, const Place& place, std::string_view what);
+    bool at_byte_type() const;
+    double converted(const Value& number, Kind kind, const Place& place, std::string_view what) const;
     std::vector<std::string_view> visible_names() const;
 
+    // -- a whole program: its functions and global variables (read_program.cpp) --
+    void match_brackets();
+    void read_functions();
+    void function(std::optional<Kind> result);
+    void enumeration();
+    void call_from_glut(const Token& name, const std::vector<Value>& given);
+    [[noreturn]] void out_of_reach(const Place& place, std::string_view construct) const;
+
+    // -- a whole program: what its statements do (run_program.cpp) --
+    void step();
+    void jump(std::size_t at);
+    Flow run_statement();
+    Flow run_block();
+    Flow run_if();
+    Flow run_while();
+    Flow run_do();
+    Flow run_for();
+    Flow run_switch();
+    Flow run_return();
+    bool is_declaration() const;
+    void declare(const Token& name, Object object);
+    bool declare_static(const Token& name);
+    void declare_pointer(const Token& name, Kind kind, bool is_static);
+    void forget_locals(std::size_t count);
+    void skip_statement();
+    void skip_expression();
+    bool condition();
+    void comma_expressions();
+    Value run_function(const Function& function, const std::vector<Value>& given, const Place& place);
+
+    // -- a whole program: its expressions (run_expressions.cpp) --
+    Value conditional();
+    Value binary(int lowest);
+    Value prefix();
+    Value combined(const Token& op, const Value& a, const Value& b) const;
+    Value variable(const Token& name, Lvalue place);
+    Value assigned(const Lvalue& place, const Value& value, const Token& name);
+    Value program_name(const Token& name);
+    Value call_in_program(const Token& name);
+    std::optional<Value> call_of_glut(const Token& name);
+    std::optional<Value> call_of_mathematics(const Token& name);
+    Value in_kind(const Value& value, Kind kind, const Place& place) const;
+    static bool is_true(const Value& value);
+    void skip_operand(int lowest);
+    std::vector<Value> values_in_parentheses();
+
     Lexer lexer_;
+    std::unique_ptr<Program> program_;  // null for scenes
+    // Reads an expression only for its type: nothing is called, assigned or checked.
+    bool dry_ = false;
     Token token_, ahead_;
     bool primed_ = false;
     std::size_t nesting_ = 0;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -48,6 +49,13 @@ inline constexpr std::size_t kMaxSceneBytes = 64u << 20;
 inline constexpr std::size_t kMaxNesting = 64;  // parentheses in an expression
 inline constexpr std::size_t kMaxArrayLength = 1 << 24;
 inline constexpr std::size_t kMaxMemoryBytes = 256u << 20;  // all arrays together
+// Limits on whole programs. A step is a word or a sign of the text that is read while the program runs.
+inline constexpr std::size_t kMaxProgramSteps = 50'000'000;
+inline constexpr std::size_t kMaxProgramTokens = 4'000'000;  // words and signs after macros are replaced
+inline constexpr std::size_t kMaxProgramCommands = 2'000'000;
+inline constexpr std::size_t kMaxProgramDepth = 800;    // statements, expressions and calls inside each other
+inline constexpr std::size_t kMaxProgramLocals = 1000;  // variables of one running function
+inline constexpr int kMaxProgramWindow = 8192;          // each side, in pixels
 
 // Red, green, blue and alpha of each pixel, one byte each; row by row, the bottom row first, as in GL.
 struct ImageFile {
@@ -59,13 +67,20 @@ using ImageLoader = std::function<ImageFile(const std::string& name)>;
 // For scenes without a folder, such as those from standard input: refuses every name.
 ImageFile no_images(const std::string& name);
 
-// Reads the C dialect. `file` appears in error messages, `name` in reports. Throws SceneError.
+// How a whole GLUT program is run (docs/scene-language.md). Other scenes ignore it.
+struct ProgramOptions {
+    std::optional<WindowSize> window{};  // instead of the size in glutInitWindowSize
+    std::size_t most_steps = kMaxProgramSteps;
+};
+
+// Reads the C dialect, or a whole GLUT program. `file` appears in error messages, `name` in reports. Throws SceneError.
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
-                       const ImageLoader& load_image = no_images);
+                       const ImageLoader& load_image = no_images, const ProgramOptions& options = {});
 
 std::string print_command(const Command& command);       // "glEnable(GL_LIGHT0);", no newline
 std::string print_scene(const CommandList& scene);       // one line per command
 std::string print_c_function(const CommandList& scene);  // "static void draw_scene(void) { ... }"
 std::string print_c_program(const CommandList& scene);   // a freeglut program that draws the scene
+inline constexpr std::string_view kPrintedProgram = ": a scene of Twinlight as a C program.";  // its first line
 
 }  // namespace twinlight

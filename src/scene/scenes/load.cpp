@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t kReadAtMost = kMaxSceneBytes + 1;
 
 CommandList read_limited(const std::string& text, const std::string& file, const std::string& name,
-                         const ImageLoader& load_image = no_images) {
+                         std::optional<WindowSize> window, const ImageLoader& load_image = no_images) {
     if (text.size() > kMaxSceneBytes) {
         throw SceneError(file + ": is larger than " + std::to_string(kMaxSceneBytes >> 20) +
                          " MiB, the limit for a scene");
     }
-    return read_scene(text, file, name, load_image);
+    return read_scene(text, file, name, load_image, {.window = window});
 }
 
 // Whether the front of a file or of standard input looks like a .trace. The newest format of apitrace has no signature.
@@ -40,17 +40,17 @@ bool is_c_program(std::string_view text) {
     return text.find("main(") != std::string_view::npos || text.find("main (") != std::string_view::npos;
 }
 
-std::shared_ptr<const Recording> load_standard_input() {
+std::shared_ptr<const Recording> load_standard_input(std::optional<WindowSize> window) {
     const std::string front = read_standard_input(trace::kFrontBytes);
     if (trace::is_trace(front) || trace::is_dump(front)) return trace::open_standard_input(front);
     return std::make_shared<CommandList>(
-        read_limited(front + read_standard_input(kReadAtMost - front.size()), "<stdin>", "stdin"));
+        read_limited(front + read_standard_input(kReadAtMost - front.size()), "<stdin>", "stdin", window));
 }
 
 }  // namespace
 
-std::shared_ptr<const Recording> load_recording(const std::string& scene) {
-    if (scene == "-") return load_standard_input();
+std::shared_ptr<const Recording> load_recording(const std::string& scene, std::optional<WindowSize> window) {
+    if (scene == "-") return load_standard_input(window);
     std::vector<std::string_view> names;
     for (const EmbeddedFile& file : kSceneFiles) {
         names.push_back(file.name.substr(0, file.name.rfind(".gl")));
@@ -81,10 +81,11 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene) {
         throw SceneError(scene + ": this is a program, not a scene; " + how_to_record(scene));
     const std::string text = again ? read_file(scene, kReadAtMost) : front;
     try {
-        return std::make_shared<CommandList>(
-            read_limited(text, scene, path.filename().string(), again ? images_beside(path) : ImageLoader(no_images)));
+        return std::make_shared<CommandList>(read_limited(text, scene, path.filename().string(), window,
+                                                          again ? images_beside(path) : ImageLoader(no_images)));
     } catch (SceneError& error) {
-        if (is_c_program(text)) error.note = "this is a C program; " + how_to_record(scene);
+        const bool names_record = std::string_view(error.what()).find("twinlight record") != std::string_view::npos;
+        if (is_c_program(text) && !names_record) error.note = "this is a C program; " + how_to_record(scene);
         throw;
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,10 @@ extern const std::vector<EmbeddedFile> kSceneFiles;
 
 // `scene` is the name of a built-in scene, a file, or - for standard input. The content decides how it is read: a scene
 // in C gives a CommandList; an apitrace .trace or the text of its dump gives a recording that is read each time it is
-// visited. Throws SceneError, and FileError if a file cannot be read.
-std::shared_ptr<const Recording> load_recording(const std::string& scene);
+// visited. A whole C program runs with `window` instead of its own size. Throws SceneError, and FileError if a file cannot
+// be read.
+std::shared_ptr<const Recording> load_recording(const std::string& scene,
+                                                std::optional<WindowSize> window = std::nullopt);
 // The same, but refuses recorded programs.
 std::shared_ptr<const CommandList> load_commands(const std::string& scene);
 

@@ -239,7 +239,9 @@ void State::execute_list(const Command& c, std::uint32_t name) {
     for (const ListedCommand& listed : list->commands) {
         if (exhausted_ || !has_time(c, 1 + static_cast<double>(listed.elements()))) break;
         lists_.quadric = listed.quadric.get();
+        if (watch_list_) watch_list_(listed.command, false);
         execute_listed(listed);
+        if (watch_list_) watch_list_(listed.command, true);
     }
     lists_.quadric = nullptr;
     --lists_.nesting;

@@ -1,6 +1,7 @@
 // State: GL's state machine in double precision. It executes commands, raises GL's errors and builds a Frame.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -52,6 +53,12 @@ class State {
     std::size_t error_count() const { return error_count_; }
     // The first GL_OUT_OF_MEMORY: the scene exceeds a limit of Twinlight, so no driver should execute it.
     const std::optional<GlError>& exhausted() const { return exhausted_; }
+
+    // Calls `watch` before and after each command of a display list that is executed. The place of such a command is
+    // where the list was made.
+    void watch_lists(std::function<void(const Command& command, bool is_done)> watch) {
+        watch_list_ = std::move(watch);
+    }
 
     // Notes a call of a function that Twinlight does not know. Its effect is unknown, so it is listed as unsupported
     // for this picture and all later ones.
@@ -208,6 +215,7 @@ class State {
     std::vector<std::optional<PixelStore>> saved_pixel_stores_;  // by glPushClientAttrib, one per level
     VertexArrays arrays_;
     Lists lists_;
+    std::function<void(const Command&, bool)> watch_list_;
     MatrixStack modelview_{{}}, projection_{{}};
     std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // one per unit
     std::vector<SavedAttributes> attribute_stack_;

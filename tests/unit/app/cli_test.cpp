@@ -78,7 +78,8 @@ TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
                                                                                          {"scenes"},
                                                                                          {"study"},
                                                                                          {"fuzz"},
-                                                                                         {"check"}}) {
+                                                                                         {"check"},
+                                                                                         {"lint"}}) {
         for (const char* flag : {"--help", "-h", "--version"}) {
             std::vector<std::string> arguments = command;
             arguments.emplace_back(flag);
@@ -93,8 +94,8 @@ TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
 
 TEST_F(Cli, RefusesBadUse) {
     const std::string file = scene(kScene);
-    expect_refused(run({}),
-                   "a command is missing: render, compare, explain, export, record, scenes, study, fuzz or check");
+    expect_refused(
+        run({}), "a command is missing: render, compare, explain, export, record, scenes, study, fuzz, check or lint");
     expect_refused(run({"rendr"}), "there is no command 'rendr'; did you mean 'render'?");
     expect_refused(run({"--bogus"}), "'--bogus'");
     expect_refused(run({"render"}), "SCENE is required; see 'twinlight render --help'");

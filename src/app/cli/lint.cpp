@@ -1,0 +1,142 @@
+// twinlight lint: warns about mistakes in a scene's lighting that GL accepts without an error.
+#include "judge/lint/lint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "app/cli/command_line.h"
+#include "app/cli/lint_notes.h"
+#include "base/image/file.h"
+#include "base/image/png.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
+
+namespace twinlight::cli {
+
+namespace {
+
+struct LintArguments {
+    std::string scene, fix, output;
+    std::optional<Size> size;
+    std::optional<int> frame;
+    bool json = false, rules = false;
+};
+
+constexpr int kPictureWidth = 160, kPictureHeight = 120;
+
+std::string picture_of(const std::string& text, const std::string& name) {
+    const auto list = std::make_shared<CommandList>(read_scene(text, name, name));
+    const Scene scene = make_scene(list, {.width = kPictureWidth, .height = kPictureHeight});
+    return encode_png(reference::render(scene.frame, {}));
+}
+
+// lint.md, and lint/NAME-wrong.png and lint/NAME-mended.png for each rule.
+void write_rules(const std::string& folder) {
+    const std::filesystem::path root = folder;
+    std::error_code error;
+    std::filesystem::create_directories(root / "lint", error);
+    if (error) throw FileError((root / "lint").string() + ": " + error.message());
+    for (const lint::Rule& rule : lint::rules()) {
+        const std::string name(rule.name);
+        write_file_atomically((root / "lint" / (name + "-wrong.png")).string(),
+                              picture_of(lint::wrong_scene(rule), name));
+        write_file_atomically((root / "lint" / (name + "-mended.png")).string(),
+                              picture_of(lint::mended_scene(rule), name));
+    }
+    write_file_atomically((root / "lint.md").string(), lint::markdown());
+}
+
+int write_mended(const LintArguments& arguments, const Scene& scene, const std::vector<lint::Warning>& warnings) {
+    const CommandList* list = scene.recording->command_list();
+    if (!list || !list->text) throw UsageError("--fix works on scenes in C, not on recorded programs");
+    const lint::Rule* rule = lint::find_rule(arguments.fix);
+    if (!rule) {
+        std::vector<std::string_view> names;
+        for (const lint::Rule& known : lint::rules()) names.push_back(known.name);
+        const auto near = nearest(arguments.fix, names);
+        throw UsageError(fmt::format(
+            "--fix: there is no rule '{}'; {}", arguments.fix,
+            near ? fmt::format("did you mean '{}'?", *near) : "the name is in brackets at the end of a warning"));
+    }
+    const auto found =
+        std::ranges::find_if(warnings, [&](const lint::Warning& warning) { return warning.rule == rule; });
+    if (found == warnings.end()) throw UsageError(fmt::format("--fix: this scene has no warning '{}'", arguments.fix));
+    if (found->edits.empty())
+        throw UsageError(fmt::format("--fix: '{}' needs your own change: {}", arguments.fix, found->fix));
+    const auto others = std::ranges::count_if(
+        warnings, [&](const lint::Warning& warning) { return warning.rule == rule && warning.place == found->place; });
+    if (found->count + others > 2 &&
+        std::ranges::any_of(found->edits, [](const lint::Edit& edit) { return edit.removes; }))
+        throw UsageError(fmt::format("--fix: '{}' is in {} places; mend them yourself: {}", arguments.fix, found->count,
+                                     found->fix));
+    const std::string text = lint::mended(*list->text, *found);
+    if (arguments.output == "-")
+        write_result(text);
+    else
+        write_file_atomically(arguments.output, text);
+    return kFine;
+}
+
+int run_lint(const LintArguments& arguments) {
+    if (arguments.rules) {
+        if (!arguments.scene.empty()) throw UsageError("--rules takes no SCENE");
+        if (arguments.output.empty())
+            write_result(lint::markdown());
+        else
+            write_rules(arguments.output);
+        return kFine;
+    }
+    if (arguments.scene.empty()) throw UsageError("SCENE is required; see 'twinlight lint --help'");
+    if (arguments.fix.empty() != arguments.output.empty())
+        throw UsageError("--fix NAME and -o FILE belong together; give both or neither");
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
+    const std::vector<lint::Warning> warnings = lint::lint(scene);
+    if (!arguments.fix.empty()) return write_mended(arguments, scene, warnings);
+    if (arguments.json) {
+        write_result(lint::json_text(scene.name(), warnings));
+    } else {
+        const CommandList* list = scene.recording->command_list();
+        std::string text;
+        for (const lint::Warning& warning : warnings)
+            text += lint::full_text(warning, list && list->text ? std::string_view(*list->text) : "");
+        write_result(text);
+    }
+    return warnings.empty() ? kFine : kDifferent;
+}
+
+}  // namespace
+
+void print_lint_notes(const std::vector<lint::Warning>& warnings, const std::string& scene) {
+    if (warnings.empty()) return;
+    for (const lint::Warning& warning : warnings) fmt::print(stderr, "{}\n", one_line(lint::headline(warning)));
+    fmt::print(stderr, "twinlight: note: 'twinlight lint {}' shows how to mend {}\n", one_line(scene),
+               warnings.size() == 1 ? "it" : "them");
+}
+
+Subcommand add_lint(CLI::App& app) {
+    const auto arguments = std::make_shared<LintArguments>();
+    CLI::App* lint = app.add_subcommand("lint", "Find mistakes in a scene's lighting that GL accepts without an error");
+    add_scene_argument(*lint, arguments->scene)->required(false);
+    add_size_option(*lint, arguments->size);
+    add_frame_option(*lint, arguments->frame);
+    lint->add_flag("--json", arguments->json, "print one JSON object instead of the text");
+    lint->add_option("--fix", arguments->fix, "write the scene with the first warning of this name mended; needs -o")
+        ->type_name("NAME")
+        ->check(not_empty());
+    lint->add_flag("--rules", arguments->rules,
+                   "print the list of rules (docs/lint.md); with -o DIR, write it there with its pictures");
+    lint->add_option("-o", arguments->output, "output file of --fix, or - for standard output; folder of --rules")
+        ->type_name("FILE")
+        ->check(not_empty());
+    lint->footer(
+        "A comment in the scene silences a warning: // twinlight: allow(NAME), at the end of a line for that line, or\n"
+        "on a line of its own for the whole scene.\n"
+        "Exit status: 0 no warnings, 1 some warnings, 2 bad input or usage.");
+    return {lint, [arguments] { return run_lint(*arguments); }};
+}
+
+}  // namespace twinlight::cli

@@ -1,0 +1,126 @@
+// Runs the rules over a scene: executes its commands, shows them to each rule's Watch, and joins repeated warnings.
+#include "judge/lint/lint.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "judge/lint/source.h"
+#include "judge/lint/watch.h"
+
+namespace twinlight::lint {
+
+std::span<const Rule> rules() {
+    static const std::vector<Rule> all = [] {
+        std::vector<Rule> joined;
+        for (const auto& part : {light_rules(), material_rules(), normal_rules(), view_rules(), picture_rules()})
+            joined.insert(joined.end(), part.begin(), part.end());
+        return joined;
+    }();
+    return all;
+}
+
+const Rule* find_rule(std::string_view name) {
+    const auto found = std::ranges::find(rules(), name, &Rule::name);
+    return found == rules().end() ? nullptr : &*found;
+}
+
+namespace {
+
+// Commands that come only as part of Draws.
+constexpr CommandSet kOnlyInDraws = CommandSet::of({"vertex", "tex_coord", "multi_tex_coord", "edge_flag"});
+
+class Walk {
+  public:
+    explicit Walk(const Frame& frame) : state_({.width = frame.width, .height = frame.height}) {
+        for (const Rule& rule : rules()) watches_.push_back(rule.make());
+        state_.watch_lists([this](const Command& command, bool is_done) { show(command, is_done); });
+    }
+
+    void take(const Step& step) {
+        if (step.kind != Step::Kind::kCommand || state_.exhausted()) return;
+        // What GL_COMPILE stores is shown when it is executed.
+        const bool is_stored = state_.lists().open_name != 0 && state_.lists().open_mode == kGL_COMPILE;
+        if (!is_stored) show(step.command, false);
+        state_.apply(step.command);
+        if (!is_stored) show(step.command, true);
+    }
+
+    std::vector<Warning> finish(const Frame& frame, bool is_recorded) {
+        std::vector<Warning> all;
+        for (std::size_t i = 0; i < watches_.size(); ++i) {
+            watches_[i]->finish(frame, is_recorded);
+            for (Warning& warning : watches_[i]->take()) {
+                warning.rule = &rules()[i];
+                all.push_back(std::move(warning));
+            }
+        }
+        return all;
+    }
+
+  private:
+    void show(const Command& command, bool is_done) {
+        if (kOnlyInDraws.contains(command.id)) return;
+        if (!is_done) {
+            for (const auto& watch : watches_) watch->before(command, state_);
+            return;
+        }
+        for (const auto& item : state_.items())
+            if (const Draw* draw = std::get_if<Draw>(&item))
+                for (const auto& watch : watches_) watch->drawn(*draw, state_);
+        state_.drop_picture();
+        for (const auto& watch : watches_) watch->after(command, state_);
+    }
+
+    State state_;
+    std::vector<std::unique_ptr<Watch>> watches_;
+};
+
+// Warnings of a rule with the same key are one, with the number of its places.
+std::vector<Warning> joined(std::vector<Warning> warnings) {
+    std::vector<Warning> kept;
+    std::map<std::tuple<const Rule*, std::string>, std::size_t> numbers;
+    std::vector<std::set<std::pair<int, int>>> places;  // of each kept warning
+    for (Warning& warning : warnings) {
+        const std::string key = warning.key.empty() ? warning.message : warning.key;
+        const auto [at, is_new] = numbers.try_emplace({warning.rule, key}, kept.size());
+        const std::pair place(warning.place.line, warning.place.column);
+        if (is_new) {
+            kept.push_back(std::move(warning));
+            places.emplace_back();
+        }
+        places[at->second].insert(place);
+        kept[at->second].count = static_cast<int>(places[at->second].size());
+    }
+    std::ranges::stable_sort(
+        kept, {}, [](const Warning& warning) { return std::pair(warning.place.line, warning.place.column); });
+    return kept;
+}
+
+}  // namespace
+
+std::vector<Warning> lint(const Scene& scene) {
+    Walk walk(scene.frame);
+    scene.recording->for_each([&](const Step& step) {
+        walk.take(step);
+        return true;
+    });
+    const CommandList* list = scene.recording->command_list();
+    std::vector<Warning> warnings = walk.finish(scene.frame, list == nullptr);
+    if (list && list->text) {
+        const Allowed allowed(*list->text);
+        std::erase_if(warnings,
+                      [&](const Warning& warning) { return allowed.has(warning.rule->name, warning.place.line); });
+    }
+    std::set<std::string_view> found;
+    for (const Warning& warning : warnings) found.insert(warning.rule->name);
+    std::erase_if(warnings, [&](const Warning& warning) {
+        return std::ranges::any_of(warning.rule->explained_by,
+                                   [&](std::string_view cause) { return found.contains(cause); });
+    });
+    return joined(std::move(warnings));
+}
+
+}  // namespace twinlight::lint

@@ -1,0 +1,76 @@
+// The linter: warns about mistakes in lighting that GL accepts without an error.
+//
+// A rule watches the commands, the state while they run, the Draws, and the finished Frame. rules() is the table;
+// docs/lint.md is generated from it.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/state/scene.h"
+
+namespace twinlight::lint {
+
+class Watch;
+
+struct Rule {
+    std::string_view name;   // "light-before-camera"
+    std::string_view what;   // what is wrong: a sentence
+    std::string_view why;    // the reason, with the section of GL 2.1: sentences
+    std::string_view mend;   // the call to write
+    std::string_view scene;  // a small scene as a diff: lines that start with "-" are wrong, with "+" mended
+    std::unique_ptr<Watch> (*make)();
+    std::vector<std::string_view> explained_by{};  // rules whose mistakes cause this one: it warns only without them
+};
+
+std::span<const Rule> rules();
+const Rule* find_rule(std::string_view name);  // null if there is none
+
+// The two scenes of a rule, whole: with the mistake, and mended.
+std::string wrong_scene(const Rule& rule);
+std::string mended_scene(const Rule& rule);
+
+// One change of a scene's text, at the statement that starts at `place`.
+struct Edit {
+    Place place;
+    bool removes = false;   // removes the statement
+    std::string insert{};   // writes this statement: before it, or instead of it if it is removed
+    bool is_after = false;  // writes it after the statement
+    Place moved{};          // writes the statement at this place and removes it there, instead of `insert`
+};
+
+struct Warning {
+    const Rule* rule = nullptr;
+    Place place;
+    std::string message;  // what is wrong here, with numbers
+    std::string fix;      // the call to write here
+    std::vector<Edit> edits{};
+    int count = 1;      // how often; `place` is the first
+    std::string key{};  // warnings of a rule with the same key are one; empty: the message
+};
+
+// All warnings of a scene, in the order of their places. Comments of its text silence rules: `// twinlight: allow(name)` on
+// a line of its own for the whole text, at the end of a line for that line.
+std::vector<Warning> lint(const Scene& scene);
+
+// ---- Output (warnings.cpp) ----
+
+// "scene.gl:7:1: warning: message [name]"
+std::string headline(const Warning& warning);
+// As compilers print it: the headline, the line of the text with a caret, the reason and the fix.
+std::string full_text(const Warning& warning, std::string_view source);
+// {"scene", "warnings": [{"name", "line", "column", "count", "message", "why", "fix"}]}. For a recorded program, `line` is the
+// number of the call and `column` is null.
+std::string json_text(const std::string& scene, std::span<const Warning> warnings);
+// docs/lint.md.
+std::string markdown();
+
+// ---- Source text (source.cpp) ----
+
+// The scene's text with the edits of a warning.
+std::string mended(std::string_view source, const Warning& warning);
+
+}  // namespace twinlight::lint

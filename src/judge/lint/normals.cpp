@@ -1,0 +1,340 @@
+// Rules about normals and the sides of polygons.
+#include <algorithm>
+#include <cmath>
+
+#include "judge/lint/watch.h"
+
+namespace twinlight::lint {
+
+namespace {
+
+// Normals within 5 % of length 1 change a colour by less than anyone sees.
+constexpr double kLengthTolerance = 0.05;
+
+bool uses_normals(const Draw& draw) {
+    return std::ranges::any_of(enabled_lights(draw), [&](int light) {
+        const LightSource& source = draw.lighting.lights[static_cast<std::size_t>(light)];
+        return !is_black(source.diffuse) || !is_black(source.specular);
+    });
+}
+
+bool normalizes(const Draw& draw) { return draw.lighting.normalize; }
+
+// The length furthest from 1 among normals that are not 0; 1 if all are near.
+template <class Normals>
+double worst_length(const Normals& normals) {
+    double worst = 1;
+    for (const glm::dvec3& normal : normals) {
+        const double length = glm::length(normal);
+        if (length > 0 && std::abs(std::log(length)) > std::abs(std::log(worst))) worst = length;
+    }
+    return std::abs(worst - 1) > kLengthTolerance ? worst : 1;
+}
+
+std::vector<glm::dvec3> object_normals(const Draw& draw) {
+    std::vector<glm::dvec3> normals;
+    for (const Vertex& vertex : draw.vertices) normals.push_back(vertex.normal_object);
+    return normals;
+}
+
+std::vector<glm::dvec3> eye_normals(const Draw& draw) {
+    std::vector<glm::dvec3> normals;
+    for (const EyeVertex& vertex : eye_vertices(draw)) normals.push_back(vertex.normal);
+    return normals;
+}
+
+Edit normalize_before(const Place& place) { return {.place = place, .insert = "glEnable(GL_NORMALIZE);"}; }
+
+// The modelview matrix makes normals of length 1 longer or shorter.
+class ScaledNormals : public Watch {
+  public:
+    void after(const Command& command, const State&) override {
+        if (is_effect(command, "scale")) scale_ = command.place;
+    }
+    void drawn(const Draw& draw, const State&) override {
+        if (!uses_normals(draw) || normalizes(draw) || worst_length(object_normals(draw)) != 1) return;
+        const double length = worst_length(eye_normals(draw));
+        if (length == 1) return;
+        warn({.place = draw.place,
+              .message =
+                  fmt::format("the modelview matrix scales this object, and its normals with it: to length {:.2g} "
+                              "instead of 1, so it is too {}",
+                              length, length < 1 ? "dark" : "bright"),
+              .fix = "glEnable(GL_NORMALIZE);",
+              .edits = {normalize_before(draw.place)},
+              .key = fmt::format("{:.1f}", length)});
+    }
+
+  private:
+    Place scale_;
+};
+
+class LongNormals : public Watch {
+    void drawn(const Draw& draw, const State&) override {
+        if (!uses_normals(draw) || draw.lighting.normalize) return;
+        const double length = worst_length(object_normals(draw));
+        if (length == 1 || worst_length(eye_normals(draw)) == 1) return;
+        warn({.place = draw.place,
+              .message = fmt::format("normals of this object have length {:.2g} instead of 1, so it is too {}", length,
+                                     length < 1 ? "dark" : "bright"),
+              .fix = "glEnable(GL_NORMALIZE);",
+              .edits = {normalize_before(draw.place)},
+              .key = fmt::format("{:.1f}", length)});
+    }
+};
+
+class ZeroNormal : public Watch {
+  public:
+    void after(const Command& command, const State&) override {
+        if (!is_effect(command, "normal")) return;
+        const bool is_zero = std::ranges::all_of(command.arguments, [](double v) { return v == 0; });
+        if (is_zero && zero_.line == 0) zero_ = command.place;
+    }
+    void drawn(const Draw& draw, const State&) override {
+        if (zero_.line == 0 || !uses_normals(draw)) return;
+        const bool has_zero =
+            std::ranges::any_of(draw.vertices, [](const Vertex& v) { return v.normal_object == glm::dvec3(0); });
+        if (!has_zero) return;
+        warn({.place = zero_,
+              .message = "this normal is (0, 0, 0): no light reaches the vertex",
+              .fix = "give the direction that the surface faces, such as glNormal3f(0, 0, 1)",
+              .key = "zero"});
+    }
+
+  private:
+    Place zero_;
+};
+
+// The normal of a triangle's plane in eye coordinates, of length 1; 0 for one without area.
+glm::dvec3 plane_normal(const std::vector<EyeVertex>& vertices, const Triangle& triangle) {
+    const glm::dvec3 a = vertices[triangle[0]].position, b = vertices[triangle[1]].position,
+                     c = vertices[triangle[2]].position;
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double length = glm::length(normal);
+    return length > 0 ? normal / length : glm::dvec3(0);
+}
+
+// Flat polygons whose one normal does not fit their plane.
+class NormalDoesNotFit : public Watch {
+  public:
+    explicit NormalDoesNotFit(bool is_never_set) : wants_never_set_(is_never_set) {}
+
+    void after(const Command& command, const State&) override {
+        // Shapes send normals, too.
+        if (is_effect(command, "normal") || is_effect(command, "quadric_shape") || is_effect(command, "client_arrays"))
+            is_set_ = true;
+    }
+    void drawn(const Draw& draw, const State&) override {
+        if (is_set_ == wants_never_set_ || draw.surfaces || !uses_normals(draw) || draw.vertices.size() < 3) return;
+        const std::vector<EyeVertex> vertices = eye_vertices(draw);
+        std::size_t wrong = 0;
+        double worst = 90;
+        for (const Triangle& triangle : triangles_of(draw)) {
+            const glm::dvec3 normal = draw.vertices[triangle[0]].normal_object;
+            if (normal != draw.vertices[triangle[1]].normal_object ||
+                normal != draw.vertices[triangle[2]].normal_object)
+                continue;
+            const glm::dvec3 plane = plane_normal(vertices, triangle);
+            const double length = glm::length(vertices[triangle[0]].normal);
+            if (plane == glm::dvec3(0) || length == 0) continue;
+            const double cosine = std::abs(glm::dot(plane, vertices[triangle[0]].normal)) / length;
+            if (cosine > 0.5) continue;  // 60 degrees
+            ++wrong;
+            worst = std::min(worst, cosine);
+        }
+        if (wrong == 0) return;
+        if (wants_never_set_)
+            warn({.place = draw.place,
+                  .message = "this object is lit, but no glNormal was called: all its normals are (0, 0, 1)",
+                  .fix = "call glNormal3f before the vertices of each face, with the direction that it faces"});
+        else
+            warn({.place = draw.place,
+                  .message =
+                      "a polygon has a normal that lies along it: a glNormal is missing, and the last one is still "
+                      "in use",
+                  .fix = "call glNormal3f before the vertices of each face, with the direction that it faces"});
+    }
+
+  private:
+    bool wants_never_set_;
+    bool is_set_ = false;
+};
+struct NormalNeverSet : NormalDoesNotFit {
+    NormalNeverSet() : NormalDoesNotFit(true) {}
+};
+struct NormalStale : NormalDoesNotFit {
+    NormalStale() : NormalDoesNotFit(false) {}
+};
+
+// Front faces, by their vertices' order, whose normals point to the other side, where that matters.
+class WindingAgainstNormals : public Watch {
+  public:
+    void after(const Command& command, const State&) override {
+        if (is_effect(command, "shape")) shape_ = command;
+    }
+    void drawn(const Draw& draw, const State&) override {
+        const bool is_two_sided = draw.lighting.light_model.two_side && uses_normals(draw);
+        const bool culls = draw.raster.cull_enabled && draw.raster.cull_face != kGL_FRONT_AND_BACK;
+        if (!draw.lighting.enabled || (!is_two_sided && !culls)) return;
+        // Back faces are kept on purpose: the inside of a room.
+        if (culls && draw.raster.cull_face == kGL_FRONT) return;
+        const std::vector<EyeVertex> vertices = eye_vertices(draw);
+        std::size_t triangles = 0, disagree = 0;
+        for (const Triangle& triangle : triangles_of(draw)) {
+            const glm::dvec3 plane =
+                plane_normal(vertices, triangle) * (draw.raster.front_face == kGL_CCW ? 1.0 : -1.0);
+            const glm::dvec3 sum =
+                vertices[triangle[0]].normal + vertices[triangle[1]].normal + vertices[triangle[2]].normal;
+            const double length = glm::length(sum);
+            const double cosine = length > 0 ? glm::dot(plane, sum) / length : 0;
+            if (plane == glm::dvec3(0)) continue;
+            ++triangles;
+            disagree += cosine < -0.7;  // other normals fit no side
+        }
+        if (disagree == 0 || disagree * 10 < triangles * 9) return;
+        const bool is_tea =
+            shape_ && shape_->place == draw.place && shape_->name().find("Tea") != std::string_view::npos;
+        const std::string other = draw.raster.front_face == kGL_CCW ? "glFrontFace(GL_CW);" : "glFrontFace(GL_CCW);";
+        warn({.place = draw.place,
+              .message = fmt::format("{}: GL takes the outside of this object for its back{}",
+                                     is_tea ? "the triangles of GLUT's tea set are clockwise"
+                                            : "the vertices' order does not match the normals",
+                                     culls ? ", and culls it" : ", and lights it with the turned normal"),
+              .fix = other + " before it, and back after it",
+              .edits = {{.place = draw.place, .insert = other}}});
+    }
+
+  private:
+    std::optional<Command> shape_;
+};
+
+class FlattenedNormals : public Watch {
+  public:
+    void after(const Command& command, const State& state) override {
+        if (!is_effect(command, "scale") || state.attributes().matrix_mode != kGL_MODELVIEW) return;
+        const bool has_zero = command.number(0) == 0 || command.number(1) == 0 || command.number(2) == 0;
+        if (has_zero) scale_ = command.place;
+    }
+    void drawn(const Draw& draw, const State&) override {
+        if (scale_.line == 0 || !uses_normals(draw) || glm::determinant(glm::dmat3(draw.eye_from_object)) != 0) return;
+        warn({.place = scale_,
+              .message = "this glScale has a factor of 0, so normals cannot be computed and the object is dark",
+              .fix = "use a small factor such as 0.001 and glEnable(GL_NORMALIZE)",
+              .key = "flat"});
+    }
+
+  private:
+    Place scale_;
+};
+
+}  // namespace
+
+std::vector<Rule> normal_rules() {
+    return {
+        {"scale-without-normalize",
+         "The modelview matrix scales a lit object, and with it the length of its normals. The object is too dark or "
+         "too "
+         "bright.",
+         "Section 2.11.3: normals are multiplied by the inverse of the modelview matrix, so a scale of 3 makes them a "
+         "third "
+         "as long. Lighting needs length 1. (`GL_NORMALIZE` costs little.)",
+         "glEnable(GL_NORMALIZE);",
+         R"(// the view
+// the light
++glEnable(GL_NORMALIZE);
+ glScalef(3, 3, 3);
+ glutSolidSphere(0.5, 40, 20);
+)",
+         make_watch<ScaledNormals>},
+        {"normal-length", "The normals of a lit object do not have length 1. The object is too dark or too bright.",
+         "Section 2.14.1: the lighting equation takes the normal as it is. Section 2.11.3: `GL_NORMALIZE` gives it "
+         "length 1.",
+         "glEnable(GL_NORMALIZE);",
+         R"(// the view
+// the light
++glEnable(GL_NORMALIZE);
+ glBegin(GL_TRIANGLES);
+ glNormal3f(0, 0.2, 0.4);
+ glVertex3f(-2, -1, 0);
+ glVertex3f(2, -1, 0);
+ glVertex3f(0, 2, -1.5);
+ glEnd();
+)",
+         make_watch<LongNormals>},
+        {"normal-zero", "A normal is (0, 0, 0). No light reaches the vertex.",
+         "Section 2.14.1: n . VP is 0, so neither diffuse nor specular light is added.", "glNormal3f(0, 0, 1);",
+         R"(// the view
+// the light
+ glBegin(GL_TRIANGLES);
+-glNormal3f(0, 0, 0);
++glNormal3f(0, 0, 1);
+ glVertex3f(-2, -1, 0);
+ glVertex3f(2, -1, 0);
+ glVertex3f(0, 2, 0);
+ glEnd();
+)",
+         make_watch<ZeroNormal>},
+        {"normal-missing", "An object is lit, but `glNormal` is never called. All its normals are (0, 0, 1).",
+         "Section 2.7: the initial current normal is (0, 0, 1), and a vertex has the current normal.",
+         "glNormal3f(0, 1, 0);",
+         R"(// the view
+// the light
+ glBegin(GL_QUADS);
++glNormal3f(0, 1, 0);
+ glVertex3f(-2, 0, 2);
+ glVertex3f(2, 0, 2);
+ glVertex3f(2, 0, -2);
+ glVertex3f(-2, 0, -2);
+ glEnd();
+)",
+         make_watch<NormalNeverSet>},
+        {"normal-stale",
+         "A face has no `glNormal` of its own. It has the normal of the face before it, which lies along its surface.",
+         "Section 2.7: the current normal holds until the next `glNormal`.", "glNormal3f(0, 0, 1);",
+         R"(// the view
+// the light
+ glBegin(GL_QUADS);
+ glNormal3f(0, 1, 0);
+ glVertex3f(-2, 0, 2);
+ glVertex3f(2, 0, 2);
+ glVertex3f(2, 0, -2);
+ glVertex3f(-2, 0, -2);
++glNormal3f(0, 0, 1);
+ glVertex3f(-2, -1, 2);
+ glVertex3f(2, -1, 2);
+ glVertex3f(2, 0, 2);
+ glVertex3f(-2, 0, 2);
+ glEnd();
+)",
+         make_watch<NormalStale>},
+        {"winding-against-normals",
+         "Faces are culled or lit on both sides, but the order of an object's vertices does not match its normals: GL "
+         "takes the "
+         "outside for the back. GLUT's teapot is such an object.",
+         "Section 3.5.1: `glFrontFace` decides by the order of the vertices in the window, not by normals. Section "
+         "2.14.1: a "
+         "back face is lit with the turned normal.",
+         "glFrontFace(GL_CW);",
+         R"(// the view
+// the light
+ glEnable(GL_CULL_FACE);
++glFrontFace(GL_CW);
+ glutSolidTeapot(1.3);
+)",
+         make_watch<WindingAgainstNormals>},
+        {"scale-zero",
+         "`glScale` with a factor of 0 flattens a lit object. Its normals cannot be computed, and it is dark.",
+         "Section 2.11.3: normals need the inverse of the modelview matrix, which does not exist.",
+         "glScalef(1, 0.001, 1); glEnable(GL_NORMALIZE);",
+         R"(// the view
+// the light
++glEnable(GL_NORMALIZE);
+-glScalef(1, 0, 1);
++glScalef(1, 0.001, 1);
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<FlattenedNormals>},
+    };
+}
+
+}  // namespace twinlight::lint

@@ -1,0 +1,321 @@
+// Rules about matrices, the camera, depth and clearing.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "judge/lint/watch.h"
+#include "scene/command/text.h"
+
+namespace twinlight::lint {
+
+namespace {
+
+bool is_perspective(const Command& command) {
+    return is_effect(command, "perspective") || is_effect(command, "frustum");
+}
+
+class ProjectionInModelview : public Watch {
+    void after(const Command& command, const State& state) override {
+        if (!is_perspective(command) || state.attributes().matrix_mode != kGL_MODELVIEW) return;
+        warn({.place = command.place,
+              .message = fmt::format("{} changes the modelview matrix: glMatrixMode is GL_MODELVIEW", command.name()),
+              .fix = "glMatrixMode(GL_PROJECTION); before it, glMatrixMode(GL_MODELVIEW); after it",
+              .edits = {{.place = command.place, .insert = "glMatrixMode(GL_PROJECTION);"},
+                        {.place = command.place, .insert = "glMatrixMode(GL_MODELVIEW);", .is_after = true}}});
+    }
+};
+
+class CameraInProjection : public Watch {
+  public:
+    void after(const Command& command, const State& state) override {
+        if (state.attributes().matrix_mode != kGL_PROJECTION) return;
+        if (is_effect(command, "load_identity")) pending_ = {};
+        if (is_effect(command, "look_at")) pending_ = command.place;
+    }
+    void drawn(const Draw& draw, const State&) override {
+        if (pending_.line == 0 || (enabled_lights(draw).empty() && !draw.fog.enabled)) return;
+        warn({.place = pending_,
+              .message =
+                  "gluLookAt changes the projection matrix: lights and fog then see another camera than the objects",
+              .fix = "glMatrixMode(GL_MODELVIEW); before it",
+              .edits = {{.place = pending_, .insert = "glMatrixMode(GL_MODELVIEW);"}},
+              .key = "camera"});
+        pending_ = {};
+    }
+
+  private:
+    Place pending_;
+};
+
+class ProjectionNotReset : public Watch {
+    void before(const Command& command, const State& state) override {
+        if (!is_perspective(command) || state.attributes().matrix_mode != kGL_PROJECTION) return;
+        if (state.projection()[2][3] == 0) return;  // no perspective yet
+        warn({.place = command.place,
+              .message = fmt::format("{} is multiplied to a perspective that is already there", command.name()),
+              .fix = "glLoadIdentity(); before it",
+              .edits = {{.place = command.place, .insert = "glLoadIdentity();"}}});
+    }
+};
+
+class NearPlane : public Watch {
+    void after(const Command& command, const State&) override {
+        if (!is_effect(command, "perspective")) return;
+        const double z_near = command.number(2), z_far = command.number(3);
+        if (z_near > 0 && z_far / z_near < 2e6) return;
+        Command nearer = command;
+        nearer.arguments[2] = z_far / 1000;
+        warn({.place = command.place,
+              .message =
+                  z_near <= 0
+                      ? fmt::format("the near plane of gluPerspective is {}: depths cannot be distinguished", z_near)
+                      : fmt::format("the far plane is {:.2g} times as far as the near plane: depths far away cannot "
+                                    "be distinguished",
+                                    z_far / z_near),
+              .fix = "put the near plane as far away as possible, at least at a thousandth of the far plane",
+              .edits = {{.place = command.place, .removes = true, .insert = print_command(nearer)}}});
+    }
+};
+
+class EmptyDepthRange : public Watch {
+    void drawn(const Draw& draw, const State&) override {
+        if (draw.raster.depth_near != draw.raster.depth_far || !draw.raster.depth_test || place_.line == 0) return;
+        warn({.place = place_,
+              .message = fmt::format("glDepthRange maps all depths to {}, so the depth test cannot compare objects",
+                                     draw.raster.depth_near),
+              .fix = "glDepthRange(0, 1);",
+              .edits = {{.place = place_, .removes = true, .insert = "glDepthRange(0, 1);"}}});
+    }
+    void after(const Command& command, const State&) override {
+        if (is_effect(command, "depth_range")) place_ = command.place;
+    }
+    Place place_;
+};
+
+// glClear of colour but not of depth, between depth-tested Draws.
+class DepthNotCleared : public Watch {
+  public:
+    void after(const Command& command, const State& state) override {
+        if (!is_effect(command, "clear")) return;
+        const Enum mask = command.enumerant(0);
+        if (mask & kGL_DEPTH_BUFFER_BIT) {
+            is_clean_ = state.raster().depth_mask;
+            pending_ = {};
+        } else if ((mask & kGL_COLOR_BUFFER_BIT) && !is_clean_) {
+            pending_ = command.place;
+            mask_ = mask;
+        }
+    }
+    void drawn(const Draw& draw, const State&) override {
+        if (!draw.raster.depth_test || draw.raster.depth_func == kGL_ALWAYS) return;
+        is_clean_ = false;
+        if (pending_.line == 0) return;
+        const std::string call = fmt::format("glClear({} | GL_DEPTH_BUFFER_BIT);", bit_names(mask_));
+        warn({.place = pending_,
+              .message =
+                  "the depth buffer is not cleared: the depth test compares with the depths of the picture before",
+              .fix = call,
+              .edits = {{.place = pending_, .removes = true, .insert = call}},
+              .key = "clear"});
+        pending_ = {};
+    }
+
+  private:
+    bool is_clean_ = false;
+    Place pending_;
+    Enum mask_ = 0;
+};
+
+class ClearMasked : public Watch {
+    void after(const Command& command, const State& state) override {
+        if (!is_effect(command, "clear") || !(command.enumerant(0) & kGL_DEPTH_BUFFER_BIT) || state.raster().depth_mask)
+            return;
+        warn({.place = command.place,
+              .message = "this glClear does not clear the depth buffer: glDepthMask(GL_FALSE) is in force",
+              .fix = "glDepthMask(GL_TRUE); before it",
+              .edits = {{.place = command.place, .insert = "glDepthMask(GL_TRUE);"}}});
+    }
+};
+
+// pi, pi/2, pi/3, pi/4 or pi/6, to the digits that people type.
+bool is_part_of_pi(double angle) {
+    return std::ranges::any_of(std::array{1.0, 2.0, 3.0, 4.0, 6.0},
+                               [&](double part) { return std::abs(std::abs(angle) - std::numbers::pi / part) < 1e-3; });
+}
+
+class Radians : public Watch {
+    void after(const Command& command, const State&) override {
+        const bool is_rotation = is_effect(command, "rotate") && is_part_of_pi(command.number(0));
+        const bool is_view = is_effect(command, "perspective") && command.number(0) > 0 && command.number(0) < 3.2;
+        if (!is_rotation && !is_view) return;
+        Command in_degrees = command;
+        in_degrees.arguments[0] = std::round(command.number(0) * 180 / std::numbers::pi * 100) / 100;
+        warn({.place = command.place,
+              .message =
+                  fmt::format("{} is given an angle of {:.5g}: angles are in degrees, and this looks like radians",
+                              command.name(), command.number(0)),
+              .fix = print_command(in_degrees),
+              .edits = {{.place = command.place, .removes = true, .insert = print_command(in_degrees)}}});
+    }
+};
+
+class NoAxis : public Watch {
+    void after(const Command& command, const State&) override {
+        if (!is_effect(command, "rotate") || command.number(0) == 0) return;
+        if (command.number(1) != 0 || command.number(2) != 0 || command.number(3) != 0) return;
+        warn({.place = command.place,
+              .message = "glRotate has the axis (0, 0, 0), so the rotation is undefined",
+              .fix = "give an axis, such as glRotatef(angle, 0, 1, 0)"});
+    }
+};
+
+}  // namespace
+
+std::vector<Rule> view_rules() {
+    return {
+        {"projection-in-modelview",
+         "`gluPerspective` or `glFrustum` is called while `glMatrixMode` is `GL_MODELVIEW`. Lights, normals and fog "
+         "are then "
+         "computed in a distorted space.",
+         "Section 2.11.2: these commands multiply the current matrix. Section 2.14.1: lighting happens in eye "
+         "coordinates, "
+         "which the modelview matrix makes.",
+         "glMatrixMode(GL_PROJECTION); gluPerspective(...); glMatrixMode(GL_MODELVIEW);",
+         R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+ glEnable(GL_DEPTH_TEST);
++glMatrixMode(GL_PROJECTION);
+ gluPerspective(45, 4.0 / 3.0, 1, 100);
++glMatrixMode(GL_MODELVIEW);
+ gluLookAt(0, 2, 6,  0, 0, 0,  0, 1, 0);
+// the light
+ glEnable(GL_NORMALIZE);
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<ProjectionInModelview>},
+        {"camera-in-projection",
+         "`gluLookAt` is called while `glMatrixMode` is `GL_PROJECTION`. The objects are in the right place, but "
+         "lights, "
+         "highlights and fog see a camera at the origin.",
+         "Section 2.11.2 and 2.14.1: eye coordinates come from the modelview matrix only.",
+         "glMatrixMode(GL_MODELVIEW); gluLookAt(...);",
+         R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+ glEnable(GL_DEPTH_TEST);
+-glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, 1, 0});
+ glMatrixMode(GL_PROJECTION);
+ gluPerspective(45, 4.0 / 3.0, 1, 100);
++glMatrixMode(GL_MODELVIEW);
+ gluLookAt(5, 2, 3,  0, 0, 0,  0, 1, 0);
+-glMatrixMode(GL_MODELVIEW);
+ glEnable(GL_LIGHTING);
+ glEnable(GL_LIGHT0);
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<CameraInProjection>},
+        {"projection-not-reset",
+         "A perspective is multiplied to one that is already there, as when `glLoadIdentity` is missing from a reshape "
+         "function.",
+         "Section 2.11.2: `gluPerspective` and `glFrustum` multiply the current matrix; they do not replace it.",
+         "glLoadIdentity();",
+         R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+ glEnable(GL_DEPTH_TEST);
+ glMatrixMode(GL_PROJECTION);
+ gluPerspective(45, 1, 1, 100);
++glLoadIdentity();
+ gluPerspective(45, 4.0 / 3.0, 1, 100);
+ glMatrixMode(GL_MODELVIEW);
+ gluLookAt(0, 2, 6,  0, 0, 0,  0, 1, 0);
+// the light
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<ProjectionNotReset>},
+        {"near-plane",
+         "The near plane of `gluPerspective` is at 0, or very much nearer than the far plane. All depths are almost "
+         "the same, "
+         "and near objects do not hide far ones.",
+         "Section 2.11.1: depths are divided by the distance; their precision at distance z is about z * z / near "
+         "times that "
+         "of the depth buffer.",
+         "gluPerspective(45, 4.0 / 3.0, 1, 100);",
+         R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+ glEnable(GL_DEPTH_TEST);
+ glMatrixMode(GL_PROJECTION);
+-gluPerspective(45, 4.0 / 3.0, 0, 100);
++gluPerspective(45, 4.0 / 3.0, 1, 100);
+ glMatrixMode(GL_MODELVIEW);
+ gluLookAt(0, 2, 6,  0, 0, 0,  0, 1, 0);
+// the light
+ glEnable(GL_COLOR_MATERIAL);
+ glColor3f(1, 0.4, 0.3);
+ glutSolidSphere(1.2, 40, 20);
+ glColor3f(0.3, 0.5, 1);
+ glTranslatef(1, 0, -3);
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<NearPlane>},
+        {"depth-range-empty", "`glDepthRange` maps all depths to one number. The depth test cannot compare objects.",
+         "Section 2.11.1: depths are mapped from near to far; if both are the same, so are all depths.",
+         "glDepthRange(0, 1);",
+         R"(// the view
+// the light
+-glDepthRange(0.5, 0.5);
++glDepthRange(0, 1);
+ glEnable(GL_COLOR_MATERIAL);
+ glDepthFunc(GL_LEQUAL);
+ glColor3f(1, 0.4, 0.3);
+ glutSolidSphere(1.2, 40, 20);
+ glColor3f(0.3, 0.5, 1);
+ glTranslatef(1, 0, -3);
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<EmptyDepthRange>},
+        {"depth-not-cleared",
+         "`glClear` clears the colours, but not the depths, and then objects are drawn with the depth test. They are "
+         "hidden by "
+         "objects of the picture before.",
+         "Section 4.2.3: `glClear` clears only the buffers that it names.",
+         "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
+         R"(// the view
+// the light
+ glutSolidSphere(1.5, 40, 20);
+-glClear(GL_COLOR_BUFFER_BIT);
++glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+ glTranslatef(0.6, 0, -1.5);
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<DepthNotCleared>},
+        {"clear-masked",
+         "`glClear` should clear the depths, but `glDepthMask(GL_FALSE)` is in force. They stay as they are.",
+         "Section 4.2.3: masks apply to clearing, too.", "glDepthMask(GL_TRUE);",
+         R"(// the view
+// the light
+ glutSolidSphere(1.5, 40, 20);
+ glDepthMask(GL_FALSE);
++glDepthMask(GL_TRUE);
+ glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+-glDepthMask(GL_TRUE);
+ glTranslatef(0.6, 0, -1.5);
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<ClearMasked>},
+        {"angle-in-radians", "An angle is given in radians. GL's angles are in degrees, so it is almost 0.",
+         "Section 2.11.2: the angle of `glRotate` is in degrees, and so is that of `gluPerspective`.", "write degrees",
+         R"(// the view
+// the light
+-glRotatef(M_PI / 4, 0, 1, 0);
++glRotatef(45, 0, 1, 0);
+ glutSolidCube(2);
+)",
+         make_watch<Radians>},
+        {"rotate-no-axis", "`glRotate` has the axis (0, 0, 0). The rotation is undefined.",
+         "Section 2.11.2: the axis is divided by its length.", "glRotatef(angle, 0, 1, 0);",
+         R"(// the view
+// the light
+-glRotatef(45, 0, 0, 0);
++glRotatef(45, 0, 1, 0);
+ glutSolidCube(2);
+)",
+         make_watch<NoAxis>},
+    };
+}
+
+}  // namespace twinlight::lint

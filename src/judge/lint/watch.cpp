@@ -1,0 +1,98 @@
+#include "judge/lint/watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/math/directions.h"
+#include "render/reference/primitive_assembly.h"
+#include "render/reference/vertex_stage.h"
+
+namespace twinlight::lint {
+
+std::string_view view_lines() {
+    return "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
+           "glEnable(GL_DEPTH_TEST);\n"
+           "glMatrixMode(GL_PROJECTION);\n"
+           "gluPerspective(45, 4.0 / 3.0, 1, 100);\n"
+           "glMatrixMode(GL_MODELVIEW);\n"
+           "gluLookAt(0, 2, 6,  0, 0, 0,  0, 1, 0);\n";
+}
+
+std::string_view light_lines() {
+    return "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){3, 4, 5, 1});\n"
+           "glEnable(GL_LIGHTING);\n"
+           "glEnable(GL_LIGHT0);\n";
+}
+
+bool is_effect(const Command& command, std::string_view effect) {
+    return kEffects[static_cast<std::size_t>(command.id)] == effect;
+}
+
+std::optional<int> light_of(const Command& command) {
+    if (!is_effect(command, "light")) return std::nullopt;
+    const Enum light = command.enumerant(0);
+    if (light < kGL_LIGHT0 || light >= kGL_LIGHT0 + kMaxLights) return std::nullopt;
+    return static_cast<int>(light - kGL_LIGHT0);
+}
+
+std::string where(const Place& place) {
+    return fmt::format("{} {}", place.column == Place::kCallNumber ? "call" : "line", place.line);
+}
+
+std::vector<int> enabled_lights(const Draw& draw) {
+    std::vector<int> numbers;
+    if (!draw.lighting.enabled) return numbers;
+    for (std::size_t i = 0; i < draw.lighting.lights.size(); ++i)
+        if (draw.lighting.lights[i].enabled) numbers.push_back(static_cast<int>(i));
+    return numbers;
+}
+
+bool has_specular_light(const Draw& draw) {
+    return draw.lighting.enabled && std::ranges::any_of(draw.lighting.lights, [](const LightSource& light) {
+               return light.enabled && !is_black(light.specular);
+           });
+}
+
+std::vector<Triangle> triangles_of(const Draw& draw) {
+    std::vector<Triangle> triangles;
+    if (!draws_polygons(draw.mode)) return triangles;
+    for (const reference::Primitive& primitive : reference::assemble(draw, reference::QuadCut::kFirstToThird))
+        if (primitive.shape == reference::Shape::kTriangle) triangles.push_back(primitive.vertices);
+    return triangles;
+}
+
+std::vector<EyeVertex> eye_vertices(const Draw& draw) {
+    std::vector<EyeVertex> vertices;
+    for (const reference::StageVertex& vertex : reference::vertex_stage(draw)) {
+        const double w = vertex.position_eye.w;
+        vertices.push_back({glm::dvec3(vertex.position_eye) / (w == 0 ? 1 : w), vertex.normal_eye});
+    }
+    return vertices;
+}
+
+glm::dvec3 to_light(const LightSource& light, const glm::dvec3& point) {
+    const glm::dvec4& at = light.position_eye;
+    const glm::dvec3 way = at.w == 0 ? glm::dvec3(at) : glm::dvec3(at) / at.w - point;
+    const double length = glm::length(way);
+    return length > 0 ? way / length : glm::dvec3(0);
+}
+
+// att_i, section 2.14.1.
+double attenuation_at(const LightSource& light, const glm::dvec3& point) {
+    if (light.position_eye.w == 0) return 1;
+    const double d = glm::length(glm::dvec3(light.position_eye) / light.position_eye.w - point);
+    const double sum = light.constant_attenuation + light.linear_attenuation * d + light.quadratic_attenuation * d * d;
+    return sum == 0 ? 0 : 1 / sum;
+}
+
+// spot_i, section 2.14.1.
+double spot_at(const LightSource& light, const glm::dvec3& point) {
+    if (light.spot_cutoff_deg == 180) return 1;
+    const double length = glm::length(light.spot_direction_eye);
+    if (length == 0) return 0;
+    const double cosine = std::max(0.0, -glm::dot(to_light(light, point), light.spot_direction_eye / length));
+    if (cosine < cos_deg(light.spot_cutoff_deg)) return 0;
+    return light.spot_exponent == 0 ? 1 : std::pow(cosine, light.spot_exponent);
+}
+
+}  // namespace twinlight::lint

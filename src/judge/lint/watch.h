@@ -1,0 +1,92 @@
+// What the rules share: Watch, the base of each rule's code, and questions about Draws.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "judge/lint/lint.h"
+#include "scene/command/command_set.h"
+#include "scene/state/state.h"
+
+namespace twinlight::lint {
+
+// The code of a rule, for one scene. The commands of display lists come as they are executed. Vertices and texture coordinates
+// do not come as commands, only in Draws.
+class Watch {
+  public:
+    virtual ~Watch() = default;
+    virtual void before(const Command&, const State&) {}
+    virtual void after(const Command&, const State&) {}
+    virtual void drawn(const Draw&, const State&) {}
+    // At the end, with the picture.
+    virtual void finish(const Frame&, bool /*is_recorded*/) {}
+
+    std::vector<Warning> take() { return std::move(found_); }
+
+  protected:
+    void warn(Warning warning) { found_.push_back(std::move(warning)); }
+
+  private:
+    std::vector<Warning> found_;
+};
+
+template <class Type>
+std::unique_ptr<Watch> make_watch() {
+    return std::make_unique<Type>();
+}
+
+// The rules of each file.
+std::vector<Rule> light_rules(), material_rules(), normal_rules(), view_rules(), picture_rules();
+
+// Placeholders in the rules' scenes: a camera and a light that many share.
+inline constexpr std::string_view kView = "// the view\n";
+inline constexpr std::string_view kLight = "// the light\n";
+std::string_view view_lines();
+std::string_view light_lines();
+
+// ---- Commands ----
+
+bool is_effect(const Command& command, std::string_view effect);
+// glLight* of GL_LIGHT0 to GL_LIGHT7: the light's number; nullopt for other commands.
+std::optional<int> light_of(const Command& command);
+// The pname of glLight* or glMaterial*.
+inline Enum pname_of(const Command& command) { return command.enumerant(1); }
+inline std::string light_name_of(int number) { return "GL_LIGHT" + std::to_string(number); }
+// "line 7", "call 7".
+std::string where(const Place& place);
+
+// ---- Draws ----
+
+std::vector<int> enabled_lights(const Draw& draw);  // of a lit Draw; empty for others
+inline bool is_black(const glm::dvec4& color) { return color.r == 0 && color.g == 0 && color.b == 0; }
+inline bool is_black(const LightSource& light) {
+    return is_black(light.ambient) && is_black(light.diffuse) && is_black(light.specular);
+}
+// Whether any enabled light has a colour of this kind.
+bool has_specular_light(const Draw& draw);
+
+// Triangles of a Draw by numbers of vertices; none for points and lines.
+using Triangle = std::array<std::uint32_t, 3>;
+std::vector<Triangle> triangles_of(const Draw& draw);
+
+// A lit vertex in eye coordinates.
+struct EyeVertex {
+    glm::dvec3 position, normal;  // the normal as GL lights it: after GL_NORMALIZE or GL_RESCALE_NORMAL
+};
+std::vector<EyeVertex> eye_vertices(const Draw& draw);
+
+// The direction from a point to a light, of length 1; and how much of the light arrives: attenuation and cone.
+glm::dvec3 to_light(const LightSource& light, const glm::dvec3& point);
+double attenuation_at(const LightSource& light, const glm::dvec3& point);
+double spot_at(const LightSource& light, const glm::dvec3& point);
+
+}  // namespace twinlight::lint

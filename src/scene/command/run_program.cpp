@@ -1,0 +1,430 @@
+// Runs the statements of a whole program: blocks, conditions, loops, declarations and calls of its functions.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "scene/command/memory.h"
+#include "scene/command/program.h"
+#include "scene/command/reader.h"
+#include "scene/command/text.h"
+
+namespace twinlight {
+
+// ---- The place in the text ----
+
+void Reader::step() { jump(std::min(program_->at + 1, program_->tokens.size() - 1)); }
+
+void Reader::jump(std::size_t at) {
+    Program& p = *program_;
+    if (++p.steps > p.options.most_steps)
+        fail(p.loop != 0 ? p.tokens[p.loop].place : token_.place,
+             "this program is stopped here after {} steps; does this loop ever end?", p.options.most_steps);
+    p.at = at;
+    token_ = p.tokens[at];
+    ahead_ = p.tokens[std::min(at + 1, p.tokens.size() - 1)];
+}
+
+// Moves to the ',', ';' or closing bracket that ends an expression.
+void Reader::skip_expression() {
+    while (token_.kind != TokenKind::kEnd) {
+        if (token_.is("(") || token_.is("[") || token_.is("{"))
+            jump(program_->partners[program_->at] + 1);
+        else if (token_.is(",") || token_.is(";") || token_.is(")") || token_.is("]") || token_.is("}"))
+            return;
+        else
+            advance();
+    }
+}
+
+void Reader::skip_statement() {
+    Program& p = *program_;
+    if (++p.depth > kMaxProgramDepth) fail(token_.place, "this program is nested too deeply");
+    const auto skip_parentheses = [&] {
+        advance();
+        if (!token_.is("(")) fail_missing("(", "at the start of the condition");
+        jump(p.partners[p.at] + 1);
+    };
+    if (token_.is("{")) {
+        jump(p.partners[p.at] + 1);
+    } else if (token_.is("if")) {
+        skip_parentheses();
+        skip_statement();
+        if (accept("else")) skip_statement();
+    } else if (token_.is("for") || token_.is("while") || token_.is("switch")) {
+        skip_parentheses();
+        skip_statement();
+    } else if (token_.is("do")) {
+        advance();
+        skip_statement();
+        skip_parentheses();
+        expect(";", "after do ... while (...)");
+    } else {
+        while (!token_.is(";")) {
+            if (token_.is("}") || token_.kind == TokenKind::kEnd) fail_missing(";", "at the end of the statement");
+            if (token_.is("(") || token_.is("[") || token_.is("{"))
+                jump(p.partners[p.at] + 1);
+            else
+                advance();
+        }
+        advance();
+    }
+    --p.depth;
+}
+
+// ---- Statements ----
+
+Flow Reader::run_statement() {
+    Program& p = *program_;
+    if (++p.depth > kMaxProgramDepth) fail(token_.place, "this program is nested too deeply");
+    forget_literals();
+    Flow flow = Flow::kNext;
+    if (token_.is("{")) {
+        flow = run_block();
+    } else if (accept(";")) {
+    } else if (token_.kind == TokenKind::kPragma) {
+        pragma();
+    } else if (token_.is("if")) {
+        flow = run_if();
+    } else if (token_.is("for")) {
+        flow = run_for();
+    } else if (token_.is("while")) {
+        flow = run_while();
+    } else if (token_.is("do")) {
+        flow = run_do();
+    } else if (token_.is("switch")) {
+        flow = run_switch();
+    } else if (token_.is("return")) {
+        flow = run_return();
+    } else if (token_.is("break") || token_.is("continue")) {
+        flow = token_.is("break") ? Flow::kBreak : Flow::kContinue;
+        advance();
+        expect(";", "after break or continue");
+    } else if (token_.is("case") || token_.is("default")) {
+        while (!token_.is(":") && token_.kind != TokenKind::kEnd) advance();
+        advance();
+    } else if (token_.is("goto") || token_.is("struct") || token_.is("union") || token_.is("typedef") ||
+               (token_.kind == TokenKind::kName && ahead_.is("::"))) {
+        out_of_reach(token_.place, in_quotes(token_.text));
+    } else if (token_.is("enum")) {
+        enumeration();
+    } else if (is_declaration()) {
+        declaration();
+    } else {
+        if (token_.is("(") && ahead_.is("void") && p.partners[p.at] == p.at + 2) jump(p.at + 3);  // (void)printf(...)
+        const bool is_command = token_.kind == TokenKind::kName && ahead_.is("(") &&
+                                !p.functions.contains(token_.text) && find_command_or_extension(token_.text);
+        if (is_command)
+            call();
+        else
+            comma_expressions();
+        expect(";", "at the end of the statement");
+        if (p.reached_main_loop) flow = Flow::kReturn;
+    }
+    --p.depth;
+    return flow;
+}
+
+Flow Reader::run_block() {
+    const std::size_t outer = program_->locals.size();
+    advance();
+    Flow flow = Flow::kNext;
+    while (flow == Flow::kNext && !token_.is("}")) flow = run_statement();
+    forget_locals(outer);
+    if (flow == Flow::kNext) advance();
+    return flow;
+}
+
+void Reader::comma_expressions() {
+    do expression();
+    while (accept(","));
+}
+
+// Reads "(condition)".
+bool Reader::condition() {
+    expect("(", "at the start of the condition");
+    Value value = expression();
+    while (accept(",")) value = expression();
+    expect(")", "after the condition");
+    return is_true(value);
+}
+
+Flow Reader::run_if() {
+    while (true) {  // a round for each else if
+        advance();
+        if (condition()) {
+            const Flow flow = run_statement();
+            if (flow != Flow::kNext) return flow;
+            while (accept("else")) {
+                if (!token_.is("if")) {
+                    skip_statement();
+                    break;
+                }
+                advance();
+                jump(program_->partners[program_->at] + 1);
+                skip_statement();
+            }
+            return Flow::kNext;
+        }
+        skip_statement();
+        if (!accept("else")) return Flow::kNext;
+        if (!token_.is("if")) return run_statement();
+    }
+}
+
+Flow Reader::run_while() {
+    const std::size_t loop = program_->at;
+    advance();
+    const std::size_t start = program_->at;
+    const std::size_t outer = program_->locals.size();
+    while (condition()) {
+        program_->loop = loop;
+        const Flow flow = run_statement();
+        forget_locals(outer);
+        if (flow == Flow::kReturn) return flow;
+        if (flow == Flow::kBreak) break;
+        jump(start);
+    }
+    jump(program_->partners[start] + 1);
+    skip_statement();
+    return Flow::kNext;
+}
+
+Flow Reader::run_do() {
+    const std::size_t loop = program_->at;
+    advance();
+    const std::size_t body = program_->at;
+    const std::size_t outer = program_->locals.size();
+    skip_statement();
+    const std::size_t end = program_->at;
+    bool again = true;
+    Flow flow = Flow::kNext;
+    while (again && flow != Flow::kBreak) {
+        program_->loop = loop;
+        jump(body);
+        flow = run_statement();
+        forget_locals(outer);
+        if (flow == Flow::kReturn) return flow;
+        jump(end);
+        expect("while", "after the body of do");
+        if (flow == Flow::kBreak)
+            jump(program_->partners[program_->at] + 1);
+        else
+            again = condition();
+    }
+    expect(";", "after do ... while (...)");
+    return Flow::kNext;
+}
+
+Flow Reader::run_for() {
+    Program& p = *program_;
+    const std::size_t loop = p.at;
+    const std::size_t outer = p.locals.size();
+    advance();
+    if (!token_.is("(")) fail_missing("(", "after for");
+    const std::size_t close = p.partners[p.at];
+    advance();
+    if (is_declaration()) {
+        declaration();
+    } else {
+        if (!token_.is(";")) comma_expressions();
+        expect(";", "after the start of for (...)");
+    }
+    const std::size_t inner = p.locals.size();
+    const std::size_t test = p.at;
+    while (!token_.is(";") && p.at < close) token_.is("(") || token_.is("[") ? jump(p.partners[p.at] + 1) : advance();
+    expect(";", "after the condition of for (...)");
+    const std::size_t step = p.at;
+    while (true) {
+        p.loop = loop;
+        jump(test);
+        bool holds = true;
+        if (!token_.is(";")) {
+            do holds = is_true(expression());
+            while (accept(","));
+        }
+        if (!token_.is(";")) fail_missing(";", "after the condition of for (...)");
+        if (!holds) break;
+        jump(close + 1);
+        const Flow flow = run_statement();
+        forget_locals(inner);
+        if (flow == Flow::kReturn) {
+            forget_locals(outer);
+            return flow;
+        }
+        if (flow == Flow::kBreak) break;
+        jump(step);
+        if (!token_.is(")")) comma_expressions();
+        if (p.at != close) fail_missing(")", "after for (...; ...; ...");
+    }
+    forget_locals(outer);
+    jump(close + 1);
+    skip_statement();
+    return Flow::kNext;
+}
+
+Flow Reader::run_switch() {
+    Program& p = *program_;
+    advance();
+    expect("(", "after switch");
+    const Place place = token_.place;
+    const Value chosen = number();
+    if (!chosen.is_integer()) fail(place, "switch needs a whole number");
+    expect(")", "after switch (...");
+    if (!token_.is("{")) fail_missing("{", "after switch (...)");
+    const std::size_t end = p.partners[p.at];
+    const std::size_t outer = p.locals.size();
+    std::optional<std::size_t> start;
+    advance();
+    while (p.at < end) {
+        if (accept("case")) {
+            const bool same = number().integer == chosen.integer;
+            if (!token_.is(":")) fail_missing(":", "after case");
+            if (same) {
+                start = p.at + 1;
+                break;
+            }
+        } else if (token_.is("default") && ahead_.is(":")) {
+            start = p.at + 2;
+        }
+        token_.is("{") || token_.is("(") || token_.is("[") ? jump(p.partners[p.at] + 1) : advance();
+    }
+    Flow flow = Flow::kNext;
+    if (start) {
+        jump(*start);
+        while (flow == Flow::kNext && p.at < end) flow = run_statement();
+    }
+    forget_locals(outer);
+    if (flow == Flow::kReturn || flow == Flow::kContinue) return flow;
+    jump(end + 1);
+    return Flow::kNext;
+}
+
+Flow Reader::run_return() {
+    advance();
+    program_->returned = token_.is(";") ? integer(0) : number();
+    expect(";", "after return");
+    return Flow::kReturn;
+}
+
+// ---- Variables ----
+
+bool Reader::is_declaration() const {
+    if (token_.kind != TokenKind::kName) return false;
+    for (std::string_view word : {"const", "static", "void", "register", "extern"})
+        if (token_.is(word)) return true;
+    return at_type();
+}
+
+void Reader::declare(const Token& name, Object object) {
+    Program& p = *program_;
+    if (p.locals.size() - p.frame >= kMaxProgramLocals)
+        fail(name.place, "a function can have at most {} variables", kMaxProgramLocals);
+    auto owned = std::make_unique<Object>(std::move(object));
+    Object* const made = owned.get();
+    p.locals.push_back({name.text, made, std::move(owned)});
+}
+
+// Declares a static variable of a function, whose name was just read. Returns true if it already has its value.
+bool Reader::declare_static(const Token& name) {
+    Program& p = *program_;
+    if (!p.in_function) return false;
+    const auto [found, is_new] = p.statics.emplace(p.at - 1, Object{});
+    p.locals.push_back({name.text, &found->second, nullptr});
+    if (is_new) return false;
+    skip_expression();
+    return true;
+}
+
+// The rest of GLfloat* name = array; after the name. It is another name for a part of the array.
+void Reader::declare_pointer(const Token& name, Kind kind, bool is_static) {
+    if (is_static || !accept("=")) out_of_reach(name.place, fmt::format("the pointer {}", in_quotes(name.text)));
+    const Value value = expression();
+    if (!value.object || value.object->is_literal || value.kind != kind)
+        out_of_reach(name.place, fmt::format("the pointer {}", in_quotes(name.text)));
+    const auto offset = static_cast<std::size_t>(value.offset);
+    const std::size_t rest = (value.object->memory->bytes.size() - offset) / size_of(kind);
+    Object object{.kind = kind,
+                  .dimensions = {rest},
+                  .shown = in_quotes(name.text),
+                  .place = name.place,
+                  .target = value.object,
+                  .offset = offset};
+    if (program_->in_function)
+        declare(name, std::move(object));
+    else
+        variables_.insert_or_assign(name.text, std::move(object));
+}
+
+void Reader::forget_locals(std::size_t count) {
+    std::vector<Local>& locals = program_->locals;
+    for (; locals.size() > count; locals.pop_back()) {
+        const Object* const object = locals.back().owned.get();
+        if (object && object->memory && object->memory.use_count() == 1) bytes_ -= object->memory->bytes.size();
+    }
+}
+
+// ---- Calls ----
+
+Value Reader::run_function(const Function& function, const std::vector<Value>& given, const Place& place) {
+    Program& p = *program_;
+    const std::string name = in_quotes(function.name.text);
+    if (given.size() != function.parameters.size())
+        fail(place, "the function {} takes {} arguments, but {} are given", name, function.parameters.size(),
+             given.size());
+    if (++p.depth > kMaxProgramDepth) fail(place, "the calls of {} are nested too deeply", name);
+
+    const std::size_t first = p.locals.size();
+    const std::size_t frame = std::exchange(p.frame, first);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const FormalParameter& parameter = function.parameters[i];
+        const Token token{TokenKind::kName, parameter.name, place};
+        Object object{.kind = parameter.kind, .dimensions = {}, .shown = in_quotes(parameter.name), .place = place};
+        if (parameter.is_array) {
+            const Value& array = given[i];
+            if (!array.object || !array.kind || c_type(*array.kind) != c_type(parameter.kind))
+                fail(place, "the parameter {} of {} needs an array of {}", object.shown, name,
+                     c_type_name(c_type(parameter.kind)));
+            std::size_t row = size_of(parameter.kind);
+            for (const std::size_t length : parameter.row) row *= length;
+            object.target = array.object;
+            object.offset = static_cast<std::size_t>(array.offset);
+            object.dimensions = {(array.object->memory->bytes.size() - object.offset) / row};
+            object.dimensions.insert(object.dimensions.end(), parameter.row.begin(), parameter.row.end());
+        } else {
+            if (given[i].is_pointer()) fail(place, "the parameter {} of {} needs a number", object.shown, name);
+            allocate(object, place);
+            fill(object, {in_kind(given[i], parameter.kind, place).number()});
+        }
+        declare(token, std::move(object));
+    }
+    if (function.name.is("main")) {  // argc is 1: the program has no arguments
+        Object argc{.kind = Kind::kInt, .dimensions = {}, .shown = "argc", .place = place};
+        allocate(argc, place);
+        fill(argc, {1});
+        declare({TokenKind::kName, "argc", place}, std::move(argc));
+    }
+
+    // The caller's literals live on while the function runs.
+    std::optional<std::deque<Object>> literals;
+    if (!literals_.empty()) literals.emplace().swap(literals_);
+    const std::size_t resume = p.at;
+    const std::size_t nesting = std::exchange(nesting_, 0);
+    const bool in_function = std::exchange(p.in_function, true);
+    p.returned = integer(0);
+    jump(function.body);
+    run_block();
+    forget_literals();
+    forget_locals(first);
+    if (literals) literals_.swap(*literals);
+    nesting_ = nesting;
+    p.in_function = in_function;
+    p.frame = frame;
+    --p.depth;
+    jump(resume);
+    const Value result = std::exchange(p.returned, integer(0));
+    return function.result ? in_kind(result, *function.result, place) : integer(0);
+}
+
+}  // namespace twinlight

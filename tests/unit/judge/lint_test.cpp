@@ -1,0 +1,270 @@
+// The linter: each rule finds its mistake and nothing else, the mended scene has none and another picture, and scenes that
+// are right have no warnings.
+#include "judge/lint/lint.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "../run_program.h"
+#include "base/image/file.h"
+#include "base/image/png.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/scenes/load.h"
+#include "scene/state/recorded_frame.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+namespace {
+
+constexpr int kWidth = 160, kHeight = 120;  // of the pictures in docs/lint
+
+Scene scene_of(const std::string& text) {
+    const auto list = std::make_shared<CommandList>(read_scene(text, "scene.gl", "scene.gl"));
+    return make_scene(list, {.width = kWidth, .height = kHeight});
+}
+
+// The names of the rules that warn, each once.
+std::set<std::string> names(const std::vector<lint::Warning>& warnings) {
+    std::set<std::string> names;
+    for (const lint::Warning& warning : warnings) names.emplace(warning.rule->name);
+    return names;
+}
+
+std::vector<lint::Warning> warnings_of(const std::string& text) { return lint::lint(scene_of(text)); }
+
+TEST(Lint, WarnsOfEachMistakeByItsOwnRuleOnly) {
+    for (const lint::Rule& rule : lint::rules())
+        EXPECT_EQ(names(warnings_of(lint::wrong_scene(rule))), std::set<std::string>{std::string(rule.name)})
+            << rule.name << ":\n"
+            << lint::wrong_scene(rule);
+}
+
+TEST(Lint, HasNoWarningsOfMendedScenes) {
+    for (const lint::Rule& rule : lint::rules())
+        EXPECT_EQ(names(warnings_of(lint::mended_scene(rule))), std::set<std::string>{}) << rule.name;
+}
+
+TEST(Lint, MendedScenesHaveAnotherPicture) {
+    for (const lint::Rule& rule : lint::rules()) {
+        const Image wrong = reference::render(scene_of(lint::wrong_scene(rule)).frame, {});
+        const Image mended = reference::render(scene_of(lint::mended_scene(rule)).frame, {});
+        std::size_t differing = 0;
+        for (std::size_t i = 0; i < wrong.pixels.size(); ++i) {
+            float difference = 0;
+            for (int c = 0; c < 3; ++c)
+                difference = std::max(difference, std::abs(wrong.pixels[i][c] - mended.pixels[i][c]));
+            differing += difference > 10.0F / 255;  // what a reader of docs/lint.md can see
+        }
+        EXPECT_GT(differing, 100u) << rule.name;
+    }
+}
+
+TEST(Lint, MendsScenesByItsEdits) {
+    std::size_t mended = 0;
+    for (const lint::Rule& rule : lint::rules()) {
+        const std::string text = lint::wrong_scene(rule);
+        const std::vector<lint::Warning> warnings = warnings_of(text);
+        if (warnings.empty() || warnings[0].edits.empty()) continue;
+        ++mended;
+        EXPECT_EQ(names(warnings_of(lint::mended(text, warnings[0]))), std::set<std::string>{})
+            << rule.name << ":\n"
+            << lint::mended(text, warnings[0]);
+    }
+    EXPECT_GE(mended, 25u);
+}
+
+TEST(Lint, NamesEachRuleOnce) {
+    std::set<std::string_view> names;
+    for (const lint::Rule& rule : lint::rules()) {
+        EXPECT_TRUE(names.insert(rule.name).second) << rule.name;
+        for (const std::string_view text : {rule.what, rule.why, rule.mend}) EXPECT_NE(text, "") << rule.name;
+    }
+    EXPECT_EQ(lint::find_rule("no-such-rule"), nullptr);
+    ASSERT_NE(lint::find_rule("light-black"), nullptr);
+    EXPECT_EQ(lint::find_rule("light-black")->name, "light-black");
+}
+
+TEST(Lint, PageAndPicturesMatchTheTable) {
+    EXPECT_EQ(read_file("docs/lint.md"), lint::markdown()) << "build/twinlight lint --rules -o docs writes it again";
+    std::set<std::string> expected;
+    for (const lint::Rule& rule : lint::rules()) {
+        for (const bool is_mended : {false, true}) {
+            const std::string text = is_mended ? lint::mended_scene(rule) : lint::wrong_scene(rule);
+            const std::string file = std::string(rule.name) + (is_mended ? "-mended.png" : "-wrong.png");
+            expected.insert(file);
+            EXPECT_EQ(read_file("docs/lint/" + file), encode_png(reference::render(scene_of(text).frame, {})))
+                << file << ": build/twinlight lint --rules -o docs writes it again";
+        }
+    }
+    for (const auto& entry : std::filesystem::directory_iterator("docs/lint"))
+        EXPECT_TRUE(expected.contains(entry.path().filename())) << entry.path() << " belongs to no rule";
+}
+
+// ---- No false alarms ----
+
+// tests/unit/judge/lint_expected.txt: "FILE RULE reason". The reason says why the warning is right.
+std::map<std::string, std::set<std::string>> expected_warnings() {
+    std::map<std::string, std::set<std::string>> expected;
+    std::istringstream lines(read_file("tests/unit/judge/lint_expected.txt"));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty() || line[0] == '#') continue;
+        std::istringstream words(line);
+        std::string file, rule, reason;
+        words >> file >> rule >> reason;
+        EXPECT_NE(lint::find_rule(rule), nullptr) << line;
+        EXPECT_NE(reason, "") << line;
+        EXPECT_TRUE(expected[file].insert(rule).second) << line << " is there twice";
+    }
+    return expected;
+}
+
+Scene load(const std::string& file) {
+    const std::shared_ptr<const Recording> recording = load_recording(file);
+    if (const CommandList* list = recording->command_list()) return {recording, make_frame(*list, {})};
+    return make_recorded_frame(recording, {}).scene;
+}
+
+std::vector<std::string> files_in(const std::string& folder, const std::string& ending) {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.path().string().ends_with(ending)) files.push_back(entry.path().string());
+    std::ranges::sort(files);
+    return files;
+}
+
+TEST(Lint, WarnsOfKnownScenesOnlyWhereThatIsRight) {
+    auto expected = expected_warnings();
+    std::vector<std::string> files = files_in("src/scene/scenes", ".gl");
+    for (const std::string& file : files_in("golden/hard", ".gl")) files.push_back(file);
+    for (const std::string& file : files_in("tests/traces", "dump.txt")) files.push_back(file);
+    EXPECT_GT(files.size(), 250u);
+    for (const std::string& file : files) {
+        Scene scene;
+        try {
+            scene = load(file);
+        } catch (const SceneError&) {
+            continue;  // a hard case that expects an error
+        }
+        EXPECT_EQ(names(lint::lint(scene)), expected[file]) << file;
+        expected.erase(file);
+    }
+    for (const auto& [file, rules] : expected) EXPECT_TRUE(rules.empty()) << file << " was not read";
+}
+
+// ---- What silences, joins and prints ----
+
+const std::string kBlack = lint::wrong_scene(*lint::find_rule("light-black"));
+
+TEST(Lint, CommentsSilenceARule) {
+    EXPECT_EQ(names(warnings_of("// twinlight: allow(light-black)\n" + kBlack)).size(), 0u);
+    EXPECT_EQ(names(warnings_of("// twinlight: allow(color-255, light-black)\n" + kBlack)).size(), 0u);
+    EXPECT_EQ(names(warnings_of("// twinlight: allow(color-255)\n" + kBlack)).size(), 1u);
+    const std::string call = "glEnable(GL_LIGHT1);";
+    std::string at_end = kBlack;
+    at_end.replace(at_end.find(call), call.size(), call + "  // twinlight: allow(light-black)");
+    EXPECT_EQ(names(warnings_of(at_end)).size(), 0u);
+    std::string elsewhere = kBlack;
+    elsewhere.replace(elsewhere.find("glutSolid"), 0, "glFlush();  // twinlight: allow(light-black)\n");
+    EXPECT_EQ(names(warnings_of(elsewhere)).size(), 1u);
+}
+
+TEST(Lint, CountsRepeatedWarnings) {
+    std::string text = lint::wrong_scene(*lint::find_rule("scale-without-normalize"));
+    for (int i = 0; i < 3; ++i) text += "glutSolidSphere(0.5, 40, 20);\n";
+    const std::vector<lint::Warning> warnings = warnings_of(text);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_GE(warnings[0].count, 4);
+    EXPECT_NE(lint::headline(warnings[0]).find("times; this is the first"), std::string::npos);
+}
+
+TEST(Lint, SeesCommandsOfDisplayListsWhereTheyAreExecuted) {
+    const std::string list =
+        "GLuint list = glGenLists(1);\nglNewList(list, GL_COMPILE);\nglutSolidSphere(0.5, 40, 20);\nglEndList();\n";
+    const std::string lit = "glClear(GL_COLOR_BUFFER_BIT);\nglEnable(GL_LIGHTING);\nglEnable(GL_LIGHT0);\n";
+    EXPECT_EQ(names(warnings_of(list + lit + "glCallList(list);\n")), std::set<std::string>{});
+    EXPECT_EQ(names(warnings_of(list + lit + "glScalef(0.5, 0.5, 0.5);\nglCallList(list);\n")),
+              std::set<std::string>{"scale-without-normalize"});
+}
+
+TEST(Lint, PrintsLikeACompiler) {
+    const std::vector<lint::Warning> warnings = warnings_of(kBlack);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].place.str(), "scene.gl:11:1");
+    const std::string text = lint::full_text(warnings[0], kBlack);
+    EXPECT_EQ(text.rfind("scene.gl:11:1: warning: GL_LIGHT1 is on but black: only GL_LIGHT0 starts with a colour "
+                         "[light-black]\nglEnable(GL_LIGHT1);\n^\n  why: Table 2.10",
+                         0),
+              0u)
+        << text;
+    EXPECT_NE(text.find("  fix: glLightfv(GL_LIGHT1, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});\n"), std::string::npos);
+}
+
+// ---- The command ----
+
+TEST(LintCommand, ExitStatusAndJson) {
+    const TemporaryFolder folder;
+    const std::string wrong = folder / "wrong.gl", right = folder / "right.gl";
+    write_file_atomically(wrong, kBlack);
+    write_file_atomically(right, lint::mended_scene(*lint::find_rule("light-black")));
+    const ProgramResult none = run_program("twinlight", {"lint", right});
+    EXPECT_EQ(none.status, 0);
+    EXPECT_EQ(none.out + none.err, "");
+    const ProgramResult one = run_program("twinlight", {"lint", wrong});
+    EXPECT_EQ(one.status, 1);
+    EXPECT_NE(one.out.find(":11:1: warning: "), std::string::npos);
+    const ProgramResult json = run_program("twinlight", {"lint", wrong, "--json"});
+    EXPECT_EQ(json.status, 1);
+    const auto parsed = nlohmann::json::parse(json.out);
+    EXPECT_EQ(parsed["scene"], "wrong.gl");
+    ASSERT_EQ(parsed["warnings"].size(), 1u);
+    EXPECT_EQ(parsed["warnings"][0]["name"], "light-black");
+    EXPECT_EQ(parsed["warnings"][0]["line"], 11);
+    EXPECT_EQ(parsed["warnings"][0]["column"], 1);
+    for (const char* key : {"message", "why", "fix"}) EXPECT_NE(parsed["warnings"][0][key], "") << key;
+    EXPECT_EQ(run_program("twinlight", {"lint", folder / "missing.gl"}).status, 2);
+    EXPECT_EQ(run_program("twinlight", {"lint"}).status, 2);
+}
+
+TEST(LintCommand, WritesTheMendedScene) {
+    const TemporaryFolder folder;
+    const std::string wrong = folder / "wrong.gl", right = folder / "right.gl";
+    write_file_atomically(wrong, kBlack);
+    EXPECT_EQ(run_program("twinlight", {"lint", wrong, "--fix", "light-black", "-o", right}).status, 0);
+    EXPECT_EQ(run_program("twinlight", {"lint", right}).status, 0);
+    const ProgramResult other = run_program("twinlight", {"lint", wrong, "--fix", "color-255", "-o", right});
+    EXPECT_EQ(other.status, 2);
+    EXPECT_NE(other.err.find("this scene has no warning 'color-255'"), std::string::npos) << other.err;
+    const ProgramResult misspelt = run_program("twinlight", {"lint", wrong, "--fix", "light-blak", "-o", right});
+    EXPECT_EQ(misspelt.status, 2);
+    EXPECT_NE(misspelt.err.find("did you mean 'light-black'?"), std::string::npos) << misspelt.err;
+    EXPECT_EQ(run_program("twinlight", {"lint", wrong, "--fix", "light-black"}).status, 2);
+}
+
+TEST(LintCommand, RenderAndComparePrintTheSameWarnings) {
+    const TemporaryFolder folder;
+    const std::string wrong = folder / "wrong.gl", report = folder / "report";
+    write_file_atomically(wrong, kBlack);
+    const ProgramResult render = run_program(
+        "twinlight", {"render", wrong, "--with", "reference", "--size", "40x30", "-o", folder / "picture.png"});
+    EXPECT_EQ(render.status, 0);
+    EXPECT_NE(render.err.find("[light-black]\n"), std::string::npos) << render.err;
+    EXPECT_NE(render.err.find("'twinlight lint "), std::string::npos) << render.err;
+    const ProgramResult compare = run_program("twinlight", {"compare", wrong, "--size", "40x30", "-o", report});
+    EXPECT_EQ(compare.err, render.err);
+    EXPECT_NE(read_file(report + "/index.html").find("Possible mistakes in the scene"), std::string::npos);
+    const auto json = nlohmann::json::parse(read_file(report + "/comparison.json"));
+    ASSERT_EQ(json["warnings"].size(), 1u);
+}
+
+}  // namespace
+}  // namespace twinlight

@@ -1,0 +1,318 @@
+// Whole GLUT programs as scenes: what their statements mean, the order of their functions, limits and messages.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "../run_program.h"
+#include "base/image/file.h"
+#include "scene/command/text.h"
+
+namespace twinlight {
+
+namespace {
+
+using Values = std::vector<double>;
+
+// A program whose display function has these statements. `before` comes before it.
+std::string program(const std::string& statements, const std::string& before = "") {
+    return before + "\nvoid display(void) {\n" + statements +
+           "\n}\nint main(int argc, char **argv) {\n"
+           "glutInit(&argc, argv); glutCreateWindow(\"a window\"); glutCreateMenu(menu); glutAddMenuEntry(\"a\", 1); "
+           "glutDisplayFunc(display); glutMainLoop(); return 0; "
+           "}\n";
+}
+
+CommandList read_program(const std::string& text, const ProgramOptions& options = {}) {
+    return read_scene(text, "homework.c", "homework", no_images, options);
+}
+
+std::string error_of(const std::string& text, const ProgramOptions& options = {}) {
+    try {
+        read_program(text, options);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+// The arguments of all commands, one after the other.
+Values values_of(const std::string& statements, const std::string& before = "") {
+    Values values;
+    for (const Command& command : read_program(program(statements, before)).commands)
+        values.insert(values.end(), command.arguments.begin(), command.arguments.end());
+    return values;
+}
+
+TEST(Programs, RunInGlutsOrder) {
+    const CommandList scene = read_program(
+        "#include <GL/glut.h>\n"
+        "int calls = 0;\n"
+        "void display(void) { glLineWidth(10 + ++calls); glutSwapBuffers(); }\n"
+        "void reshape(int w, int h) { glViewport(0, 0, w, h); glLineWidth(20 + ++calls); }\n"
+        "void keys(unsigned char key, int x, int y) { if (key == 'q') exit(0); glLineWidth(99); }\n"
+        "void idle(void) { glLineWidth(98); }\n"
+        "void init(void) { glLineWidth(30 + ++calls); }\n"
+        "int main(int argc, char** argv) {\n"
+        "  glutInit(&argc, argv); glutInitDisplayMode(GLUT_DOUBLE | GLUT_DEPTH); glutInitWindowSize(300, 200);\n"
+        "  glutCreateWindow(argv[0]); init();\n"
+        "  glutDisplayFunc(display); glutReshapeFunc(&reshape); glutKeyboardFunc(keys); glutIdleFunc(idle);\n"
+        "  glutMainLoop();\n"
+        "  glLineWidth(97);\n"
+        "}\n");
+    std::string printed;
+    for (const Command& command : scene.commands) printed += print_command(command);
+    EXPECT_EQ(printed, "glLineWidth(31);glViewport(0, 0, 300, 200);glLineWidth(22);glLineWidth(13);");
+    EXPECT_EQ(scene.window, (WindowSize{300, 200}));
+    EXPECT_EQ(scene.commands[1].place.str(), "homework.c:4:30");
+}
+
+TEST(Programs, TakeTheirSizeFromTheCommandLineIfItIsGiven) {
+    const std::string text =
+        "void display(void) {} void reshape(int w, int h) { glViewport(0, 0, w, h); }\n"
+        "int main() { glutInitWindowSize(300, 200); glutDisplayFunc(display); glutReshapeFunc(reshape); "
+        "glutMainLoop(); }";
+    const CommandList scene = read_program(text, {.window = WindowSize{80, 60}});
+    EXPECT_EQ(print_command(scene.commands.at(0)), "glViewport(0, 0, 80, 60);");
+    EXPECT_EQ(scene.window, (WindowSize{80, 60}));
+
+    const TemporaryFolder folder;
+    write_file_atomically(
+        folder / "red.c",
+        program("glClearColor(1, 0, 0, 1); glClear(GL_COLOR_BUFFER_BIT); glRecti(0,0,1,1);", "#include <GL/glut.h>"));
+    const auto render = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"render", folder / "red.c",  "--with", "reference",
+                                              "-o",     folder / "red.png"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProgramResult result = run_program("twinlight", arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        const std::string png = read_file(folder / "red.png");
+        const auto number = [&](std::size_t at) {
+            return static_cast<unsigned char>(png[at + 2]) * 256 + static_cast<unsigned char>(png[at + 3]);
+        };
+        return WindowSize{number(16), number(20)};  // in the header of a PNG
+    };
+    EXPECT_EQ(render({}), (WindowSize{300, 300}));  // GLUT's own size
+    EXPECT_EQ(render({"--size", "64x48"}), (WindowSize{64, 48}));
+}
+
+TEST(Programs, HaveLoopsAndConditions) {
+    EXPECT_EQ(values_of("int i; for (i = 0; i < 3; i++) glLineWidth(i + 1);"), (Values{1, 2, 3}));
+    EXPECT_EQ(values_of("for (int i = 3, j = 0; i; --i, j += 2) glScaled(i, j, 0);"),
+              (Values{3, 0, 0, 2, 2, 0, 1, 4, 0}));
+    EXPECT_EQ(values_of("int i = 5; while (i > 3) { glLineWidth(i); i--; }"), (Values{5, 4}));
+    EXPECT_EQ(values_of("int i = 5; do glLineWidth(i++); while (i < 7);"), (Values{5, 6}));
+    EXPECT_EQ(values_of("for (;;) { glLineWidth(1); break; } do { glLineWidth(2); continue; } while (0);"),
+              (Values{1, 2}));
+    EXPECT_EQ(values_of("for (int i = 0; i < 6; i++) { if (i % 2) continue; if (i > 3) break; glLineWidth(i + 1); }"),
+              (Values{1, 3}));
+    EXPECT_EQ(values_of("for (int i = 0; i < 4; i++) if (i == 1) glLineWidth(1); else if (i == 2) glLineWidth(2); else "
+                        "glLineWidth(9);"),
+              (Values{9, 1, 2, 9}));
+    EXPECT_EQ(values_of("int a = 1; if (a) if (!a) glLineWidth(1); else glLineWidth(2);"), (Values{2}));
+    EXPECT_EQ(values_of("int i = 0; while (i++ < 9) if (i == 3) { glLineWidth(i); return; }"), (Values{3}));
+}
+
+TEST(Programs, Switch) {
+    const std::string cases =
+        "for (int i = 0; i < 5; i++) switch (i) { case 0: glLineWidth(10); case ONE: glLineWidth(11); break;"
+        "case 'a' - 95: { glLineWidth(12); break; } case 3: continue; default: glLineWidth(13); }";
+    EXPECT_EQ(values_of(cases, "enum { ZERO, ONE };"), (Values{10, 11, 11, 12, 13}));
+    EXPECT_EQ(values_of("switch (7) { default: glLineWidth(1); break; case 8: glLineWidth(2); }"), (Values{1}));
+    EXPECT_EQ(values_of("switch (7) { case 8: glLineWidth(2); } glLineWidth(3);"), (Values{3}));
+}
+
+TEST(Programs, HaveCsOperators) {
+    EXPECT_EQ(values_of("glScaled(7 % 3, -7 % 3, 7 / 2 % 2);"), (Values{1, -1, 1}));
+    EXPECT_EQ(values_of("glScaled(1 << 4, 255 >> 2, 6 & 3);"), (Values{16, 63, 2}));
+    EXPECT_EQ(values_of("glScaled(6 ^ 3, ~5, 1 | 6 & 4);"), (Values{5, -6, 5}));
+    EXPECT_EQ(values_of("glScaled(1 < 2, 2 <= 1, 1 + 1 == 2);"), (Values{1, 0, 1}));
+    EXPECT_EQ(values_of("glScaled(!0, !2.5, !!3);"), (Values{1, 0, 1}));
+    EXPECT_EQ(values_of("glScaled(0 || 2, 1 && 0, 1 || 1 && 0);"), (Values{1, 0, 1}));
+    EXPECT_EQ(values_of("int n = 0; glScaled(n && 1 / n, !n || 1 / n, n);"), (Values{0, 1, 0}));
+    EXPECT_EQ(
+        values_of("int a = 7; a += 3; a -= 1; a *= 2; a /= 4; a %= 3; a <<= 3; a |= 1; a ^= 3; glLineWidth(a + 1);"),
+        (Values{11}));
+    EXPECT_EQ(values_of("int a = 1, b = a++ + 5, c = ++a - 1; glScaled(a, b, c);"), (Values{3, 6, 2}));
+    EXPECT_EQ(values_of("int a, b; a = b = 4; glScaled(a, b, (a = 2) + a);"), (Values{4, 4, 4}));
+    EXPECT_EQ(values_of("glScaled('a', '\\n', '\\0');"), (Values{97, 10, 0}));
+}
+
+// The common type of both choices decides, as in C, and the other choice is not evaluated.
+TEST(Programs, ChooseWithQuestionMarks) {
+    EXPECT_EQ(values_of("glScaled((1 ? 1 : 0.5) / 2, (1 ? 1 : 2) / 2, (0 ? 0.5f : 1) / 2);"), (Values{0.5, 0, 0.5}));
+    EXPECT_EQ(values_of("int n = 0, i = 1; glScaled(n ? 1 / n : 3, n ? i++ : 4, i);"), (Values{3, 4, 1}));
+    EXPECT_EQ(values_of("int i = 2; glLineWidth(i < 0 ? 5 : i > 1 ? 6 : 7);"), (Values{6}));
+    EXPECT_EQ(values_of("float v[2] = {1, 2}; int i = 2; glLineWidth(i < 2 ? v[i] : f());",
+                        "float f(void) { glLineWidth(9); return 1; }"),
+              (Values{9, 1}));
+}
+
+TEST(Programs, ConvertAsCDoes) {
+    EXPECT_EQ(values_of("int i = 2.9; unsigned char c = 300; float f = 0.1; glScaled(i, c, f);"),
+              (Values{2, 44, static_cast<double>(0.1F)}));
+    EXPECT_EQ(values_of("unsigned int u = -1; short s = 40000; glScaled(u, s, (int)-2.7);"),
+              (Values{4294967295.0, -25536, -2}));
+    EXPECT_EQ(values_of("unsigned int seed = 3000000000u; seed = seed * 1103515245u + 12345u; glScaled(seed, 0, 0);"),
+              (Values{1398552121.0, 0, 0}));
+    EXPECT_EQ(values_of("glutSolidSphere(1, 16.0, 12.9);"), (Values{1, 16, 12}));
+}
+
+TEST(Programs, CallFunctions) {
+    EXPECT_EQ(values_of("glScaled(f(3), half(3), g(2, 0.5));",
+                        "int f(int n) { return n < 2 ? 1 : n * f(n - 1); } int half(int x) { return x / 2.0; }"
+                        "static double g(int a, double b); double g(int a, double b) { return a * b; }"),
+              (Values{6, 1, 1}));
+    EXPECT_EQ(values_of("count(); count(); glLineWidth(count());", "int count(void) { static int n = 0; return ++n; }"),
+              (Values{3}));
+    EXPECT_EQ(values_of("int x = 1; { int x = 2; glLineWidth(x); } glLineWidth(x);"), (Values{2, 1}));
+    EXPECT_EQ(
+        values_of(
+            "set(v, 2); glNormal3fv(v); set(rows[1], 5); glVertex3fv(rows[1]);",
+            "float v[3], rows[2][3]; void set(float *a, float x) { int i; for (i = 0; i < 3; ++i) a[i] = x * i; }"),
+        (Values{0, 2, 4, 0, 5, 10}));
+    EXPECT_EQ(values_of("float x; out(&x); glLineWidth(x);", "void out(float *to) { *to = 7; }"), (Values{7}));
+    EXPECT_EQ(values_of("q(GL_LIGHT0, (GLfloat[]){1, 2, 3, 4});",
+                        "void q(GLenum l, const GLfloat c[4]) { int i = 0; i++; glLightfv(l, GL_DIFFUSE, c); }"),
+              (Values{0x4000, 0x1201, 1, 2, 3, 4}));
+}
+
+TEST(Programs, KnowCsMathematics) {
+    EXPECT_EQ(values_of("glScaled(sin(0.5), cosf(0.5f), tan(1));"),
+              (Values{std::sin(0.5), static_cast<double>(std::cos(0.5F)), std::tan(1.0)}));
+    EXPECT_EQ(values_of("glScaled(sqrt(2), fabs(-1.5), pow(2, 0.5));"),
+              (Values{std::sqrt(2.0), 1.5, std::pow(2, 0.5)}));
+    EXPECT_EQ(values_of("glScaled(atan2(1, -1), fmod(7.5, 2), floor(-0.5));"), (Values{std::atan2(1, -1), 1.5, -1}));
+    EXPECT_EQ(values_of("glScaled(abs(-3), ceil(0.2), M_PI);"), (Values{3, 1, 3.14159265358979323846}));
+}
+
+TEST(Programs, HaveAPreprocessor) {
+    EXPECT_EQ(values_of("glScaled(N, TWICE(N + 1), AREA);",
+                        "#define N 3\n#define TWICE(x) ((x) * 2)\n#define AREA (N * \\\n N)\n#define QUIET\n"),
+              (Values{3, 8, 9}));
+    EXPECT_EQ(
+        values_of(
+            "glScaled(A, B, C);",
+            "#ifdef __APPLE__\n#include <GLUT/glut.h>\n#define A 1\n#else\n#include <GL/glut.h>\n#define A 2\n#endif\n"
+            "#ifndef M_PI\n#define M_PI 3\n#define B 3\n#elif defined(A) && A == 2\n#define B 4\n#else\n#define B "
+            "5\n#endif\n"
+            "#if 0\n it's not C \n#if 1\n#endif\n#endif\n#define C 6\n#undef N\n"),
+        (Values{2, 4, 6}));
+    EXPECT_NE(error_of(program("", "#if 1\n")).find("homework.c:1:1: this #if is never closed"), std::string::npos);
+    EXPECT_NE(error_of(program("", "#endif\n")).find("homework.c:1:1: #endif without #if"), std::string::npos);
+    EXPECT_NE(error_of(program("glLineWidth(F(1));", "#define F(a, b) a\n")).find("takes 2 arguments"),
+              std::string::npos);
+}
+
+TEST(Programs, NameNewObjects) {
+    EXPECT_EQ(
+        values_of("GLuint list = glGenLists(2), t; glNewList(list + 1, GL_COMPILE); glEndList();"
+                  "glGenTextures(1, &t); glBindTexture(GL_TEXTURE_2D, t); if (glGetError() != GL_NO_ERROR) exit(1);"),
+        (Values{2, 1, 2, 0x1300, 1, 1, 0xDE1, 1, 0}));
+    EXPECT_EQ(values_of("GLUquadricObj *q; q = gluNewQuadric(); if (!q) return; draw(q);",
+                        "void draw(GLUquadricObj *it) { gluSphere(it, 1, 8, 8); }"),
+              (Values{1, 1, 1, 8, 8}));
+}
+
+struct OutOfReach {
+    const char* statement;
+    const char* message;
+};
+class ProgramsOutOfReach : public testing::TestWithParam<OutOfReach> {};
+TEST_P(ProgramsOutOfReach, NameTheConstructAndTheCommandThatRecords) {
+    const std::string message = error_of(program(GetParam().statement));
+    EXPECT_TRUE(message.starts_with("homework.c:3:")) << message;
+    EXPECT_NE(message.find(GetParam().message), std::string::npos) << message;
+    EXPECT_NE(message.find("twinlight record homework.c"), std::string::npos) << message;
+}
+INSTANTIATE_TEST_SUITE_P(
+    All, ProgramsOutOfReach,
+    testing::Values(OutOfReach{"int i = rand();", "the function rand"},
+                    OutOfReach{"float t = time(NULL);", "the function time"}, OutOfReach{"struct point p;", "'struct'"},
+                    OutOfReach{"goto end;", "'goto'"}, OutOfReach{"float *p = malloc(4);", "the function malloc"},
+                    OutOfReach{"float *p;", "the pointer 'p'"},
+                    OutOfReach{"float v[2]; float *p = v; p++;", "a pointer that moves"},
+                    OutOfReach{"float m[16]; glGetFloatv(GL_MODELVIEW_MATRIX, m); glLineWidth(m[0]);",
+                               "the value of 'm'"},
+                    OutOfReach{"int t = glutGet(GLUT_ELAPSED_TIME);", "glutGet(GLUT_ELAPSED_TIME)"},
+                    OutOfReach{"if (glIsEnabled(GL_FOG)) return;", "the result of glIsEnabled"},
+                    OutOfReach{"int i = 0; i.x = 3;", "a struct"}, OutOfReach{"std::cout << 1;", "'std'"},
+                    OutOfReach{"load_model(1, 2);", "the function 'load_model'"}));
+
+TEST(ProgramErrors, HaveTheirPlaceAndARemedy) {
+    const auto has = [](const std::string& text, const std::string& part) {
+        EXPECT_NE(error_of(text).find(part), std::string::npos) << error_of(text);
+    };
+    has(program("glVertex3f(1, 2);"), "homework.c:3:16: glVertex3f takes 3 arguments");
+    has(program("glLigthfv(1);"), "homework.c:3:1: unknown function 'glLigthfv'; did you mean glLightfv?");
+    has(program("speer(1);", "void sphere(int r) { }"), "did you mean sphere?");
+    has(program("sphere();", "void sphere(int r) { }"),
+        "3:1: the function 'sphere' takes 1 arguments, but 0 are given");
+    has(program("int i = 1 / 0;"), "3:11: this divides a whole number by 0");
+    has(program("float v[2]; int i = 2; v[i] = 1;"), "3:26: this index is outside 'v'");
+    has(program("(1;"), "does not close the '(' at homework.c:3:1");
+    has("int main() { glutMainLoop();", "1:12: this '{' is never closed");
+    has(program("float v[2]; glLightfv(GL_LIGHT0, GL_POSITION, v);"), "reads 4 values, but 'v' has 2");
+    has(program("", "void display(void) { }"), "the function 'display' is already defined at homework.c:1:6");
+    has("void display(void) {} int main() { glutDisplayFunc(display); return 0; glutMainLoop(); }",
+        "1:27: main ends before it calls glutMainLoop");
+    has("int main() { glutMainLoop(); }", "this program has no display function");
+    has("int main() { glutDisplayFunc(draw); glutMainLoop(); }", "the program has no function 'draw'");
+    has("int main() { exit(1); glutMainLoop(); }", "1:14: the program ends itself here");
+}
+
+TEST(ProgramLimits, EndWhatDoesNotEnd) {
+    for (const char* statement : {"for (;;);", "while (1) ;", "do ; while (1);", "for (;;) glLineWidth(2);",
+                                  "int i = 0; for (i = 0; i < 10; i--) ;"}) {
+        const std::string message = error_of(program(statement), {.most_steps = 100'000});
+        EXPECT_NE(message.find("homework.c:3:"), std::string::npos) << message;
+        EXPECT_NE(message.find("is stopped here after 100000 steps"), std::string::npos) << message;
+    }
+    EXPECT_NE(error_of(program("again();", "void again(void) { again(); }")).find("nested too deeply"),
+              std::string::npos);
+    EXPECT_NE(
+        error_of(program("again(1);", "int again(int n) { return 1 + (again(n + 1) * 2); }")).find("nested too deeply"),
+        std::string::npos);
+}
+
+TEST(ProgramLimits, BoundMemoryAndDepth) {
+    const auto has = [](const std::string& text, const std::string& part) {
+        EXPECT_NE(error_of(text).find(part), std::string::npos) << error_of(text);
+    };
+    std::string macros = "#define A0\n";
+    for (int i = 1; i < 60; ++i)
+        macros += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + " A" + std::to_string(i - 1) + "\n";
+    has(program("A59", macros), "macros make this program too long");
+    has(program("float v[100000000];"), "an array's length must be");
+    has(program("for (;;) { float v[16000000]; f(v); }",
+                "void f(float *v) { static float a[16000000]; float b[16000000], "
+                "c[16000000], d[16000000]; }"),
+        "together can have at most 256 MiB");
+    has(program("int i;" + std::string(5000, '{') + std::string(5000, '}')), "nested too deeply");
+    has(program("int i = " + std::string(5000, '!') + "1;"), "nested too deeply");
+    has(program("int i = " + std::string(5000, '(') + "1" + std::string(5000, ')') + ";"),
+        "nested more than 64 levels");
+    std::string ifs;
+    for (int i = 0; i < 5000; ++i) ifs += "if (0) ";
+    has(program(ifs + ";"), "nested too deeply");
+    std::string many;
+    for (int i = 0; i < 1001; ++i) many += "int v" + std::to_string(i) + " = 0;";
+    has(program(many), "at most 1000 variables");
+    // Arrays of finished functions give their memory back.
+    EXPECT_EQ(values_of("for (int i = 0; i < 100; i++) f(); glLineWidth(2);",
+                        "void f(void) { double v[1000000]; v[0] = 1; }"),
+              (Values{2}));
+}
+
+// A scene that only mentions the words of a program is still a scene.
+TEST(Programs, AreTextsWithMainAndGlutsLoop) {
+    EXPECT_EQ(read_program("// main(); glutMainLoop();\nglLineWidth(3);").commands.size(), 1U);
+    EXPECT_FALSE(read_program("glLineWidth(3);").window);
+    EXPECT_NE(error_of("int main(void) { for (;;) glEnd(); }").find("a scene cannot define the function 'main'"),
+              std::string::npos);
+}
+
+}  // namespace
+
+}  // namespace twinlight
