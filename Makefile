@@ -207,7 +207,7 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 	@$(MAKE) test config=sanitize
 
 includes: deps  ## compile each header and source by itself: it must include what it uses
-	@$(MAKE) --keep-going $(patsubst %,includes/%,$(HEADERS) $(filter-out $(SOURCES_fuzz),$(SOURCES_all)))
+	@$(MAKE) --keep-going $(patsubst %,includes/%,$(filter-out $(SOURCES_fuzz) $(FILES_shaders),$(HEADERS) $(SOURCES_all)))
 includes/%: %
 	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) -fsyntax-only $(if $(filter %.h,$<),-include $< -x c++ /dev/null,$<)
 
