@@ -221,7 +221,8 @@ TEST_F(Cli, ShowsWhatQueriesReturn) {
         "glGetLightiv(GL_LIGHT1, GL_SPOT_DIRECTION, i); glGetIntegerv(GL_DEPTH_RANGE, i);\n"
         "glGetClipPlane(GL_CLIP_PLANE0, d); glGetTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, i);\n"
         "glGetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, f); glGetIntegerv(GL_TEXTURE_BINDING_2D, i);\n"
-        "glLoadIdentity(); glutSolidCube(1);\n");
+        "glLoadIdentity(); glutSolidCube(1);\n"
+        "// twinlight: allow(lighting-off)\n");
     const ProgramResult result = run({"compare", file, "--size", "8x6", "--json", "-o", out_.str()});
     const json queries = json::parse(result.out)["queries"];
     ASSERT_EQ(queries.size(), 14U);

@@ -130,6 +130,27 @@ TEST(KeptFiles, SpellEachVersion) {
     EXPECT_TRUE(has(Glsl::k300es, "kind1.frag", "if (v_clip_distance0 < 0.0) discard;"));
 }
 
+TEST(KeptFiles, SizePointsWhereOpenGlEsDoesNot) {
+    const auto sizes = [](Glsl version) {
+        const std::string text = text_of(files_of({point({0, 0, 0}, cone())}, version), "kind1.vert");
+        return text.find("gl_PointSize = PointSize;") != std::string::npos;
+    };
+    EXPECT_TRUE(sizes(Glsl::k300es));
+    EXPECT_FALSE(sizes(Glsl::k330));
+}
+
+TEST(KeptPage, HoldsAnyNameAndLoadsNothing) {
+    Frame frame{.width = 8, .height = 8};
+    frame.items = {square(cone())};
+    const std::string page = kept_page(frame, {}, "a</script>&b\nc");
+    EXPECT_NE(page.find("<title>a?/script??b?c</title>"), page.npos) << page.substr(0, 200);
+    EXPECT_NE(page.find("const scene_data = \""), page.npos);
+    EXPECT_NE(page.find("gl.disable(gl.SCISSOR_TEST);"), page.npos);
+    for (const char* loads : {"http:", "https:", " src=", " href=", "glEnable", "GL_TRIANGLES"})
+        EXPECT_EQ(page.find(loads), page.npos) << loads;
+    EXPECT_NE(page.find("draw(gl.TRIANGLES, "), page.npos);
+}
+
 TEST(KeptFiles, RefuseSpectraAndManyLights) {
     LightingState lighting = cone();
     lighting.lights.resize(20, lighting.lights[0]);
