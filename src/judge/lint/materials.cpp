@@ -324,6 +324,7 @@ class SetAfterDrawing : public Watch {
     void after(const Command& command, const State& state) override {
         const bool is_material = is_effect(command, "material");
         if (!is_material && !light_of(command)) return;
+        since_.emplace(command.place.line, command.place.column);
         const Material initial_material;
         const LightingState initial;
         const Material& front = state.lighting().front;
@@ -344,22 +345,28 @@ class SetAfterDrawing : public Watch {
     void drawn(const Draw& draw, const State&) override {
         last_ = draw.place;
         late_.clear();
+        used_.merge(since_);
+        since_.clear();
         is_lit_ |= draw.lighting.enabled;
     }
     void finish(const Frame&, bool is_recorded) override {
         if (is_recorded || !is_lit_) return;
-        for (const Command& command : late_)
+        for (const Command& command : late_) {
+            // A function that also sets values for objects.
+            if (used_.contains({command.place.line, command.place.column})) continue;
             warn({.place = command.place,
                   .message = fmt::format("this {} comes after the last object ({}), so no object uses it",
                                          enum_name(pname_of(command)), where(last_)),
                   .fix = "call it before the object that it is for",
                   .edits = {{.place = last_, .moved = command.place}}});
+        }
     }
 
   private:
     Material front_;
     std::vector<LightSource> lights_;
     std::vector<Command> late_;
+    std::set<std::pair<int, int>> since_, used_;  // places of commands since the last Draw, and before one
     Place last_;
     bool is_lit_ = false;
 };
