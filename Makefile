@@ -146,7 +146,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check includes tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check includes each-file tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -207,7 +207,8 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 	@$(MAKE) test config=sanitize
 
 includes: deps  ## compile each header and source by itself: it must include what it uses
-	@$(MAKE) --keep-going $(patsubst %,includes/%,$(filter-out $(SOURCES_fuzz) $(FILES_shaders),$(HEADERS) $(SOURCES_all)))
+	@$(MAKE) --keep-going each-file
+each-file: $(patsubst %,includes/%,$(filter-out $(SOURCES_fuzz) $(FILES_shaders),$(HEADERS) $(SOURCES_all)))
 includes/%: %
 	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) -fsyntax-only $(if $(filter %.h,$<),-include $< -x c++ /dev/null,$<)
 
