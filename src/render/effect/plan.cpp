@@ -117,7 +117,7 @@ class Planner {
     EffectSet& facts() { return plan_.effects; }
     LightingState& state() { return plan_.lighting; }
     void leave_out(std::string what, std::string why, bool is_off = false) {
-        plan_.left_out.emplace_back(std::move(what), std::move(why), is_off);
+        plan_.left_out.push_back({std::move(what), std::move(why), is_off});
     }
 
     void plan_unlit() {

@@ -8,7 +8,7 @@ namespace twinlight {
 namespace {
 
 void leave_out(Plan& plan, std::string what, std::string why, bool is_off = false) {
-    plan.left_out.emplace_back(std::move(what), std::move(why), is_off);
+    plan.left_out.push_back({std::move(what), std::move(why), is_off});
 }
 
 // ---- The texture ----
