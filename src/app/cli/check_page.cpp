@@ -262,8 +262,7 @@ std::string check_page(const std::string& driver, const std::vector<Case>& cases
     html += fmt::format(
         "<dl class=\"facts\"><div><dt>Driver</dt><dd>{}</dd></div></dl>\n</header>\n<main>\n"
         "<p class=\"hint\">A hard case is a small scene whose right colours are known. Open a case to see its results, "
-        "pictures "
-        "and commands.</p>\n{}",
+        "pictures and commands.</p>\n{}",
         escaped(driver), kTerms);
     for (const Group& group : groups) {
         if (group.cases.empty()) continue;
@@ -272,8 +271,7 @@ std::string check_page(const std::string& driver, const std::vector<Case>& cases
     }
     return html + fmt::format(
                       "<p class=\"hint\">The pictures have {0} by {0} pixels where a case tests vertices, and {1} by "
-                      "{1} where it tests "
-                      "pixels. A grey chequerboard means that nothing is "
+                      "{1} where it tests pixels. A grey chequerboard means that nothing is "
                       "drawn.</p>\n</main>\n<script>{2}</script>\n</body>\n</html>\n",
                       kVertexSide, kSide, kScript);
 }

@@ -119,8 +119,7 @@ Subcommand add_export(CLI::App& app) {
     const auto arguments = std::make_shared<ExportArguments>();
     CLI::App* exporting = app.add_subcommand("export",
                                              "Print a scene as a C program (freeglut), as the GLSL shaders that draw "
-                                             "it, as a page that draws it with WebGL, "
-                                             "or as a scene file");
+                                             "it, as a page that draws it with WebGL, or as a scene file");
     add_scene_argument(*exporting, arguments->scene);
     exporting->add_option("--as", arguments->form, "output format")
         ->required()

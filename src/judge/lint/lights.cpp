@@ -411,11 +411,9 @@ std::vector<Rule> light_rules() {
          make_watch<BlackLight>},
         {"light-before-camera",
          "The position of a light is set before `gluLookAt`. The light then keeps its place relative to the camera, "
-         "not to "
-         "the scene. (For a lamp on the camera this is right: silence the warning.)",
+         "not to the scene. (For a lamp on the camera this is right: silence the warning.)",
          "Section 2.14.1: a position is transformed by the modelview matrix of the moment when it is set, and kept in "
-         "eye "
-         "coordinates.",
+         "eye coordinates.",
          "glLightfv(GL_LIGHT0, GL_POSITION, ...) after gluLookAt",
          R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
  glEnable(GL_DEPTH_TEST);
@@ -432,11 +430,9 @@ std::vector<Rule> light_rules() {
          make_watch<PositionBeforeCamera>},
         {"spot-direction-before-camera",
          "The direction of a spotlight is set before `gluLookAt`, but its position after it. The cone then turns with "
-         "the "
-         "camera.",
+         "the camera.",
          "Section 2.14.1: a spot direction is transformed by the upper left 3x3 of the modelview matrix of the moment "
-         "when "
-         "it is set.",
+         "when it is set.",
          "glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, ...) after gluLookAt",
          R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
  glEnable(GL_DEPTH_TEST);
@@ -456,8 +452,7 @@ std::vector<Rule> light_rules() {
         {"attenuation-directional",
          "A light has an attenuation, but its position has w = 0. The attenuation has no effect.",
          "Section 2.14.1: the attenuation factor is 1 where the light's w is 0. Such a light is a direction, "
-         "infinitely far "
-         "away.",
+         "infinitely far away.",
          "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){x, y, z, 1});",
          R"(// the view
 -glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){1, 2, 3, 0});
@@ -470,11 +465,9 @@ std::vector<Rule> light_rules() {
          make_watch<AttenuationOfDirectional>},
         {"spot-directional",
          "A light is a spotlight, but its position has w = 0. Every point lies in the same direction from it, so the "
-         "cone "
-         "holds everything or nothing.",
+         "cone holds everything or nothing.",
          "Section 2.14.1: the cone compares the direction to the vertex with the spot direction; with w = 0 it is the "
-         "same "
-         "for all vertices.",
+         "same for all vertices.",
          "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){x, y, z, 1});",
          R"(// the view
 -glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 4, 0, 0});

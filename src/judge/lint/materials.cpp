@@ -396,8 +396,7 @@ std::vector<Rule> material_rules() {
         {"color-ignored",
          "`glColor` sets the colour of a lit object, but `GL_COLOR_MATERIAL` is not enabled. It has no effect.",
          "Section 2.14.1: with lighting the colour comes from the material. Section 2.14.3: only `GL_COLOR_MATERIAL` "
-         "makes "
-         "it follow `glColor`.",
+         "makes it follow `glColor`.",
          "glEnable(GL_COLOR_MATERIAL);",
          R"(// the view
 // the light
@@ -408,11 +407,9 @@ std::vector<Rule> material_rules() {
          make_watch<ColorIgnored>},
         {"color-material-too-early",
          "`GL_COLOR_MATERIAL` is enabled before `glColorMaterial` chooses what follows the colour. The ambient and "
-         "diffuse "
-         "colours already have the current colour, and keep it.",
+         "diffuse colours already have the current colour, and keep it.",
          "Section 2.14.3: from the moment of `glEnable` the chosen colours follow the current colour; initially these "
-         "are "
-         "ambient and diffuse.",
+         "are ambient and diffuse.",
          "glColorMaterial(GL_FRONT, ...); glEnable(GL_COLOR_MATERIAL);",
          R"(// the view
 // the light
@@ -452,8 +449,7 @@ std::vector<Rule> material_rules() {
          make_watch<ShininessWithoutSpecular>},
         {"specular-without-shininess",
          "The specular colour is set, but not `GL_SHININESS`. It is 0, so the highlight covers the whole lit side. (A "
-         "larger "
-         "shininess makes a smaller highlight.)",
+         "larger shininess makes a smaller highlight.)",
          "Section 2.14.1: the highlight is (n . h)^0 = 1 wherever the light reaches.",
          "glMaterialf(GL_FRONT, GL_SHININESS, 32);",
          R"(// the view
@@ -465,11 +461,9 @@ std::vector<Rule> material_rules() {
          make_watch<SpecularWithoutShininess>},
         {"shininess-fraction",
          "`GL_SHININESS` is between 0 and 1, as in tables of materials that count in parts of 128. The highlight "
-         "covers the "
-         "whole lit side.",
+         "covers the whole lit side.",
          "Section 2.14.1: the shininess is an exponent from 0 to 128. Values of other formats need their own factor: "
-         "an OBJ "
-         "file's go to 1000.",
+         "an OBJ file's go to 1000.",
          "glMaterialf(GL_FRONT, GL_SHININESS, 0.25 * 128);",
          R"(// the view
 // the light

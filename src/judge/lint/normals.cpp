@@ -233,11 +233,9 @@ std::vector<Rule> normal_rules() {
     return {
         {"scale-without-normalize",
          "The modelview matrix scales a lit object, and with it the length of its normals. The object is too dark or "
-         "too "
-         "bright.",
+         "too bright.",
          "Section 2.11.3: normals are multiplied by the inverse of the modelview matrix, so a scale of 3 makes them a "
-         "third "
-         "as long. Lighting needs length 1. (`GL_NORMALIZE` costs little.)",
+         "third as long. Lighting needs length 1. (`GL_NORMALIZE` costs little.)",
          "glEnable(GL_NORMALIZE);",
          R"(// the view
 // the light
@@ -309,11 +307,9 @@ std::vector<Rule> normal_rules() {
          make_watch<NormalStale>},
         {"winding-against-normals",
          "Faces are culled or lit on both sides, but the order of an object's vertices does not match its normals: GL "
-         "takes the "
-         "outside for the back. GLUT's teapot is such an object.",
+         "takes the outside for the back. GLUT's teapot is such an object.",
          "Section 3.5.1: `glFrontFace` decides by the order of the vertices in the window, not by normals. Section "
-         "2.14.1: a "
-         "back face is lit with the turned normal.",
+         "2.14.1: a back face is lit with the turned normal.",
          "glFrontFace(GL_CW);",
          R"(// the view
 // the light

@@ -444,8 +444,7 @@ std::vector<Rule> picture_rules() {
     return {
         {"nothing-in-view", "No object is in view.",
          "Section 2.12: what is outside the view volume is clipped away. Initially the camera is at the origin and "
-         "looks "
-         "along -z.",
+         "looks along -z.",
          "gluLookAt(0, 0, 5,  0, 0, 0,  0, 1, 0);",
          R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
  glEnable(GL_DEPTH_TEST);
@@ -461,8 +460,7 @@ std::vector<Rule> picture_rules() {
         {"everything-culled",
          "Every face in view is culled. The picture is empty.",
          "Section 3.5.1: `glFrontFace` decides by the order of the vertices in the window which faces are front faces, "
-         "and "
-         "`glCullFace` which are removed.",
+         "and `glCullFace` which are removed.",
          "glFrontFace(GL_CW); or glDisable(GL_CULL_FACE);",
          R"(// the view
 // the light
@@ -508,8 +506,7 @@ std::vector<Rule> picture_rules() {
          make_watch<FacesAway>, kLightRules},
         {"light-inside", "No object is lit, because the light is inside the object.",
          "Section 2.14.1: n . VP is 0 where the light is behind the surface; GL casts no shadows, but lights only the "
-         "sides "
-         "that face the light.",
+         "sides that face the light.",
          "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){3, 4, 5, 1});",
          R"(// the view
 -glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, 0, 1});
@@ -545,8 +542,7 @@ std::vector<Rule> picture_rules() {
          make_watch<AttenuatedAway>, kLightRules},
         {"material-black", "No object is lit, because the product of material and light is black.",
          "Section 2.14.1: the colours of material and light are multiplied, channel by channel: a blue surface in red "
-         "light is "
-         "black.",
+         "light is black.",
          "glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});",
          R"(// the view
 // the light

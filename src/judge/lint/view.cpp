@@ -175,11 +175,9 @@ std::vector<Rule> view_rules() {
     return {
         {"projection-in-modelview",
          "`gluPerspective` or `glFrustum` is called while `glMatrixMode` is `GL_MODELVIEW`. Lights, normals and fog "
-         "are then "
-         "computed in a distorted space.",
+         "are then computed in a distorted space.",
          "Section 2.11.2: these commands multiply the current matrix. Section 2.14.1: lighting happens in eye "
-         "coordinates, "
-         "which the modelview matrix makes.",
+         "coordinates, which the modelview matrix makes.",
          "glMatrixMode(GL_PROJECTION); gluPerspective(...); glMatrixMode(GL_MODELVIEW);",
          R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
  glEnable(GL_DEPTH_TEST);
@@ -194,8 +192,7 @@ std::vector<Rule> view_rules() {
          make_watch<ProjectionInModelview>},
         {"camera-in-projection",
          "`gluLookAt` is called while `glMatrixMode` is `GL_PROJECTION`. The objects are in the right place, but "
-         "lights, "
-         "highlights and fog see a camera at the origin.",
+         "lights, highlights and fog see a camera at the origin.",
          "Section 2.11.2 and 2.14.1: eye coordinates come from the modelview matrix only.",
          "glMatrixMode(GL_MODELVIEW); gluLookAt(...);",
          R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -230,11 +227,9 @@ std::vector<Rule> view_rules() {
          make_watch<ProjectionNotReset>},
         {"near-plane",
          "The near plane of `gluPerspective` is at 0, or very much nearer than the far plane. All depths are almost "
-         "the same, "
-         "and near objects do not hide far ones.",
+         "the same, and near objects do not hide far ones.",
          "Section 2.11.1: depths are divided by the distance; their precision at distance z is about z * z / near "
-         "times that "
-         "of the depth buffer.",
+         "times that of the depth buffer.",
          "gluPerspective(45, 4.0 / 3.0, 1, 100);",
          R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
  glEnable(GL_DEPTH_TEST);
@@ -270,8 +265,7 @@ std::vector<Rule> view_rules() {
          make_watch<EmptyDepthRange>},
         {"depth-not-cleared",
          "`glClear` clears the colours, but not the depths, and then objects are drawn with the depth test. They are "
-         "hidden by "
-         "objects of the picture before.",
+         "hidden by objects of the picture before.",
          "Section 4.2.3: `glClear` clears only the buffers that it names.",
          "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
          R"(// the view
