@@ -309,45 +309,40 @@ DarkFrame dark_frame(const Frame& frame) {
     return result;
 }
 
+struct NotLitText {
+    const char *message, *fix;
+};
+constexpr NotLitText not_lit_text(Dark why) {
+    switch (why) {
+        case Dark::kNot: break;
+        case Dark::kFacesAway:
+            return {"every normal points away from every light",
+                    "move the light to the side that the normals point to, or turn the normals around"};
+        case Dark::kLightInside:
+            return {"the light is inside the object, and the normals point outwards",
+                    "move the light outside with glLightfv(GL_LIGHT0, GL_POSITION, ...)"};
+        case Dark::kOutsideCone:
+            return {"everything is outside the cone of the spotlight",
+                    "aim GL_SPOT_DIRECTION at the objects, or make GL_SPOT_CUTOFF larger"};
+        case Dark::kAttenuated:
+            return {"attenuation leaves less than 1/255 of the light",
+                    "make GL_LINEAR_ATTENUATION or GL_QUADRATIC_ATTENUATION smaller"};
+        case Dark::kMaterialBlack:
+            return {"the materials are black in the colours of the lights",
+                    "set GL_DIFFUSE or GL_AMBIENT_AND_DIFFUSE of the material"};
+    }
+    return {"", ""};
+}
+
+template <Dark kWhy>
 class NotLit : public Watch {
-  public:
-    NotLit(Dark why, const char* message, const char* fix) : why_(why), message_(message), fix_(fix) {}
     void finish(const Frame& frame, bool) override {
         const DarkFrame dark = dark_frame(frame);
-        if (dark.why != why_ || dark.light >= kMaxLights || view_of(frame).in_view == 0) return;
-        if (why_ == Dark::kOutsideCone && !lost_spots(frame).empty()) return;
-        warn({.place = dark.place, .message = message_, .fix = fix_});
+        if (dark.why != kWhy || dark.light >= kMaxLights || view_of(frame).in_view == 0) return;
+        if (kWhy == Dark::kOutsideCone && !lost_spots(frame).empty()) return;
+        const NotLitText text = not_lit_text(kWhy);
+        warn({.place = dark.place, .message = fmt::format("no object is lit: {}", text.message), .fix = text.fix});
     }
-
-  private:
-    Dark why_;
-    const char *message_, *fix_;
-};
-
-struct FacesAway : NotLit {
-    FacesAway()
-        : NotLit(Dark::kFacesAway, "no object is lit: every normal points away from every light",
-                 "move the light to the side that the normals point to, or turn the normals around") {}
-};
-struct LightInside : NotLit {
-    LightInside()
-        : NotLit(Dark::kLightInside, "no object is lit: the light is inside the object, and the normals point outwards",
-                 "move the light outside with glLightfv(GL_LIGHT0, GL_POSITION, ...)") {}
-};
-struct OutsideCone : NotLit {
-    OutsideCone()
-        : NotLit(Dark::kOutsideCone, "no object is lit: everything is outside the cone of the spotlight",
-                 "aim GL_SPOT_DIRECTION at the objects, or make GL_SPOT_CUTOFF larger") {}
-};
-struct AttenuatedAway : NotLit {
-    AttenuatedAway()
-        : NotLit(Dark::kAttenuated, "no object is lit: attenuation leaves less than 1/255 of the light",
-                 "make GL_LINEAR_ATTENUATION or GL_QUADRATIC_ATTENUATION smaller") {}
-};
-struct MaterialBlack : NotLit {
-    MaterialBlack()
-        : NotLit(Dark::kMaterialBlack, "no object is lit: the materials are black in the colours of the lights",
-                 "set GL_DIFFUSE or GL_AMBIENT_AND_DIFFUSE of the material") {}
 };
 
 class SpotBetweenVertices : public Watch {
@@ -503,7 +498,7 @@ std::vector<Rule> picture_rules() {
  glVertex3f(0, 2, 0);
  glEnd();
 )",
-         make_watch<FacesAway>, kLightRules},
+         make_watch<NotLit<Dark::kFacesAway>>, kLightRules},
         {"light-inside", "No object is lit, because the light is inside the object.",
          "Section 2.14.1: n . VP is 0 where the light is behind the surface; GL casts no shadows, but lights only the "
          "sides that face the light.",
@@ -515,7 +510,7 @@ std::vector<Rule> picture_rules() {
  glEnable(GL_LIGHT0);
  glutSolidSphere(1.5, 40, 20);
 )",
-         make_watch<LightInside>, kLightRules},
+         make_watch<NotLit<Dark::kLightInside>>, kLightRules},
         {"outside-cone", "No object is lit, because everything is outside the cone of the spotlight.",
          "Section 2.14.1: the spotlight factor is 0 outside the cone. `GL_SPOT_DIRECTION` is a direction, not a place; "
          "`GL_SPOT_CUTOFF` is half of the cone's angle.",
@@ -529,7 +524,7 @@ std::vector<Rule> picture_rules() {
  glEnable(GL_LIGHT0);
  glutSolidSphere(1.5, 80, 40);
 )",
-         make_watch<OutsideCone>, kLightRules},
+         make_watch<NotLit<Dark::kOutsideCone>>, kLightRules},
         {"attenuated-away", "No object is lit, because attenuation leaves almost nothing of the light.",
          "Section 2.14.1: the factor is 1 / (k0 + k1 d + k2 d * d), with the distance d in units of the scene.",
          "glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.05);",
@@ -539,7 +534,7 @@ std::vector<Rule> picture_rules() {
 +glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.05);
  glutSolidSphere(1.5, 40, 20);
 )",
-         make_watch<AttenuatedAway>, kLightRules},
+         make_watch<NotLit<Dark::kAttenuated>>, kLightRules},
         {"material-black", "No object is lit, because the product of material and light is black.",
          "Section 2.14.1: the colours of material and light are multiplied, channel by channel: a blue surface in red "
          "light is black.",
@@ -551,7 +546,7 @@ std::vector<Rule> picture_rules() {
 +glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});
  glutSolidSphere(1.5, 40, 20);
 )",
-         make_watch<MaterialBlack>, kLightRules},
+         make_watch<NotLit<Dark::kMaterialBlack>>, kLightRules},
         {"spot-between-vertices", "A spotlight shines on a surface, but no vertex is in its cone. Its light is lost.",
          "Section 2.14.1: lighting happens at vertices; between them colours are interpolated.",
          "divide the surface into smaller pieces",
