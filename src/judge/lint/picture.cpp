@@ -49,13 +49,13 @@ const Side* beyond(const reference::Primitive& primitive, const std::vector<refe
     return nullptr;
 }
 
-// Whether culling removes a triangle before the camera; nullopt if it is partly behind the camera.
-std::optional<bool> culls(const Draw& draw, const reference::Primitive& primitive,
-                          const std::vector<reference::StageVertex>& vertices) {
+// Whether culling removes a triangle; false if it is partly behind the camera.
+bool culls(const Draw& draw, const reference::Primitive& primitive,
+           const std::vector<reference::StageVertex>& vertices) {
     std::array<glm::dvec2, 3> p;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec4& clip = vertices[primitive.vertices[i]].position_clip;
-        if (clip.w <= 0) return std::nullopt;
+        if (clip.w <= 0) return false;
         p[i] = glm::dvec2(clip) / clip.w;
     }
     const glm::dvec2 a = p[1] - p[0], b = p[2] - p[0];
@@ -79,7 +79,7 @@ View view_of(const Frame& frame) {
                 continue;
             }
             const bool is_culled = draw->raster.cull_enabled && primitive.shape == reference::Shape::kTriangle &&
-                                   culls(*draw, primitive, vertices).value_or(false);
+                                   culls(*draw, primitive, vertices);
             ++(is_culled ? view.culled : view.in_view);
             if (view.in_view > 0) return view;  // enough is known
         }
