@@ -275,31 +275,41 @@ struct DarkFrame {
 DarkFrame dark_frame(const Frame& frame) {
     std::map<Dark, std::size_t> counts;
     DarkFrame result;
-    Boxes boxes;
+    struct FacingAway {
+        const Draw& draw;
+        const LightSource& light;
+        std::size_t count;  // of vertices
+    };
+    std::vector<FacingAway> facing_away;  // its cause needs the boxes of objects; a lit picture needs none
     for (const Draw* draw : frame.draws()) {
         const std::vector<int> lights = enabled_lights(*draw);
         if (lights.empty()) continue;
         if (!is_black(draw->lighting.front.emission)) return {};
         const std::vector<EyeVertex> vertices = eye_vertices(*draw);
-        if (boxes.empty()) boxes = boxes_of(frame);
-        const Box& box = boxes.at({draw->place.line, draw->place.column});
         for (const int number : lights) {
             const LightSource& light = draw->lighting.lights[static_cast<std::size_t>(number)];
             if (is_black(light)) continue;
-            const glm::dvec3 place =
-                glm::dvec3(light.position_eye) / (light.position_eye.w == 0 ? 1 : light.position_eye.w);
-            const bool is_inside = light.position_eye.w != 0 && box.contains(place);
+            std::size_t away = 0;
             for (std::size_t i = 0; i < vertices.size(); ++i) {
                 if (vertices[i].normal == glm::dvec3(0)) return {};  // normal-zero
-                Dark why = dark_reason(*draw, light, vertices[i], draw->vertices[i]);
+                const Dark why = dark_reason(*draw, light, vertices[i], draw->vertices[i]);
                 if (why == Dark::kNot) return {};
-                if (why == Dark::kFacesAway && is_inside) why = Dark::kLightInside;
-                ++counts[why];
+                ++(why == Dark::kFacesAway ? away : counts[why]);
                 if (result.place.line == 0) {
                     result.place = draw->place;
                     result.light = number;
                 }
             }
+            if (away > 0) facing_away.push_back({*draw, light, away});
+        }
+    }
+    if (!facing_away.empty()) {
+        const Boxes boxes = boxes_of(frame);
+        for (const FacingAway& part : facing_away) {
+            const glm::dvec4& at = part.light.position_eye;
+            const bool is_inside =
+                at.w != 0 && boxes.at({part.draw.place.line, part.draw.place.column}).contains(glm::dvec3(at) / at.w);
+            counts[is_inside ? Dark::kLightInside : Dark::kFacesAway] += part.count;
         }
     }
     if (counts.empty()) return {};
@@ -387,7 +397,7 @@ class HighlightBetweenVertices : public Watch {
                 const auto is_bright_inside = [&](const Triangle& triangle) {
                     return any_inside(vertices, triangle, [&](const EyeVertex& point) { return at(point) > 0.5; });
                 };
-                if (lost_spots(frame).contains(number) || std::ranges::none_of(triangles, is_bright_inside)) continue;
+                if (std::ranges::none_of(triangles, is_bright_inside) || lost_spots(frame).contains(number)) continue;
                 warn({.place = draw->place,
                       .message =
                           fmt::format("the highlight of {} falls between the vertices: GL lights vertices only, and "
