@@ -51,13 +51,13 @@ class BeforeCamera : public Watch {
             if (is_direction && (!position_at_[at] || draw.lighting.lights[at].spot_cutoff_deg == 180)) continue;
             const Typed& typed = *typed_[at];
             warn({.place = typed.place,
-                  .message = fmt::format(
-                      "the {} of {} is set before gluLookAt ({}), so the light moves with the camera",
-                      is_direction ? "spot direction" : "position", light_name_of(light), where(typed.camera)),
-                  .fix = fmt::format("call glLightfv({}, {}, ...) after gluLookAt", light_name_of(light),
-                                     enum_name(pname_)),
+                  .message =
+                      fmt::format("the {} of {} is set before gluLookAt ({}), so the light moves with the camera",
+                                  is_direction ? "spot direction" : "position", light_name(light), where(typed.camera)),
+                  .fix =
+                      fmt::format("call glLightfv({}, {}, ...) after gluLookAt", light_name(light), enum_name(pname_)),
                   .edits = {{.place = typed.camera, .is_after = true, .moved = typed.place}},
-                  .key = light_name_of(light)});
+                  .key = light_name(light)});
             typed_[at].reset();
         }
     }
@@ -121,13 +121,19 @@ class InEveryDraw : public Watch {
         return last;
     }
 
-    // Gives the light's position w = 1.
-    static std::vector<Edit> as_place(const Parameters& parameters) {
-        const auto found = parameters.find(kGL_POSITION);
-        if (found == parameters.end()) return {};
-        Command positional = found->second;
-        positional.arguments.back() = 1;
-        return {{.place = positional.place, .removes = true, .insert = print_command(positional)}};
+    // Warns about a light with w = 0, which w = 1 mends.
+    void warn_directional(int light, const Place& place, std::string message, const Parameters& parameters) {
+        Warning warning{
+            .place = place,
+            .message = std::move(message),
+            .fix = fmt::format("set w of GL_POSITION to 1: glLightfv({}, GL_POSITION, (GLfloat[]){{x, y, z, 1}})",
+                               light_name(light))};
+        if (const auto found = parameters.find(kGL_POSITION); found != parameters.end()) {
+            Command positional = found->second;
+            positional.arguments.back() = 1;
+            warning.edits = {{.place = positional.place, .removes = true, .insert = print_command(positional)}};
+        }
+        warn(std::move(warning));
     }
 
   private:
@@ -144,12 +150,10 @@ class AttenuationOfDirectional : public InEveryDraw {
         const Place* place =
             last_of(parameters, {kGL_CONSTANT_ATTENUATION, kGL_LINEAR_ATTENUATION, kGL_QUADRATIC_ATTENUATION});
         if (!place) return;
-        warn({.place = *place,
-              .message = fmt::format("the attenuation of {} has no effect, because its position has w = 0",
-                                     light_name_of(light)),
-              .fix = fmt::format("set w of GL_POSITION to 1: glLightfv({}, GL_POSITION, (GLfloat[]){{x, y, z, 1}})",
-                                 light_name_of(light)),
-              .edits = as_place(parameters)});
+        warn_directional(
+            light, *place,
+            fmt::format("the attenuation of {} has no effect, because its position has w = 0", light_name(light)),
+            parameters);
     }
 };
 
@@ -160,13 +164,11 @@ class SpotOfDirectional : public InEveryDraw {
     void report(int light, const Parameters& parameters) override {
         const Place* place = last_of(parameters, {kGL_SPOT_CUTOFF});
         if (!place) return;
-        warn({.place = *place,
-              .message =
-                  fmt::format("{} is a spotlight with w = 0: it has no place, so its cone holds all points or none",
-                              light_name_of(light)),
-              .fix = fmt::format("set w of GL_POSITION to 1: glLightfv({}, GL_POSITION, (GLfloat[]){{x, y, z, 1}})",
-                                 light_name_of(light)),
-              .edits = as_place(parameters)});
+        warn_directional(
+            light, *place,
+            fmt::format("{} is a spotlight with w = 0: it has no place, so its cone holds all points or none",
+                        light_name(light)),
+            parameters);
     }
 };
 
@@ -177,14 +179,13 @@ class SpotWithoutCutoff : public InEveryDraw {
     void report(int light, const Parameters& parameters) override {
         const Place* place = last_of(parameters, {kGL_SPOT_DIRECTION, kGL_SPOT_EXPONENT});
         if (!place || parameters.contains(kGL_SPOT_CUTOFF)) return;
+        const std::string call = fmt::format("glLightf({}, GL_SPOT_CUTOFF, 30);", light_name(light));
         warn({.place = *place,
               .message = fmt::format("{} shines in all directions: its GL_SPOT_CUTOFF is 180, so its other spot values "
                                      "have no effect",
-                                     light_name_of(light)),
-              .fix = fmt::format("glLightf({}, GL_SPOT_CUTOFF, 30);", light_name_of(light)),
-              .edits = {{.place = *place,
-                         .insert = fmt::format("glLightf({}, GL_SPOT_CUTOFF, 30);", light_name_of(light)),
-                         .is_after = true}}});
+                                     light_name(light)),
+              .fix = call,
+              .edits = {{.place = *place, .insert = call, .is_after = true}}});
     }
 };
 
@@ -209,10 +210,9 @@ class BlackLight : public Watch {
         for (const auto& [light, place] : enabled_) {
             if (colored_.contains(light) || !used_.contains(light)) continue;
             const std::string call =
-                fmt::format("glLightfv({}, GL_DIFFUSE, (GLfloat[]){{1, 1, 1, 1}});", light_name_of(light));
+                fmt::format("glLightfv({}, GL_DIFFUSE, (GLfloat[]){{1, 1, 1, 1}});", light_name(light));
             warn({.place = place,
-                  .message =
-                      fmt::format("{} is on but black: only GL_LIGHT0 starts with a colour", light_name_of(light)),
+                  .message = fmt::format("{} is on but black: only GL_LIGHT0 starts with a colour", light_name(light)),
                   .fix = call,
                   .edits = {{.place = place, .insert = call}}});
         }
@@ -236,9 +236,9 @@ class LightNeverEnabled : public Watch {
         if (!is_lit_) return;
         for (const auto& [light, place] : first_) {
             if (switched_.contains(light)) continue;
-            const std::string call = fmt::format("glEnable({});", light_name_of(light));
+            const std::string call = fmt::format("glEnable({});", light_name(light));
             warn({.place = place,
-                  .message = fmt::format("{} is set, but never enabled", light_name_of(light)),
+                  .message = fmt::format("{} is set, but never enabled", light_name(light)),
                   .fix = call,
                   .edits = {{.place = place, .insert = call}}});
         }
@@ -304,9 +304,9 @@ class OddW : public Watch {
         if (w == 0 || w == 1) return;
         warn({.place = command.place,
               .message = fmt::format("the fourth number (w) of {}'s position is {}: GL divides x, y and z by it",
-                                     light_name_of(*light), w),
+                                     light_name(*light), w),
               .fix = "give four numbers: w is 1 for a place, 0 for a direction",
-              .key = light_name_of(*light)});
+              .key = light_name(*light)});
     }
 };
 

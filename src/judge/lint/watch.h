@@ -60,7 +60,6 @@ bool is_effect(const Command& command, std::string_view effect);
 std::optional<int> light_of(const Command& command);
 // The pname of glLight* or glMaterial*.
 inline Enum pname_of(const Command& command) { return command.enumerant(1); }
-inline std::string light_name_of(int number) { return "GL_LIGHT" + std::to_string(number); }
 // "line 7", "call 7".
 std::string where(const Place& place);
 
