@@ -193,9 +193,9 @@ class SpotWithoutCutoff : public InEveryDraw {
 class BlackLight : public Watch {
   public:
     void after(const Command& command, const State&) override {
-        if (is_effect(command, "enable") && command.enumerant(0) > kGL_LIGHT0 &&
-            command.enumerant(0) < kGL_LIGHT0 + kMaxLights)
-            enabled_.insert_or_assign(static_cast<int>(command.enumerant(0) - kGL_LIGHT0), command.place);
+        if (is_effect(command, "enable"))
+            if (const int light = light_number(command.enumerant(0)).value_or(0); light > 0)
+                enabled_.insert_or_assign(light, command.place);
         const std::optional<int> light = light_of(command);
         const auto is_color = [](Enum pname) {
             return pname == kGL_AMBIENT || pname == kGL_DIFFUSE || pname == kGL_SPECULAR;
@@ -229,7 +229,7 @@ class LightNeverEnabled : public Watch {
     void after(const Command& command, const State&) override {
         if (const std::optional<int> light = light_of(command)) first_.try_emplace(*light, command.place);
         if (is_effect(command, "enable") || is_effect(command, "disable"))
-            switched_.insert(static_cast<int>(command.enumerant(0)) - static_cast<int>(kGL_LIGHT0));
+            if (const std::optional<int> light = light_number(command.enumerant(0))) switched_.insert(*light);
     }
     void drawn(const Draw& draw, const State&) override { is_lit_ |= draw.lighting.enabled; }
     void finish(const Frame&, bool) override {
@@ -254,8 +254,7 @@ class LightingOff : public Watch {
   public:
     void after(const Command& command, const State&) override {
         if (is_effect(command, "disable") && command.enumerant(0) == kGL_LIGHTING) is_chosen_ = true;
-        const bool enables_light = is_effect(command, "enable") && command.enumerant(0) >= kGL_LIGHT0 &&
-                                   command.enumerant(0) < kGL_LIGHT0 + kMaxLights;
+        const bool enables_light = is_effect(command, "enable") && light_number(command.enumerant(0));
         if (first_.line == 0 && (light_of(command) || enables_light)) first_ = command.place;
     }
     void drawn(const Draw& draw, const State&) override { is_lit_ |= draw.lighting.enabled; }

@@ -28,11 +28,13 @@ bool is_effect(const Command& command, std::string_view effect) {
     return kEffects[static_cast<std::size_t>(command.id)] == effect;
 }
 
-std::optional<int> light_of(const Command& command) {
-    if (!is_effect(command, "light")) return std::nullopt;
-    const Enum light = command.enumerant(0);
+std::optional<int> light_number(Enum light) {
     if (light < kGL_LIGHT0 || light >= kGL_LIGHT0 + kMaxLights) return std::nullopt;
     return static_cast<int>(light - kGL_LIGHT0);
+}
+
+std::optional<int> light_of(const Command& command) {
+    return is_effect(command, "light") ? light_number(command.enumerant(0)) : std::nullopt;
 }
 
 std::string where(const Place& place) {

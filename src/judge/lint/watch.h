@@ -56,6 +56,8 @@ std::string_view light_lines();
 // ---- Commands ----
 
 bool is_effect(const Command& command, std::string_view effect);
+// The number of GL_LIGHT0 to GL_LIGHT7; nullopt for other names.
+std::optional<int> light_number(Enum light);
 // glLight* of GL_LIGHT0 to GL_LIGHT7: the light's number; nullopt for other commands.
 std::optional<int> light_of(const Command& command);
 // The pname of glLight* or glMaterial*.
