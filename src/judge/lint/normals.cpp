@@ -18,11 +18,8 @@ bool uses_normals(const Draw& draw) {
     });
 }
 
-bool normalizes(const Draw& draw) { return draw.lighting.normalize; }
-
 // The length furthest from 1 among normals that are not 0; 1 if all are near.
-template <class Normals>
-double worst_length(const Normals& normals) {
+double worst_length(const std::vector<glm::dvec3>& normals) {
     double worst = 1;
     for (const glm::dvec3& normal : normals) {
         const double length = glm::length(normal);
@@ -47,12 +44,8 @@ Edit normalize_before(const Place& place) { return {.place = place, .insert = "g
 
 // The modelview matrix makes normals of length 1 longer or shorter.
 class ScaledNormals : public Watch {
-  public:
-    void after(const Command& command, const State&) override {
-        if (is_effect(command, "scale")) scale_ = command.place;
-    }
     void drawn(const Draw& draw, const State&) override {
-        if (!uses_normals(draw) || normalizes(draw) || worst_length(object_normals(draw)) != 1) return;
+        if (!uses_normals(draw) || draw.lighting.normalize || worst_length(object_normals(draw)) != 1) return;
         const double length = worst_length(eye_normals(draw));
         if (length == 1) return;
         warn({.place = draw.place,
@@ -64,9 +57,6 @@ class ScaledNormals : public Watch {
               .edits = {normalize_before(draw.place)},
               .key = fmt::format("{:.1f}", length)});
     }
-
-  private:
-    Place scale_;
 };
 
 class LongNormals : public Watch {
@@ -127,32 +117,25 @@ class NormalDoesNotFit : public Watch {
     void drawn(const Draw& draw, const State&) override {
         if (is_set_ == wants_never_set_ || draw.surfaces || !uses_normals(draw) || draw.vertices.size() < 3) return;
         const std::vector<EyeVertex> vertices = eye_vertices(draw);
-        std::size_t wrong = 0;
-        double worst = 90;
-        for (const Triangle& triangle : triangles_of(draw)) {
+        const auto lies_along = [&](const Triangle& triangle) {
             const glm::dvec3 normal = draw.vertices[triangle[0]].normal_object;
             if (normal != draw.vertices[triangle[1]].normal_object ||
                 normal != draw.vertices[triangle[2]].normal_object)
-                continue;
+                return false;
             const glm::dvec3 plane = plane_normal(vertices, triangle);
             const double length = glm::length(vertices[triangle[0]].normal);
-            if (plane == glm::dvec3(0) || length == 0) continue;
+            if (plane == glm::dvec3(0) || length == 0) return false;
             const double cosine = std::abs(glm::dot(plane, vertices[triangle[0]].normal)) / length;
-            if (cosine > 0.5) continue;  // 60 degrees
-            ++wrong;
-            worst = std::min(worst, cosine);
-        }
-        if (wrong == 0) return;
-        if (wants_never_set_)
-            warn({.place = draw.place,
-                  .message = "this object is lit, but no glNormal was called: all its normals are (0, 0, 1)",
-                  .fix = "call glNormal3f before the vertices of each face, with the direction that it faces"});
-        else
-            warn({.place = draw.place,
-                  .message =
-                      "a polygon has a normal that lies along it: a glNormal is missing, and the last one is still "
-                      "in use",
-                  .fix = "call glNormal3f before the vertices of each face, with the direction that it faces"});
+            return !(cosine > 0.5);  // 60 degrees
+        };
+        if (std::ranges::none_of(triangles_of(draw), lies_along)) return;
+        const char* message =
+            wants_never_set_
+                ? "this object is lit, but no glNormal was called: all its normals are (0, 0, 1)"
+                : "a polygon has a normal that lies along it: a glNormal is missing, and the last one is still in use";
+        warn({.place = draw.place,
+              .message = message,
+              .fix = "call glNormal3f before the vertices of each face, with the direction that it faces"});
     }
 
   private:
