@@ -134,12 +134,6 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
            "\n";  // file names may hold any bytes
 }
 
-void make_folder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw FileError(folder + ": " + error.message());
-}
-
 // NAME.c for each case that the fixed function gets wrong.
 void write_reproducers(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
                        const std::vector<Result>& results) {

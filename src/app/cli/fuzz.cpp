@@ -42,9 +42,7 @@ std::string file_of(const FuzzArguments& arguments, const fuzz::Failure& failure
 
 // Written as soon as it is found, because a long run may be killed.
 void write_failure(const FuzzArguments& arguments, const fuzz::Failure& failure) {
-    std::error_code error;
-    std::filesystem::create_directories(arguments.folder, error);
-    if (error) throw FileError(arguments.folder + ": " + error.message());
+    make_folder(arguments.folder);
     write_file_atomically(file_of(arguments, failure), fuzz::failure_text(failure, arguments.options));
 }
 

@@ -37,9 +37,7 @@ std::string picture_of(const std::string& text, const std::string& name) {
 // lint.md, and lint/NAME-wrong.png and lint/NAME-mended.png for each rule.
 void write_rules(const std::string& folder) {
     const std::filesystem::path root = folder;
-    std::error_code error;
-    std::filesystem::create_directories(root / "lint", error);
-    if (error) throw FileError((root / "lint").string() + ": " + error.message());
+    make_folder((root / "lint").string());
     for (const lint::Rule& rule : lint::rules()) {
         const std::string name(rule.name);
         write_file_atomically((root / "lint" / (name + "-wrong.png")).string(),

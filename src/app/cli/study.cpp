@@ -129,9 +129,7 @@ int run_study(StudyArguments arguments) {
         return make_frame(study::with_slices(*commands, slices), {.width = frame.width, .height = frame.height});
     };
     // Before the work, so that a bad folder is reported at once.
-    std::error_code error;
-    std::filesystem::create_directories(arguments.folder, error);
-    if (error) throw FileError(arguments.folder + ": " + error.message());
+    make_folder(arguments.folder);
     StudyRenderers renderers(frame.width, frame.height);
 
     study::Study about;  // known before measuring

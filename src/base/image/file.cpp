@@ -140,4 +140,11 @@ void write_files_atomically(const std::vector<FileToWrite>& files) {
 
 void write_file_atomically(const std::string& path, std::string_view bytes) { write_files_atomically({{path, bytes}}); }
 
+bool make_folder(const std::string& path) {
+    std::error_code error;
+    const bool made = std::filesystem::create_directories(path, error);
+    if (error) throw FileError(path + ": " + error.message());
+    return made;
+}
+
 }  // namespace twinlight

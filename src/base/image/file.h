@@ -37,4 +37,7 @@ struct FileToWrite {
 void write_files_atomically(const std::vector<FileToWrite>& files);
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
+// Makes a folder, with those that it lies in. Returns false if it exists. Throws FileError.
+bool make_folder(const std::string& path);
+
 }  // namespace twinlight

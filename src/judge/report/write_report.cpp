@@ -59,13 +59,12 @@ void write_report(const Comparison& comparison, const std::string& folder) {
     add("comparison.json", json);
     add("index.html", page);
 
-    std::error_code error;
-    const bool made = std::filesystem::create_directories(folder, error);
-    if (error) throw FileError(folder + ": " + error.message());
+    const bool made = make_folder(folder);
     try {
         write_files_atomically(files);
     } catch (const FileError&) {
-        if (made) std::filesystem::remove(folder, error);
+        std::error_code ignored;
+        if (made) std::filesystem::remove(folder, ignored);
         throw;
     }
 }
