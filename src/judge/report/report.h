@@ -26,6 +26,7 @@ std::string difference_file(const compare::Comparison& comparison, const compare
 //    "is_listed_driver": whether any bugs of this driver and version are listed
 //    "known_departures": ["name (section)"],    if "beyond": known bugs of this driver that the scene may show
 //    "unsupported": [{"name", "count", "place", "renderers": [...]}],   commands that some renderers cannot draw
+//    "queries": [{"place", "call", "twinlight", "driver", "agree"}],    what the scene's glGet* return; "?" for no answer
 //    "warnings": ["scene.gl:7:1: warning: message [name]"]}   of the linter about the scene
 // max and rms are for channels on [0,1]; x and y count from the top left.
 std::string comparison_json(const compare::Comparison& comparison);
