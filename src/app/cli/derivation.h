@@ -33,6 +33,8 @@ Json rulings_json(const std::vector<reference::PixelFragment::Decided>& rulings)
 // "GL_LIGHT0", "GL_LIGHT3"
 std::vector<std::string> names_of(const std::vector<int>& lights);
 Json color_json(const reference::Vec& c);
+// With a newline. A scene's name may hold any bytes; JSON is UTF-8.
+std::string dumped(const Json& json);
 // "   0.80000   0.50000   0.31000"
 std::string columns(const reference::Vec& c);
 // A line of the tables: a name, how it is computed, and its red, green and blue.

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "app/cli/command_line.h"
+#include "app/cli/derivation.h"
 #include "app/cli/explain_pixel.h"
 #include "render/effect/explanation.h"
 
@@ -33,7 +33,6 @@ struct ExplainArguments {
 std::string colored(const std::string& text, bool used) {
     return result_in_color() ? (used ? "\x1b[32m" : "\x1b[2m") + text + "\x1b[0m" : text;
 }
-std::string heading(const std::string& text) { return result_in_color() ? "\x1b[1m" + text + "\x1b[0m" : text; }
 
 // The lines of describe(), split into those about the draw and those about its lights ("directional, diffuse").
 struct Facts {
@@ -129,7 +128,7 @@ std::string summary(const Scene& scene, const std::vector<ExplainedDraw>& draws,
 std::string explanation(const Scene& scene, const std::vector<ExplainedDraw>& draws, double budget, bool all) {
     std::string text = summary(scene, draws, budget);
     for (const ExplainedDraw& draw : draws) {
-        text += "\n" + heading(name_of(draw)) +
+        text += "\n" + bold(name_of(draw)) +
                 "\n  effects: " + fmt::format("{}", fmt::join(facts_of(draw.plan).of_draw, ", ")) + "\n" +
                 table(draw.plan, all);
         if (draw.plan.error_bound > 0)
@@ -142,8 +141,6 @@ std::string explanation(const Scene& scene, const std::vector<ExplainedDraw>& dr
 }
 
 // ---- As JSON ----
-
-using Json = nlohmann::ordered_json;
 
 // JSON has no infinity; null replaces it.
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
@@ -172,7 +169,7 @@ std::string json_text(const Scene& scene, const std::vector<ExplainedDraw>& draw
     json["error_bound"] = error_bound(draws);
     json["plans"] = Json::array();
     for (const ExplainedDraw& draw : draws) json["plans"].push_back(json_of(draw));
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return dumped(json);
 }
 
 int run_explain(const ExplainArguments& arguments) {

@@ -252,8 +252,6 @@ void add_pictures(const std::vector<Rendered>& pictures, Json& json) {
         json["pictures"][picture.renderer] = {picture.color[0], picture.color[1], picture.color[2]};
 }
 
-std::string dumped(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
 // Two whole numbers with a comma between them.
 template <class Number>
 std::optional<std::pair<Number, Number>> two_numbers(const std::string& text) {
