@@ -94,9 +94,7 @@ std::string errors_of(const Error& error) { return fmt::format("rms {:.2g}, larg
 
 // Is it right? If not, where? By how much? The exact picture is what is right.
 std::string answers(const Study& study, std::size_t series) {
-    std::vector<const Point*> points;
-    for (const Point& point : study.points)
-        if (point.series == series && point.is_timed()) points.push_back(&point);
+    std::vector<const Point*> points = timed_points(study, series);
     if (points.empty()) return "";
     std::ranges::stable_sort(points, {}, [](const Point* point) { return point->median_seconds(); });
     const auto is_right = [](const Point* point) { return point->errors.whole.max <= kCode * (1 + 1e-6); };
