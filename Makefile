@@ -109,7 +109,8 @@ SOURCES_app := $(wildcard src/app/*.cpp)
 SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
 SOURCES_demo := $(SOURCES_app) $(wildcard src/app/demo/*.cpp)
 # The tests link the demo without GLUT.
-SOURCES_demo_library := $(filter-out src/app/demo/main.cpp src/app/demo/window.cpp,$(SOURCES_demo))
+SOURCES_demo_window := src/app/demo/main.cpp src/app/demo/window.cpp
+SOURCES_demo_library := $(filter-out $(SOURCES_demo_window),$(SOURCES_demo))
 SOURCES_bench := $(wildcard tests/bench/*.cpp)
 SOURCES_bench_library := src/app/cli/progress.cpp
 # The tests link these too: they count the instructions of the same meshes.
@@ -133,11 +134,20 @@ CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,char
 FILES_cases := $(wildcard golden/hard/*.gl)
 FILES_pages := $(wildcard src/judge/report/pages/*) $(BUILD)/embedded/chart.js
 
-# With units=rooms, each folder of src/ (a room) is one translation unit, which reads its headers once. Files with their own
-# flags are compiled separately, and so are those that a program links without the rest of their room, and one that calls so many of
-# the equation's functions that g++ would no longer inline them where pictures are lit.
-ALONE := $(if $(filter files,$(units)),%.cpp,src/render/context/%.cpp src/lighting/points_avx%.cpp \
-    src/render/reference/pixel_history.cpp src/app/demo/main.cpp src/app/demo/window.cpp src/app/cli/progress.cpp tests/%.cpp)
+# With units=rooms, each folder of src/ (a room) is one translation unit, which reads its headers once. ALONE lists the files that
+# are compiled by themselves.
+ifeq ($(units),files)
+ALONE := %.cpp
+else
+# Some programs link these without the rest of their room, or the rest without these.
+ALONE := $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_demo_window) $(SOURCES_bench_library)
+# These have their own flags (INSTRUCTIONS_...).
+ALONE += src/lighting/points_avx%.cpp
+# This calls so many of the equation's functions that g++ would no longer inline them where pictures are lit.
+ALONE += src/render/reference/pixel_history.cpp
+# Tests share a precompiled header instead.
+ALONE += tests/%.cpp
+endif
 ROOMS := $(patsubst %/,%,$(sort $(dir $(filter-out $(ALONE),$(SOURCES_all)))))
 object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
     $(patsubst %,$(BUILD)/objects/%.room.o,$(patsubst %/,%,$(dir $(filter-out $(ALONE),$(1))))))
@@ -206,6 +216,7 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 	    else echo "tidy: skipped, because clang-tidy is not installed"; fi
 	@$(MAKE) test config=sanitize
 
+# Left out: the fuzzers, which `make fuzz` compiles one by one with clang, and kept/loader.h, which is C.
 includes: deps  ## compile each header and source by itself: it must include what it uses
 	@$(MAKE) --keep-going each-file
 each-file: $(patsubst %,includes/%,$(filter-out $(SOURCES_fuzz) $(FILES_shaders),$(HEADERS) $(SOURCES_all)))

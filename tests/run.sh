@@ -19,7 +19,7 @@ if [ "$count" -eq 0 ]; then
     exit 2
 fi
 
-# Prints what the tests print, and of GoogleTest's own lines those about failed and skipped tests. Each test adds a line to
+# Prints the output of the tests. Of GoogleTest's own lines it keeps those about failed and skipped tests. Each test adds a line to
 # $scratch/results: OK, FAILED or SKIPPED, its milliseconds and its name.
 run_part() {
     local out status died rest
@@ -48,7 +48,7 @@ run_part() {
             if (running != "") print running >died
         }' "$out"
     exec 9>&-
-    # The tests after the one that ended the process.
+    # Run the tests after the one that ended the process.
     if [ -s "$out.died" ]; then
         rest=:$1:
         rest=${rest#*:"$(cat "$out.died")":}
@@ -66,7 +66,7 @@ sort -k2,2nr "$scratch/results" | cut -d ' ' -f 2- >"$program.times"
 number() { grep -c "^$1 " "$scratch/results"; }
 tests() { if [ "$1" -eq 1 ]; then echo "1 test"; else echo "$1 tests"; fi; }
 failed=$((count - $(number OK) - $(number SKIPPED)))
-if [ "$failed" -eq 0 ]; then failed=$(number FAILED); fi  # of the end of a part
+if [ "$failed" -eq 0 ]; then failed=$(number FAILED); fi  # the program failed after its last test
 echo "[==========] $(tests "$count") ran in $((SECONDS - begin)) s on $(nproc) processors."
 echo "[  PASSED  ] $(tests "$(number OK)")."
 if [ "$(number SKIPPED)" -gt 0 ]; then echo "[  SKIPPED ] $(tests "$(number SKIPPED)")."; fi

@@ -76,6 +76,7 @@ source=$(cd "$(dirname "$0")/.." && git rev-parse --show-toplevel) ||
 
 folder=$cache/$release
 base=$folder/base root=$folder/root debs=$folder/debs log=$folder/last-run.log
+clone=/srv/twinlight  # inside the root
 mkdir -p "$debs/partial" || cannot_run "cannot write into $folder"
 exec 9>"$folder/lock"
 flock --nonblock 9 || { say "waiting for another run of $release"; flock 9; }
@@ -115,7 +116,7 @@ cp -a --reflink=auto "$base" "$root"
 apt-config dump 2>/dev/null | grep -E '^Acquire::(https?::Proxy|Check-)' >"$root/etc/apt/apt.conf.d/host"
 cp -L /etc/resolv.conf "$root/etc/resolv.conf" 2>/dev/null
 [ -z "$(git -C "$source" status --porcelain)" ] || say "uncommitted changes are not part of the run"
-git clone --quiet --no-hardlinks "$source" "$root/root/twinlight" || cannot_run "cannot clone $source"
+git clone --quiet --no-hardlinks "$source" "$root$clone" || cannot_run "cannot clone $source"
 
 proxies=()
 for variable in http_proxy https_proxy no_proxy HTTP_PROXY HTTPS_PROXY NO_PROXY; do
@@ -131,12 +132,11 @@ enter='
     exit 77'
 # Names the command that ended the run, where it failed.
 inside='
-    cd /root/twinlight
     trap "exit 130" INT TERM
     trap "status=\$?; [ \$status = 0 ] || printf %s \"\$BASH_COMMAND\" >/failed-command" EXIT
 '
 unshare --mount --pid --fork --kill-child --propagation private bash -c "$enter" enter "$root" "$debs" \
-    env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "TERM=${TERM:-dumb}" "${proxies[@]}" \
+    env -i --chdir="$clone" HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "TERM=${TERM:-dumb}" "${proxies[@]}" \
     bash -c "$inside$command" 2>&1 | tee -i "$log"
 status=${PIPESTATUS[0]}
 
@@ -145,7 +145,7 @@ status=${PIPESTATUS[0]}
 gcc=$(chroot "$root" g++ -dumpfullversion 2>/dev/null)
 mesa=$(chroot "$root" dpkg-query -W -f '${Version}' libosmesa6 2>/dev/null | sed 's/[-~].*//')
 system="$name${gcc:+, g++ $gcc}${mesa:+, Mesa $mesa}"
-[ -z "$keep" ] || say "the root is kept: chroot $root"
+[ -z "$keep" ] || say "the root is kept, with the clone in $clone: chroot $root"
 if [ "$status" -eq 0 ]; then
     say "$system: '$command' succeeded"
 else

@@ -34,7 +34,7 @@ inline std::map<std::string, std::set<std::string>> known_differences() {
 }
 
 inline bool is_mended(std::string_view name, const Driver& driver) {
-    const auto list = known_differences();
+    static const auto list = known_differences();
     const auto known = list.find(std::string(name));
     return known != list.end() &&
            std::ranges::any_of(known->second, [&](const std::string& release) { return driver.has_version(release); });

@@ -244,11 +244,10 @@ std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& r
         where += fmt::format("<details><summary>The cases with known bugs</summary>{}.</details>", links(cases, known));
     double from_long_double = 0;
     for (const Result& result : results) from_long_double = std::max(from_long_double, result.from_long_double);
-    return fmt::format(
-        "<div class=\"verdict {}\"><dl>\n<dt>Is it right?</dt><dd>{}</dd>\n<dt>If not, where?</dt><dd>{}</dd>\n"
-        "<dt>By how much?</dt><dd>{}The shaders are at most {:.1e} away from the reference.</dd>\n</dl></div>\n",
-        is_expected ? "within" : "beyond", right, where.empty() ? "Nowhere." : where, error_of_driver(cases, results),
-        from_long_double);
+    const std::string how_much = fmt::format("{}The shaders are at most {:.1e} away from the reference.",
+                                             error_of_driver(cases, results), from_long_double);
+    return fmt::format("<div class=\"verdict {}\">{}</div>\n", is_expected ? "within" : "beyond",
+                       report::three_answers(right, where.empty() ? "Nowhere." : where, how_much));
 }
 
 }  // namespace

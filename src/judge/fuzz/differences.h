@@ -23,8 +23,8 @@ inline bool has_fixed(std::size_t pair) {
 struct PairDifferences {
     long compared = 0;
     long differing = 0;  // pixels that differ by more than the allowed difference
-    double worst =
-        0;  // floats: relative to the sum of the terms' magnitudes; pictures: 1/255 beyond the allowed difference
+    // Floats: relative to the sum of the terms' magnitudes; pictures: 1/255 beyond the allowed difference.
+    double worst = 0;
     bool fails = false;
     bool only_one_draws = false;  // the failure: only one of the two draws the vertex
     std::string what;             // the failure: where, and by how much

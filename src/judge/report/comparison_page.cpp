@@ -58,10 +58,7 @@ std::string pair_rows(const Comparison& comparison) {
 // The answers to three questions, with the details folded.
 std::string verdict(const Comparison& comparison) {
     const Answer answers = answer(comparison);
-    std::string html = fmt::format(
-        "<dl>\n<dt>Is it right?</dt><dd>{}</dd>\n<dt>If not, where?</dt><dd>{}</dd>\n<dt>By how much?</dt><dd>{}</dd>\n"
-        "</dl>",
-        escaped(answers.is_right), escaped(answers.where), escaped(answers.how_much));
+    std::string html = three_answers(escaped(answers.is_right), escaped(answers.where), escaped(answers.how_much));
     if (answers.details.empty()) return html;
     html += "\n<details><summary>Details</summary>\n<ul>";
     for (const std::string& sentence : answers.details) html += "<li>" + escaped(sentence) + "</li>";

@@ -33,4 +33,7 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 // Everything of a page before its body.
 std::string page_head(std::string_view title, const std::string& style);
 
+// The list with which each page answers three questions. The answers are HTML.
+std::string three_answers(std::string_view is_right, std::string_view where, std::string_view how_much);
+
 }  // namespace twinlight::report

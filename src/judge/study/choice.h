@@ -45,8 +45,7 @@ struct Choice {
 
 // The value of a choice on an axis.
 struct Value {
-    std::string key,
-        words;                 // "no-specular", "no highlights"; the key of a number is the number, or empty
+    std::string key, words;    // "no-specular", "no highlights"; the key of a number is the number, or empty
     bool is_mentioned = true;  // in Choice::words() and key()
 };
 

@@ -67,13 +67,6 @@ std::optional<std::string> crossover(const PointsOf& points, Shading coarse, Sha
     return {};
 }
 
-PointsOf timed_points(const Study& study, std::size_t series) {
-    PointsOf points;
-    for (const Point& point : study.points)
-        if (point.series == series && point.is_timed()) points.push_back(&point);
-    return points;
-}
-
 // Adds a sentence for each target error: the fastest choice. A choice that meets several targets is named for the
 // strictest.
 void recommend(std::vector<std::string>& sentences, const PointsOf& points, const Measure& measure) {
@@ -92,6 +85,13 @@ void recommend(std::vector<std::string>& sentences, const PointsOf& points, cons
 }
 
 }  // namespace
+
+std::vector<const Point*> timed_points(const Study& study, std::size_t series) {
+    std::vector<const Point*> points;
+    for (const Point& point : study.points)
+        if (point.series == series && point.is_timed()) points.push_back(&point);
+    return points;
+}
 
 void find_fronts(Study& study) {
     for (std::size_t m = 0; m < kMeasureCount; ++m) {

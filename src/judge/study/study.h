@@ -121,6 +121,9 @@ std::string difference_of(const Study& a, const Study& b);
 
 // ---- Results computed from the points ----
 
+// The points of a series whose times were measured.
+std::vector<const Point*> timed_points(const Study& study, std::size_t series);
+
 // Sets Point::on_front: no other point of the series is both as fast and as accurate, over all pixels. Errors that
 // differ by less than half a percent count as equal, so that rounding does not count as accuracy.
 inline constexpr double kSameError = 0.995;

@@ -94,9 +94,7 @@ std::string errors_of(const Error& error) { return fmt::format("rms {:.2g}, larg
 
 // Is it right? If not, where? By how much? The exact picture is what is right.
 std::string answers(const Study& study, std::size_t series) {
-    std::vector<const Point*> points;
-    for (const Point& point : study.points)
-        if (point.series == series && point.is_timed()) points.push_back(&point);
+    std::vector<const Point*> points = timed_points(study, series);
     if (points.empty()) return "";
     std::ranges::stable_sort(points, {}, [](const Point* point) { return point->median_seconds(); });
     const auto is_right = [](const Point* point) { return point->errors.whole.max <= kCode * (1 + 1e-6); };
@@ -113,15 +111,14 @@ std::string answers(const Study& study, std::size_t series) {
             : fmt::format(
                   "{} of {} choices are within 1/255 of the exact picture at every pixel; the fastest of them is {}.",
                   std::ranges::count_if(points, is_right), points.size(), words_of(**first_right));
-    return fmt::format(
-        "<div class=\"verdict {}\"><dl>\n<dt>Is it right?</dt><dd>{}</dd>\n"
-        "<dt>If not, where?</dt><dd>The fastest choice of all, {}, has an rms error of {:.2g} inside shapes and of "
-        "{:.2g} at outlines.</dd>\n"
-        "<dt>By how much?</dt><dd>Over all pixels, its error is: {}. The most accurate choice on the driver, {}: "
-        "{}.</dd>\n</dl></div>\n",
-        first_right == points.end() ? "partial" : "within", right, words_of(fastest), fastest.errors.interior.rms,
-        fastest.errors.silhouette.rms, errors_of(fastest.errors.whole), words_of(most_accurate),
-        errors_of(most_accurate.errors.whole));
+    const std::string where = fmt::format(
+        "The fastest choice of all, {}, has an rms error of {:.2g} inside shapes and of {:.2g} at outlines.",
+        words_of(fastest), fastest.errors.interior.rms, fastest.errors.silhouette.rms);
+    const std::string how_much =
+        fmt::format("Over all pixels, its error is: {}. The most accurate choice on the driver, {}: {}.",
+                    errors_of(fastest.errors.whole), words_of(most_accurate), errors_of(most_accurate.errors.whole));
+    return fmt::format("<div class=\"verdict {}\">{}</div>\n", first_right == points.end() ? "partial" : "within",
+                       report::three_answers(right, where, how_much));
 }
 
 std::string findings(const Study& study) {
