@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/text/page.h"
 #include "render/programmable/draw_values.h"
 #include "render/programmable/kept/core_elements.h"
 #include "render/programmable/kept/kept_text.h"
