@@ -1,5 +1,4 @@
 // Plans a Draw's texture, fog and clip planes.
-#include <algorithm>
 #include <utility>
 
 #include "render/effect/plan_parts.h"
@@ -89,9 +88,7 @@ void plan_fog(const Draw& draw, Plan& plan) {
 void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     plan_texture(draw, vertices, plan);
     plan_fog(draw, plan);
-    const auto& planes = draw.raster.clip_planes_eye;
-    plan.effects.clip_plane_count = static_cast<int>(
-        std::count_if(planes.begin(), planes.end(), [](const auto& plane) { return plane.has_value(); }));
+    plan.effects.clip_plane_count = draw.raster.clip_plane_count();
     if (plan.effects.clip_plane_count == 0) leave_out(plan, "clip planes", "none is enabled", true);
     if (draw.fragment.color_sum && !draw.lighting.enabled)
         leave_out(plan, "colour sum", "without lighting the secondary colour is black");

@@ -53,21 +53,6 @@ Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
     return kind;
 }
 
-// ---- Textures ----
-
-// A border's colour as the texels have it (table 3.15).
-glm::dvec4 border_of(const Texture& texture) {
-    const glm::dvec4& c = texture.border_color;
-    switch (texture.levels.front().base_format) {
-        case kGL_ALPHA: return {0, 0, 0, c.a};
-        case kGL_LUMINANCE: return {c.r, c.r, c.r, 1};
-        case kGL_LUMINANCE_ALPHA: return {c.r, c.r, c.r, c.a};
-        case kGL_INTENSITY: return {c.r, c.r, c.r, c.r};
-        case kGL_RGB: return {c.r, c.g, c.b, 1};
-        default: return c;
-    }
-}
-
 class Writer {
   public:
     Writer(const Frame& frame, const Options& options, Glsl version, Language language)
@@ -239,7 +224,7 @@ class Writer {
         enable(kGL_POLYGON_OFFSET_LINE, raster.polygon_offset.line);
         if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", c_.number(raster.point_size)));
         // The program has one clip distance for each enabled plane, without gaps.
-        const auto planes = std::ranges::count_if(raster.clip_planes_eye, [](const auto& p) { return p.has_value(); });
+        const int planes = raster.clip_plane_count();
         for (int i = 0; i < kMaxClipPlanes; ++i) {
             const std::string name = fmt::format("GL_CLIP_DISTANCE{}", i);
             set(name, fmt::format("{}({});", i < planes ? "glEnable" : "glDisable", name));
@@ -368,7 +353,7 @@ class Writer {
         const std::string members = name("target", target_of(texture)) + name("min_filter", texture.min_filter) +
                                     name("mag_filter", texture.mag_filter) + c_.member("wrap_s", wrap(texture.wrap_s)) +
                                     ", " + c_.member("wrap_t", wrap(texture.wrap_t)) + ",\n        " +
-                                    c_.member("border_color", c_.list(c_.numbers(border_of(texture)))) + ", " +
+                                    c_.member("border_color", c_.list(c_.numbers(texture.border_texel()))) + ", " +
                                     c_.member("level_count", fmt::format("{}", count)) + ", " +
                                     c_.member("levels", c_.list(levels));
         return c_.statement(fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members)));
