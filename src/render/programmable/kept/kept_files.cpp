@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "base/text/page.h"
@@ -62,15 +63,9 @@ class Writer {
 
     std::vector<NamedFile> files(const std::string& name) {
         write_items();
-        std::vector<NamedFile> files;
-        for (std::size_t i = 0; i < kinds_.size(); ++i) {
-            const ShaderSource source = assemble(kinds_[i].effects, kinds_[i].form);
-            files.push_back({fmt::format("kind{}.vert", i + 1), source.vertex});
-            files.push_back({fmt::format("kind{}.frag", i + 1), source.fragment});
-        }
+        std::vector<NamedFile> files = shaders();
         files.push_back({"scene.c", scene_text(name)});
-        files.push_back(
-            {"scene.bin", std::string(reinterpret_cast<const char*>(words_.data()), 4 * words_.size())});  // NOLINT
+        files.push_back({"scene.bin", std::string(data())});
         for (const char* file : {"loader.h", "loader.c"}) files.push_back({file, std::string(file_text(file))});
         files.push_back({"README.md", readme(name)});
         return files;
@@ -78,29 +73,38 @@ class Writer {
 
     std::string page(const std::string& name) {
         write_items();
-        std::string shaders;
-        for (std::size_t i = 0; i < kinds_.size(); ++i) {
-            const ShaderSource source = assemble(kinds_[i].effects, kinds_[i].form);
-            for (const auto& [ending, text] : {std::pair("vert", source.vertex), {"frag", source.fragment}})
-                shaders +=
-                    fmt::format("<script type=\"text/plain\" id=\"kind{}.{}\">\n{}</script>\n", i + 1, ending, text);
-        }
+        std::string scripts;
+        for (const NamedFile& shader : shaders())
+            scripts += fmt::format("<script type=\"text/plain\" id=\"{}\">\n{}</script>\n", shader.name, shader.bytes);
         const std::string load = load_text();  // appends the texels to the words
-        const std::string_view bytes(reinterpret_cast<const char*>(words_.data()), 4 * words_.size());  // NOLINT
         return filled(file_text("page.html"), {{"title", printable(name)},
                                                {"width", fmt::format("{}", frame_.width)},
                                                {"height", fmt::format("{}", frame_.height)},
                                                {"unsupported", unsupported_text()},
-                                               {"shaders", shaders},
+                                               {"shaders", scripts},
                                                {"loader", std::string(file_text("loader.js"))},
                                                {"middle", c_.numbers(middle())},
-                                               {"data", base64(bytes)},
+                                               {"data", base64(data())},
                                                {"load", load},
                                                {"draws", body_}});
     }
 
   private:
+    std::vector<NamedFile> shaders() const {
+        std::vector<NamedFile> files;
+        for (std::size_t i = 0; i < kinds_.size(); ++i) {
+            const ShaderSource source = assemble(kinds_[i].effects, kinds_[i].form);
+            files.push_back({fmt::format("kind{}.vert", i + 1), source.vertex});
+            files.push_back({fmt::format("kind{}.frag", i + 1), source.fragment});
+        }
+        return files;
+    }
+
     // ---- scene.bin ----
+
+    std::string_view data() const {
+        return {reinterpret_cast<const char*>(words_.data()), 4 * words_.size()};  // NOLINT
+    }
 
     // Appends 4-byte words, unless they were appended before; returns their place.
     std::size_t place_of(std::vector<std::uint32_t> words) {
