@@ -85,4 +85,16 @@ inline LightingState shiny(double shininess) {
     return lighting;
 }
 
+// GL_LIGHT0 shines on a white, shiny square from the front: with a cone and ambient light.
+inline LightingState cone() {
+    LightingState lighting = dark();
+    lighting.front.ambient = lighting.front.diffuse = lighting.front.specular = {1, 1, 1, 1};
+    lighting.front.shininess = 8;
+    LightSource& light = lighting.lights[0];
+    light.ambient = light.diffuse = light.specular = {0.25, 0.25, 0.25, 1};
+    light.position_eye = {0, 0, 1, 1};
+    light.spot_cutoff_deg = 20;
+    return lighting;
+}
+
 }  // namespace twinlight::programmable

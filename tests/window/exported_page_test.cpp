@@ -12,6 +12,7 @@
 #include "../unit/run_program.h"
 #include "base/image/difference.h"
 #include "base/image/file.h"
+#include "browser.h"
 #include "judge/compare/allowances.h"
 #include "render/reference/reference.h"
 #include "scene/scenes/load.h"
@@ -53,13 +54,7 @@ glPointSize(5); glColor3f(1, 1, 0);
 glBegin(GL_POINTS); glVertex3f(-1.03, 1.51, 0); glVertex3f(1.02, 1.52, 0); glEnd();
 )";
 
-std::string browser() {
-    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
-        if (run_shell("", std::string("command -v ") + name).status == 0) return name;
-    return {};
-}
-
-// What the page left in its title, as JSON: pictures as strings of pixels, rows from the bottom.
+// Uses the page, then replaces its body with JSON. Pictures are strings of pixels, rows from the bottom.
 constexpr const char* kUses = R"js(<script>
 const told = {};
 const hex = (bytes) => Array.from(bytes, (b) => b.toString(16).padStart(2, "0")).join("");
@@ -105,16 +100,8 @@ class ExportedPage : public testing::Test {
 
     json opened(const std::string& page) {
         write_file_atomically(folder_ / "page.html", page);
-        const ProgramResult result = run_shell(
-            "", "timeout 120 " + program_ +
-                    " --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader "
-                    "--no-first-run --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir=" +
-                    quoted(folder_ / "profile") + " --virtual-time-budget=20000 --dump-dom " +
-                    quoted("file://" + folder_ / "page.html"));
-        const std::size_t begin = result.out.rfind("told:{"), end = result.out.rfind("}:told");
-        if (begin == std::string::npos || end == std::string::npos)
-            throw std::runtime_error("the page says nothing: " + result.out.substr(0, 500) + result.err);
-        return json::parse(result.out.substr(begin + 5, end + 1 - (begin + 5)));
+        return json_of_page("timeout 120 " + program_,
+                            "--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader", "page.html", folder_);
     }
 
     json used(const std::string& scene, const std::vector<std::string>& options = {}) {

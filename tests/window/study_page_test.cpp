@@ -7,6 +7,7 @@
 #include <string>
 
 #include "../unit/run_program.h"
+#include "browser.h"
 
 namespace twinlight {
 namespace {
@@ -31,34 +32,13 @@ addEventListener("error", (event) => complaints.push(event.message ?? "not loade
 addEventListener("unhandledrejection", (event) => complaints.push(String(event.reason)));
 </script>)js";
 
-std::string browser() {
-    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
-        if (run_shell("", std::string("command -v ") + name).status == 0) return name;
-    return {};
-}
-
-// What innerHTML escapes.
-std::string unescaped(std::string text) {
-    for (const auto& [escaped, character] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&nbsp;", " "}, {"&amp;", "&"}})
-        for (std::size_t at = 0; (at = text.find(escaped, at)) != std::string::npos; ++at)
-            text.replace(at, std::string_view(escaped).size(), character);
-    return text;
-}
-
-// What study_page.js leaves behind. No name resolves: what is not in the page does not load.
+// What study_page.js leaves behind.
 json told_by(const std::string& program, const std::string& page, const TemporaryFolder& folder) {
     std::string text = read_file(page);
     text.insert(text.rfind("</body>"), "<script>" + read_file("tests/window/study_page.js") + "</script>");
     text.insert(text.find("<head>") + 6, kListens);
     std::ofstream(folder / "used.html", std::ios::binary) << text;
-    const ProgramResult result = run_shell(
-        "", "timeout 60 " + program + " --headless --no-sandbox --disable-gpu --no-first-run --window-size=1200,900 " +
-                "--host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir=" + quoted(folder / "profile") +
-                " --virtual-time-budget=20000 --dump-dom " + quoted("file://" + folder / "used.html"));
-    const std::size_t begin = result.out.find("told:{"), end = result.out.rfind("}:told");
-    if (begin == std::string::npos || end == std::string::npos)
-        throw std::runtime_error("the page tells nothing: " + result.out.substr(0, 500) + result.err);
-    return json::parse(unescaped(result.out.substr(begin + 5, end + 1 - (begin + 5))));
+    return json_of_page("timeout 60 " + program, "--disable-gpu --window-size=1200,900", "used.html", folder);
 }
 
 class StudyPage : public testing::Test {

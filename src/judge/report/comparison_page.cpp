@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/text/page.h"
 #include "judge/report/html.h"
 #include "judge/report/report.h"
 #include "judge/report/words.h"

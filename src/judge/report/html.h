@@ -1,8 +1,6 @@
 // Helpers for writing HTML pages.
 #pragma once
 
-#include <functional>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,9 +24,6 @@ std::string escaped(std::string_view text);
 
 // "data:image/png;base64,..."
 std::string data_uri(std::string_view png);
-
-// Replaces each {{name}} with its value; a {{name}} inside a value stays. Throws std::logic_error for a name without a value.
-std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
 
 // Everything of a page before its body.
 std::string page_head(std::string_view title, const std::string& style);

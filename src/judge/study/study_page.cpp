@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/text/page.h"
 #include "judge/report/html.h"
 #include "judge/study/study.h"
 
@@ -167,20 +168,20 @@ std::string study_page(const Study& study) {
     for (std::size_t i = 0; i < study.points.size(); ++i)
         if (study.points[i].is_timed()) rows += row(study, study.points[i], i);
     const std::string style = std::string(page_file("page.css")) + std::string(page_file("study.css"));
-    return report::filled(page_file("study.html"),
-                          {{"head", report::page_head(study.scene + ": what accuracy costs in time", style)},
-                           {"scene", escaped(study.scene)},
-                           {"size", fmt::format("{} &times; {}", study.width, study.height)},
-                           {"machines", machines(study)},
-                           {"findings", findings(study)},
-                           {"plot", study_svg(study)},
-                           {"columns", head_row(study)},
-                           {"time_column", study.series.size() > 1 ? "2" : "1"},
-                           {"rows", rows},
-                           {"spectral", samples(study)},
-                           {"data", page_data(study)},
-                           {"chart", std::string(page_file("chart.js"))},
-                           {"script", std::string(page_file("study.js"))}});
+    return filled(page_file("study.html"),
+                  {{"head", report::page_head(study.scene + ": what accuracy costs in time", style)},
+                   {"scene", escaped(study.scene)},
+                   {"size", fmt::format("{} &times; {}", study.width, study.height)},
+                   {"machines", machines(study)},
+                   {"findings", findings(study)},
+                   {"plot", study_svg(study)},
+                   {"columns", head_row(study)},
+                   {"time_column", study.series.size() > 1 ? "2" : "1"},
+                   {"rows", rows},
+                   {"spectral", samples(study)},
+                   {"data", page_data(study)},
+                   {"chart", std::string(page_file("chart.js"))},
+                   {"script", std::string(page_file("study.js"))}});
 }
 
 }  // namespace twinlight::study

@@ -98,7 +98,7 @@ class Planner {
         if (facts().shading == Shading::kExact) facts().shading = Shading::kPhong;
         if (facts().shading == Shading::kFlat && draw_.mode == kGL_POINTS) {
             facts().shading = Shading::kGouraud;
-            leave_out("flat shading", "a point has one vertex");
+            plan_.leave_out("flat shading", "a point has one vertex");
         }
         if (state().enabled)
             plan_lit();
@@ -116,19 +116,16 @@ class Planner {
   private:
     EffectSet& facts() { return plan_.effects; }
     LightingState& state() { return plan_.lighting; }
-    void leave_out(std::string what, std::string why, bool is_off = false) {
-        plan_.left_out.push_back({std::move(what), std::move(why), is_off});
-    }
 
     void plan_unlit() {
-        leave_out("lighting", "GL_LIGHTING is disabled, so vertex colours are drawn unchanged");
+        plan_.leave_out("lighting", "GL_LIGHTING is disabled, so vertex colours are drawn unchanged");
         if (facts().shading == Shading::kPhong) {
             facts().shading = Shading::kGouraud;
-            leave_out("per-fragment lighting", "GL_LIGHTING is disabled");
+            plan_.leave_out("per-fragment lighting", "GL_LIGHTING is disabled");
         }
         facts().clamp = glm::clamp(vertices_.color_low, 0.0, 1.0) != vertices_.color_low ||
                         glm::clamp(vertices_.color_high, 0.0, 1.0) != vertices_.color_high;
-        if (!facts().clamp) leave_out("clamping", "all vertex colours are within [0,1]");
+        if (!facts().clamp) plan_.leave_out("clamping", "all vertex colours are within [0,1]");
     }
 
     void plan_lit() {
@@ -156,10 +153,10 @@ class Planner {
             facts().front.varies() || facts().back.varies())
             return;
         if (!facts().needs_normal()) {
-            leave_out("per-fragment lighting", "its inputs are the same everywhere on the primitive");
+            plan_.leave_out("per-fragment lighting", "its inputs are the same everywhere on the primitive");
         } else if (vertices_.normals_equal) {
-            leave_out("per-fragment lighting",
-                      "all normals are equal, all lights are directional, the viewer is at infinity");
+            plan_.leave_out("per-fragment lighting",
+                            "all normals are equal, all lights are directional, the viewer is at infinity");
             state().normalize = true;  // phong shading would have scaled each fragment's normal to length 1
         } else {
             return;
@@ -170,7 +167,7 @@ class Planner {
     // GL_REPLACE may replace the whole primary colour. Then only a separate specular colour needs lighting.
     void plan_colors_that_are_left() {
         if (facts().needs_primary() || facts().separate_specular) return;
-        leave_out("lighting and colours", "the texture replaces both colour and alpha (GL_REPLACE)");
+        plan_.leave_out("lighting and colours", "the texture replaces both colour and alpha (GL_REPLACE)");
         EffectSet left;
         left.texture = facts().texture;
         left.fog = facts().fog;
@@ -190,7 +187,7 @@ class Planner {
         const bool w_is_1 = keeps_w(draw_.eye_from_object) && vertices_.w_is_1;
         const bool w_matters = facts().needs_position_eye() || facts().has_fog();
         facts().vertex_w = w_matters && !w_is_1;
-        if (w_matters && w_is_1) leave_out("division by w", "w is 1 at every vertex");
+        if (w_matters && w_is_1) plan_.leave_out("division by w", "w is 1 at every vertex");
     }
 
     void find_effective_state() {
@@ -206,7 +203,7 @@ class Planner {
     // 2.14.1: two-sided lighting; 2.13.1: culled faces are not visible.
     void plan_faces() {
         const RasterState& raster = draw_.raster;
-        const auto why_one_sided = [&]() -> std::string {
+        auto why_one_sided = [&]() -> std::string {
             if (!state().light_model.two_side) return "GL_LIGHT_MODEL_TWO_SIDE is off";
             if (!draws_polygons(draw_.mode)) return "points and lines have no back face";
             if (raster.cull_enabled && raster.cull_face != kGL_FRONT) return "back faces are culled";
@@ -214,7 +211,7 @@ class Planner {
         }();
         facts().two_side = why_one_sided.empty();
         if (!facts().two_side) {
-            leave_out("two-sided lighting", why_one_sided, !state().light_model.two_side);
+            plan_.leave_out("two-sided lighting", std::move(why_one_sided), !state().light_model.two_side);
             state().back = state().front;
         }
         for (const std::uint32_t i : vertices_.materials) materials_.push_back(draw_.materials.at(i));
@@ -226,7 +223,7 @@ class Planner {
     void plan_color_material() {
         ColorMaterial& tracking = state().color_material;
         if (!tracking.enabled) {
-            leave_out("colour material", "GL_COLOR_MATERIAL is disabled", true);
+            plan_.leave_out("colour material", "GL_COLOR_MATERIAL is disabled", true);
             return;
         }
         const FaceEffects tracked = tracked_by(tracking.mode);
@@ -238,10 +235,10 @@ class Planner {
                 if (front) put_color(m.front, tracked, color);
                 if (back) put_color(m.back, tracked, color);
             }
-            leave_out("colour material", "all vertices have the same colour, so the material is set once");
+            plan_.leave_out("colour material", "all vertices have the same colour, so the material is set once");
             tracking.enabled = false;
         } else if (!front && !back) {
-            leave_out("colour material", "it sets only the back face's material, and no back face is visible");
+            plan_.leave_out("colour material", "it sets only the back face's material, and no back face is visible");
             tracking.enabled = false;
         } else {
             if (front) facts().front = tracked;
@@ -268,7 +265,7 @@ class Planner {
         plan_face(facts().front, &Materials::front);
         if (facts().two_side) plan_face(facts().back, &Materials::back);
         if (!draw_.materials.empty() && !facts().front.varies() && !facts().back.varies())
-            leave_out("per-vertex materials", "all vertices have the same material");
+            plan_.leave_out("per-vertex materials", "all vertices have the same material");
     }
 
     // The ranges of the face's material, at the vertices and between them.
@@ -315,18 +312,19 @@ class Planner {
             for (int c = 0; c < 3; ++c) low = std::min(low, of_lights.low[c]);
         facts().clamp = options_.for_any_pose || !(low >= 0 && high <= 1);
         if (!facts().clamp)
-            leave_out("clamping", fmt::format("the sum of all terms is at most {:.3g}, and no term is negative", high));
+            plan_.leave_out("clamping",
+                            fmt::format("the sum of all terms is at most {:.3g}, and no term is negative", high));
     }
 
     void plan_specular() {
         const LightModel& model = state().light_model;
         if (!facts().any_light(&LightEffects::specular)) {
-            leave_out("specular highlights", "no light has a specular term");
+            plan_.leave_out("specular highlights", "no light has a specular term");
             return;
         }
         facts().separate_specular = model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
         if (!facts().separate_specular)
-            leave_out("separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR", true);
+            plan_.leave_out("separate specular colour", "GL_LIGHT_MODEL_COLOR_CONTROL is GL_SINGLE_COLOR", true);
         facts().highlight = model.specular == Word::reflection ? Highlight::kReflection : Highlight::kHalfVector;
         // Phong shading interpolates the exponent, which is then not an integer.
         const bool between =
@@ -336,12 +334,12 @@ class Planner {
             facts().shininess = std::max({facts().shininess, power_of(m.front.shininess), power_of(m.back.shininess)});
         facts().local_viewer = model.local_viewer && facts().shininess != Power::kZero;
         if (facts().shininess == Power::kZero)
-            leave_out("specular exponent", "GL_SHININESS is 0, and x^0 is 1 for every x");
+            plan_.leave_out("specular exponent", "GL_SHININESS is 0, and x^0 is 1 for every x");
         if (!facts().local_viewer)
-            leave_out("local viewer",
-                      model.local_viewer ? "GL_SHININESS is 0, so the viewer's position does not matter"
-                                         : "GL_LIGHT_MODEL_LOCAL_VIEWER is off",
-                      !model.local_viewer);
+            plan_.leave_out("local viewer",
+                            model.local_viewer ? "GL_SHININESS is 0, so the viewer's position does not matter"
+                                               : "GL_LIGHT_MODEL_LOCAL_VIEWER is off",
+                            !model.local_viewer);
     }
 
     // A vertex colour that no light uses is dropped. The diffuse colour is also the alpha.
@@ -353,7 +351,7 @@ class Planner {
         const auto drop = [&](bool& fact, bool is_used, const char* what, const char* why) {
             if (!fact || is_used) return;
             fact = false;
-            leave_out(what, primary ? why : "the texture replaces it");
+            plan_.leave_out(what, primary ? why : "the texture replaces it");
         };
         const auto drop_of_face = [&](FaceEffects& face, Material Materials::*of) {
             const bool alpha = facts().needs_primary_alpha();
@@ -388,25 +386,27 @@ class Planner {
             facts().spectral_groups = (state().light_model.spectrum->count() + 2) / 3;
             return;
         }
-        leave_out(fmt::format("{} spectral samples", state().light_model.spectrum->count()),
-                  facts().spectral_products
-                      ? "the products with a light are linear in the vertex colours, so a matrix replaces the samples"
-                      : "the products of lights and materials are the same at every vertex, so they are "
-                        "converted to red, green and blue once");
+        plan_.leave_out(
+            fmt::format("{} spectral samples", state().light_model.spectrum->count()),
+            facts().spectral_products
+                ? "the products with a light are linear in the vertex colours, so a matrix replaces the samples"
+                : "the products of lights and materials are the same at every vertex, so they are "
+                  "converted to red, green and blue once");
     }
 
     void plan_geometry(const DrawBounds& bounds) {
         if (!facts().needs_position_eye())
-            leave_out("positions in eye coordinates", "no light is positional, and the viewer is at infinity");
+            plan_.leave_out("positions in eye coordinates", "no light is positional, and the viewer is at infinity");
 
         facts().normalize = facts().needs_normal() && state().normalize;
         if (!facts().needs_normal())
-            leave_out("normals", "no light has a diffuse or specular term");
+            plan_.leave_out("normals", "no light has a diffuse or specular term");
         else if (!state().normalize)
-            leave_out("GL_NORMALIZE",
-                      state().rescale_normal ? "it is disabled; the normal matrix includes GL_RESCALE_NORMAL's factor"
-                                             : "it is disabled",
-                      !state().rescale_normal);
+            plan_.leave_out("GL_NORMALIZE",
+                            state().rescale_normal
+                                ? "it is disabled; the normal matrix includes GL_RESCALE_NORMAL's factor"
+                                : "it is disabled",
+                            !state().rescale_normal);
         else if (!options_.for_any_pose)
             plan_normalize(bounds);
     }
@@ -422,11 +422,11 @@ class Planner {
         if (off > kOffByRounding && !is_within_budget(off)) return;
         facts().normalize = state().normalize = false;
         state().rescale_normal = std::abs(bounds.normal_scale - 1) > kOffByRounding;
-        leave_out("GL_NORMALIZE",
-                  state().rescale_normal
-                      ? "the normals are unit vectors and the scale is uniform, so GL_RESCALE_NORMAL's factor in "
-                        "the normal matrix is enough"
-                      : "the normals are unit vectors, and the modelview matrix does not scale them");
+        plan_.leave_out("GL_NORMALIZE",
+                        state().rescale_normal
+                            ? "the normals are unit vectors and the scale is uniform, so GL_RESCALE_NORMAL's factor in "
+                              "the normal matrix is enough"
+                            : "the normals are unit vectors, and the modelview matrix does not scale them");
     }
 
     // Whether the error of skipping GL_NORMALIZE fits into the budget; if so, adds it to error_bound. `off`: the

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/effect/effect_set.h"
@@ -77,6 +78,10 @@ struct Plan {
     double error_bound = 0;
     // The limit for error_bound: the options' budget, or 0 where blending may add errors up.
     double budget = 0;
+
+    void leave_out(std::string&& what, std::string&& why, bool is_off = false) {
+        left_out.push_back({std::move(what), std::move(why), is_off});
+    }
 };
 
 struct PlanOptions : Look {

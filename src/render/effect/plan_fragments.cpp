@@ -1,15 +1,8 @@
 // Plans a Draw's texture, fog and clip planes.
-#include <algorithm>
-#include <utility>
-
 #include "render/effect/plan_parts.h"
 
 namespace twinlight {
 namespace {
-
-void leave_out(Plan& plan, std::string what, std::string why, bool is_off = false) {
-    plan.left_out.push_back({std::move(what), std::move(why), is_off});
-}
 
 // ---- The texture ----
 
@@ -50,22 +43,22 @@ bool q_is_1(const Draw& draw, const VertexFacts& vertices) {
 
 void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     const Texture* texture = draw.texture.texture.get();
-    if (!texture) return leave_out(plan, "texture", "none is enabled, or the enabled one is incomplete", true);
+    if (!texture) return plan.leave_out("texture", "none is enabled, or the enabled one is incomplete", true);
     TextureEffects& facts = plan.effects.texture;
     facts = environment_of(draw.texture.env_mode, texture->levels.front().base_format);
     if (!plan.effects.has_texture())
-        return leave_out(plan, "texture", "with this texture format its environment mode changes nothing");
+        return plan.leave_out("texture", "with this texture format its environment mode changes nothing");
 
     facts.one_dimensional = texture->target == kGL_TEXTURE_1D;
     facts.matrix = draw.texture.texture_matrix != glm::dmat4(1);
     facts.q = !q_is_1(draw, vertices);
-    if (!facts.matrix) leave_out(plan, "texture matrix", "it is the identity", true);
-    if (!facts.q) leave_out(plan, "division by q", "q is 1 at every vertex");
+    if (!facts.matrix) plan.leave_out("texture matrix", "it is the identity", true);
+    if (!facts.q) plan.leave_out("division by q", "q is 1 at every vertex");
 
     const bool clamp_t = !facts.one_dimensional && texture->wrap_t == kGL_CLAMP;
     const bool clamps = clamp_t || texture->wrap_s == kGL_CLAMP;
     if (clamps && !texture->filters_linearly())
-        return leave_out(plan, "GL_CLAMP", "without a linear filter it equals GL_CLAMP_TO_EDGE");
+        return plan.leave_out("GL_CLAMP", "without a linear filter it equals GL_CLAMP_TO_EDGE");
     facts.clamp_s = texture->wrap_s == kGL_CLAMP;
     facts.clamp_t = clamp_t;
     facts.gradients = clamps && texture->min_filter != texture->mag_filter;
@@ -74,11 +67,11 @@ void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
 // ---- The rest ----
 
 void plan_fog(const Draw& draw, Plan& plan) {
-    if (!draw.fog.enabled) return leave_out(plan, "fog", "GL_FOG is disabled", true);
+    if (!draw.fog.enabled) return plan.leave_out("fog", "GL_FOG is disabled", true);
     if (draw.fog.mode == kGL_LINEAR) {
         plan.effects.fog = FogEffect::kLinear;
     } else if (draw.fog.density == 0) {
-        leave_out(plan, "fog", "GL_FOG_DENSITY is 0");
+        plan.leave_out("fog", "GL_FOG_DENSITY is 0");
     } else {
         plan.effects.fog = draw.fog.mode == kGL_EXP2 ? FogEffect::kExp2 : FogEffect::kExp;
     }
@@ -89,12 +82,10 @@ void plan_fog(const Draw& draw, Plan& plan) {
 void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     plan_texture(draw, vertices, plan);
     plan_fog(draw, plan);
-    const auto& planes = draw.raster.clip_planes_eye;
-    plan.effects.clip_plane_count = static_cast<int>(
-        std::count_if(planes.begin(), planes.end(), [](const auto& plane) { return plane.has_value(); }));
-    if (plan.effects.clip_plane_count == 0) leave_out(plan, "clip planes", "none is enabled", true);
+    plan.effects.clip_plane_count = draw.raster.clip_plane_count();
+    if (plan.effects.clip_plane_count == 0) plan.leave_out("clip planes", "none is enabled", true);
     if (draw.fragment.color_sum && !draw.lighting.enabled)
-        leave_out(plan, "colour sum", "without lighting the secondary colour is black");
+        plan.leave_out("colour sum", "without lighting the secondary colour is black");
 }
 
 }  // namespace twinlight

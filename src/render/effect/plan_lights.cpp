@@ -221,8 +221,7 @@ class LightsPlanner {
         const LightSource& light = source(candidate.entry);
         const LightEffects& effects = candidate.effects;
         const auto note = [&](const char* what, std::string why, bool is_off = false) {
-            plan_.left_out.push_back(
-                {fmt::format("{}'s {}", light_name(candidate.planned.number), what), std::move(why), is_off});
+            plan_.leave_out(fmt::format("{}'s {}", light_name(candidate.planned.number), what), std::move(why), is_off);
         };
         const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
         const double reach = candidate.planned.constant_reach;

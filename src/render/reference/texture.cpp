@@ -29,18 +29,6 @@ double wrapped(Enum wrap, double coordinate, int size) {
 
 int floor_int(double x) { return static_cast<int>(std::floor(x)); }
 
-glm::dvec4 border_texel(const glm::dvec4& color, Enum base_format) {
-    const glm::dvec4 c = glm::clamp(color, 0.0, 1.0);
-    switch (base_format) {  // table 3.15
-        case kGL_ALPHA: return {0, 0, 0, c.a};
-        case kGL_LUMINANCE: return {c.r, c.r, c.r, 1};
-        case kGL_LUMINANCE_ALPHA: return {c.r, c.r, c.r, c.a};
-        case kGL_INTENSITY: return {c.r, c.r, c.r, c.r};
-        case kGL_RGB: return {c.r, c.g, c.b, 1};
-    }
-    return c;
-}
-
 const TextureImage& image_of(const Texture& texture, int level) {
     return texture.levels[static_cast<std::size_t>(level)];
 }
@@ -68,8 +56,7 @@ TexelPair linear_texels(Enum wrap, double coordinate, int size) {
 }
 
 glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, int i, int j) {
-    if (i < 0 || i >= image.width || j < 0 || j >= image.height)
-        return border_texel(texture.border_color, image.base_format);
+    if (i < 0 || i >= image.width || j < 0 || j >= image.height) return texture.border_texel();
     glm::dvec4 texel(image.texel(i, j));
     if (image.base_format == kGL_INTENSITY) texel.a = texel.r;  // table 3.21: A_s is I_t
     return texel;

@@ -1,7 +1,5 @@
 #include "render/stages/fixed_stages.h"
 
-#include <algorithm>
-
 #include "render/context/gl.h"
 
 namespace twinlight {
@@ -26,8 +24,7 @@ void set_raster(const RasterState& raster) {
     glLineWidth(static_cast<float>(raster.line_width));
     glPointSize(static_cast<float>(raster.point_size));
     // The program has one clip distance for each enabled plane, without gaps.
-    const auto count = std::count_if(raster.clip_planes_eye.begin(), raster.clip_planes_eye.end(),
-                                     [](const auto& plane) { return plane.has_value(); });
+    const int count = raster.clip_plane_count();
     for (int i = 0; i < kMaxClipPlanes; ++i) set_enabled(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i), i < count);
     set_enabled(GL_DEPTH_TEST, raster.depth_test);
     glDepthFunc(raster.depth_func);

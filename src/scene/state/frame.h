@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -175,6 +176,11 @@ struct RasterState {
     bool depth_test = false;
     Enum depth_func = kGL_LESS;
     bool depth_mask = true;
+
+    int clip_plane_count() const {
+        return static_cast<int>(
+            std::ranges::count_if(clip_planes_eye, [](const auto& plane) { return plane.has_value(); }));
+    }
 };
 
 // ---- Fragments: textures (3.8), fog (3.10), per-fragment operations (4.1) ----
@@ -203,6 +209,18 @@ struct Texture {                         // 3.8.4, table 3.18
     double priority = 1;
     bool generate_mipmap = false;
 
+    // The border's colour with the components that the texels have (table 3.15).
+    glm::dvec4 border_texel() const {
+        const glm::dvec4 c = glm::clamp(border_color, 0.0, 1.0);
+        switch (levels.front().base_format) {
+            case kGL_ALPHA: return {0, 0, 0, c.a};
+            case kGL_LUMINANCE: return {c.r, c.r, c.r, 1};
+            case kGL_LUMINANCE_ALPHA: return {c.r, c.r, c.r, c.a};
+            case kGL_INTENSITY: return {c.r, c.r, c.r, c.r};
+            case kGL_RGB: return {c.r, c.g, c.b, 1};
+            default: return c;
+        }
+    }
     // Whether a filter is linear. Then GL_CLAMP blends in the border colour (3.8.7); otherwise it equals
     // GL_CLAMP_TO_EDGE.
     bool filters_linearly() const {

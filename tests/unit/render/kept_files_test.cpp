@@ -19,16 +19,9 @@ PlanOptions for_any_pose() {
     return options;
 }
 
-// GL_LIGHT0 shines on a white square from the front: attenuated, with a cone, and ambient light.
-LightingState cone() {
-    LightingState lighting = dark();
-    lighting.front.ambient = lighting.front.diffuse = lighting.front.specular = {1, 1, 1, 1};
-    lighting.front.shininess = 8;
-    LightSource& light = lighting.lights[0];
-    light.ambient = light.diffuse = light.specular = {0.25, 0.25, 0.25, 1};
-    light.position_eye = {0, 0, 1, 1};
-    light.constant_attenuation = 2;
-    light.spot_cutoff_deg = 20;
+LightingState attenuated_cone() {
+    LightingState lighting = cone();
+    lighting.lights[0].constant_attenuation = 2;
     return lighting;
 }
 
@@ -45,13 +38,13 @@ std::string text_of(const std::vector<NamedFile>& files, const std::string& name
 
 // Each pose leaves out something by default: the light is behind the square, its cone misses it, it is too faint.
 TEST(PlanForAnyPose, FollowsTheStateAndNotThePlaces) {
-    const EffectSet here = plan_effects(square(cone()), for_any_pose()).effects;
+    const EffectSet here = plan_effects(square(attenuated_cone()), for_any_pose()).effects;
     ASSERT_EQ(here.lights.size(), 1U);
     EXPECT_TRUE(here.lights[0].ambient && here.lights[0].diffuse && here.lights[0].specular);
     EXPECT_TRUE(here.lights[0].attenuated && here.lights[0].spot);
     EXPECT_TRUE(here.clamp);
 
-    LightingState behind = cone(), missing = cone(), far = cone();
+    LightingState behind = attenuated_cone(), missing = attenuated_cone(), far = attenuated_cone();
     behind.lights[0].position_eye.z = -5;
     missing.lights[0].spot_direction_eye = {0, 0, 1};
     far.lights[0].position_eye.z = 1000;
@@ -64,9 +57,9 @@ TEST(PlanForAnyPose, FollowsTheStateAndNotThePlaces) {
 }
 
 TEST(PlanForAnyPose, LeavesOutWhatTheStateExcludes) {
-    LightingState lighting = cone();
+    LightingState lighting = attenuated_cone();
     lighting.lights[0].enabled = false;
-    lighting.lights[1] = lighting.lights[2] = cone().lights[0];
+    lighting.lights[1] = lighting.lights[2] = attenuated_cone().lights[0];
     lighting.lights[1].specular = lighting.lights[1].ambient = {0, 0, 0, 1};
     lighting.lights[2].ambient = lighting.lights[2].diffuse = lighting.lights[2].specular = {0, 0, 0, 1};
     const Plan plan = plan_effects(square(lighting), for_any_pose());
@@ -77,7 +70,7 @@ TEST(PlanForAnyPose, LeavesOutWhatTheStateExcludes) {
 
 // A directional light has a cone too (section 2.14.1); which vertices it reaches changes with its direction.
 TEST(PlanForAnyPose, KeepsTheConeOfADirectionalLight) {
-    LightingState lighting = cone();
+    LightingState lighting = attenuated_cone();
     lighting.lights[0].position_eye = {0, 0, 1, 0};
     const Plan plan = plan_effects(square(lighting), for_any_pose());
     ASSERT_EQ(plan.effects.lights.size(), 1U);
@@ -86,13 +79,13 @@ TEST(PlanForAnyPose, KeepsTheConeOfADirectionalLight) {
 }
 
 TEST(KeptFiles, HaveOnePairForDrawsThatDifferInPlacesAndNumbers) {
-    Draw moved = square(cone());
+    Draw moved = square(attenuated_cone());
     moved.eye_from_object[3] = {3, 1, -40, 1};
     moved.lighting.front.diffuse = {0.5, 0.4, 0.3, 1};
     moved.lighting.lights[0].position_eye = {0, 0, -50, 1};
     LightingState unlit = dark();
     unlit.enabled = false;
-    const auto files = files_of({square(cone()), moved, square(unlit)});
+    const auto files = files_of({square(attenuated_cone()), moved, square(unlit)});
     std::vector<std::string> names;
     for (const NamedFile& file : files) names.push_back(file.name);
     EXPECT_EQ(names, (std::vector<std::string>{"kind1.vert", "kind1.frag", "kind2.vert", "kind2.frag", "scene.c",
@@ -102,7 +95,7 @@ TEST(KeptFiles, HaveOnePairForDrawsThatDifferInPlacesAndNumbers) {
 }
 
 TEST(KeptFiles, HaveGlsNamesAndTheEquationsFunctions) {
-    const std::string text = text_of(files_of({square(cone())}), "kind1.vert");
+    const std::string text = text_of(files_of({square(attenuated_cone())}), "kind1.vert");
     for (const char* part :
          {"#version 330 core\n", "layout(location = 1) in vec3 Normal;", "uniform mat4 ModelViewMatrix;",
           "uniform LightSourceParameters LightSource[8];", "float attenuation(", "float spot(", "float highlight(",
@@ -114,7 +107,7 @@ TEST(KeptFiles, HaveGlsNamesAndTheEquationsFunctions) {
 }
 
 TEST(KeptFiles, SpellEachVersion) {
-    Draw draw = square(cone());
+    Draw draw = square(attenuated_cone());
     draw.raster.clip_planes_eye[3] = glm::dvec4(0, 0, 1, 0);
     draw.fragment.alpha_test = true;
     draw.fragment.alpha_func = kGL_GEQUAL;
@@ -132,7 +125,7 @@ TEST(KeptFiles, SpellEachVersion) {
 
 TEST(KeptFiles, SizePointsWhereOpenGlEsDoesNot) {
     const auto sizes = [](Glsl version) {
-        const std::string text = text_of(files_of({point({0, 0, 0}, cone())}, version), "kind1.vert");
+        const std::string text = text_of(files_of({point({0, 0, 0}, attenuated_cone())}, version), "kind1.vert");
         return text.find("gl_PointSize = PointSize;") != std::string::npos;
     };
     EXPECT_TRUE(sizes(Glsl::k300es));
@@ -141,7 +134,7 @@ TEST(KeptFiles, SizePointsWhereOpenGlEsDoesNot) {
 
 TEST(KeptPage, HoldsAnyNameAndLoadsNothing) {
     Frame frame{.width = 8, .height = 8};
-    frame.items = {square(cone())};
+    frame.items = {square(attenuated_cone())};
     const std::string page = kept_page(frame, {}, "a</script>&b\nc");
     EXPECT_NE(page.find("<title>a?/script??b?c</title>"), page.npos) << page.substr(0, 200);
     EXPECT_NE(page.find("const scene_data = \""), page.npos);
@@ -152,17 +145,17 @@ TEST(KeptPage, HoldsAnyNameAndLoadsNothing) {
 }
 
 TEST(KeptFiles, RefuseSpectraAndManyLights) {
-    LightingState lighting = cone();
+    LightingState lighting = attenuated_cone();
     lighting.lights.resize(20, lighting.lights[0]);
     Frame frame{.width = 8, .height = 8};
     frame.items = {square(lighting)};
     EXPECT_NE(why_not_kept(frame).find("light(16)"), std::string::npos) << why_not_kept(frame);
     EXPECT_THROW(kept_files(frame, {}, Glsl::k330, "scene"), std::runtime_error);
-    lighting = cone();
+    lighting = attenuated_cone();
     lighting.light_model.spectrum = std::make_shared<SpectralSamples>(8);
     frame.items = {square(lighting)};
     EXPECT_NE(why_not_kept(frame).find("spectra"), std::string::npos);
-    frame.items = {square(cone())};
+    frame.items = {square(attenuated_cone())};
     EXPECT_EQ(why_not_kept(frame), "");
 }
 

@@ -57,14 +57,9 @@ TEST(ShaderFiles, GiveWhatATextNamesAndWhatThatNames) {
 }
 
 std::string exported_cone() {
-    LightingState lighting = dark();
-    lighting.front.ambient = lighting.front.diffuse = lighting.front.specular = {1, 1, 1, 1};
-    lighting.front.shininess = 8;
+    LightingState lighting = cone();
     LightSource& light = lighting.lights[0];
-    light.ambient = light.diffuse = light.specular = {0.25, 0.25, 0.25, 1};
-    light.position_eye = {0, 0, 1, 1};
     light.linear_attenuation = 0.5;
-    light.spot_cutoff_deg = 20;
     light.spot_exponent = 3;
     Frame frame;
     frame.items = {square(lighting)};

@@ -8,8 +8,10 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
+#include "base/text/page.h"
 #include "render/programmable/draw_values.h"
 #include "render/programmable/kept/core_elements.h"
 #include "render/programmable/kept/kept_text.h"
@@ -52,21 +54,6 @@ Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
     return kind;
 }
 
-// ---- Textures ----
-
-// A border's colour as the texels have it (table 3.15).
-glm::dvec4 border_of(const Texture& texture) {
-    const glm::dvec4& c = texture.border_color;
-    switch (texture.levels.front().base_format) {
-        case kGL_ALPHA: return {0, 0, 0, c.a};
-        case kGL_LUMINANCE: return {c.r, c.r, c.r, 1};
-        case kGL_LUMINANCE_ALPHA: return {c.r, c.r, c.r, c.a};
-        case kGL_INTENSITY: return {c.r, c.r, c.r, c.r};
-        case kGL_RGB: return {c.r, c.g, c.b, 1};
-        default: return c;
-    }
-}
-
 class Writer {
   public:
     Writer(const Frame& frame, const Options& options, Glsl version, Language language)
@@ -76,15 +63,9 @@ class Writer {
 
     std::vector<NamedFile> files(const std::string& name) {
         write_items();
-        std::vector<NamedFile> files;
-        for (std::size_t i = 0; i < kinds_.size(); ++i) {
-            const ShaderSource source = assemble(kinds_[i].effects, kinds_[i].form);
-            files.push_back({fmt::format("kind{}.vert", i + 1), source.vertex});
-            files.push_back({fmt::format("kind{}.frag", i + 1), source.fragment});
-        }
+        std::vector<NamedFile> files = shaders();
         files.push_back({"scene.c", scene_text(name)});
-        files.push_back(
-            {"scene.bin", std::string(reinterpret_cast<const char*>(words_.data()), 4 * words_.size())});  // NOLINT
+        files.push_back({"scene.bin", std::string(data())});
         for (const char* file : {"loader.h", "loader.c"}) files.push_back({file, std::string(file_text(file))});
         files.push_back({"README.md", readme(name)});
         return files;
@@ -92,29 +73,38 @@ class Writer {
 
     std::string page(const std::string& name) {
         write_items();
-        std::string shaders;
-        for (std::size_t i = 0; i < kinds_.size(); ++i) {
-            const ShaderSource source = assemble(kinds_[i].effects, kinds_[i].form);
-            for (const auto& [ending, text] : {std::pair("vert", source.vertex), {"frag", source.fragment}})
-                shaders +=
-                    fmt::format("<script type=\"text/plain\" id=\"kind{}.{}\">\n{}</script>\n", i + 1, ending, text);
-        }
+        std::string scripts;
+        for (const NamedFile& shader : shaders())
+            scripts += fmt::format("<script type=\"text/plain\" id=\"{}\">\n{}</script>\n", shader.name, shader.bytes);
         const std::string load = load_text();  // appends the texels to the words
-        const std::string_view bytes(reinterpret_cast<const char*>(words_.data()), 4 * words_.size());  // NOLINT
         return filled(file_text("page.html"), {{"title", printable(name)},
                                                {"width", fmt::format("{}", frame_.width)},
                                                {"height", fmt::format("{}", frame_.height)},
                                                {"unsupported", unsupported_text()},
-                                               {"shaders", shaders},
+                                               {"shaders", scripts},
                                                {"loader", std::string(file_text("loader.js"))},
                                                {"middle", c_.numbers(middle())},
-                                               {"data", base64(bytes)},
+                                               {"data", base64(data())},
                                                {"load", load},
                                                {"draws", body_}});
     }
 
   private:
+    std::vector<NamedFile> shaders() const {
+        std::vector<NamedFile> files;
+        for (std::size_t i = 0; i < kinds_.size(); ++i) {
+            const ShaderSource source = assemble(kinds_[i].effects, kinds_[i].form);
+            files.push_back({fmt::format("kind{}.vert", i + 1), source.vertex});
+            files.push_back({fmt::format("kind{}.frag", i + 1), source.fragment});
+        }
+        return files;
+    }
+
     // ---- scene.bin ----
+
+    std::string_view data() const {
+        return {reinterpret_cast<const char*>(words_.data()), 4 * words_.size()};  // NOLINT
+    }
 
     // Appends 4-byte words, unless they were appended before; returns their place.
     std::size_t place_of(std::vector<std::uint32_t> words) {
@@ -238,7 +228,7 @@ class Writer {
         enable(kGL_POLYGON_OFFSET_LINE, raster.polygon_offset.line);
         if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", c_.number(raster.point_size)));
         // The program has one clip distance for each enabled plane, without gaps.
-        const auto planes = std::ranges::count_if(raster.clip_planes_eye, [](const auto& p) { return p.has_value(); });
+        const int planes = raster.clip_plane_count();
         for (int i = 0; i < kMaxClipPlanes; ++i) {
             const std::string name = fmt::format("GL_CLIP_DISTANCE{}", i);
             set(name, fmt::format("{}({});", i < planes ? "glEnable" : "glDisable", name));
@@ -367,7 +357,7 @@ class Writer {
         const std::string members = name("target", target_of(texture)) + name("min_filter", texture.min_filter) +
                                     name("mag_filter", texture.mag_filter) + c_.member("wrap_s", wrap(texture.wrap_s)) +
                                     ", " + c_.member("wrap_t", wrap(texture.wrap_t)) + ",\n        " +
-                                    c_.member("border_color", c_.list(c_.numbers(border_of(texture)))) + ", " +
+                                    c_.member("border_color", c_.list(c_.numbers(texture.border_texel()))) + ", " +
                                     c_.member("level_count", fmt::format("{}", count)) + ", " +
                                     c_.member("levels", c_.list(levels));
         return c_.statement(fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members)));

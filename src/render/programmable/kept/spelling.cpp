@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <string_view>
 
 #include "render/programmable/shader_pieces.h"
 
@@ -11,30 +12,6 @@ namespace twinlight::programmable {
 std::string printable(std::string text) {
     for (char& c : text)
         if ((c >= 0 && c < ' ') || std::string_view("<>&\\\x7F").find(c) != std::string_view::npos) c = '?';
-    return text;
-}
-
-std::string filled(std::string_view page, const std::map<std::string, std::string, std::less<>>& values) {
-    std::string result;
-    for (std::size_t open; (open = page.find("{{")) != page.npos;) {
-        const std::size_t close = page.find("}}", open);
-        result += page.substr(0, open);
-        result += values.at(std::string(page.substr(open + 2, close - open - 2)));
-        page.remove_prefix(close + 2);
-    }
-    return result += page;
-}
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t at = 0; at < bytes.size(); at += 3) {
-        const std::string_view three = bytes.substr(at, 3);
-        unsigned bits = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            bits = bits << 8 | (i < three.size() ? static_cast<unsigned char>(three[i]) : 0U);
-        for (std::size_t i = 0; i < 4; ++i) text += i <= three.size() ? kDigits[bits >> (18 - 6 * i) & 63] : '=';
-    }
     return text;
 }
 

@@ -2,10 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <string>
-#include <string_view>
 
 #include "render/programmable/draw_values.h"
 #include "scene/state/frame.h"
@@ -14,9 +11,6 @@ namespace twinlight::programmable {
 
 // A scene's name or place, for comments and HTML.
 std::string printable(std::string text);
-// Replaces each {{name}} of the page with its value.
-std::string filled(std::string_view page, const std::map<std::string, std::string, std::less<>>& values);
-std::string base64(std::string_view bytes);
 
 enum class Language : std::uint8_t { kC, kJavaScript };
 

@@ -1,0 +1,42 @@
+// A browser without a window, for the tests of pages.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "../unit/run_program.h"
+
+namespace twinlight {
+
+inline std::string browser() {
+    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+        if (run_shell("", std::string("command -v ") + name).status == 0) return name;
+    return {};
+}
+
+// What innerHTML escapes.
+inline std::string unescaped(std::string text) {
+    for (const auto& [escaped, character] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&nbsp;", " "}, {"&amp;", "&"}})
+        for (std::size_t at = 0; (at = text.find(escaped, at)) != std::string::npos; ++at)
+            text.replace(at, std::string_view(escaped).size(), character);
+    return text;
+}
+
+// Opens the file `page` of the folder. Returns the JSON that the page's script leaves between "told:" and ":told". No name
+// resolves: what is not in the page does not load.
+inline nlohmann::json json_of_page(const std::string& program, const std::string& options, const std::string& page,
+                                   const TemporaryFolder& folder) {
+    const ProgramResult result =
+        run_shell("", program + " --headless --no-sandbox --no-first-run " + options +
+                          " --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir=" + quoted(folder / "profile") +
+                          " --virtual-time-budget=20000 --dump-dom " + quoted("file://" + folder / page));
+    const std::size_t begin = result.out.find("told:{"), end = result.out.rfind("}:told");
+    if (begin == std::string::npos || end == std::string::npos)
+        throw std::runtime_error("the page says nothing: " + result.out.substr(0, 500) + result.err);
+    return nlohmann::json::parse(unescaped(result.out.substr(begin + 5, end + 1 - (begin + 5))));
+}
+
+}  // namespace twinlight
