@@ -111,6 +111,7 @@ class Reader {
     // -- statements (read.cpp) --
     void statement();
     void declaration();
+    void declare_object(const Token& name, Kind kind, bool is_static);
     void initialise(Object& object, const Token& name);
     void assignment();
     void program();
