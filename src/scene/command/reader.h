@@ -199,6 +199,7 @@ class Reader {
     bool declare_static(const Token& name);
     void declare_pointer(const Token& name, Kind kind, bool is_static);
     void forget_locals(std::size_t count);
+    void skip_token();
     void skip_statement();
     void skip_expression();
     bool condition();
