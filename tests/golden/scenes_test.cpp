@@ -9,16 +9,14 @@
 #include <filesystem>
 #include <memory>
 
+#include "../unit/compare_three_ways.h"
 #include "../unit/pictures.h"
 #include "base/image/png.h"
 #include "judge/compare/allowances.h"
 #include "judge/compare/comparison.h"
 #include "judge/report/report.h"
 #include "picture_failure.h"
-#include "render/context/context.h"
 #include "render/context/driver_name.h"
-#include "render/fixed/fixed.h"
-#include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
@@ -44,16 +42,7 @@ Scene scene_of(const std::string& name) {
 }
 
 compare::Comparison comparison_of(const std::string& name, Shading per_pixel = Shading::kPhong) {
-    const auto context = make_offscreen_context(kWidth, kHeight);
-    programmable::Renderer shaders;
-    const compare::Renderers renderers = {
-        .fixed = fixed::render,
-        .programmable = [&](const Frame& frame,
-                            const programmable::Options& options) { return shaders.render(frame, options); },
-        .reference = reference::render,
-        .allowed_difference = reference::allowed_difference,
-    };
-    return compare::compare_scene(scene_of(name), {.driver = driver_name(), .per_pixel = per_pixel}, renderers);
+    return compare_three_ways(scene_of(name), per_pixel);
 }
 
 // Writes it instead where `make golden` asks for that.

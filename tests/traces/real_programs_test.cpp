@@ -10,15 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "../unit/compare_three_ways.h"
 #include "../unit/run_program.h"
 #include "base/image/file.h"
 #include "judge/compare/comparison.h"
 #include "judge/report/words.h"
-#include "render/context/context.h"
-#include "render/context/driver_name.h"
-#include "render/fixed/fixed.h"
-#include "render/programmable/programmable.h"
-#include "render/reference/reference.h"
 #include "scene/scenes/load.h"
 #include "scene/state/recorded_frame.h"
 
@@ -45,19 +41,6 @@ std::vector<std::string> recordings() {
     return names;
 }
 
-compare::Comparison comparison_of(const Scene& scene) {
-    const auto context = make_offscreen_context(scene.frame.width, scene.frame.height);
-    programmable::Renderer shaders;
-    const compare::Renderers renderers = {
-        .fixed = fixed::render,
-        .programmable = [&](const Frame& f,
-                            const programmable::Options& options) { return shaders.render(f, options); },
-        .reference = reference::render,
-        .allowed_difference = reference::allowed_difference,
-    };
-    return compare::compare_scene(scene, {.driver = driver_name()}, renderers);
-}
-
 std::size_t pixels_drawn(const Image& image) {
     return static_cast<std::size_t>(std::count_if(image.pixels.begin(), image.pixels.end(), [](const Rgba& pixel) {
         return pixel[0] > 0 || pixel[1] > 0 || pixel[2] > 0;
@@ -71,7 +54,7 @@ TEST_P(RealPrograms, LookAlikeThreeWays) {
     const RecordedFrame recorded = make_recorded_frame(recording, {});
     EXPECT_EQ(recorded.error_count, 0u) << (recorded.first_error ? recorded.first_error->message : "");
 
-    const compare::Comparison comparison = comparison_of(recorded.scene);
+    const compare::Comparison comparison = compare_three_ways(recorded.scene);
     std::set<std::string> unsupported;
     for (const Unsupported& item : comparison.unsupported) unsupported.insert(item.name);
     const auto expected = expected_unsupported().find(GetParam());

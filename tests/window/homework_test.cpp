@@ -19,15 +19,11 @@
 #include <string>
 #include <vector>
 
+#include "../unit/compare_three_ways.h"
 #include "../unit/run_program.h"
 #include "base/image/file.h"
 #include "judge/compare/comparison.h"
 #include "judge/report/words.h"
-#include "render/context/context.h"
-#include "render/context/driver_name.h"
-#include "render/fixed/fixed.h"
-#include "render/programmable/programmable.h"
-#include "render/reference/reference.h"
 #include "scene/command/memory.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
@@ -180,16 +176,7 @@ TEST_P(Homework, LooksAlikeThreeWays) {
     ASSERT_TRUE(commands->window);
     Frame frame = make_frame(*commands, {.width = commands->window->width, .height = commands->window->height});
     const Scene scene{commands, std::move(frame)};
-    const auto context = make_offscreen_context(scene.frame.width, scene.frame.height);
-    programmable::Renderer shaders;
-    const compare::Renderers renderers = {
-        .fixed = fixed::render,
-        .programmable = [&](const Frame& f,
-                            const programmable::Options& options) { return shaders.render(f, options); },
-        .reference = reference::render,
-        .allowed_difference = reference::allowed_difference,
-    };
-    const compare::Comparison comparison = compare::compare_scene(scene, {.driver = driver_name()}, renderers);
+    const compare::Comparison comparison = compare_three_ways(scene);
     EXPECT_EQ(comparison.verdict(), compare::Verdict::kWithin);
     for (const compare::Pair& pair : comparison.pairs)
         EXPECT_NE(pair.verdict, compare::Verdict::kBeyond) << report::name_of(comparison, pair);

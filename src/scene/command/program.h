@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +45,7 @@ struct Program {
     std::map<std::string_view, Function> functions{};
     std::map<std::string_view, Value> constants{};  // from enum
     std::map<std::size_t, Object> statics{};        // local static variables, by the index of their name
+    std::set<std::string_view> texts{};             // names of char arrays and pointers, which have no values here
 
     std::size_t at = 0;  // the index of the token that is being read
     std::size_t steps = 0;

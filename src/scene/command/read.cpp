@@ -107,7 +107,6 @@ void Reader::program() {
 }
 
 void Reader::declaration() {
-    const bool is_global = program_ && !program_->in_function;
     bool is_static = false;
     while (token_.is("const") || token_.is("static") || (program_ && (token_.is("register") || token_.is("extern")))) {
         is_static |= token_.is("static");
@@ -123,46 +122,53 @@ void Reader::declaration() {
             fail(name.place, "expected a variable's name, found {}{}", shown(name),
                  name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : "");
         }
-        misdeclared_.insert(name.text);
         advance();
-        if (token_.is("(")) {
-            fail(name.place,
-                 "a scene cannot define the function {}; write its calls directly, or inside void display(void) {{ ... "
-                 "}}",
-                 in_quotes(name.text));
+        try {
+            if (token_.is("(")) {
+                fail(name.place,
+                     "a scene cannot define the function {}; write its calls directly, or inside void display(void) "
+                     "{{ ... }}",
+                     in_quotes(name.text));
+            }
+            if (is_text && (is_pointer || token_.is("["))) {  // a text; only what is passed over can use it
+                program_->texts.insert(name.text);
+                skip_expression();
+            } else if (is_pointer) {
+                declare_pointer(name, kind, is_static);
+            } else {
+                declare_object(name, kind, is_static);
+            }
+        } catch (...) {
+            misdeclared_.insert(name.text);
+            throw;
         }
-        if (is_text && (is_pointer || token_.is("["))) {  // a text; only what is passed over can use it
-            skip_expression();
-            continue;
-        }
-        if (is_pointer) {
-            declare_pointer(name, kind, is_static);
-            continue;
-        }
-        if (is_static && program_ && declare_static(name)) continue;
-        if ((!program_ || is_global) && variables_.contains(name.text))
-            fail(name.place, "{} is already declared at {}; use another name", in_quotes(name.text),
-                 variables_.at(name.text).place.str());
-        Object object{.kind = kind,
-                      .dimensions = dimensions_in_brackets(),
-                      .shown = in_quotes(name.text),
-                      .place = name.place,
-                      .known = is_static || is_global,  // C sets these to 0
-                      .unknown_because = "it was declared without a value"};
-        initialise(object, name);
-        if (program_ && !is_global && !is_static)
-            declare(name, std::move(object));
-        else if (program_ && !is_global)
-            *find_variable(name.text) = std::move(object);
-        else
-            variables_.emplace(name.text, std::move(object));
-        variables_.emplace(name.text, std::move(object));
-        misdeclared_.erase(name.text);
     } while (accept(","));
     expect(";", "after the declaration");
 }
 
-// The rest of a declaration, after the name.
+// The rest of the declaration of a number, an array or a quadric, after its name.
+void Reader::declare_object(const Token& name, Kind kind, bool is_static) {
+    const bool is_local = program_ && program_->in_function;
+    if (is_local && is_static && declare_static(name)) return;
+    if (!is_local && variables_.contains(name.text))
+        fail(name.place, "{} is already declared at {}; use another name", in_quotes(name.text),
+             variables_.at(name.text).place.str());
+    Object object{.kind = kind,
+                  .dimensions = dimensions_in_brackets(),
+                  .shown = in_quotes(name.text),
+                  .place = name.place,
+                  .known = is_static || (program_ && !is_local),  // C sets these to 0
+                  .unknown_because = "it was declared without a value"};
+    initialise(object, name);
+    if (is_local && is_static)
+        *find_variable(name.text) = std::move(object);
+    else if (is_local)
+        declare(name, std::move(object));
+    else
+        variables_.emplace(name.text, std::move(object));
+}
+
+// The value in a declaration, if it has one.
 void Reader::initialise(Object& object, const Token& name) {
     if (object.kind == Kind::kQuadric) return quadric_declaration(object);
     if (object.dimensions.empty()) {

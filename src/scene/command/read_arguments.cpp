@@ -19,9 +19,7 @@ void Reader::arguments(Command& command, const Signature& sig) {
             rest_arguments(command, sig.parameters[given]);
             break;
         }
-        if (token_.is(")"))
-            wrong_count(token_.place, fmt::format("only {} {} given", given, given == 1 ? "is" : "are"));
-        if (given > 0) expect(",", "between the arguments of {}", sig.name);
+        if (given > 0 && !token_.is(")")) expect(",", "between the arguments of {}", sig.name);
         if (token_.is(")"))
             wrong_count(token_.place, fmt::format("only {} {} given", given, given == 1 ? "is" : "are"));
         argument(command, given);

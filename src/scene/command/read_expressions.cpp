@@ -479,6 +479,8 @@ Object* Reader::find_variable(std::string_view name) {
 
 void Reader::unknown_name(const Token& name) {
     if (misdeclared_.contains(name.text)) throw FollowingError();
+    if (program_ && program_->texts.contains(name.text))
+        out_of_reach(name.place, fmt::format("the text {}", in_quotes(name.text)));
     std::vector<std::string_view> names = visible_names();
     for (const NamedValue& row : gl_names()) names.push_back(row.name);
     // The nearest name to GL_LIGHT8 is another light, which is not what the scene means.

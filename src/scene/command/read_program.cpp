@@ -97,11 +97,7 @@ void Reader::read_functions() {
         }
         const std::size_t after = p.partners[i] + 1;
         if (!p.tokens[after].is("{")) {  // a prototype
-            while (!token_.is(";") && token_.kind != TokenKind::kEnd)
-                if (token_.is("("))
-                    jump(p.partners[p.at] + 1);
-                else
-                    advance();
+            while (!token_.is(";") && token_.kind != TokenKind::kEnd) skip_token();
             expect(";", "after the function's parameters");
             continue;
         }

@@ -111,6 +111,7 @@ class Reader {
     // -- statements (read.cpp) --
     void statement();
     void declaration();
+    void declare_object(const Token& name, Kind kind, bool is_static);
     void initialise(Object& object, const Token& name);
     void assignment();
     void program();
@@ -198,6 +199,7 @@ class Reader {
     bool declare_static(const Token& name);
     void declare_pointer(const Token& name, Kind kind, bool is_static);
     void forget_locals(std::size_t count);
+    void skip_token();
     void skip_statement();
     void skip_expression();
     bool condition();

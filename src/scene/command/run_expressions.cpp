@@ -126,18 +126,13 @@ Value Reader::binary(int lowest) {
 
 // Skips the right side of an operator, up to one that binds as much or less.
 void Reader::skip_operand(int lowest) {
-    const Program& p = *program_;
     while (token_.kind != TokenKind::kEnd) {
-        if (token_.is("(") || token_.is("[") || token_.is("{")) {
-            jump(p.partners[p.at] + 1);
-            continue;
-        }
         const int found = rank(token_);
         if (found != 0 && found < lowest) return;
         if (token_.kind == TokenKind::kPunctuation &&
             std::string_view(")]},;?:").find(token_.text) != std::string::npos)
             return;
-        advance();
+        skip_token();
     }
 }
 

@@ -26,16 +26,20 @@ void Reader::jump(std::size_t at) {
     ahead_ = p.tokens[std::min(at + 1, p.tokens.size() - 1)];
 }
 
+// Moves past a token; from an opening bracket, past the closing one.
+void Reader::skip_token() {
+    if (token_.is("(") || token_.is("[") || token_.is("{"))
+        jump(program_->partners[program_->at] + 1);
+    else
+        advance();
+}
+
 // Moves to the ',', ';' or closing bracket that ends an expression.
 void Reader::skip_expression() {
-    while (token_.kind != TokenKind::kEnd) {
-        if (token_.is("(") || token_.is("[") || token_.is("{"))
-            jump(program_->partners[program_->at] + 1);
-        else if (token_.is(",") || token_.is(";") || token_.is(")") || token_.is("]") || token_.is("}"))
-            return;
-        else
-            advance();
-    }
+    const auto at_end = [&] {
+        return token_.is(",") || token_.is(";") || token_.is(")") || token_.is("]") || token_.is("}");
+    };
+    while (token_.kind != TokenKind::kEnd && !at_end()) skip_token();
 }
 
 void Reader::skip_statement() {
@@ -63,10 +67,7 @@ void Reader::skip_statement() {
     } else {
         while (!token_.is(";")) {
             if (token_.is("}") || token_.kind == TokenKind::kEnd) fail_missing(";", "at the end of the statement");
-            if (token_.is("(") || token_.is("[") || token_.is("{"))
-                jump(p.partners[p.at] + 1);
-            else
-                advance();
+            skip_token();
         }
         advance();
     }
@@ -233,7 +234,7 @@ Flow Reader::run_for() {
     }
     const std::size_t inner = p.locals.size();
     const std::size_t test = p.at;
-    while (!token_.is(";") && p.at < close) token_.is("(") || token_.is("[") ? jump(p.partners[p.at] + 1) : advance();
+    while (!token_.is(";") && p.at < close) skip_token();
     expect(";", "after the condition of for (...)");
     const std::size_t step = p.at;
     while (true) {
@@ -288,7 +289,7 @@ Flow Reader::run_switch() {
         } else if (token_.is("default") && ahead_.is(":")) {
             start = p.at + 2;
         }
-        token_.is("{") || token_.is("(") || token_.is("[") ? jump(p.partners[p.at] + 1) : advance();
+        skip_token();
     }
     Flow flow = Flow::kNext;
     if (start) {

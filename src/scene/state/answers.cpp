@@ -206,14 +206,14 @@ Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
 Answer tex_level_answer(const State& state, Enum target, int level, Enum pname) {
     if ((target != kGL_TEXTURE_1D && target != kGL_TEXTURE_2D) || level < 0) return {};
     const Texture& texture = state.bound_texture(target);
-    const bool exists = static_cast<std::size_t>(level) < texture.levels.size();
-    const bool has_image = exists && !texture.levels[static_cast<std::size_t>(level)].texels.empty();
-    const TextureImage image = has_image ? texture.levels[static_cast<std::size_t>(level)] : TextureImage{.height = 0};
+    const auto index = static_cast<std::size_t>(level);
+    const bool has_image = index < texture.levels.size() && !texture.levels[index].texels.empty();
+    const TextureImage* const image = has_image ? &texture.levels[index] : nullptr;
     switch (pname) {
-        case kGL_TEXTURE_WIDTH: return one(image.width);
-        case kGL_TEXTURE_HEIGHT: return one(image.height);
+        case kGL_TEXTURE_WIDTH: return one(image ? image->width : 0);
+        case kGL_TEXTURE_HEIGHT: return one(image ? image->height : 0);
         case kGL_TEXTURE_BORDER: return one(0);
-        case kGL_TEXTURE_INTERNAL_FORMAT: return one(has_image ? image.internal_format : 1);
+        case kGL_TEXTURE_INTERNAL_FORMAT: return one(image ? image->internal_format : 1);
         default: return {};
     }
 }

@@ -178,6 +178,19 @@ TEST(Programs, CallFunctions) {
               (Values{0x4000, 0x1201, 1, 2, 3, 4}));
 }
 
+// A variable of a block or a function is unknown after it.
+TEST(Programs, ForgetVariablesAfterTheirBlock) {
+    EXPECT_EQ(values_of("f(); glLineWidth(A);", "enum { A = 3 }; void f(void) { int A = 1; glLineWidth(A); }"),
+              (Values{1, 3}));
+    for (const char* statements :
+         {"{ int k = 1; } k = 2;", "{ int k[2] = {1}; } k[0] = 2;", "f(); k = 2;", "{ float v[2], *k = v; } k[0] = 2;"})
+        EXPECT_NE(error_of(program(statements, "void f(void) { static int k = 1; }")).find("unknown name 'k'"),
+                  std::string::npos)
+            << statements;
+    EXPECT_NE(error_of(program("f(); f(); k = 2;", "void f(void) { static int k = 1; }")).find("unknown name 'k'"),
+              std::string::npos);
+}
+
 TEST(Programs, KnowCsMathematics) {
     EXPECT_EQ(values_of("glScaled(sin(0.5), cosf(0.5f), tan(1));"),
               (Values{std::sin(0.5), static_cast<double>(std::cos(0.5F)), std::tan(1.0)}));
@@ -233,6 +246,8 @@ INSTANTIATE_TEST_SUITE_P(
                     OutOfReach{"goto end;", "'goto'"}, OutOfReach{"float *p = malloc(4);", "the function malloc"},
                     OutOfReach{"float *p;", "the pointer 'p'"},
                     OutOfReach{"float v[2]; float *p = v; p++;", "a pointer that moves"},
+                    OutOfReach{"char *t = \"a\"; for (; *t; t++) ;", "'*' before 't'"},
+                    OutOfReach{"char t[] = \"a\"; glLineWidth(t[0]);", "the text 't'"},
                     OutOfReach{"float m[16]; glGetFloatv(GL_MODELVIEW_MATRIX, m); glLineWidth(m[0]);",
                                "the value of 'm'"},
                     OutOfReach{"int t = glutGet(GLUT_ELAPSED_TIME);", "glutGet(GLUT_ELAPSED_TIME)"},

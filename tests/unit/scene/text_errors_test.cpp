@@ -71,6 +71,10 @@ TEST(TextErrors, ContinueAfterWrongCharacters) {
     EXPECT_EQ(errors_in("glFoo();\n/* open").places, (Places{"1:1", "2:1"}));
 }
 
+TEST(TextErrors, NameAVariableInItsOwnValue) {
+    EXPECT_EQ(errors_in("GLfloat x = x;\nglutSolidCube(x);\n").places, (Places{"1:13"}));
+}
+
 TEST(TextErrors, LeaveOutWhatResultsFromAnEarlierError) {
     EXPECT_EQ(errors_in("GLfloat lamp[] = {1, x};\nglLightfv(GL_LIGHT0, GL_POSITION, lamp);\nlamp = 3;\n").places,
               (Places{"1:22"}));
