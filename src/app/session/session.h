@@ -1,0 +1,132 @@
+// Session: what the window shows and what the user has chosen, as plain data. No GL, GLUT or ImGui here.
+//
+// The commands are the only truth about the scene: every key and every panel that changes the picture edits them
+// (edits.h, camera.h), and what the window shows is what `twinlight render` would draw of the saved file.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/session/history.h"
+#include "render/look.h"
+#include "render/path.h"
+#include "scene/state/scene.h"
+
+namespace twinlight::session {
+
+// kSlider: two pictures, one on each side of a line that can be dragged. kGrid: three pictures and a difference.
+// kWorld: the scene from outside, with its camera and lights.
+enum class View : std::uint8_t { kSingle, kGrid, kSlider, kWorld };
+struct ViewName {
+    View value;
+    const char* key;
+};
+inline constexpr ViewName kViews[] = {
+    {View::kSlider, "slider"}, {View::kGrid, "grid"}, {View::kSingle, "single"}, {View::kWorld, "world"}};
+
+// One picture of the window.
+struct Pane {
+    Path renderer = Path::kFixed;
+    std::optional<Shading> shading{};  // empty: flat or Gouraud, as the scene's glShadeModel says
+    // The lecture's variants in the scene's pragmas. Empty: with lighting per pixel only, as `twinlight compare` does.
+    std::optional<bool> lecture_variants{};
+
+    friend bool operator==(const Pane&, const Pane&) = default;
+};
+inline constexpr std::size_t kPanes = 3;
+inline constexpr std::size_t kDifferencePane = kPanes;  // the number of the difference, after those of the panes
+
+enum class Wireframe : std::uint8_t { kOff, kOver, kAlone };
+struct Overlays {
+    Wireframe wireframe = Wireframe::kOff;
+    bool normals = false;
+    bool provoking_vertices = false;  // the vertices whose colour flat shading takes
+    bool back_faces = false;
+    bool above_one = false;    // where a channel exceeds 1 before it is clamped
+    bool kept_lights = false;  // which lights the planner keeps for each object
+
+    friend bool operator==(const Overlays&, const Overlays&) = default;
+};
+
+// The two panes that the slider and the difference compare.
+struct Pair {
+    std::size_t a = 0, b = 1;
+
+    friend bool operator==(const Pair&, const Pair&) = default;
+};
+
+// What `twinlight explain` explains: a pixel of the picture (from the top left), or a vertex of a Draw (both count from 1).
+struct Probe {
+    bool is_vertex = false;
+    int x = 0, y = 0;
+    std::size_t draw = 1, vertex = 1;
+
+    friend bool operator==(const Probe&, const Probe&) = default;
+};
+
+struct Session {
+    explicit Session(std::shared_ptr<const CommandList> opened);
+
+    History history;
+    std::shared_ptr<const CommandList> opened;  // as the file has it
+    std::optional<std::string> file{};          // the scene's file; empty for a built-in scene and standard input
+
+    // The commands as the panes draw them: those of history, with viewports for this size. Made by refresh().
+    Scene scene{};
+    int width = 0, height = 0;  // of a picture in pixels
+    int revision = 0;           // counts the scenes made
+    std::string error{};        // why the commands cannot be drawn; `scene` is then the last one that could
+
+    View view = View::kSlider;
+    std::array<Pane, kPanes> panes{Pane{Path::kFixed}, Pane{Path::kProgrammable, Shading::kPhong},
+                                   Pane{Path::kReference}};
+    std::size_t active = 1;  // the pane that Tab and g change; may be kDifferencePane
+    Pair slider{0, 1}, difference{0, 2};
+    double slider_at = 0.5;  // from the left edge: 0 to 1
+    int amplification = 0;   // of the difference; 0: as large as keeps it below white
+    Overlays overlays{};
+    std::optional<Probe> probe{};
+    std::optional<int> selected_light{};
+    std::optional<std::size_t> selected_command{};  // index into the commands
+
+    bool keys_shown = false;
+    bool panel_shown = true;
+    bool animating = false;
+    bool quit_requested = false;
+    // Requests that the window carries out and clears.
+    bool export_requested = false, screenshot_requested = false;
+    int scene_requested = 0;  // -1: the built-in scene before this one, 1: the one after it
+
+    std::string message{};  // what just happened, for a few seconds
+    int messages = 0;       // counts them
+};
+
+const CommandList& commands(const Session& session);
+// Says something in the window's status line.
+void say(Session& session, std::string message);
+// Replaces the commands as one step of undo; see History::edit.
+void edit(Session& session, CommandList commands, std::string what, std::string group = {});
+// Replaces everything that belongs to a scene. The views and panes stay.
+void open(Session& session, std::shared_ptr<const CommandList> scene, std::optional<std::string> file);
+
+// The size in which the scene's own numbers are meant: a program's window, or 640 x 480.
+WindowSize natural_size(const CommandList& commands);
+// The commands for a picture of another size: glViewport and glScissor are scaled.
+CommandList scaled(const CommandList& commands, WindowSize from, WindowSize to);
+// Makes `scene` again if the commands or the size changed. Returns whether it did. An error goes to session.error.
+bool refresh(Session& session, int width, int height);
+
+// How a pane shades now: glShadeModel(GL_FLAT) makes every pane flat, and the fixed function has no lighting per pixel.
+// Empty: as the scene says.
+std::optional<Shading> shading_of(const Session& session, const Pane& pane);
+Look look_of(const Session& session, const Pane& pane);
+// "fixed function, Gouraud"
+std::string title_of(const Session& session, const Pane& pane);
+// Whether all Draws of the frame have GL_FLAT (and there is one).
+bool is_flat(const Frame& frame);
+
+}  // namespace twinlight::session
