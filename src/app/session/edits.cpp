@@ -30,7 +30,7 @@ bool sets_light_model(const Command& command, Enum pname) {
     return kSetters.contains(command.id) && command.enumerant(0) == pname && command.arguments.size() > 1;
 }
 
-bool draws(const Command& command) {
+bool starts_drawing(const Command& command) {
     constexpr CommandSet kDrawing = CommandSet::of(
         {"begin", "rect", "draw_arrays", "call_list", "call_lists", "shape", "quadric_shape", "driver_only_drawing"});
     return kDrawing.contains(command.id);
@@ -148,7 +148,8 @@ CommandList toggle_light_model(const CommandList& commands, Enum pname) {
 
 CommandList toggle_shade_model(const CommandList& commands) {
     const auto sets = [](const Command& command) { return command.id == CommandId::glShadeModel; };
-    const auto first = std::ranges::find_if(commands.commands, [&](const Command& c) { return sets(c) || draws(c); });
+    const auto first =
+        std::ranges::find_if(commands.commands, [&](const Command& c) { return sets(c) || starts_drawing(c); });
     const bool starts_with_initial = first == commands.commands.end() || !sets(*first);
     const bool is_flat = !starts_with_initial && first->enumerant(0) == kGL_FLAT;
     const double other = is_flat ? kGL_SMOOTH : kGL_FLAT;
