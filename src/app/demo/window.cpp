@@ -35,6 +35,8 @@
 // freeglut's headers come after render/context/gl.h, which declares GL.
 #include <GL/freeglut.h>
 #include <GL/freeglut_ucall.h>
+#include <GL/glx.h>
+#include <X11/Xlib.h>
 #include <backends/imgui_impl_glut.h>
 #include <backends/imgui_impl_opengl2.h>
 
@@ -82,7 +84,7 @@ class Window {
         : options_(options), session_(std::move(scene)) {
         session_.file = options.file;
         session_.view = options.view;
-        const WindowSize size = natural_size(commands(session_));
+        const WindowSize size = session::natural_size(commands(session_));
         refresh(session_, size.width, size.height);
     }
 
@@ -106,6 +108,7 @@ class Window {
     void save_screenshot();
     void write_times() const;
     void make_menu();
+    void open_menu(int x, int y);
     void wake(int frames = kFramesAfterEvent);  // draws so many frames
     void set_timers();
     void quit();
@@ -226,6 +229,11 @@ int Window::run() {
                           void* w) { guarded(w, [=](Window& self) { self.mouse(button, state, x, y); }); },
                        this);
     glutMotionFuncUcall([](int x, int y, void* w) { guarded(w, [=](Window& self) { self.motion(x, y); }); }, this);
+    glutMenuStatusFuncUcall(
+        [](int status, int, int, void* w) {
+            if (status == GLUT_MENU_NOT_IN_USE) guarded(w, [](Window&) { glutDetachMenu(GLUT_RIGHT_BUTTON); });
+        },
+        this);
     glutPassiveMotionFuncUcall([](int x, int y, void* w) { guarded(w, [=](Window& self) { self.passive_motion(x, y); }); },
                                this);
     // Textures and programs must be deleted while their context is current.
@@ -399,7 +407,7 @@ void Window::save_screenshot() {
 
 void Window::write_times() const {
     if (options_.times.empty()) return;
-    write_file(options_.times, nlohmann::json{{"frame_ms", frame_ms_}}.dump() + "\n");
+    write_file_atomically(options_.times, nlohmann::json{{"frame_ms", frame_ms_}}.dump() + "\n");
 }
 
 void Window::key(int code) {
@@ -480,7 +488,7 @@ void Window::mouse(int button, int state, int x, int y) {
     session_.history.end_group();
     const Drag ended = std::exchange(drag_, Drag::kNone);
     if (moved_) return;
-    if (ended == Drag::kLook) panels_->open_menu();
+    if (ended == Drag::kLook) open_menu(x, y);
     if (ended != Drag::kOrbit) return;
     if (const auto where = hit(layout_, x, y)) {
         const session::Box& box = layout_.cells.front().picture;
@@ -522,6 +530,27 @@ void Window::make_menu() {
             const std::string line = fmt::format("{}    {}", row.label, row.what);
             glutAddMenuEntry(line.c_str(), row.first);
         }
+}
+
+// GLUT opens its menu when the button goes down, which would take the drag. So the menu is attached when a click turns out not
+// to be a drag, and the click is sent again.
+void Window::open_menu(int x, int y) {
+    glutSetMenu(menu_);
+    glutAttachMenu(GLUT_RIGHT_BUTTON);
+    Display* display = glXGetCurrentDisplay();
+    XButtonEvent press{};
+    press.type = ButtonPress;
+    press.display = display;
+    press.window = glXGetCurrentDrawable();
+    press.root = DefaultRootWindow(display);
+    press.same_screen = True;
+    press.button = Button3;
+    press.x = x;
+    press.y = y;
+    ::Window child = 0;
+    XTranslateCoordinates(display, press.window, press.root, x, y, &press.x_root, &press.y_root, &child);
+    XSendEvent(display, press.window, True, ButtonPressMask, reinterpret_cast<XEvent*>(&press));
+    XFlush(display);
 }
 
 void Window::quit() {

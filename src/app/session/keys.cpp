@@ -8,7 +8,6 @@
 
 #include "app/session/camera.h"
 #include "app/session/edits.h"
-#include "app/session/light_status.h"
 
 namespace twinlight::session {
 namespace {
@@ -31,37 +30,29 @@ void walk(Session& session, double forward, double right) {
     move_camera(session, move, "move the camera");
 }
 
-// The scene as the edit leaves it, for the messages about what a key did.
+// The scene as the edit leaves it, for the message about what a key did.
 Frame frame_now(const Session& session) {
     Session copy = session;
     refresh(copy, copy.width, copy.height);
     return copy.scene.frame;
 }
 
-void toggle_light_key(Session& session, int light) {
-    edit(session, toggle_light(commands(session), light), fmt::format("switch GL_LIGHT{}", light));
-    say(session, light_status(frame_now(session), light));
+void press_light(Session& session, int light) {
+    edit(session, toggle_light(commands(session), light), "switch " + light_name(light));
+    say(session, what_light_shows(frame_now(session), light));
 }
 
-// Switches a capability and says how it is now.
-void toggle_capability_key(Session& session, Enum capability, const char* name, bool LightingState::*value) {
-    edit(session, toggle_capability(commands(session), capability), fmt::format("switch {}", name));
-    const Frame frame = frame_now(session);
-    const auto draws = frame.draws();
-    const auto on = std::ranges::count_if(draws, [&](const Draw* draw) { return draw->lighting.*value; });
-    say(session, fmt::format("{} is {}", name,
-                             on == 0 ? "off" : static_cast<std::size_t>(on) == draws.size() ? "on" : "on for some objects"));
+void press_capability(Session& session, Enum cap, const char* name) {
+    edit(session, toggle_capability(commands(session), cap), fmt::format("switch {}", name));
+    say(session, what_capability_shows(commands(session), frame_now(session), cap));
 }
 
-void toggle_light_model_key(Session& session, Enum pname, const char* name, bool LightModel::*value) {
+void press_light_model(Session& session, Enum pname, const char* name) {
     edit(session, toggle_light_model(commands(session), pname), fmt::format("switch {}", name));
-    const Frame frame = frame_now(session);
-    const auto draws = frame.draws();
-    const bool on = std::ranges::any_of(draws, [&](const Draw* draw) { return draw->lighting.light_model.*value; });
-    say(session, fmt::format("{} is {}", name, on ? "GL_TRUE" : "GL_FALSE"));
+    say(session, what_light_model_shows(frame_now(session), pname));
 }
 
-void toggle_shade_model_key(Session& session, int) {
+void press_shade_model(Session& session, int) {
     edit(session, toggle_shade_model(commands(session)), "switch glShadeModel");
     say(session, is_flat(frame_now(session)) ? "glShadeModel(GL_FLAT): each primitive has the colour of one vertex"
                                              : "glShadeModel(GL_SMOOTH): colours are interpolated");
@@ -99,10 +90,13 @@ void next_wireframe(Session& session, int) {
 }
 
 void tessellate(Session& session, int steps) {
-    const auto before = commands(session).commands;
+    const std::string before = tessellation(commands(session));
     edit(session, change_tessellation(commands(session), steps), steps > 0 ? "finer meshes" : "coarser meshes",
          "tessellation");
-    if (commands(session).commands == before) say(session, "no shape of this scene has slices to change");
+    const std::string now = tessellation(commands(session));
+    say(session, now.empty()     ? "no shape of this scene has slices and stacks"
+                 : now == before ? "slices and stacks stay at " + now
+                                 : "slices and stacks: " + now);
 }
 
 void reset(Session& session, int) {
@@ -125,8 +119,8 @@ void redo(Session& session, int) {
 constexpr int kF1 = kSpecialKey + 1, kLeft = kSpecialKey + 100;
 
 constexpr Key kKeys[] = {
-    {'1', '8', "1 .. 8", "GL_LIGHT0 .. GL_LIGHT7 on or off", toggle_light_key},
-    {'f', 'f', "f", "GL_FLAT or GL_SMOOTH", toggle_shade_model_key},
+    {'1', '8', "1 .. 8", "GL_LIGHT0 .. GL_LIGHT7 on or off", press_light},
+    {'f', 'f', "f", "GL_FLAT or GL_SMOOTH", press_shade_model},
     {'\t', '\t', "Tab", "next renderer: fixed function, shaders, reference", next_renderer},
     {kShiftTab, kShiftTab, "Shift+Tab", "next view: slider, grid, single, world", next_view},
     {'g', 'g', "g", "shading: flat, Gouraud, Phong, exact surfaces", next_shading},
@@ -147,18 +141,13 @@ constexpr Key kKeys[] = {
     {'m', 'm', "m", "wireframe: over the surface, alone, off", next_wireframe},
     {'n', 'n', "n", "normals", [](Session& s, int) { s.overlays.normals = !s.overlays.normals; }},
     {'l', 'l', "l", "GL_LIGHTING on or off",
-     [](Session& s, int) { toggle_capability_key(s, kGL_LIGHTING, "GL_LIGHTING", &LightingState::enabled); }},
+     [](Session& s, int) { press_capability(s, kGL_LIGHTING, "GL_LIGHTING"); }},
     {'v', 'v', "v", "local viewer: the eye's own direction at each vertex",
-     [](Session& s, int) {
-         toggle_light_model_key(s, kGL_LIGHT_MODEL_LOCAL_VIEWER, "GL_LIGHT_MODEL_LOCAL_VIEWER",
-                                &LightModel::local_viewer);
-     }},
+     [](Session& s, int) { press_light_model(s, kGL_LIGHT_MODEL_LOCAL_VIEWER, "GL_LIGHT_MODEL_LOCAL_VIEWER"); }},
     {'t', 't', "t", "two-sided lighting",
-     [](Session& s, int) {
-         toggle_light_model_key(s, kGL_LIGHT_MODEL_TWO_SIDE, "GL_LIGHT_MODEL_TWO_SIDE", &LightModel::two_side);
-     }},
+     [](Session& s, int) { press_light_model(s, kGL_LIGHT_MODEL_TWO_SIDE, "GL_LIGHT_MODEL_TWO_SIDE"); }},
     {'x', 'x', "x", "GL_NORMALIZE on or off",
-     [](Session& s, int) { toggle_capability_key(s, kGL_NORMALIZE, "GL_NORMALIZE", &LightingState::normalize); }},
+     [](Session& s, int) { press_capability(s, kGL_NORMALIZE, "GL_NORMALIZE"); }},
     {' ', ' ', "Space", "animate the selected light, or the camera",
      [](Session& s, int) { s.animating = !s.animating; }},
     {'[', '[', "[ ]", "the scene before or after this one", [](Session& s, int) { s.scene_requested = -1; }},

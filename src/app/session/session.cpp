@@ -1,7 +1,11 @@
 #include "app/session/session.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "scene/command/text.h"
@@ -82,6 +86,21 @@ bool is_flat(const Frame& frame) {
     const auto draws = frame.draws();
     return !draws.empty() &&
            std::ranges::all_of(draws, [](const Draw* draw) { return draw->lighting.shade_model == kGL_FLAT; });
+}
+
+std::string lights_summary(const Frame& frame) {
+    std::set<std::string> shade_models;
+    std::set<int> lights;
+    for (const Draw* draw : frame.draws()) {
+        shade_models.insert(draw->lighting.shade_model == kGL_FLAT ? "GL_FLAT" : "GL_SMOOTH");
+        for (std::size_t i = 0; i < draw->lighting.lights.size(); ++i)
+            if (draw->lighting.enabled && draw->lighting.lights[i].enabled) lights.insert(static_cast<int>(i));
+    }
+    std::string text = fmt::format("{}", fmt::join(shade_models, " and "));
+    if (lights.empty()) return text + ", no light is on";
+    if (lights.size() > kMaxLights) return text + fmt::format(", {} lights on", lights.size());
+    for (const int light : lights) text += ", " + light_name(light);
+    return text + " on";
 }
 
 std::optional<Shading> shading_of(const Session& session, const Pane& pane) {

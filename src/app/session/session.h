@@ -128,6 +128,8 @@ std::optional<Shading> shading_of(const Session& session, const Pane& pane);
 Look look_of(const Session& session, const Pane& pane);
 // "fixed function, Gouraud"
 std::string title_of(const Session& session, const Pane& pane);
+// "GL_SMOOTH, GL_LIGHT0, GL_LIGHT3 on": the shade models and lights of the frame.
+std::string lights_summary(const Frame& frame);
 // Whether all Draws of the frame have GL_FLAT (and there is one).
 bool is_flat(const Frame& frame);
 
