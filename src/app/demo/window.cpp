@@ -234,8 +234,8 @@ int Window::run() {
             if (status == GLUT_MENU_NOT_IN_USE) guarded(w, [](Window&) { glutDetachMenu(GLUT_RIGHT_BUTTON); });
         },
         this);
-    glutPassiveMotionFuncUcall([](int x, int y, void* w) { guarded(w, [=](Window& self) { self.passive_motion(x, y); }); },
-                               this);
+    glutPassiveMotionFuncUcall(
+        [](int x, int y, void* w) { guarded(w, [=](Window& self) { self.passive_motion(x, y); }); }, this);
     // Textures and programs must be deleted while their context is current.
     glutCloseFuncUcall([](void* w) { static_cast<Window*>(w)->end_imgui(); }, this);
     make_menu();
@@ -264,12 +264,14 @@ void Window::wake(int frames) {
 void Window::set_timers() {
     if (panes_ && panes_->is_busy()) after(kBusyMs, busy_timer_, [this] { wake(1); });
     if (session_.animating) after(kFrameMs, animation_timer_, [this] { wake(1); });
-    if (session_.file) after(kFileMs, file_timer_, [this] {
-        reload_if_saved();
-        set_timers();
-    });
+    if (session_.file)
+        after(kFileMs, file_timer_, [this] {
+            reload_if_saved();
+            set_timers();
+        });
     // A cursor that blinks in a field, a message that goes, and a panel's own work.
-    const bool wants_frames = ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy());
+    const bool wants_frames =
+        ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy());
     if (wants_frames) after(200, message_timer_, [this] { wake(1); });
 }
 
@@ -361,7 +363,8 @@ void Window::show_status(const session::Layout& layout) {
 }
 
 void Window::show_keys() const {
-    ImGui::SetNextWindowPos({static_cast<float>(width_) / 2, static_cast<float>(height_) / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowPos({static_cast<float>(width_) / 2, static_cast<float>(height_) / 2}, ImGuiCond_Always,
+                            {0.5F, 0.5F});
     ImGui::SetNextWindowBgAlpha(0.94F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24, 18});
@@ -431,9 +434,10 @@ void Window::open_neighbour(int step) {
     std::vector<std::string> names;
     for (const EmbeddedFile& file : kSceneFiles) names.emplace_back(file.name.substr(0, file.name.rfind(".gl")));
     const auto here = std::ranges::find(names, commands(session_).name);
-    const std::size_t index = here == names.end() ? (step > 0 ? names.size() - 1 : 0)
-                                                  : static_cast<std::size_t>(here - names.begin());
-    const std::string& name = names[(index + names.size() + static_cast<std::size_t>(step + static_cast<int>(names.size()))) % names.size()];
+    const std::size_t index =
+        here == names.end() ? (step > 0 ? names.size() - 1 : 0) : static_cast<std::size_t>(here - names.begin());
+    const std::string& name =
+        names[(index + names.size() + static_cast<std::size_t>(step + static_cast<int>(names.size()))) % names.size()];
     session::open(session_, load_commands(name), {});
     say(session_, "scene " + name);
     wake();
@@ -478,7 +482,7 @@ void Window::mouse(int button, int state, int x, int y) {
         const session::Box& box = layout_.cells.front().picture;
         const bool on_line = session_.view == session::View::kSlider && button == GLUT_LEFT_BUTTON &&
                              std::abs(x - (box.x + session_.slider_at * box.width)) < 14;
-        drag_ = on_line ? Drag::kSlider
+        drag_ = on_line                       ? Drag::kSlider
                 : button == GLUT_LEFT_BUTTON  ? Drag::kOrbit
                 : button == GLUT_RIGHT_BUTTON ? Drag::kLook
                                               : Drag::kNone;
@@ -524,12 +528,21 @@ void Window::passive_motion(int x, int y) {
 }
 
 void Window::make_menu() {
-    menu_ = glutCreateMenuUcall([](int code, void* w) { guarded(w, [=](Window& self) { self.key(code); }); }, this);
-    for (const session::Key& row : session::keys())
-        if (!row.label.empty()) {
-            const std::string line = fmt::format("{}    {}", row.label, row.what);
+    const auto new_menu = [this] {
+        return glutCreateMenuUcall([](int code, void* w) { guarded(w, [=](Window& self) { self.key(code); }); }, this);
+    };
+    const int lights = new_menu();
+    for (int i = 0; i < kMaxLights; ++i)
+        glutAddMenuEntry(fmt::format("{}    {}", i + 1, light_name(i)).c_str(), '1' + i);
+    menu_ = new_menu();
+    for (const session::Key& row : session::keys()) {
+        if (row.label.empty() || !row.in_menu) continue;
+        const std::string line = fmt::format("{}    {}", row.label, row.what);
+        if (row.first == '1')
+            glutAddSubMenu(line.c_str(), lights);
+        else
             glutAddMenuEntry(line.c_str(), row.first);
-        }
+    }
 }
 
 // GLUT opens its menu when the button goes down, which would take the drag. So the menu is attached when a click turns out not

@@ -124,7 +124,7 @@ constexpr Key kKeys[] = {
     {'\t', '\t', "Tab", "next renderer: fixed function, shaders, reference", next_renderer},
     {kShiftTab, kShiftTab, "Shift+Tab", "next view: slider, grid, single, world", next_view},
     {'g', 'g', "g", "shading: flat, Gouraud, Phong, exact surfaces", next_shading},
-    {'w', 'w', "w a s d", "move the camera", [](Session& s, int) { walk(s, 1, 0); }},
+    {'w', 'w', "w a s d", "move the camera", [](Session& s, int) { walk(s, 1, 0); }, false},
     {'a', 'a', "", "", [](Session& s, int) { walk(s, 0, -1); }},
     {'s', 's', "", "", [](Session& s, int) { walk(s, -1, 0); }},
     {'d', 'd', "", "", [](Session& s, int) { walk(s, 0, 1); }},
@@ -134,14 +134,14 @@ constexpr Key kKeys[] = {
          const auto [x, y] = kDirections[static_cast<std::size_t>(nth)];
          constexpr double kPixels = kDegreesPerArrow / kDegreesPerPixel;
          orbit(s, static_cast<int>(x * kPixels), static_cast<int>(y * kPixels));
-     }},
+     },
+     false},
     {'+', '+', "+ -", "finer or coarser meshes", [](Session& s, int) { tessellate(s, 1); }},
     {'=', '=', "", "", [](Session& s, int) { tessellate(s, 1); }},
     {'-', '-', "", "", [](Session& s, int) { tessellate(s, -1); }},
     {'m', 'm', "m", "wireframe: over the surface, alone, off", next_wireframe},
     {'n', 'n', "n", "normals", [](Session& s, int) { s.overlays.normals = !s.overlays.normals; }},
-    {'l', 'l', "l", "GL_LIGHTING on or off",
-     [](Session& s, int) { press_capability(s, kGL_LIGHTING, "GL_LIGHTING"); }},
+    {'l', 'l', "l", "GL_LIGHTING on or off", [](Session& s, int) { press_capability(s, kGL_LIGHTING, "GL_LIGHTING"); }},
     {'v', 'v', "v", "local viewer: the eye's own direction at each vertex",
      [](Session& s, int) { press_light_model(s, kGL_LIGHT_MODEL_LOCAL_VIEWER, "GL_LIGHT_MODEL_LOCAL_VIEWER"); }},
     {'t', 't', "t", "two-sided lighting",

@@ -18,6 +18,7 @@ struct Key {
     std::string_view label;            // "1 .. 8"; empty: another key for the row above
     std::string_view what;             // "light GL_LIGHT0 .. GL_LIGHT7: on or off"
     void (*press)(Session&, int nth);  // nth: the code minus `first`
+    bool in_menu = true;
 };
 
 std::span<const Key> keys();
