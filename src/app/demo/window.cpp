@@ -138,13 +138,15 @@ class Window {
     bool imgui_runs_ = false;
     bool busy_timer_ = false, animation_timer_ = false, file_timer_ = false, message_timer_ = false;
     Drag drag_ = Drag::kNone;
-    int mouse_x_ = 0, mouse_y_ = 0, pressed_x_ = 0, pressed_y_ = 0;
+    session::DragStart drag_start_;
+    int pressed_x_ = 0, pressed_y_ = 0;
     bool moved_ = false;  // since the button was pressed
     int messages_seen_ = 0;
     Clock::time_point message_since_{}, animated_since_{};
     std::optional<std::filesystem::file_time_type> file_time_;
     std::vector<double> frame_ms_;
     int menu_ = 0;
+    std::string title_;
     int status_ = EXIT_SUCCESS;
 };
 
@@ -316,6 +318,10 @@ void Window::display() {
 
 void Window::frame() {
     layout_ = session::layout(session_, width_, height_, scale());
+    if (const std::string title = commands(session_).name + " - twinlight"; title != title_) {
+        title_ = title;
+        glutSetWindowTitle(title.c_str());
+    }
     session::refresh(session_, layout_.picture.width, layout_.picture.height);
     panes_->update(session_, layout_);
 
@@ -474,9 +480,11 @@ void Window::mouse(int button, int state, int x, int y) {
         return;
     }
     if (down) {
-        mouse_x_ = pressed_x_ = x;
-        mouse_y_ = pressed_y_ = y;
+        pressed_x_ = x;
+        pressed_y_ = y;
         moved_ = false;
+        drag_start_ = session::start_drag(session_);
+        session_.history.end_group();
         const auto where = hit(layout_, x, y);
         if (!where) return;
         const session::Box& box = layout_.cells.front().picture;
@@ -510,11 +518,8 @@ void Window::motion(int x, int y) {
     if (drag_ == Drag::kNone) return;
     if (!moved_ && std::max(std::abs(x - pressed_x_), std::abs(y - pressed_y_)) < kClickPixels) return;
     moved_ = true;
-    const int dx = x - mouse_x_, dy = y - mouse_y_;
-    mouse_x_ = x;
-    mouse_y_ = y;
-    if (drag_ == Drag::kOrbit) session::orbit(session_, dx, dy);
-    if (drag_ == Drag::kLook) session::look(session_, dx, dy);
+    if (drag_ == Drag::kOrbit) session::orbit(session_, drag_start_, x - pressed_x_, y - pressed_y_);
+    if (drag_ == Drag::kLook) session::look(session_, drag_start_, x - pressed_x_, y - pressed_y_);
     if (drag_ == Drag::kSlider) {
         const session::Box& box = layout_.cells.front().picture;
         session_.slider_at = std::clamp(static_cast<double>(x - box.x) / box.width, 0.0, 1.0);

@@ -1,6 +1,8 @@
 // Keys: the one table of the window's keys. The help, the menu and --help are made from it.
 #pragma once
 
+#include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,8 +29,15 @@ std::string keys_help();                 // one line for each key
 
 // ---- The mouse over a picture, in pixels (y down) ----
 
-void orbit(Session& session, int dx, int dy);
-void look(Session& session, int dx, int dy);
+// The scene where a drag starts. Each move is from there, so that rounding does not add up.
+struct DragStart {
+    std::shared_ptr<const CommandList> commands;
+    glm::dvec3 pivot_eye;
+};
+DragStart start_drag(const Session& session);
+
+void orbit(Session& session, const DragStart& start, int dx, int dy);
+void look(Session& session, const DragStart& start, int dx, int dy);
 void zoom(Session& session, int steps);  // of the wheel; positive is nearer
 // Moves what is animated by this many seconds: the selected light around the scene's middle, or else the camera.
 void animate(Session& session, double seconds);
