@@ -156,7 +156,7 @@ TEST(SessionCamera, AboveTheFloorItStaysAbove) {
 }
 
 TEST(SessionCamera, ACameraWithoutADirectionStays) {
-    for (const std::string& text :
+    for (const char* text :
          {"gluLookAt(1, 2, 3,  1, 2, 3,  0, 1, 0);", "gluLookAt(1, 2, 3,  0, 0, 0,  0, 0, 0);"}) {
         const CommandList original = scene(text + kPoint);
         EXPECT_EQ(with_camera_moved(original, turned(10, 10, 2), kPivot).commands, original.commands);
