@@ -26,7 +26,6 @@ struct Layout {
     Box status;  // the line at the bottom
     std::vector<Cell> cells;
     WindowSize picture;  // of every cell
-
 };
 
 // The layout of a window of this size. `scale` is that of the font: 1 for 96 dots per inch. Pictures keep the proportions

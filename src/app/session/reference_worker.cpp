@@ -13,8 +13,8 @@
 namespace twinlight::session {
 namespace {
 
-constexpr int kCoarse = 4;   // the first picture is 1/4 of the size in each direction
-constexpr int kNicer = 10;   // the interface goes first
+constexpr int kCoarse = 4;  // the first picture is 1/4 of the size in each direction
+constexpr int kNicer = 10;  // the interface goes first
 
 bool same(const Look& a, const Look& b) { return a.shading == b.shading && a.lecture_variants == b.lecture_variants; }
 
