@@ -22,9 +22,8 @@ session::View view_of(const std::string& name) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app(
-        "Opens a window that draws a scene three ways, side by side, and lets you change every call of it.",
-        "twinlight-demo");
+    CLI::App app("Opens a window that draws a scene three ways, side by side, and lets you change every call of it.",
+                 "twinlight-demo");
     app.footer("Keys:\n" + session::keys_help());
     app.set_version_flag("--version", std::string("twinlight-demo ") + kVersion);
 
@@ -44,7 +43,8 @@ int run(int argc, char** argv) {
         ->check(number_from(0.5, kMaxScale))
         ->option_text("NUMBER");
     app.add_option("--keys", options.keys, "press these keys at the start")->option_text("STRING");
-    app.add_option("--screenshot", options.screenshot, "the PNG file that the key p and --quit-after write: the whole window")
+    app.add_option("--screenshot", options.screenshot,
+                   "the PNG file that the key p and --quit-after write: the whole window")
         ->option_text("FILE")
         ->check(not_empty());
     app.add_option("--quit-after", options.quit_after, "write the screenshot and quit after this many frames")

@@ -19,8 +19,8 @@ ImFont* load(const char* name, float size) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) return atlas.AddFontDefault();
     // Letters with accents, Greek, dashes, arrows and signs of mathematics.
-    static const ImWchar kRanges[] = {0x20, 0xff, 0x370, 0x3ff, 0x2010, 0x2027, 0x2190, 0x2199, 0x2200, 0x22ff,
-                                      0x25a0, 0x25ff, 0};
+    static const ImWchar kRanges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2190,
+                                      0x2199, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
     const float pixels = size * static_cast<float>(used_scale);
     return atlas.AddFontFromFileTTF(file.c_str(), pixels, nullptr, kRanges);
 }

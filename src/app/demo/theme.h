@@ -8,7 +8,7 @@ namespace twinlight::demo {
 struct Fonts {
     ImFont* text = nullptr;
     ImFont* bold = nullptr;
-    ImFont* code = nullptr;       // every letter has the same width
+    ImFont* code = nullptr;  // every letter has the same width
     ImFont* code_bold = nullptr;
 };
 

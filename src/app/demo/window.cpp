@@ -138,13 +138,15 @@ class Window {
     bool imgui_runs_ = false;
     bool busy_timer_ = false, animation_timer_ = false, file_timer_ = false, message_timer_ = false;
     Drag drag_ = Drag::kNone;
-    int mouse_x_ = 0, mouse_y_ = 0, pressed_x_ = 0, pressed_y_ = 0;
+    session::DragStart drag_start_;
+    int pressed_x_ = 0, pressed_y_ = 0;
     bool moved_ = false;  // since the button was pressed
     int messages_seen_ = 0;
     Clock::time_point message_since_{}, animated_since_{};
     std::optional<std::filesystem::file_time_type> file_time_;
     std::vector<double> frame_ms_;
     int menu_ = 0;
+    std::string title_;
     int status_ = EXIT_SUCCESS;
 };
 
@@ -234,8 +236,8 @@ int Window::run() {
             if (status == GLUT_MENU_NOT_IN_USE) guarded(w, [](Window&) { glutDetachMenu(GLUT_RIGHT_BUTTON); });
         },
         this);
-    glutPassiveMotionFuncUcall([](int x, int y, void* w) { guarded(w, [=](Window& self) { self.passive_motion(x, y); }); },
-                               this);
+    glutPassiveMotionFuncUcall(
+        [](int x, int y, void* w) { guarded(w, [=](Window& self) { self.passive_motion(x, y); }); }, this);
     // Textures and programs must be deleted while their context is current.
     glutCloseFuncUcall([](void* w) { static_cast<Window*>(w)->end_imgui(); }, this);
     make_menu();
@@ -264,12 +266,14 @@ void Window::wake(int frames) {
 void Window::set_timers() {
     if (panes_ && panes_->is_busy()) after(kBusyMs, busy_timer_, [this] { wake(1); });
     if (session_.animating) after(kFrameMs, animation_timer_, [this] { wake(1); });
-    if (session_.file) after(kFileMs, file_timer_, [this] {
-        reload_if_saved();
-        set_timers();
-    });
+    if (session_.file)
+        after(kFileMs, file_timer_, [this] {
+            reload_if_saved();
+            set_timers();
+        });
     // A cursor that blinks in a field, a message that goes, and a panel's own work.
-    const bool wants_frames = ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy());
+    const bool wants_frames =
+        ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy());
     if (wants_frames) after(200, message_timer_, [this] { wake(1); });
 }
 
@@ -314,6 +318,10 @@ void Window::display() {
 
 void Window::frame() {
     layout_ = session::layout(session_, width_, height_, scale());
+    if (const std::string title = commands(session_).name + " - twinlight"; title != title_) {
+        title_ = title;
+        glutSetWindowTitle(title.c_str());
+    }
     session::refresh(session_, layout_.picture.width, layout_.picture.height);
     panes_->update(session_, layout_);
 
@@ -361,7 +369,8 @@ void Window::show_status(const session::Layout& layout) {
 }
 
 void Window::show_keys() const {
-    ImGui::SetNextWindowPos({static_cast<float>(width_) / 2, static_cast<float>(height_) / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowPos({static_cast<float>(width_) / 2, static_cast<float>(height_) / 2}, ImGuiCond_Always,
+                            {0.5F, 0.5F});
     ImGui::SetNextWindowBgAlpha(0.94F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24, 18});
@@ -431,9 +440,10 @@ void Window::open_neighbour(int step) {
     std::vector<std::string> names;
     for (const EmbeddedFile& file : kSceneFiles) names.emplace_back(file.name.substr(0, file.name.rfind(".gl")));
     const auto here = std::ranges::find(names, commands(session_).name);
-    const std::size_t index = here == names.end() ? (step > 0 ? names.size() - 1 : 0)
-                                                  : static_cast<std::size_t>(here - names.begin());
-    const std::string& name = names[(index + names.size() + static_cast<std::size_t>(step + static_cast<int>(names.size()))) % names.size()];
+    const std::size_t index =
+        here == names.end() ? (step > 0 ? names.size() - 1 : 0) : static_cast<std::size_t>(here - names.begin());
+    const std::string& name =
+        names[(index + names.size() + static_cast<std::size_t>(step + static_cast<int>(names.size()))) % names.size()];
     session::open(session_, load_commands(name), {});
     say(session_, "scene " + name);
     wake();
@@ -470,15 +480,17 @@ void Window::mouse(int button, int state, int x, int y) {
         return;
     }
     if (down) {
-        mouse_x_ = pressed_x_ = x;
-        mouse_y_ = pressed_y_ = y;
+        pressed_x_ = x;
+        pressed_y_ = y;
         moved_ = false;
+        drag_start_ = session::start_drag(session_);
+        session_.history.end_group();
         const auto where = hit(layout_, x, y);
         if (!where) return;
         const session::Box& box = layout_.cells.front().picture;
         const bool on_line = session_.view == session::View::kSlider && button == GLUT_LEFT_BUTTON &&
                              std::abs(x - (box.x + session_.slider_at * box.width)) < 14;
-        drag_ = on_line ? Drag::kSlider
+        drag_ = on_line                       ? Drag::kSlider
                 : button == GLUT_LEFT_BUTTON  ? Drag::kOrbit
                 : button == GLUT_RIGHT_BUTTON ? Drag::kLook
                                               : Drag::kNone;
@@ -506,11 +518,8 @@ void Window::motion(int x, int y) {
     if (drag_ == Drag::kNone) return;
     if (!moved_ && std::max(std::abs(x - pressed_x_), std::abs(y - pressed_y_)) < kClickPixels) return;
     moved_ = true;
-    const int dx = x - mouse_x_, dy = y - mouse_y_;
-    mouse_x_ = x;
-    mouse_y_ = y;
-    if (drag_ == Drag::kOrbit) session::orbit(session_, dx, dy);
-    if (drag_ == Drag::kLook) session::look(session_, dx, dy);
+    if (drag_ == Drag::kOrbit) session::orbit(session_, drag_start_, x - pressed_x_, y - pressed_y_);
+    if (drag_ == Drag::kLook) session::look(session_, drag_start_, x - pressed_x_, y - pressed_y_);
     if (drag_ == Drag::kSlider) {
         const session::Box& box = layout_.cells.front().picture;
         session_.slider_at = std::clamp(static_cast<double>(x - box.x) / box.width, 0.0, 1.0);
@@ -524,12 +533,21 @@ void Window::passive_motion(int x, int y) {
 }
 
 void Window::make_menu() {
-    menu_ = glutCreateMenuUcall([](int code, void* w) { guarded(w, [=](Window& self) { self.key(code); }); }, this);
-    for (const session::Key& row : session::keys())
-        if (!row.label.empty()) {
-            const std::string line = fmt::format("{}    {}", row.label, row.what);
+    const auto new_menu = [this] {
+        return glutCreateMenuUcall([](int code, void* w) { guarded(w, [=](Window& self) { self.key(code); }); }, this);
+    };
+    const int lights = new_menu();
+    for (int i = 0; i < kMaxLights; ++i)
+        glutAddMenuEntry(fmt::format("{}    {}", i + 1, light_name(i)).c_str(), '1' + i);
+    menu_ = new_menu();
+    for (const session::Key& row : session::keys()) {
+        if (row.label.empty() || !row.in_menu) continue;
+        const std::string line = fmt::format("{}    {}", row.label, row.what);
+        if (row.first == '1')
+            glutAddSubMenu(line.c_str(), lights);
+        else
             glutAddMenuEntry(line.c_str(), row.first);
-        }
+    }
 }
 
 // GLUT opens its menu when the button goes down, which would take the drag. So the menu is attached when a click turns out not

@@ -19,15 +19,15 @@ constexpr double kZoomPerStep = 1.1;
 constexpr double kDegreesPerSecond = 30;
 constexpr int kEscape = 27;
 
-void move_camera(Session& session, const CameraMove& move, const char* what) {
-    edit(session, with_camera_moved(commands(session), move, middle_of(session.scene.frame)), what, "camera");
+void move_camera(Session& session, const DragStart& start, const CameraMove& move, const char* what) {
+    edit(session, with_camera_moved(*start.commands, move, start.pivot_eye), what, "camera");
 }
 
 void walk(Session& session, double forward, double right) {
     CameraMove move;
     move.forward = forward * kStep;
     move.right = right * kStep;
-    move_camera(session, move, "move the camera");
+    move_camera(session, start_drag(session), move, "move the camera");
 }
 
 // The scene as the edit leaves it, for the message about what a key did.
@@ -124,7 +124,7 @@ constexpr Key kKeys[] = {
     {'\t', '\t', "Tab", "next renderer: fixed function, shaders, reference", next_renderer},
     {kShiftTab, kShiftTab, "Shift+Tab", "next view: slider, grid, single, world", next_view},
     {'g', 'g', "g", "shading: flat, Gouraud, Phong, exact surfaces", next_shading},
-    {'w', 'w', "w a s d", "move the camera", [](Session& s, int) { walk(s, 1, 0); }},
+    {'w', 'w', "w a s d", "move the camera", [](Session& s, int) { walk(s, 1, 0); }, false},
     {'a', 'a', "", "", [](Session& s, int) { walk(s, 0, -1); }},
     {'s', 's', "", "", [](Session& s, int) { walk(s, -1, 0); }},
     {'d', 'd', "", "", [](Session& s, int) { walk(s, 0, 1); }},
@@ -133,8 +133,9 @@ constexpr Key kKeys[] = {
          constexpr std::array<std::array<int, 2>, 4> kDirections = {{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}};
          const auto [x, y] = kDirections[static_cast<std::size_t>(nth)];
          constexpr double kPixels = kDegreesPerArrow / kDegreesPerPixel;
-         orbit(s, static_cast<int>(x * kPixels), static_cast<int>(y * kPixels));
-     }},
+         orbit(s, start_drag(s), static_cast<int>(x * kPixels), static_cast<int>(y * kPixels));
+     },
+     false},
     {'+', '+', "+ -", "finer or coarser meshes", [](Session& s, int) { tessellate(s, 1); }},
     {'=', '=', "", "", [](Session& s, int) { tessellate(s, 1); }},
     {'-', '-', "", "", [](Session& s, int) { tessellate(s, -1); }},
@@ -186,30 +187,32 @@ std::string keys_help() {
     return help;
 }
 
-void orbit(Session& session, int dx, int dy) {
+DragStart start_drag(const Session& session) { return {session.history.now(), middle_of(session.scene.frame)}; }
+
+void orbit(Session& session, const DragStart& start, int dx, int dy) {
     CameraMove move;
     move.yaw_deg = kDegreesPerPixel * dx;
     move.pitch_deg = kDegreesPerPixel * dy;
-    move_camera(session, move, "turn the camera");
+    move_camera(session, start, move, "turn the camera");
 }
 
-void look(Session& session, int dx, int dy) {
+void look(Session& session, const DragStart& start, int dx, int dy) {
     CameraMove move;
     move.look_yaw_deg = kLookDegreesPerPixel * dx;
-    move.look_pitch_deg = kLookDegreesPerPixel * dy;
-    move_camera(session, move, "look around");
+    move.look_pitch_deg = -kLookDegreesPerPixel * dy;
+    move_camera(session, start, move, "look around");
 }
 
 void zoom(Session& session, int steps) {
     CameraMove move;
     move.zoom = std::pow(kZoomPerStep, steps);
-    move_camera(session, move, "zoom");
+    move_camera(session, start_drag(session), move, "zoom");
 }
 
 void animate(Session& session, double seconds) {
     CameraMove move;
     move.yaw_deg = kDegreesPerSecond * seconds;
-    move_camera(session, move, "animate the camera");
+    move_camera(session, start_drag(session), move, "animate the camera");
 }
 
 }  // namespace twinlight::session

@@ -1,6 +1,8 @@
 // Keys: the one table of the window's keys. The help, the menu and --help are made from it.
 #pragma once
 
+#include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +20,7 @@ struct Key {
     std::string_view label;            // "1 .. 8"; empty: another key for the row above
     std::string_view what;             // "light GL_LIGHT0 .. GL_LIGHT7: on or off"
     void (*press)(Session&, int nth);  // nth: the code minus `first`
+    bool in_menu = true;
 };
 
 std::span<const Key> keys();
@@ -26,8 +29,15 @@ std::string keys_help();                 // one line for each key
 
 // ---- The mouse over a picture, in pixels (y down) ----
 
-void orbit(Session& session, int dx, int dy);
-void look(Session& session, int dx, int dy);
+// The scene where a drag starts. Each move is from there, so that rounding does not add up.
+struct DragStart {
+    std::shared_ptr<const CommandList> commands;
+    glm::dvec3 pivot_eye;
+};
+DragStart start_drag(const Session& session);
+
+void orbit(Session& session, const DragStart& start, int dx, int dy);
+void look(Session& session, const DragStart& start, int dx, int dy);
 void zoom(Session& session, int steps);  // of the wheel; positive is nearer
 // Moves what is animated by this many seconds: the selected light around the scene's middle, or else the camera.
 void animate(Session& session, double seconds);
