@@ -46,6 +46,8 @@ nlohmann-json3-dev  pkg-config --exists nlohmann_json
 libfmt-dev          pkg-config --exists fmt
 libstb-dev          pkg-config --exists stb
 libxsimd-dev        pkg-config --exists xsimd
+libimgui-dev        pkg-config --exists imgui
+fonts-dejavu-core   ls /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 libjs-chart.js      ls /usr/share/javascript/chart.js
 libgtest-dev        pkg-config --exists gtest_main
 xvfb                command -v Xvfb
@@ -62,7 +64,7 @@ export DEPENDENCIES
 
 # ---- Flags ------------------------------------------------------------------------------------------------------
 
-MODULES := glm fmt CLI11 nlohmann_json stb
+MODULES := glm fmt CLI11 nlohmann_json stb imgui
 GCC := $(shell $(CXX) -dumpversion 2>/dev/null)
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(if $(CI),-Werror)
 # False alarms of g++ 13 and 14 about the standard library's own copies.
@@ -96,7 +98,7 @@ LIBS_osmesa := $(shell pkg-config --libs osmesa glu 2>/dev/null)
 LIBS_egl := $(shell pkg-config --libs egl glu gl 2>/dev/null)
 LIBS_offscreen := $(LIBS_$(GL))
 LIBS_fuzz := $(shell pkg-config --libs fmt 2>/dev/null)
-LIBS_window := $(shell pkg-config --libs glut glu gl 2>/dev/null)
+LIBS_window := $(shell pkg-config --libs glut imgui glu gl x11 2>/dev/null)
 LIBS_gtest := $(shell pkg-config --libs gtest_main 2>/dev/null)
 
 # ---- Files ------------------------------------------------------------------------------------------------------
@@ -107,10 +109,9 @@ SOURCES_egl := src/render/context/egl.cpp
 SOURCES_library := $(filter-out src/app/% $(SOURCES_osmesa) $(SOURCES_egl),$(sort $(shell find src -name '*.cpp')))
 SOURCES_app := $(wildcard src/app/*.cpp)
 SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
-SOURCES_demo := $(SOURCES_app) $(wildcard src/app/demo/*.cpp)
-# The tests link the demo without GLUT.
-SOURCES_demo_window := src/app/demo/main.cpp src/app/demo/window.cpp
-SOURCES_demo_library := $(filter-out $(SOURCES_demo_window),$(SOURCES_demo))
+# The window's state, without GL; the tests link it, too.
+SOURCES_session := $(wildcard src/app/session/*.cpp)
+SOURCES_demo := $(SOURCES_app) $(SOURCES_session) $(wildcard src/app/demo/*.cpp)
 SOURCES_bench := $(wildcard tests/bench/*.cpp)
 SOURCES_bench_library := src/app/cli/progress.cpp
 # The tests link these too: they count the instructions of the same meshes.
@@ -140,7 +141,7 @@ ifeq ($(units),files)
 ALONE := %.cpp
 else
 # Some programs link these without the rest of their room, or the rest without these.
-ALONE := $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_demo_window) $(SOURCES_bench_library)
+ALONE := $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_bench_library)
 # These have their own flags (INSTRUCTIONS_...).
 ALONE += src/lighting/points_avx%.cpp
 # This calls so many of the equation's functions that g++ would no longer inline them where pictures are lit.
@@ -285,7 +286,7 @@ $(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight
 
 # The library's objects come first: of a template that a test instantiates too, the linker takes their copy, optimised as in the programs.
 $(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) $(OBJECTS_tests) \
-    $(call object,$(SOURCES_bench_meshes) $(SOURCES_demo_library))
+    $(call object,$(SOURCES_bench_meshes) $(SOURCES_app) $(SOURCES_session))
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
 $(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)

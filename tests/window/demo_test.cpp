@@ -1,5 +1,6 @@
-// twinlight-demo as a user meets it: the real program on libGL under Xvfb, keys and mouse from xdotool, its
-// pictures against OSMesa's of the same commands. The demo is a process of its own, so the two GL libraries never meet.
+// twinlight-demo as a user meets it: the real program on libGL under Xvfb, with keys and mouse from xdotool. Its screenshots
+// are cut into the panes' pictures, which must be those of OSMesa for the commands that a Session has after the same keys.
+// The program is a process of its own, so the two GL libraries never meet.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,14 +10,17 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "../unit/pictures.h"
 #include "../unit/run_program.h"
-#include "app/demo/controls.h"
-#include "app/demo/view.h"
+#include "app/session/keys.h"
+#include "app/session/layout.h"
+#include "app/session/session.h"
 #include "base/image/difference.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
@@ -29,12 +33,10 @@
 #include "scene/state/state.h"
 #include "xvfb.h"
 
-namespace twinlight::demo {
+namespace twinlight::session {
 namespace {
 
-// Two lights, one of them the camera's, a flat and a smooth object, specular: what the keys change is to be
-// seen.
-// GL knows no variants, and the window holds the two renderers against each other: it leaves the pragma out.
+// Two lights, one of them the camera's, a flat and a smooth object with highlights, so that every key changes something.
 constexpr const char* kScene = R"(
 #pragma twinlight specular(reflection)
 glMatrixMode(GL_PROJECTION);
@@ -64,7 +66,8 @@ glRotatef(30, 1, 1, 0);
 glutSolidCube(1);
 )";
 
-constexpr programmable::Options kOptions{{{.shading = {}, .lecture_variants = false}}};
+// The window of most tests: 800 x 600 is the smallest that the layout is made for.
+constexpr int kWidth = 800, kHeight = 600;
 
 std::string program() { return build_folder() + "/twinlight-demo"; }
 
@@ -149,6 +152,8 @@ class RunningDemo {
         return WIFEXITED(waited) ? WEXITSTATUS(waited) : -1;
     }
 
+    pid_t pid() const { return pid_; }
+
   private:
     pid_t pid_ = -1;
 };
@@ -185,25 +190,61 @@ class DemoWindow : public testing::Test {
         return image;
     }
 
-    Scene expected_scene(const Controls& controls, int width = 640, int height = 480) {
-        StateOptions options;
-        options.width = width;
-        options.height = height;
-        return make_scene(std::make_shared<const CommandList>(apply_view(scene_, controls.view)), options);
+    // The program with these options, to its last frame. Letters have the size for 96 dots per inch.
+    Ran run_demo(const std::string& options) {
+        return run(on_display(program() + " --scale 1 --size " + std::to_string(kWidth) + "x" +
+                              std::to_string(kHeight) + " " + options + " --quit-after 2 --screenshot " +
+                              picture_file_));
     }
 
-    // The same commands on OSMesa. Both libraries hold the same Mesa, so interiors are equal bit for bit. A border that
-    // passes within rounding of pixel centres may go to another side: measured 0 edge pixels on these scenes, but 3 of
-    // 33,000 on one whose objects stood on whole pixels (not for the depth buffer's bits; the cause is not known).
-    void expect_as_on_osmesa(const Image& actual, const Controls& controls, int width = 640, int height = 480) {
-        ASSERT_EQ(actual.width, width);
-        ASSERT_EQ(actual.height, height);
-        const Scene scene = expected_scene(controls, width, height);
-        const auto context = make_offscreen_context(width, height);
-        const Image expected = controls.renderer == Path::kFixed
-                                   ? fixed::render(scene)
-                                   : programmable::Renderer().render(scene.frame, kOptions).image;
-        expect_near(actual, expected, reference::allowed_difference(scene.frame).edge, 0);
+    // A session with the window's scene after these keys, as the window has it.
+    Session session_after(const std::string& keys, View view = View::kSingle) const {
+        Session session(std::make_shared<const CommandList>(scene_));
+        session.view = view;
+        const WindowSize size = natural_size(scene_);
+        refresh(session, size.width, size.height);
+        for (const char key : keys) {
+            press(session, key);
+            refresh(session, size.width, size.height);
+        }
+        return session;
+    }
+
+    // Each pane's picture in a screenshot against OSMesa's of the session's commands. Both libraries hold the same Mesa, so
+    // that the inside of surfaces is equal bit for bit. A border that passes within rounding of pixel centres may go to
+    // another side. The reference is the same program twice: equal.
+    void expect_panes(const Image& screenshot, Session session, int width = kWidth, int height = kHeight) {
+        ASSERT_EQ(screenshot.width, width);
+        ASSERT_EQ(screenshot.height, height);
+        const Layout places = layout(session, width, height, 1);
+        refresh(session, places.picture.width, places.picture.height);
+        const auto context = make_offscreen_context(session.width, session.height);
+        const PixelMask edges = reference::allowed_difference(session.scene.frame, {}).edge;
+        for (const Cell& cell : places.cells) {
+            if (cell.pane == kDifferencePane) continue;
+            const Pane& pane = session.panes[cell.pane];
+            SCOPED_TRACE(title_of(session, pane));
+            expect_near(part_of(screenshot, cell.picture), picture_of(session, pane), edges, 0);
+        }
+    }
+
+    static Image picture_of(const Session& session, const Pane& pane) {
+        const Look look = look_of(session, pane);
+        switch (pane.renderer) {
+            case Path::kFixed: return fixed::render(session.scene, {look.shading});
+            case Path::kProgrammable: return programmable::Renderer().render(session.scene.frame, {{look}}).image;
+            case Path::kReference: break;
+        }
+        reference::Options options;
+        static_cast<Look&>(options) = look;
+        return reference::render(session.scene.frame, options);
+    }
+
+    static Image part_of(const Image& image, const Box& box) {
+        Image part(box.width, box.height);
+        for (int y = 0; y < box.height; ++y)
+            for (int x = 0; x < box.width; ++x) part.at(x, y) = image.at(box.x + x, box.y + y);
+        return part;
     }
 
     // `interior`: by how much a channel may differ there.
@@ -231,125 +272,218 @@ class DemoWindow : public testing::Test {
 
 std::unique_ptr<Xvfb> DemoWindow::server_;
 
-TEST_F(DemoWindow, WritesTheScreenshotOfAScript) {
-    struct Script {
-        std::string options, keys;
-        Path renderer = Path::kFixed;
-        int width = 640, height = 480;
-    };
-    for (const Script& script : {Script{"", ""}, Script{"--with programmable", "", Path::kProgrammable},
-                                 Script{"--size 320x200", "f1++", Path::kFixed, 320, 200}, Script{"", "\tm2-"}}) {
-        SCOPED_TRACE(script.options + " --keys " + script.keys);
-        const Ran ran = run(on_display(program() + " " + scene_file_ + " " + script.options + " --keys '" +
-                                       script.keys + "' --quit-after 2 --screenshot " + picture_file_));
+TEST_F(DemoWindow, DrawsEveryPaneAsItsRendererDoes) {
+    for (const std::string keys : {"", "f", "1", "2", "l", "v", "x", "t", "g", "gg", "\t", "\tg", "-", "w", "fz"}) {
+        SCOPED_TRACE("--keys " + keys);
+        const Ran ran = run_demo(scene_file_ + " --view grid --keys '" + keys + "'");
         ASSERT_EQ(ran.status, 0) << ran.output;
-        Controls controls = make_controls(expected_scene({}).frame);
-        controls.renderer = script.renderer;
-        for (const char key : script.keys) press(controls, key);
-        expect_as_on_osmesa(picture(), controls, script.width, script.height);
+        expect_panes(picture(), session_after(keys, View::kGrid));
     }
 }
 
-TEST_F(DemoWindow, DrawsTheBuiltInScenesWithBothRenderers) {
+// What a student sees first: the fixed function at the left of the line, shaders that light every pixel at its right.
+TEST_F(DemoWindow, ShowsTheFixedFunctionBesideLightingPerPixelFirst) {
+    const Ran ran = run_demo(scene_file_);
+    ASSERT_EQ(ran.status, 0) << ran.output;
+    const Image screenshot = picture();
+    Session session = session_after("", View::kSlider);
+    const Layout places = layout(session, kWidth, kHeight, 1);
+    refresh(session, places.picture.width, places.picture.height);
+    const auto context = make_offscreen_context(session.width, session.height);
+    const Image left = fixed::render(session.scene);
+    const Image right = programmable::Renderer().render(session.scene.frame, {{{.shading = Shading::kPhong}}}).image;
+    const PixelMask edges = reference::allowed_difference(session.scene.frame, {}).edge;
+    // Without the line and its handle.
+    const Box picture = places.cells.front().picture;
+    const int width = picture.width / 2 - 20;
+    const auto half = [&](const Image& image) { return part_of(image, {0, 0, width, picture.height}); };
+    const auto other_half = [&](const Image& image) {
+        return part_of(image, {picture.width - width, 0, width, picture.height});
+    };
+    const Image shown = part_of(screenshot, picture);
+    const auto some_edges = [&](int from) {
+        PixelMask mask;
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < width; ++x)
+                mask.push_back(edges[static_cast<std::size_t>(y * picture.width + from + x)]);
+        return mask;
+    };
+    expect_near(half(shown), half(left), some_edges(0), 0);
+    expect_near(other_half(shown), other_half(right), some_edges(picture.width - width), 0);
+    const RegionDifference apart = difference(left, right, edges).interior;
+    EXPECT_GT(apart.max, 0.1) << "the two halves show the same";
+}
+
+TEST_F(DemoWindow, DrawsTheBuiltInScenes) {
     for (const EmbeddedFile& file : kSceneFiles) {
         const std::string name(file.name.substr(0, file.name.rfind(".gl")));
+        SCOPED_TRACE(name);
         scene_ = *load_commands(name);
-        for (const Path renderer : {Path::kFixed, Path::kProgrammable}) {
-            std::string options = name;
-            options += renderer == Path::kFixed ? " --with fixed" : " --with programmable";
-            SCOPED_TRACE(options);
-            const Ran ran =
-                run(on_display(program() + " " + options + " --quit-after 1 --screenshot " + picture_file_));
-            ASSERT_EQ(ran.status, 0) << ran.output;
-            Controls controls = make_controls(expected_scene({}).frame);
-            controls.renderer = renderer;
-            expect_as_on_osmesa(picture(), controls);
-        }
+        const Ran ran = run_demo(name + " --view grid");
+        ASSERT_EQ(ran.status, 0) << ran.output;
+        expect_panes(picture(), session_after("", View::kGrid));
+    }
+}
+
+TEST_F(DemoWindow, EachOfTheLabsLightsIsVisible) {
+    scene_ = *load_commands("lab");
+    const auto context = make_offscreen_context(640, 480);
+    const Session all = session_after("\t\t");  // the fixed function
+    for (char key = '1'; key <= '8'; ++key) {
+        SCOPED_TRACE(key);
+        const Session one_less = session_after(std::string("\t\t") + key);
+        const Image with = fixed::render(all.scene), without = fixed::render(one_less.scene);
+        EXPECT_GT(difference(with, without, PixelMask(with.pixels.size())).interior.max, 8 / 255.0);
+        const Ran ran = run_demo(std::string("lab --view single --keys '\t\t") + key + "'");
+        ASSERT_EQ(ran.status, 0) << ran.output;
+        expect_panes(picture(), one_less);
+    }
+}
+
+TEST_F(DemoWindow, FlatIsFlatInEveryPane) {
+    scene_ = *load_commands("report");
+    Session session = session_after("f", View::kGrid);
+    for (const Pane& pane : session.panes) EXPECT_TRUE(title_of(session, pane).ends_with(", flat"));
+    const Ran ran = run_demo("report --view grid --keys f");
+    ASSERT_EQ(ran.status, 0) << ran.output;
+    const Image screenshot = picture();
+    expect_panes(screenshot, session);
+    // And the three are within the bar of 1/255.
+    const Layout places = layout(session, kWidth, kHeight, 1);
+    refresh(session, places.picture.width, places.picture.height);
+    const AllowedDifference allowed = reference::allowed_difference(session.scene.frame, {});
+    const Image fixed_picture = part_of(screenshot, places.cells[0].picture);
+    for (const std::size_t cell : {1u, 2u}) {
+        const ImageDifference found =
+            difference(fixed_picture, part_of(screenshot, places.cells[cell].picture), allowed);
+        EXPECT_LE(found.beyond_allowed.max, 1 / 255.0);
+        EXPECT_LT(found.beyond_allowed.differing_share(), 0.001);
     }
 }
 
 TEST_F(DemoWindow, AnswersKeysAndMouse) {
     if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
-    RunningDemo demo(server_->display(), {scene_file_, "--screenshot", picture_file_});
-    // The pointer stands in the window, which therefore has the keys: no window manager runs here.
+    RunningDemo demo(server_->display(), {scene_file_, "--view", "single", "--scale", "1", "--size", "800x600",
+                                          "--screenshot", picture_file_});
+    // The pointer is in the window, which therefore has the keys: no window manager runs here.
     ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight").status, 0);
-    xdotool("mousemove 300 200");
-    Controls controls = make_controls(expected_scene({}).frame);
+    xdotool("mousemove 600 300");
+    Session session = session_after("");
+    const auto mirror = [&] { refresh(session, 640, 480); };
 
     const auto check = [&](const std::string& what, const std::string& commands) {
         SCOPED_TRACE(what);
-        xdotool(commands + " key s");
-        expect_as_on_osmesa(picture(), controls);
+        mirror();
+        xdotool(commands + " key p");
+        expect_panes(picture(), session);
     };
-    const auto title = [&] { return xdotool("search --name twinlight getwindowname").output; };
+    const auto pressed = [&](const std::string& keys) {
+        for (const char key : keys) {
+            press(session, key);
+            mirror();
+        }
+    };
 
     check("as it starts", "");
-    EXPECT_EQ(title(), "scene.gl - fixed - GL_SMOOTH - GL_LIGHT0,1 - twinlight\n");
+    EXPECT_EQ(xdotool("search --name twinlight getwindowname").output, "scene.gl - twinlight\n");
 
-    press(controls, '\t');
-    check("Tab", "key Tab");
-    EXPECT_EQ(title(), "scene.gl - programmable - GL_SMOOTH - GL_LIGHT0,1 - twinlight\n");
-
-    press(controls, 'f');
-    press(controls, '1');
+    pressed("\t\t");
+    check("Tab twice: the fixed function", "key Tab key Tab");
+    pressed("f1");
     check("flat, GL_LIGHT0 off", "key f key 1");
-    EXPECT_EQ(title(), "scene.gl - programmable - GL_FLAT - GL_LIGHT1 - twinlight\n");
+    pressed("12f");
+    check("smooth, GL_LIGHT1 off", "key 1 key 2 key f");
 
-    press(controls, '\t');
-    press(controls, '1');
-    press(controls, '2');
-    press(controls, 'f');
-    check("fixed again, smooth, GL_LIGHT1 off", "key Tab key 1 key 2 key f");
-
-    drag(controls, 60, 40);
+    orbit(session, start_drag(session), 60, 40);
     check("drag", "mousedown 1 mousemove_relative 40 30 mousemove_relative 20 10 mouseup 1");
-
-    zoom(controls, 2);
+    session.history.end_group();
+    zoom(session, 1);
+    zoom(session, 1);
     check("wheel up, twice", "click 4 click 4");
-
-    press(controls, 'm');
-    press(controls, '?');  // and the overlay of the keys does not stand in the picture
-    check("wireframe", "key m key F1");
-    EXPECT_NE(read_file((folder() / "demo.log").string()).find("GL_FLAT and GL_SMOOTH"), std::string::npos);
-
-    press(controls, 'r');
+    look(session, start_drag(session), -30, 20);
+    check("drag with the right button",
+          "mousedown 3 mousemove_relative -- -20 10 mousemove_relative -- -10 10 mouseup 3");
+    session.history.end_group();
+    pressed("wwad");
+    check("walk", "key w key w key a key d");
+    pressed("++");
+    check("finer meshes", "key plus key plus");
+    pressed("z");
+    check("undo", "key z");
+    pressed("r");
     check("reset", "key r");
 
     xdotool("key Escape");
     EXPECT_EQ(demo.ended(), 0);
 }
 
-TEST_F(DemoWindow, ShowsTheDifferenceOfTheTwo) {
-    ASSERT_EQ(run(on_display(program() + " " + scene_file_ + " --keys d --quit-after 1 --screenshot " + picture_file_))
-                  .status,
-              0);
-    const Image actual = picture();
-    const Scene scene = expected_scene({});
-    const auto context = make_offscreen_context(640, 480);
-    const Image a = fixed::render(scene);
-    const Image b = programmable::Renderer().render(scene.frame, kOptions).image;
-    const PixelMask no_edges(a.pixels.size());
-    const int factor = amplification_for(difference(a, b, no_edges).interior.max);
-    // Where one code differs between the two libraries, the amplified difference does by `factor` codes.
-    expect_near(actual, difference_picture(a, b, factor), reference::allowed_difference(scene.frame).edge,
-                factor / 255.0);
+TEST_F(DemoWindow, ReadsTheFileAgainWhenItIsSaved) {
+    if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
+    RunningDemo demo(server_->display(), {scene_file_, "--view", "single", "--scale", "1", "--size", "800x600",
+                                          "--screenshot", picture_file_});
+    ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight").status, 0);
+    xdotool("mousemove 600 300");
+    const auto shot = [&] {
+        xdotool("key p");
+        return picture();
+    };
+    const Image before = shot();
+    const auto differs = [&](const Image& image, const Image& from) {
+        return difference(image, from, PixelMask(image.pixels.size())).interior.max > 0;
+    };
+
+    // A mistake is shown in the status line, and the picture stays.
+    const Box picture_box = layout(session_after(""), kWidth, kHeight, 1).cells.front().picture;
+    write_file_atomically(scene_file_, std::string(kScene) + "glBegine(GL_POINTS);\n");
+    Image wrong;
+    ASSERT_TRUE(wait_for([&] { return differs(wrong = shot(), before); }));
+    EXPECT_FALSE(differs(part_of(wrong, picture_box), part_of(before, picture_box)));
+
+    const std::string mended = std::string(kScene) + "glTranslatef(0, -1, 0); glutSolidCube(0.5);\n";
+    write_file_atomically(scene_file_, mended);
+    scene_ = read_scene(mended, scene_file_, "scene.gl");
+    Image right;
+    ASSERT_TRUE(wait_for([&] { return differs(part_of(right = shot(), picture_box), part_of(before, picture_box)); }));
+    expect_panes(right, session_after(""));
 }
 
-TEST_F(DemoWindow, KeepsTheProportionsOfThePictureInAnyWindow) {
+TEST_F(DemoWindow, FollowsTheWindowsSize) {
     if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
-    RunningDemo demo(server_->display(), {scene_file_, "--screenshot", picture_file_, "--size", "320x240"});
-    ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight windowsize --sync 700 300").status, 0);
-    xdotool("mousemove 300 200");
-    // The window's size reaches the demo as an event of its own: the first picture may still be of the old one.
+    RunningDemo demo(server_->display(), {scene_file_, "--view", "single", "--scale", "1", "--size", "800x600",
+                                          "--screenshot", picture_file_});
+    ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight windowsize --sync 1100 700").status, 0);
+    xdotool("mousemove 700 300");
+    // The window's size reaches the program as an event of its own: the first picture may still be of the old one.
     Image image;
     ASSERT_TRUE(wait_for([&] {
-        xdotool("key s");
+        xdotool("key p");
         image = picture();
-        return image.width != 320;
+        return image.width != kWidth;
     }));
-    expect_as_on_osmesa(image, make_controls(expected_scene({}).frame), 400, 300);
-    xdotool("key q");
+    expect_panes(image, session_after(""), 1100, 700);
+    xdotool("key Escape");
     EXPECT_EQ(demo.ended(), 0);
+}
+
+// When nothing moves, the window waits for events. Measured: 0 of the system's ticks (1/100 s) in 4 s.
+TEST_F(DemoWindow, UsesNoProcessorTimeWhenNothingMoves) {
+    RunningDemo demo(server_->display(), {"report", "--view", "grid", "--scale", "1"});
+    const auto ticks = [&] {
+        const std::string stat = read_file("/proc/" + std::to_string(demo.pid()) + "/stat");
+        std::istringstream fields(stat.substr(stat.rfind(')') + 2));
+        std::string skipped;
+        for (int i = 0; i < 11; ++i) fields >> skipped;
+        long user = 0, system = 0;
+        fields >> user >> system;
+        return user + system;
+    };
+    // At first it draws, and the reference works.
+    long before = -1;
+    EXPECT_TRUE(wait_for([&] {
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        const long now = ticks();
+        return std::exchange(before, now) == now && now > 0;
+    })) << "it never comes to rest";
 }
 
 // ---- Bad input: one line that says what to do, and exit status 2 ----
@@ -378,13 +512,13 @@ TEST_F(DemoWindow, RefusesBadInputInOneLine) {
     const std::string nowhere = (folder() / "none" / "picture.png").string();
     expect_refusal(run(on_display(program() + " " + scene_file_ + " --quit-after 1 --screenshot " + nowhere)), nowhere);
     expect_refusal(run(program() + " --size 0x5"), "--size");
-    expect_refusal(run(program() + " --with reference"), "--with");
+    expect_refusal(run(program() + " --view cube"), "--view");
     expect_refusal(run(program() + " --quit-after 0"), "--quit-after: '0' is not a whole number from 1 to 1000000");
     expect_refusal(run(program() + " --screenshoot a.png"), "did you mean '--screenshot'?");
     expect_refusal(run(program() + " \"$(printf 'a\\033[31mb\\nc.gl')\""), "a\\x1b[31mb\\x0ac.gl: ");
 }
 
-TEST_F(DemoWindow, TellsItsOptionsAndKeysWithoutADisplay) {
+TEST_F(DemoWindow, ShowsItsOptionsAndKeysWithoutADisplay) {
     const Ran ran = run("env -u DISPLAY " + program() + " --help");
     EXPECT_EQ(ran.status, 0);
     EXPECT_NE(ran.output.find("--screenshot"), std::string::npos);
@@ -393,4 +527,4 @@ TEST_F(DemoWindow, TellsItsOptionsAndKeysWithoutADisplay) {
 }
 
 }  // namespace
-}  // namespace twinlight::demo
+}  // namespace twinlight::session

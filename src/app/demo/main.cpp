@@ -1,10 +1,11 @@
 // twinlight-demo [SCENE]: the options, the scene, the window.
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 
-#include "app/demo/controls.h"
 #include "app/demo/window.h"
 #include "app/program.h"
+#include "app/session/keys.h"
 #include "scene/scenes/load.h"
 
 namespace {
@@ -12,42 +13,52 @@ namespace {
 using namespace twinlight;
 
 constexpr int kMaxFrames = 1'000'000;
+constexpr double kMaxScale = 4;
+
+session::View view_of(const std::string& name) {
+    for (const session::ViewName& view : session::kViews)
+        if (view.key == name) return view.value;
+    throw CLI::ValidationError("--view", "'" + name + "' is not one of slider, grid, single, world");
+}
 
 int run(int argc, char** argv) {
-    CLI::App app("Draws a scene in a window; a key switches between the driver's fixed function and shaders.",
+    CLI::App app("Opens a window that draws a scene three ways, side by side, and lets you change every call of it.",
                  "twinlight-demo");
-    app.footer("Keys:\n" + demo::keys_help());
+    app.footer("Keys:\n" + session::keys_help());
     app.set_version_flag("--version", std::string("twinlight-demo ") + kVersion);
 
     std::string scene = "report";
-    Size size;
     demo::WindowOptions options;
+    Size size{options.width, options.height};
     app.add_option("SCENE", scene, "a built-in scene, a .gl file, or - for standard input")
         ->capture_default_str()
         ->type_name("")
         ->check(not_empty());
     app.add_option_function<std::string>(
-           "--with",
-           [&](const std::string& name) {
-               if (name != "fixed" && name != "programmable") {
-                   throw CLI::ValidationError("--with", "'" + name + "' is not one of fixed, programmable");
-               }
-               options.renderer = name == "fixed" ? Path::kFixed : Path::kProgrammable;
-           },
-           "the renderer to start with: fixed or programmable")
-        ->option_text("RENDERER");
+           "--view", [&](const std::string& name) { options.view = view_of(name); },
+           "what to show first: slider (default), grid, single or world")
+        ->option_text("VIEW");
     add_size_option(app, size);
+    app.add_option("--scale", options.scale, "the size of letters: 1 for 96 dots per inch (default: the screen's)")
+        ->check(number_from(0.5, kMaxScale))
+        ->option_text("NUMBER");
     app.add_option("--keys", options.keys, "press these keys at the start")->option_text("STRING");
-    app.add_option("--screenshot", options.screenshot, "the PNG file that the key s and --quit-after write")
+    app.add_option("--screenshot", options.screenshot,
+                   "the PNG file that the key p and --quit-after write: the whole window")
         ->option_text("FILE")
         ->check(not_empty());
     app.add_option("--quit-after", options.quit_after, "write the screenshot and quit after this many frames")
         ->check(number_from(1, kMaxFrames))
         ->option_text("FRAMES");
+    app.add_option("--times", options.times, "write the milliseconds of each frame to this JSON file")
+        ->option_text("FILE")
+        ->check(not_empty());
 
     if (!parse_command_line(app, argc, argv)) return kFine;
     options.width = size.width;
     options.height = size.height;
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(scene, ignored)) options.file = scene;
     return demo::show(load_commands(scene), options);
 }
 

@@ -1,81 +1,117 @@
-// The part of the demo that uses freeglut. Callbacks get a pointer to the Window (the ...Ucall functions of freeglut 3.4).
+// The part of the window that uses freeglut. Callbacks get a pointer to the Window (the ...Ucall functions of freeglut 3.4).
 //
-// For each frame, the renderer first draws at the window's lower left corner, where a scene's own glViewport expects to be.
-// The key s and --screenshot write that picture. The bars, the overlays and the swap come after it.
+// A frame: the panes draw what changed, at the window's lower left corner, into textures; then ImGui draws the pictures,
+// the bars and the panels. Frames are drawn only after events, while something moves, and while the reference is at work.
 #include "app/demo/window.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <optional>
-#include <sstream>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
-#include "base/image/difference.h"
+#include "app/demo/panels.h"
+#include "app/demo/panes.h"
+#include "app/demo/theme.h"
+#include "app/session/keys.h"
+#include "app/session/layout.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "judge/report/words.h"
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
-#include "render/programmable/programmable.h"
-#include "scene/state/state.h"
+#include "scene/command/text.h"
+#include "scene/scenes/load.h"
 
 // freeglut's headers come after render/context/gl.h, which declares GL.
 #include <GL/freeglut.h>
 #include <GL/freeglut_ucall.h>
+#include <GL/glx.h>
+#include <X11/Xlib.h>
+#include <backends/imgui_impl_glut.h>
+#include <backends/imgui_impl_opengl2.h>
 
 namespace twinlight::demo {
 namespace {
 
+using session::Session;
+using Clock = std::chrono::steady_clock;
+
 static_assert(GLUT_KEY_F1 == 1 && GLUT_KEY_LEFT == 100 && GLUT_KEY_UP == 101 && GLUT_KEY_RIGHT == 102 &&
                   GLUT_KEY_DOWN == 103,
-              "the codes of the keys in controls.cpp");
-constexpr int kWheelUp = 3, kWheelDown = 4;   // how freeglut reports the wheel as buttons
-constexpr int kLineHeight = 15, kMargin = 6;  // of the overlays, in pixels; the font is 8 by 13
+              "the codes of the keys in keys.cpp");
+constexpr int kWheelUp = 3, kWheelDown = 4;  // how freeglut reports the wheel as buttons
+constexpr int kFramesAfterEvent = 3;         // ImGui settles sizes and highlights in so many frames
+constexpr unsigned kFrameMs = 16;            // between frames while something moves
+constexpr unsigned kBusyMs = 30;             // between looks at the reference's work
+constexpr unsigned kFileMs = 500;            // between looks at the scene's file
+constexpr int kClickPixels = 4;              // a drag that is shorter is a click
+constexpr double kMessageSeconds = 6;
 
-// The two renderers are compared, so both follow GL's own model, without the lecture's variants.
-constexpr programmable::Options kOptions{{{.shading = {}, .lecture_variants = false}}};
-// For drawing frame after frame: numbers that do not change are baked into the shaders. Difference pictures use kOptions.
-constexpr programmable::Options kLiveOptions{{{.shading = {}, .lecture_variants = false}}, programmable::Tier::kAuto};
-
-// The title of an incomplete picture has "(partial)"; the terminal lists the missing commands.
-void warn_unsupported(const Frame& frame) {
-    constexpr std::array shown = {Path::kFixed, Path::kProgrammable};
-    for (const Unsupported& item : frame.unsupported)
-        if (!report::names_of(item, shown).empty())
-            std::fprintf(stderr, "twinlight-demo: note: %s\n", report::sentence_of(item, shown).c_str());
+[[noreturn]] void refuse(const char* format, va_list arguments, void*) {
+    char reason[512];
+    std::vsnprintf(reason, sizeof reason, format, arguments);
+    const char* display = std::getenv("DISPLAY");
+    std::fprintf(stderr,
+                 "twinlight-demo: cannot open a window: %s (DISPLAY is %s); "
+                 "without a display, use 'twinlight compare SCENE -o DIR'\n",
+                 reason, display && *display ? display : "not set");
+    std::exit(2);
 }
+
+// 1 for 96 dots per inch, in steps of a half.
+double screen_scale() {
+    const int millimetres = glutGet(GLUT_SCREEN_WIDTH_MM), pixels = glutGet(GLUT_SCREEN_WIDTH);
+    if (millimetres <= 0 || pixels <= 0) return 1;
+    const double dots_per_inch = pixels / (millimetres / 25.4);
+    return std::clamp(std::floor(2 * dots_per_inch / 96) / 2, 1.0, 3.0);
+}
+
+enum class Drag { kNone, kOrbit, kLook, kSlider, kTaken };  // kTaken: by a marker of the world view
 
 class Window {
   public:
     Window(std::shared_ptr<const CommandList> scene, const WindowOptions& options)
-        : scene_(std::move(scene)), options_(options) {
-        remake_frame();  // reports a bad scene before a window opens
-        controls_ = make_controls(shown_.frame);
-        controls_.renderer = options.renderer;
-        warn_unsupported(shown_.frame);
+        : options_(options), session_(std::move(scene)) {
+        session_.file = options.file;
+        session_.view = options.view;
+        const WindowSize size = session::natural_size(commands(session_));
+        refresh(session_, size.width, size.height);
     }
 
     int run();
 
   private:
+    void start_imgui();
+    void end_imgui();
     void reshape(int width, int height);
     void display();
+    void frame();
     void key(int code);
     void mouse(int button, int state, int x, int y);
     void motion(int x, int y);
-
-    void act();  // quits or redraws, as the controls ask
+    void passive_motion(int x, int y);
+    void carry_out_requests();
+    void open_neighbour(int step);
+    void reload_if_saved();
+    void show_status(const session::Layout& layout);
+    void show_keys() const;
+    void save_screenshot();
+    void write_times() const;
+    void make_menu();
+    void open_menu(int x, int y);
+    void wake(int frames = kFramesAfterEvent);  // draws so many frames
+    void set_timers();
     void quit();
-    void save();
-    void remake_frame();
-    void draw_picture();
-    void place_picture();
-    void draw_overlays();
-    Image render(Path renderer);
 
     // An exception must not pass through GLUT's C code, so this ends the main loop.
     template <class Action>
@@ -89,231 +125,454 @@ class Window {
             self.quit();
         }
     }
+    template <class Action>
+    void after(unsigned ms, bool& is_pending, Action action);
 
-    std::shared_ptr<const CommandList> scene_;
     WindowOptions options_;
-    Controls controls_;
-    int width_ = 0, height_ = 0;  // of the window
-    Viewport picture_;            // its size, and where in the window it is shown
-    std::optional<View> framed_view_;
-    Scene shown_;  // made from the scene under framed_view_
-    std::unique_ptr<programmable::Renderer> programmable_;
-    int amplification_ = 1;  // of the difference shown
-    std::string summary_;    // of what is shown
-    int frames_shown_ = 0;
-    bool dragging_ = false;
-    int mouse_x_ = 0, mouse_y_ = 0;
+    Session session_;
+    std::unique_ptr<Panes> panes_;
+    std::unique_ptr<Panels> panels_;
+    session::Layout layout_;
+    int width_ = 0, height_ = 0;
+    int frames_shown_ = 0, frames_wanted_ = 0;
+    bool imgui_runs_ = false;
+    bool busy_timer_ = false, animation_timer_ = false, file_timer_ = false, message_timer_ = false;
+    Drag drag_ = Drag::kNone;
+    session::DragStart drag_start_;
+    int pressed_x_ = 0, pressed_y_ = 0;
+    bool moved_ = false;  // since the button was pressed
+    int messages_seen_ = 0;
+    Clock::time_point message_since_{}, animated_since_{};
+    std::optional<std::filesystem::file_time_type> file_time_;
+    std::vector<double> frame_ms_;
+    int menu_ = 0;
+    std::string title_;
     int status_ = EXIT_SUCCESS;
 };
 
-[[noreturn]] void refuse(const char* format, va_list arguments, void*) {
-    char reason[512];
-    std::vsnprintf(reason, sizeof reason, format, arguments);
-    const char* display = std::getenv("DISPLAY");
-    std::fprintf(stderr,
-                 "twinlight-demo: cannot open a window: %s (DISPLAY is %s); "
-                 "without a display, use 'twinlight compare SCENE -o DIR'\n",
-                 reason, display && *display ? display : "not set");
-    std::exit(2);
+// Calls action in so many milliseconds, unless such a call is pending.
+template <class Action>
+void Window::after(unsigned ms, bool& is_pending, Action action) {
+    if (is_pending) return;
+    is_pending = true;
+    struct Call {
+        Window* window;
+        bool* is_pending;
+        Action action;
+    };
+    glutTimerFuncUcall(
+        ms,
+        [](int, void* data) {
+            const std::unique_ptr<Call> call(static_cast<Call*>(data));
+            *call->is_pending = false;
+            guarded(call->window, [&](Window&) { call->action(); });
+        },
+        0, new Call{this, &is_pending, action});
 }
 
-// The corner is the picture's top left in window coordinates (y up). Exact for images of 8 bits a channel.
-void draw_image(const Image& image, int x, int y_top) {
-    glWindowPos2i(x, y_top);
-    glPixelZoom(1, -1);  // rows go downward from y_top
-    glDrawPixels(image.width, image.height, GL_RGBA, GL_FLOAT, image.pixels.data());
-    glPixelZoom(1, 1);
+void Window::start_imgui() {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // writes no files
+    io.ConfigFlags |= ImGuiConfigFlags_None;
+    ImGui_ImplGLUT_Init();
+    ImGui_ImplOpenGL2_Init();
+    set_theme(options_.scale.value_or(screen_scale()));
+    imgui_runs_ = true;
 }
 
-// White letters with a black shadow are readable on any picture.
-void draw_text(const std::string& text, int x, int y_top) {
-    std::istringstream lines(text);
-    std::string line;
-    for (int y = y_top - kLineHeight; std::getline(lines, line); y -= kLineHeight) {
-        for (const int shadow : {1, 0}) {
-            glColor3ub(shadow ? 0 : 255, shadow ? 0 : 255,
-                       shadow ? 0 : 255);  // glWindowPos uses the current colour
-            glWindowPos2i(x + shadow, y - shadow);
-            glutBitmapString(GLUT_BITMAP_8_BY_13, reinterpret_cast<const unsigned char*>(line.c_str()));
-        }
-    }
-}
-
-// Makes the list of keys readable on a bright picture. Needs GL's initial matrices.
-void dim_picture() {
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glColor4f(0, 0, 0, 0.65F);
-    glRecti(-1, -1, 1, 1);
-    glDisable(GL_BLEND);
+void Window::end_imgui() {
+    panels_.reset();
+    panes_.reset();
+    if (!imgui_runs_) return;
+    imgui_runs_ = false;
+    ImGui_ImplOpenGL2_Shutdown();
+    ImGui_ImplGLUT_Shutdown();
+    ImGui::DestroyContext();
 }
 
 int Window::run() {
+    if (!session_.error.empty()) throw SceneError(session_.error);
     int argument_count = 1;
     char program[] = "twinlight-demo";
     char* arguments[] = {program, nullptr};
     glutInitErrorFuncUcall(refuse, nullptr);
     glutInit(&argument_count, arguments);
-    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);  // no GLUT_MULTISAMPLE: one sample, as in OSMesa
+    // No GLUT_MULTISAMPLE: one sample, as in OSMesa. With alpha, since the reference's pictures have it, too.
+    glutInitDisplayMode(GLUT_RGBA | GLUT_ALPHA | GLUT_DOUBLE | GLUT_DEPTH);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
     glutInitWindowSize(options_.width, options_.height);
     glutCreateWindow("twinlight-demo");
+    start_imgui();
+    panes_ = std::make_unique<Panes>();
+    panels_ = std::make_unique<Panels>();
 
     glutDisplayFuncUcall([](void* w) { guarded(w, [](Window& self) { self.display(); }); }, this);
     glutReshapeFuncUcall(
         [](int width, int height, void* w) { guarded(w, [=](Window& self) { self.reshape(width, height); }); }, this);
     glutKeyboardFuncUcall(
-        [](unsigned char code, int, int, void* w) { guarded(w, [=](Window& self) { self.key(code); }); }, this);
+        [](unsigned char code, int x, int y, void* w) {
+            ImGui_ImplGLUT_KeyboardFunc(code, x, y);
+            const bool shift = (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0;
+            guarded(w, [=](Window& self) { self.key(code == '\t' && shift ? session::kShiftTab : code); });
+        },
+        this);
+    glutKeyboardUpFuncUcall([](unsigned char code, int x, int y, void*) { ImGui_ImplGLUT_KeyboardUpFunc(code, x, y); },
+                            this);
     glutSpecialFuncUcall(
-        [](int code, int, int, void* w) { guarded(w, [=](Window& self) { self.key(kSpecialKey + code); }); }, this);
+        [](int code, int x, int y, void* w) {
+            ImGui_ImplGLUT_SpecialFunc(code, x, y);
+            guarded(w, [=](Window& self) { self.key(session::kSpecialKey + code); });
+        },
+        this);
+    glutSpecialUpFuncUcall([](int code, int x, int y, void*) { ImGui_ImplGLUT_SpecialUpFunc(code, x, y); }, this);
     glutMouseFuncUcall([](int button, int state, int x, int y,
                           void* w) { guarded(w, [=](Window& self) { self.mouse(button, state, x, y); }); },
                        this);
     glutMotionFuncUcall([](int x, int y, void* w) { guarded(w, [=](Window& self) { self.motion(x, y); }); }, this);
-    // The programs must be deleted while their context is current.
-    glutCloseFuncUcall([](void* w) { static_cast<Window*>(w)->programmable_.reset(); }, this);
+    glutMenuStatusFuncUcall(
+        [](int status, int, int, void* w) {
+            if (status == GLUT_MENU_NOT_IN_USE) guarded(w, [](Window&) { glutDetachMenu(GLUT_RIGHT_BUTTON); });
+        },
+        this);
+    glutPassiveMotionFuncUcall(
+        [](int x, int y, void* w) { guarded(w, [=](Window& self) { self.passive_motion(x, y); }); }, this);
+    // Textures and programs must be deleted while their context is current.
+    glutCloseFuncUcall([](void* w) { static_cast<Window*>(w)->end_imgui(); }, this);
+    make_menu();
 
     guarded(this, [](Window& self) {
-        for (const char code : self.options_.keys) press(self.controls_, static_cast<unsigned char>(code));
-        self.act();
+        for (const char code : self.options_.keys) {
+            press(self.session_, static_cast<unsigned char>(code));
+            refresh(self.session_, self.session_.width, self.session_.height);
+        }
+        self.carry_out_requests();
     });
-    if (status_ == EXIT_SUCCESS && !controls_.quit_requested) glutMainLoop();
+    if (status_ == EXIT_SUCCESS && !session_.quit_requested) {
+        set_timers();
+        glutMainLoop();
+    }
+    end_imgui();
+    write_times();
     return status_;
 }
 
-void Window::reshape(int width, int height) {
-    width_ = width;
-    height_ = height;
-    picture_ = fit(options_.width, options_.height, width, height);
-    framed_view_.reset();
+void Window::wake(int frames) {
+    frames_wanted_ = std::max(frames_wanted_, frames);
     glutPostRedisplay();
 }
 
-void Window::remake_frame() {
-    if (framed_view_ == controls_.view) return;
-    const auto seen = std::make_shared<const CommandList>(apply_view(*scene_, controls_.view));
-    StateOptions options;
-    options.width = picture_.width > 0 ? picture_.width : options_.width;
-    options.height = picture_.height > 0 ? picture_.height : options_.height;
-    shown_ = make_scene(seen, options);
-    framed_view_ = controls_.view;
+void Window::set_timers() {
+    if (panes_ && panes_->is_busy()) after(kBusyMs, busy_timer_, [this] { wake(1); });
+    if (session_.animating) after(kFrameMs, animation_timer_, [this] { wake(1); });
+    if (session_.file)
+        after(kFileMs, file_timer_, [this] {
+            reload_if_saved();
+            set_timers();
+        });
+    // A cursor that blinks in a field, a message that goes, and a panel's own work.
+    const bool wants_frames =
+        ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy());
+    if (wants_frames) after(200, message_timer_, [this] { wake(1); });
+}
+
+void Window::reshape(int width, int height) {
+    width_ = std::max(width, 1);
+    height_ = std::max(height, 1);
+    ImGui_ImplGLUT_ReshapeFunc(width, height);
+    wake();
 }
 
 void Window::display() {
-    remake_frame();
-    draw_picture();
-    summary_ = summary(scene_->name, controls_, shown_.frame, amplification_);
-    glutSetWindowTitle((summary_ + " - twinlight").c_str());
-    ++frames_shown_;
-    const bool last = options_.quit_after > 0 && frames_shown_ >= options_.quit_after;
-    if (controls_.save_requested || (last && !options_.screenshot.empty())) {
-        save();
+    const Clock::time_point start = Clock::now();
+    if (session_.animating) {
+        const double seconds = std::chrono::duration<double>(start - animated_since_).count();
+        animated_since_ = start;
+        session::animate(session_, std::min(seconds, 0.2));
     }
-    place_picture();
-    draw_overlays();
+    frame();
+    ++frames_shown_;
+    // A script's last frame shows the reference's final picture.
+    const bool last = options_.quit_after > 0 && frames_shown_ >= std::max(options_.quit_after, kFramesAfterEvent);
+    if (last) {
+        while (panes_->is_busy()) {
+            panes_->wait();
+            frame();
+        }
+        frame();
+        if (!options_.screenshot.empty()) save_screenshot();
+    }
+    if (session_.screenshot_requested) save_screenshot();
     glutSwapBuffers();
+    frame_ms_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
 
     if (last) {
         quit();
-    } else if (options_.quit_after > 0) {
-        glutPostRedisplay();
+        return;
     }
+    carry_out_requests();
+    if (--frames_wanted_ > 0 || options_.quit_after > 0) glutPostRedisplay();
+    set_timers();
 }
 
-// If the file cannot be written, prints an error and goes on.
-void Window::save() {
-    controls_.save_requested = false;
+void Window::frame() {
+    layout_ = session::layout(session_, width_, height_, scale());
+    if (const std::string title = commands(session_).name + " - twinlight"; title != title_) {
+        title_ = title;
+        glutSetWindowTitle(title.c_str());
+    }
+    session::refresh(session_, layout_.picture.width, layout_.picture.height);
+    panes_->update(session_, layout_);
+
+    const fixed::InitialState initial(width_, height_);
+    ImGui_ImplOpenGL2_NewFrame();
+    ImGui_ImplGLUT_NewFrame();
+    if (IMGUI_VERSION_NUM >= 18700) ImGui::NewFrame();  // 1.86's GLUT back end calls it itself
+    panes_->show(session_, layout_);
+    if (layout_.panel.width > 0) panels_->show(session_, layout_.panel, *panes_);
+    show_status(layout_);
+    if (session_.keys_shown) show_keys();
+    ImGui::Render();
+    const ImVec4 background = ImGui::ColorConvertU32ToFloat4(kBackground);
+    glClearColor(background.x, background.y, background.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Window::show_status(const session::Layout& layout) {
+    if (session_.messages != messages_seen_) {
+        messages_seen_ = session_.messages;
+        message_since_ = Clock::now();
+    }
+    if (Clock::now() - message_since_ > std::chrono::duration<double>(kMessageSeconds) && options_.quit_after == 0)
+        session_.message.clear();
+
+    ImDrawList& draw = *ImGui::GetForegroundDrawList();
+    const session::Box& bar = layout.status;
+    const ImVec2 from(0, static_cast<float>(bar.y)), to(static_cast<float>(width_), static_cast<float>(height_));
+    draw.AddRectFilled(from, to, session_.error.empty() ? kBar : IM_COL32(96, 34, 28, 255));
+    const float y = from.y + (static_cast<float>(bar.height) - ImGui::GetFontSize()) / 2;
+    const std::string& scene = commands(session_).name;
+    draw.AddText(fonts().bold, fonts().bold->FontSize, {12, y}, kText, scene.c_str());
+    const float after_name = 12 + fonts().bold->CalcTextSizeA(fonts().bold->FontSize, 1e4F, 0, scene.c_str()).x + 18;
+    if (!session_.error.empty()) {
+        draw.AddText({after_name, y}, kText, session_.error.c_str());
+    } else if (!session_.message.empty()) {
+        draw.AddText({after_name, y}, kAccent, session_.message.c_str());
+    } else {
+        draw.AddText({after_name, y}, kDim, session::lights_summary(session_.scene.frame).c_str());
+    }
+    const char* help = "? keys   right click: menu";
+    const float width = ImGui::CalcTextSize(help).x;
+    if (session_.error.empty()) draw.AddText({to.x - width - 12, y}, kDim, help);
+}
+
+void Window::show_keys() const {
+    ImGui::SetNextWindowPos({static_cast<float>(width_) / 2, static_cast<float>(height_) / 2}, ImGuiCond_Always,
+                            {0.5F, 0.5F});
+    ImGui::SetNextWindowBgAlpha(0.94F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24, 18});
+    ImGui::Begin("keys", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs);
+    ImGui::SetWindowFocus();
+    bold_text("Keys");
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const session::Key& row : session::keys()) {
+            if (row.label.empty()) continue;
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::PushFont(fonts().code_bold);
+            ImGui::TextUnformatted(row.label.data(), row.label.data() + row.label.size());
+            ImGui::PopFont();
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(row.what.data(), row.what.data() + row.what.size());
+        }
+        ImGui::EndTable();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+// If the file cannot be written, says so and goes on.
+void Window::save_screenshot() {
+    session_.screenshot_requested = false;
     const std::string file = options_.screenshot.empty() ? "twinlight-demo.png" : options_.screenshot;
     try {
-        write_png(file, read_pixels(picture_.width, picture_.height));
-        std::fprintf(stderr, "wrote %s, %d x %d\n", file.c_str(), picture_.width, picture_.height);
-    } catch (const FileError& e) {
-        std::fprintf(stderr, "twinlight-demo: %s\n", e.what());
+        Image image = read_pixels(width_, height_);
+        for (Rgba& pixel : image.pixels) pixel[3] = 1;
+        write_png(file, image);
+        say(session_, fmt::format("wrote {}, {} x {}", file, width_, height_));
+        std::fprintf(stderr, "wrote %s, %d x %d\n", file.c_str(), width_, height_);
+    } catch (const FileError& error) {
+        say(session_, error.what());
+        std::fprintf(stderr, "twinlight-demo: %s\n", error.what());
         status_ = 2;
     }
+    wake();
 }
 
-void Window::draw_picture() {
-    if (controls_.difference) {
-        const Image fixed = render(Path::kFixed);
-        const Image programmable = render(Path::kProgrammable);
-        const PixelMask no_edges(fixed.pixels.size());
-        amplification_ = amplification_for(difference(fixed, programmable, no_edges).interior.max);
-        const fixed::InitialState initial(width_, height_);
-        draw_image(difference_picture(fixed, programmable, amplification_), 0, picture_.height);
-    } else if (controls_.renderer == Path::kFixed) {
-        fixed::draw(shown_);
-    } else {
-        if (!programmable_) programmable_ = std::make_unique<programmable::Renderer>();
-        programmable_->draw(shown_.frame, kLiveOptions);
-    }
-}
-
-Image Window::render(Path renderer) {
-    if (renderer == Path::kFixed) return fixed::render(shown_);
-    if (!programmable_) programmable_ = std::make_unique<programmable::Renderer>();
-    return programmable_->render(shown_.frame, kOptions).image;
-}
-
-// Moves the picture from the lower left corner to the middle, between black bars.
-void Window::place_picture() {
-    if (picture_.width == width_ && picture_.height == height_) return;
-    const Image image = read_pixels(picture_.width, picture_.height);
-    const fixed::InitialState initial(width_, height_);
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    draw_image(image, picture_.x, picture_.y + picture_.height);
-}
-
-void Window::draw_overlays() {
-    const fixed::InitialState initial(width_, height_);
-    if (controls_.keys_shown) {
-        dim_picture();
-        draw_text(keys_help(), kMargin, height_ - kMargin);
-    }
-    if (controls_.status_shown) {
-        draw_text("F1: keys - " + summary_, kMargin, kMargin + kLineHeight);
-    }
+void Window::write_times() const {
+    if (options_.times.empty()) return;
+    write_file_atomically(options_.times, nlohmann::json{{"frame_ms", frame_ms_}}.dump() + "\n");
 }
 
 void Window::key(int code) {
-    const bool keys_were_shown = controls_.keys_shown;
-    press(controls_, code);
-    if (controls_.keys_shown && !keys_were_shown) {
-        std::fputs(keys_help().c_str(), stdout);
-        std::fflush(stdout);
-    }
-    act();
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!(io.WantCaptureKeyboard && io.WantTextInput)) press(session_, code);
+    if (session_.animating) animated_since_ = Clock::now();
+    carry_out_requests();
+    wake();
 }
 
-void Window::act() {
-    if (controls_.quit_requested) {
+void Window::carry_out_requests() {
+    if (session_.quit_requested) {
         quit();
-    } else {
-        glutPostRedisplay();
+        return;
     }
+    if (session_.scene_requested != 0) open_neighbour(std::exchange(session_.scene_requested, 0));
+    if (session_.screenshot_requested) wake();
+}
+
+void Window::open_neighbour(int step) {
+    std::vector<std::string> names;
+    for (const EmbeddedFile& file : kSceneFiles) names.emplace_back(file.name.substr(0, file.name.rfind(".gl")));
+    const auto here = std::ranges::find(names, commands(session_).name);
+    const std::size_t index =
+        here == names.end() ? (step > 0 ? names.size() - 1 : 0) : static_cast<std::size_t>(here - names.begin());
+    const std::string& name =
+        names[(index + names.size() + static_cast<std::size_t>(step + static_cast<int>(names.size()))) % names.size()];
+    session::open(session_, load_commands(name), {});
+    say(session_, "scene " + name);
+    wake();
+}
+
+void Window::reload_if_saved() {
+    std::error_code error;
+    const auto time = std::filesystem::last_write_time(*session_.file, error);
+    if (error) return;
+    if (!file_time_) file_time_ = time;
+    if (*file_time_ == time) return;
+    file_time_ = time;
+    try {
+        session::open(session_, load_commands(*session_.file), session_.file);
+        say(session_, "read again: " + *session_.file);
+    } catch (const std::exception& problem) {
+        session_.error = problem.what();
+    }
+    wake();
 }
 
 void Window::mouse(int button, int state, int x, int y) {
-    if (button == GLUT_LEFT_BUTTON) dragging_ = state == GLUT_DOWN;
-    mouse_x_ = x;
-    mouse_y_ = y;
-    if (state == GLUT_DOWN && (button == kWheelUp || button == kWheelDown)) {
-        zoom(controls_, button == kWheelUp ? 1 : -1);
-        act();
+    const bool down = state == GLUT_DOWN;
+    const bool wheel = button == kWheelUp || button == kWheelDown;
+    if (wheel) {
+        if (down) ImGui_ImplGLUT_MouseWheelFunc(button, button == kWheelUp ? 1 : -1, x, y);
+    } else {
+        ImGui_ImplGLUT_MouseFunc(button, state, x, y);
+    }
+    wake();
+    if (down && ImGui::GetIO().WantCaptureMouse) return;
+    if (wheel) {
+        if (down && hit(layout_, x, y)) session::zoom(session_, button == kWheelUp ? 1 : -1);
+        return;
+    }
+    if (down) {
+        pressed_x_ = x;
+        pressed_y_ = y;
+        moved_ = false;
+        drag_start_ = session::start_drag(session_);
+        session_.history.end_group();
+        const auto where = hit(layout_, x, y);
+        if (!where) return;
+        const session::Box& box = layout_.cells.front().picture;
+        const bool on_line = session_.view == session::View::kSlider && button == GLUT_LEFT_BUTTON &&
+                             std::abs(x - (box.x + session_.slider_at * box.width)) < 14;
+        drag_ = on_line                       ? Drag::kSlider
+                : button == GLUT_LEFT_BUTTON  ? Drag::kOrbit
+                : button == GLUT_RIGHT_BUTTON ? Drag::kLook
+                                              : Drag::kNone;
+        return;
+    }
+    if (drag_ == Drag::kNone) return;
+    session_.history.end_group();
+    const Drag ended = std::exchange(drag_, Drag::kNone);
+    if (moved_) return;
+    if (ended == Drag::kLook) open_menu(x, y);
+    if (ended != Drag::kOrbit) return;
+    if (const auto where = hit(layout_, x, y)) {
+        const session::Box& box = layout_.cells.front().picture;
+        session_.active = session_.view == session::View::kSlider
+                              ? (x < box.x + session_.slider_at * box.width ? session_.slider.a : session_.slider.b)
+                              : where->pane;
+        session_.probe = session::Probe{false, where->x, where->y};
+        panels_->show_probe();
     }
 }
 
 void Window::motion(int x, int y) {
-    if (!dragging_) return;
-    drag(controls_, x - mouse_x_, y - mouse_y_);
-    mouse_x_ = x;
-    mouse_y_ = y;
-    act();
+    ImGui_ImplGLUT_MotionFunc(x, y);
+    wake();
+    if (drag_ == Drag::kNone) return;
+    if (!moved_ && std::max(std::abs(x - pressed_x_), std::abs(y - pressed_y_)) < kClickPixels) return;
+    moved_ = true;
+    if (drag_ == Drag::kOrbit) session::orbit(session_, drag_start_, x - pressed_x_, y - pressed_y_);
+    if (drag_ == Drag::kLook) session::look(session_, drag_start_, x - pressed_x_, y - pressed_y_);
+    if (drag_ == Drag::kSlider) {
+        const session::Box& box = layout_.cells.front().picture;
+        session_.slider_at = std::clamp(static_cast<double>(x - box.x) / box.width, 0.0, 1.0);
+    }
+}
+
+void Window::passive_motion(int x, int y) {
+    ImGui_ImplGLUT_MotionFunc(x, y);
+    // Over a picture nothing lights up under the mouse.
+    if (!hit(layout_, x, y) || ImGui::GetIO().WantCaptureMouse) wake();
+}
+
+void Window::make_menu() {
+    const auto new_menu = [this] {
+        return glutCreateMenuUcall([](int code, void* w) { guarded(w, [=](Window& self) { self.key(code); }); }, this);
+    };
+    const int lights = new_menu();
+    for (int i = 0; i < kMaxLights; ++i)
+        glutAddMenuEntry(fmt::format("{}    {}", i + 1, light_name(i)).c_str(), '1' + i);
+    menu_ = new_menu();
+    for (const session::Key& row : session::keys()) {
+        if (row.label.empty() || !row.in_menu) continue;
+        const std::string line = fmt::format("{}    {}", row.label, row.what);
+        if (row.first == '1')
+            glutAddSubMenu(line.c_str(), lights);
+        else
+            glutAddMenuEntry(line.c_str(), row.first);
+    }
+}
+
+// GLUT opens its menu when the button goes down, which would take the drag. So the menu is attached when a click turns out not
+// to be a drag, and the click is sent again.
+void Window::open_menu(int x, int y) {
+    glutSetMenu(menu_);
+    glutAttachMenu(GLUT_RIGHT_BUTTON);
+    Display* display = glXGetCurrentDisplay();
+    XButtonEvent press{};
+    press.type = ButtonPress;
+    press.display = display;
+    press.window = glXGetCurrentDrawable();
+    press.root = DefaultRootWindow(display);
+    press.same_screen = True;
+    press.button = Button3;
+    press.x = x;
+    press.y = y;
+    ::Window child = 0;
+    XTranslateCoordinates(display, press.window, press.root, x, y, &press.x_root, &press.y_root, &child);
+    XSendEvent(display, press.window, True, ButtonPressMask, reinterpret_cast<XEvent*>(&press));
+    XFlush(display);
 }
 
 void Window::quit() {
-    programmable_.reset();
+    end_imgui();
     glutLeaveMainLoop();
 }
 

@@ -1,21 +1,24 @@
-// The GLUT window: passes GLUT's events to Controls, draws the scene, writes pictures.
+// The GLUT window with its ImGui panels: passes GLUT's events on, draws frames, carries out what the session requests.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "app/demo/controls.h"
+#include "app/session/session.h"
 #include "scene/command/command.h"
 
 namespace twinlight::demo {
 
 struct WindowOptions {
-    int width = 640;  // of the picture; a window with other proportions adds black bars
-    int height = 480;
-    Path renderer = Path::kFixed;
-    std::string keys;        // pressed before the first frame
-    std::string screenshot;  // the file that the key s writes
-    int quit_after = 0;      // frames; the picture is then written if `screenshot` is given. 0: until the user quits
+    int width = 1280, height = 800;  // of the window
+    session::View view = session::View::kSlider;
+    std::optional<double> scale{};      // of letters and lines; empty: from the screen's dots per inch
+    std::optional<std::string> file{};  // the scene's file, which is read again when it is saved
+    std::string keys;                   // pressed before the first frame
+    std::string screenshot;             // the file that the key p and --quit-after write
+    int quit_after = 0;                 // frames; 0: until the user quits
+    std::string times;                  // a file for the times of all frames, as JSON
 };
 
 // Shows the scene until the user quits, and returns the exit status. Throws SceneError for a scene with a GL error. If GLUT

@@ -11,7 +11,7 @@ namespace twinlight::session {
 
 class History {
   public:
-    explicit History(std::shared_ptr<const CommandList> opened);
+    explicit History(std::shared_ptr<const CommandList> opened, int revision = 0);
 
     // The commands as they are now.
     const std::shared_ptr<const CommandList>& now() const { return steps_[at_].commands; }

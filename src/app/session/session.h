@@ -69,7 +69,7 @@ struct Probe {
 };
 
 struct Session {
-    explicit Session(std::shared_ptr<const CommandList> opened);
+    explicit Session(std::shared_ptr<const CommandList> scene_opened);
 
     History history;
     std::shared_ptr<const CommandList> opened;  // as the file has it
@@ -78,6 +78,7 @@ struct Session {
     // The commands as the panes draw them: those of history, with viewports for this size. Made by refresh().
     Scene scene{};
     int width = 0, height = 0;  // of a picture in pixels
+    int made_from = -1;         // the revision of history that it was made from
     int revision = 0;           // counts the scenes made
     std::string error{};        // why the commands cannot be drawn; `scene` is then the last one that could
 
@@ -117,7 +118,8 @@ void open(Session& session, std::shared_ptr<const CommandList> scene, std::optio
 WindowSize natural_size(const CommandList& commands);
 // The commands for a picture of another size: glViewport and glScissor are scaled.
 CommandList scaled(const CommandList& commands, WindowSize from, WindowSize to);
-// Makes `scene` again if the commands or the size changed. Returns whether it did. An error goes to session.error.
+// Makes `scene` again if the commands or the size changed. Returns whether the panes must draw again. An error goes to
+// session.error.
 bool refresh(Session& session, int width, int height);
 
 // How a pane shades now: glShadeModel(GL_FLAT) makes every pane flat, and the fixed function has no lighting per pixel.
@@ -126,6 +128,8 @@ std::optional<Shading> shading_of(const Session& session, const Pane& pane);
 Look look_of(const Session& session, const Pane& pane);
 // "fixed function, Gouraud"
 std::string title_of(const Session& session, const Pane& pane);
+// "GL_SMOOTH, GL_LIGHT0, GL_LIGHT3 on": the shade models and lights of the frame.
+std::string lights_summary(const Frame& frame);
 // Whether all Draws of the frame have GL_FLAT (and there is one).
 bool is_flat(const Frame& frame);
 

@@ -4,14 +4,7 @@
 
 namespace twinlight::study {
 
-namespace {
-
-// The arguments of a command that hold its slices: around the axis, and across it.
-struct Counts {
-    std::size_t around = 0, across = 0;  // argument numbers; 0: none
-};
-
-Counts counts_of(const Command& command) {
+SliceArguments slice_arguments(const Command& command) {
     switch (command.id) {
         case CommandId::glutSolidSphere:
         case CommandId::glutWireSphere: return {1, 2};
@@ -37,13 +30,11 @@ Counts counts_of(const Command& command) {
     }
 }
 
-}  // namespace
-
 CommandList with_slices(const CommandList& scene, int slices) {
     constexpr int kLeast = 3;
     CommandList result = scene;
     for (Command& command : result.commands) {
-        const auto [around, across] = counts_of(command);
+        const auto [around, across] = slice_arguments(command);
         if (around != 0) command.arguments.at(around) = std::max(slices, kLeast);
         if (across != 0) command.arguments.at(across) = std::max(slices / 2, kLeast);
     }
@@ -51,7 +42,8 @@ CommandList with_slices(const CommandList& scene, int slices) {
 }
 
 bool has_slices(const CommandList& scene) {
-    return std::ranges::any_of(scene.commands, [](const Command& command) { return counts_of(command).around != 0; });
+    return std::ranges::any_of(scene.commands,
+                               [](const Command& command) { return slice_arguments(command).around != 0; });
 }
 
 Frame enlarged(const Frame& frame, int samples) {

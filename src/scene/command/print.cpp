@@ -8,6 +8,7 @@
 
 #include "scene/command/memory.h"
 #include "scene/command/object_names.h"
+#include "scene/command/print_parts.h"
 #include "scene/command/text.h"
 
 namespace twinlight {
@@ -229,6 +230,60 @@ std::string print_lines(const CommandList& scene, std::string_view indent) {
 }
 
 }  // namespace
+
+std::vector<PrintedPart> print_parts(const Command& command, std::size_t longest_array) {
+    const Signature& sig = command.sig();
+    if (command.id == CommandId::gluNewQuadric) return {{print_command(command)}};
+    const bool is_pragma = sig.family == Family::kPragma;
+    std::vector<PrintedPart> parts{{fmt::format("{}{}(", is_pragma ? "#pragma twinlight " : "", sig.name)}};
+    const auto add = [&](std::string text, std::optional<std::size_t> argument = std::nullopt) {
+        if (!argument && !parts.back().argument)
+            parts.back().text += text;
+        else
+            parts.push_back({std::move(text), argument});
+    };
+    const auto add_values = [&](std::size_t i) {
+        const std::size_t first = command.first(i);
+        for (std::size_t k = 0; k < command.values(i).size(); ++k) {
+            if (k > 0) add(", ");
+            const double value = command.values(i)[k];
+            add(sig.parameters[i].is_array() ? print_value(command, sig.parameters[i], value)
+                                             : print_number(value, sig.parameters[i].kind),
+                first + k);
+        }
+    };
+    for (std::size_t i = 0; i < sig.c_arguments(); ++i) {
+        const Parameter& parameter = sig.parameters[i];
+        const std::size_t count = command.values(i).size();
+        if (i > 0 && (parameter.extent != Extent::kRest || count > 0)) add(", ");
+        if (parameter.is_array() && !parameter.is_output() && count > 0) {
+            const std::string_view type = c_type_name(parameter.kind);
+            if (count > longest_array) {
+                add(fmt::format("({}[{}]){{...}}", type, count));
+                continue;
+            }
+            add(fmt::format("({}[]){{", type));
+            add_values(i);
+            add("}");
+        } else if (parameter.is_array()) {
+            add(print_array(command, i));
+        } else if (parameter.extent == Extent::kValue) {
+            add(print_value(command, parameter, command.number(command.first(i))), command.first(i));
+        } else if (parameter.extent == Extent::kPointer && command.memory) {
+            add(fmt::format("({} bytes)", command.memory->bytes.size()));
+        } else if (parameter.extent == Extent::kPointer) {
+            add(print_pointer(command, i, {}));
+        } else if (parameter.extent == Extent::kOutputMemory) {
+            add(print_written(command.number(command.first(i))));
+        } else if (parameter.extent == Extent::kImage) {
+            add(fmt::format("\"{}\"", command.memory->file));
+        } else if (parameter.extent == Extent::kRest) {
+            add_values(i);
+        }
+    }
+    add(is_pragma ? ")" : ");");
+    return parts;
+}
 
 std::string print_command(const Command& command) {
     const bool has_array = command.memory && command.id != CommandId::pragma_texture;

@@ -1,0 +1,22 @@
+// Panels: the tabs at the window's left, and the menu of a right click.
+#pragma once
+
+#include "app/demo/panes.h"
+#include "app/session/layout.h"
+#include "app/session/session.h"
+
+namespace twinlight::demo {
+
+class Panels {
+  public:
+    void show(session::Session& session, const session::Box& box, const Panes& panes);
+    // Brings the probe's tab to the front.
+    void show_probe() { opened_ = "Probe"; }
+    // Whether a panel works in the background, so that the window must go on drawing frames.
+    bool is_busy() const { return false; }
+
+  private:
+    const char* opened_ = nullptr;  // the tab to bring to the front in the next frame
+};
+
+}  // namespace twinlight::demo

@@ -1,0 +1,484 @@
+#include "app/demo/panes.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/demo/theme.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+#include "render/reference/reference.h"
+
+namespace twinlight::demo {
+namespace {
+
+using session::Box;
+using session::Cell;
+using session::kDifferencePane;
+using session::kPanes;
+using session::Session;
+
+using Clock = std::chrono::steady_clock;
+
+constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
+                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+bool same(const Look& a, const Look& b) { return a.shading == b.shading && a.lecture_variants == b.lecture_variants; }
+
+ImVec2 corner(const Box& box) { return {static_cast<float>(box.x), static_cast<float>(box.y)}; }
+ImVec2 far_corner(const Box& box) {
+    return {static_cast<float>(box.x + box.width), static_cast<float>(box.y + box.height)};
+}
+ImTextureID texture_id(unsigned name) {
+    return (ImTextureID)(std::intptr_t)name;
+}  // an integer or a pointer, by release
+
+unsigned make_texture() {
+    unsigned name = 0;
+    glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    // Pictures are shown pixel for pixel. The reference's coarse picture is smoothed.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return name;
+}
+
+// Row 0 of a texture is at the bottom of the picture, as in GL.
+void upload(unsigned texture, const Image& image) {
+    std::vector<std::uint8_t> codes;
+    codes.reserve(image.pixels.size() * 3);
+    for (int y = image.height - 1; y >= 0; --y)
+        for (int x = 0; x < image.width; ++x)
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                codes.push_back(channel_code(image.at(x, y)[channel]));
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, image.width, image.height, 0, GL_RGB, GL_UNSIGNED_BYTE, codes.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void copy_back_buffer(unsigned texture, int width, int height) {
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, width, height, 0);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+std::string ms_text(double ms) {
+    return ms < 10    ? fmt::format("{:.2f} ms", ms)
+           : ms < 100 ? fmt::format("{:.1f} ms", ms)
+                      : fmt::format("{:.0f} ms", ms);
+}
+
+// "fixed function and reference"; with the shadings where the renderers are the same.
+std::string difference_title(const Session& session) {
+    const session::Pane &a = session.panes[session.difference.a], &b = session.panes[session.difference.b];
+    if (a.renderer == b.renderer) return title_of(session, a) + " and " + title_of(session, b);
+    constexpr std::array<const char*, kPaths> kNames = {"fixed function", "shaders", "reference"};
+    return std::string(kNames[static_cast<std::size_t>(a.renderer)]) + " and " +
+           kNames[static_cast<std::size_t>(b.renderer)];
+}
+
+float text_y(const Box& bar) {
+    return static_cast<float>(bar.y) + (static_cast<float>(bar.height) - ImGui::GetFontSize()) / 2;
+}
+
+void begin_bar(const char* name, const Box& bar) {
+    ImGui::SetNextWindowPos(corner(bar));
+    ImGui::SetNextWindowSize({static_cast<float>(bar.width), static_cast<float>(bar.height)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::Begin(name, nullptr, kPlain);
+}
+
+void end_bar() {
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+// The text at the right end of a bar.
+void right_text(const Box& bar, ImU32 color, const std::string& text) {
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::GetBackgroundDrawList()->AddText({static_cast<float>(bar.x + bar.width) - width - 8, text_y(bar)}, color,
+                                            text.c_str());
+}
+
+}  // namespace
+
+void FrameTimes::add(double ms) {
+    const Clock::time_point now = Clock::now();
+    times_.emplace_back(now, ms);
+    // At least one stays, however old.
+    while (times_.size() > 1 && now - times_.front().first > std::chrono::seconds(1)) times_.pop_front();
+}
+
+std::optional<double> FrameTimes::median_ms() const {
+    if (times_.empty()) return {};
+    std::vector<double> sorted;
+    for (const auto& [when, ms] : times_) sorted.push_back(ms);
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
+}
+
+Panes::Panes() : programmable_(std::make_unique<programmable::Renderer>()) {
+    for (Drawn& drawn : drawn_) drawn.texture = make_texture();
+    difference_.texture = make_texture();
+}
+
+Panes::~Panes() {
+    for (const Drawn& drawn : drawn_) glDeleteTextures(1, &drawn.texture);
+    glDeleteTextures(1, &difference_.texture);
+}
+
+bool Panes::wants_image(const Session& session, std::size_t pane) const {
+    const bool in_difference = pane == session.difference.a || pane == session.difference.b;
+    const bool difference_shown = session.view == session::View::kGrid ||
+                                  (session.view == session::View::kSingle && session.active == kDifferencePane);
+    return session.probe || (in_difference && difference_shown);
+}
+
+void Panes::draw_pane(const Session& session, std::size_t number) {
+    const session::Pane& pane = session.panes[number];
+    Drawn& drawn = drawn_[number];
+    const Look look = look_of(session, pane);
+    const bool is_new = drawn.revision != session.revision || drawn.pane != pane || !same(drawn.look, look) ||
+                        drawn.width != session.width || drawn.height != session.height;
+    const bool lacks_image = wants_image(session, number) && drawn.image.pixels.empty();
+    if (!is_new && !lacks_image) return;
+    drawn.error.clear();
+    // The first picture of a renderer includes compiling, so it is drawn twice and the second is timed.
+    const bool compiles = drawn.pane != pane || !same(drawn.look, look);
+    double ms = 0;
+    for (int times = compiles ? 2 : 1; times > 0 && drawn.error.empty(); --times) {
+        const Clock::time_point start = Clock::now();
+        try {
+            if (pane.renderer == Path::kFixed) {
+                fixed::draw(session.scene, {look.shading});
+            } else {
+                // For drawing frame after frame: numbers that do not change are baked into the shaders.
+                programmable_->draw(session.scene.frame, {{look}, programmable::Tier::kAuto});
+            }
+        } catch (const std::exception& error) {
+            drawn.error = error.what();
+        }
+        glFinish();
+        ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    }
+    const fixed::InitialState initial(session.width, session.height);
+    if (compiles) drawn.times = {};
+    if (is_new) drawn.times.add(ms);
+    drawn.image = wants_image(session, number) ? read_pixels(session.width, session.height) : Image{};
+    copy_back_buffer(drawn.texture, session.width, session.height);
+    drawn.pane = pane;
+    drawn.look = look;
+    drawn.revision = session.revision;
+    drawn.width = session.width;
+    drawn.height = session.height;
+    drawn.reference.reset();
+}
+
+void Panes::request_reference(const Session& session, const std::array<bool, kPanes>& shown) {
+    session::ReferenceJob job;
+    job.revision = session.revision;
+    job.size = {session.width, session.height};
+    for (std::size_t i = 0; i < kPanes; ++i) {
+        const Look look = look_of(session, session.panes[i]);
+        if (shown[i] && session.panes[i].renderer == Path::kReference &&
+            std::ranges::none_of(job.looks, [&](const Look& other) { return same(look, other); }))
+            job.looks.push_back(look);
+    }
+    job.wants_allowed = wants_image(session, session.difference.a) && !session.probe;
+    if (session.view == session::View::kGrid) job.wants_allowed = true;
+    if (job.looks.empty() && !job.wants_allowed) return;
+    job.commands = session.history.now();
+    worker_.request(std::move(job));
+}
+
+void Panes::take_reference(const Session& session) {
+    for (auto& picture : worker_.take_pictures()) {
+        std::erase_if(references_, [&](const auto& old) { return same(old->look, picture->look); });
+        references_.push_back(std::move(picture));
+    }
+    if (auto allowed = worker_.take_allowed()) allowed_ = std::move(allowed);
+    for (std::size_t i = 0; i < kPanes; ++i) {
+        const session::Pane& pane = session.panes[i];
+        if (pane.renderer != Path::kReference) continue;
+        Drawn& drawn = drawn_[i];
+        const Look look = look_of(session, pane);
+        const auto found =
+            std::ranges::find_if(references_, [&](const auto& picture) { return same(picture->look, look); });
+        if (found == references_.end() || drawn.reference == *found) continue;
+        if ((*found)->revision != drawn.revision) drawn.since = Clock::now();
+        drawn.reference = *found;
+        drawn.pane = pane;
+        drawn.look = look;
+        drawn.revision = (*found)->revision;
+        drawn.error.clear();
+        if ((*found)->divisor == 1) drawn.times.add((*found)->ms);
+        drawn.image = (*found)->divisor == 1 ? (*found)->image : Image{};
+        upload(drawn.texture, (*found)->image);
+    }
+}
+
+void Panes::update_difference(const Session& session) {
+    const Drawn &a = drawn_[session.difference.a], &b = drawn_[session.difference.b];
+    const bool has_both = !a.image.pixels.empty() && a.image.width == b.image.width &&
+                          a.image.height == b.image.height && a.revision == b.revision;
+    if (!has_both) return;
+    const bool has_allowed =
+        allowed_ && allowed_->revision == a.revision && allowed_->difference.edge.size() == a.image.pixels.size();
+    const std::array<const void*, 2> images = {a.image.pixels.data(), b.image.pixels.data()};
+    if (difference_.revision == a.revision && difference_.pair == session.difference && difference_.images == images &&
+        difference_.has_allowed == has_allowed &&
+        (session.amplification == 0 || session.amplification == difference_.amplification))
+        return;
+    AllowedDifference allowed{PixelMask(a.image.pixels.size()), Image(a.image.width, a.image.height)};
+    if (has_allowed) allowed = allowed_->difference;
+    // Each picture is compared with the nearer of the reference's two cuts of quadrilaterals.
+    const auto nearer = [&allowed](const Drawn& reference, const Image& image) {
+        const auto& other = reference.reference ? reference.reference->other_cut : std::nullopt;
+        return other ? nearer_of(image, reference.image, *other, allowed.channels) : reference.image;
+    };
+    const Image first = a.reference ? nearer(a, b.image) : a.image;
+    const Image second = b.reference ? nearer(b, a.image) : b.image;
+    difference_.revision = a.revision;
+    difference_.pair = session.difference;
+    difference_.images = images;
+    difference_.has_allowed = has_allowed;
+    difference_.numbers = difference(first, second, allowed);
+    difference_.amplification =
+        session.amplification != 0 ? session.amplification : amplification_for(difference_.numbers.interior.max);
+    upload(difference_.texture, difference_picture(first, second, difference_.amplification));
+}
+
+void Panes::update(const Session& session, const session::Layout& layout) {
+    std::array<bool, kPanes> shown{};
+    for (const Cell& cell : layout.cells) {
+        if (cell.pane != kDifferencePane)
+            shown[cell.pane] = true;
+        else
+            shown[session.difference.a] = shown[session.difference.b] = true;
+    }
+    if (session.view == session::View::kSlider) shown[session.slider.a] = shown[session.slider.b] = true;
+    if (session.probe) shown.fill(true);
+    for (std::size_t i = 0; i < kPanes; ++i)
+        if (shown[i] && session.panes[i].renderer != Path::kReference) draw_pane(session, i);
+    request_reference(session, shown);
+    take_reference(session);
+    if (wants_image(session, session.difference.a)) update_difference(session);
+}
+
+std::array<std::optional<Rgba>, kPanes> Panes::colors_at(int x, int y) const {
+    std::array<std::optional<Rgba>, kPanes> colors;
+    for (std::size_t i = 0; i < kPanes; ++i) {
+        const Image& image = drawn_[i].image;
+        if (x >= 0 && y >= 0 && x < image.width && y < image.height) colors[i] = image.at(x, y);
+    }
+    return colors;
+}
+
+std::string Panes::time_of(const Session& session, std::size_t number) const {
+    const Drawn& drawn = drawn_[number];
+    if (session.panes[number].renderer == Path::kReference) {
+        if (!drawn.reference) return "at work ...";
+        if (drawn.revision != session.revision) {
+            const double age = std::chrono::duration<double>(Clock::now() - drawn.since).count();
+            return fmt::format("{:.1f} s old, at work ...", age);
+        }
+        if (drawn.reference->divisor > 1) return "coarse, at work ...";
+    }
+    const auto ms = drawn.times.median_ms();
+    return ms ? ms_text(*ms) : "";
+}
+
+void Panes::show_header(Session& session, const Cell& cell) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const bool is_active = session.active == cell.pane;
+    draw.AddRectFilled(corner(cell.header), far_corner(cell.header), kBar, 4, ImDrawFlags_RoundCornersTop);
+    if (is_active && session.view == session::View::kGrid)
+        draw.AddRectFilled(corner(cell.header), {static_cast<float>(cell.header.x) + 4, far_corner(cell.header).y},
+                           kAccent);
+
+    const std::string name = fmt::format("header {}", cell.pane);
+    begin_bar(name.c_str(), cell.header);
+    ImGui::SetCursorPos({10, (static_cast<float>(cell.header.height) - ImGui::GetFontSize()) / 2});
+    ImGui::PushFont(fonts().bold);
+    if (cell.pane == kDifferencePane) {
+        const std::string title = "Difference of " + difference_title(session);
+        if (ImGui::Selectable(title.c_str(), false, 0, {static_cast<float>(cell.header.width) - 20, 0}))
+            ImGui::OpenPopup("pair");
+    } else {
+        const std::string title = title_of(session, session.panes[cell.pane]);
+        if (ImGui::Selectable(title.c_str(), false, 0, {static_cast<float>(cell.header.width) - 170, 0})) {
+            session.active = cell.pane;
+            ImGui::OpenPopup("choose");
+        }
+    }
+    ImGui::PopFont();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 8});
+    if (ImGui::BeginPopup("choose")) {
+        session::Pane& pane = session.panes[cell.pane];
+        constexpr std::array<const char*, kPaths> kNames = {"Fixed function", "Shaders", "Reference"};
+        for (std::size_t i = 0; i < kPaths; ++i)
+            if (ImGui::MenuItem(kNames[i], nullptr, pane.renderer == kAllPaths[i])) pane.renderer = kAllPaths[i];
+        ImGui::Separator();
+        if (ImGui::MenuItem("As glShadeModel says", nullptr, !pane.shading)) pane.shading.reset();
+        for (const ShadingName& shading : kShadings) {
+            const bool per_pixel = shading.value == Shading::kPhong || shading.value == Shading::kExact;
+            constexpr std::array<const char*, 4> kWords = {"Flat", "Gouraud", "Phong", "Exact surfaces"};
+            const bool can = !(per_pixel && pane.renderer == Path::kFixed);
+            if (ImGui::MenuItem(kWords[static_cast<std::size_t>(shading.value)], can ? nullptr : "shaders only",
+                                pane.shading == shading.value, can))
+                pane.shading = shading.value;
+        }
+        if (pane.renderer != Path::kFixed) {
+            ImGui::Separator();
+            const bool on = look_of(session, pane).lecture_variants;
+            if (ImGui::MenuItem("The lecture's variants (pragmas)", nullptr, on)) pane.lecture_variants = !on;
+        }
+        ImGui::EndPopup();
+    }
+    if (ImGui::BeginPopup("pair")) {
+        for (std::size_t a = 0; a < kPanes; ++a) {
+            for (std::size_t b = a + 1; b < kPanes; ++b) {
+                const std::string title =
+                    title_of(session, session.panes[a]) + " and " + title_of(session, session.panes[b]);
+                if (ImGui::MenuItem(title.c_str(), nullptr, session.difference == session::Pair{a, b}))
+                    session.difference = {a, b};
+            }
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar();
+    end_bar();
+    if (cell.pane != kDifferencePane) right_text(cell.header, kDim, time_of(session, cell.pane));
+}
+
+void Panes::show_footer(Session& session, const Cell& cell) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    draw.AddRectFilled(corner(cell.footer), far_corner(cell.footer), kBar, 4, ImDrawFlags_RoundCornersBottom);
+    const ImVec2 at{static_cast<float>(cell.footer.x) + 10, text_y(cell.footer)};
+    if (cell.pane != kDifferencePane) {
+        const Drawn& drawn = drawn_[cell.pane];
+        const session::Pane& pane = session.panes[cell.pane];
+        if (!drawn.error.empty()) {
+            draw.AddText(at, kBad, drawn.error.substr(0, drawn.error.find('\n')).c_str());
+            return;
+        }
+        const auto lacks_here = [&](const Unsupported& item) { return lacks(pane.renderer, item); };
+        const auto missing = std::ranges::find_if(session.scene.frame.unsupported, lacks_here);
+        if (missing != session.scene.frame.unsupported.end()) {
+            draw.AddText(at, kAccent, fmt::format("not drawn: {}", missing->name).c_str());
+        } else if (pane.renderer == Path::kFixed) {
+            draw.AddText(at, kDim, "glLight, glMaterial, glShadeModel, executed by the driver");
+        } else if (pane.renderer == Path::kProgrammable) {
+            draw.AddText(
+                at, kDim,
+                look_of(session, pane).shading == Shading::kPhong || look_of(session, pane).shading == Shading::kExact
+                    ? "GLSL that lights every pixel"
+                    : "GLSL that lights every vertex");
+        } else {
+            draw.AddText(at, kDim, "double precision, without a driver");
+        }
+        return;
+    }
+    if (difference_.revision != session.revision) {
+        draw.AddText(at, kDim, "waiting for both pictures ...");
+        return;
+    }
+    const RegionDifference& region = difference_.numbers.interior;
+    if (region.differing == 0) {
+        draw.AddText(at, kGood, "Equal everywhere, to the last of 255 steps");
+    } else {
+        const std::string text =
+            fmt::format("Up to {:.0f}/255 in {} pixel{} ({:.2f} %)", region.max * 255, region.differing,
+                        region.differing == 1 ? "" : "s", 100 * region.differing_share());
+        draw.AddText(at, region.max * 255 <= 1.5 && region.differing_share() < 0.001 ? kGood : kAccent, text.c_str());
+    }
+    const int width = static_cast<int>(130 * scale());
+    begin_bar("amplification", {cell.footer.x + cell.footer.width - width, cell.footer.y, width, cell.footer.height});
+    ImGui::SetCursorPos({4, 2});
+    ImGui::SetNextItemWidth(static_cast<float>(width) - 8);
+    constexpr std::array<int, 8> kFactors = {0, 1, 2, 4, 8, 16, 32, 64};
+    int chosen = static_cast<int>(std::ranges::find(kFactors, session.amplification) - kFactors.begin());
+    const std::string shown = session.amplification == 0 ? fmt::format("x {} (auto)", difference_.amplification)
+                                                         : fmt::format("x {}", session.amplification);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 2});
+    if (ImGui::SliderInt("##amplification", &chosen, 0, 7, shown.c_str()))
+        session.amplification = kFactors[static_cast<std::size_t>(std::clamp(chosen, 0, 7))];
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Differences are multiplied by this. Grey is equal; brighter is a larger difference.");
+    ImGui::PopStyleVar();
+    end_bar();
+}
+
+void Panes::show_slider(Session& session, const Cell& cell) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const Box& box = cell.picture;
+    const float x = static_cast<float>(box.x) + static_cast<float>(session.slider_at) * static_cast<float>(box.width);
+    const auto half = [&](std::size_t pane, float from, float to) {
+        draw.PushClipRect({from, static_cast<float>(box.y)}, {to, far_corner(box).y}, true);
+        draw.AddImage(texture_id(drawn_[pane].texture), corner(box), far_corner(box), {0, 1}, {1, 0});
+        draw.PopClipRect();
+    };
+    half(session.slider.a, static_cast<float>(box.x), x);
+    half(session.slider.b, x, far_corner(box).x);
+    const float middle = static_cast<float>(box.y) + static_cast<float>(box.height) / 2;
+    draw.AddLine({x, static_cast<float>(box.y)}, {x, far_corner(box).y}, IM_COL32(255, 255, 255, 200), 2);
+    draw.AddCircleFilled({x, middle}, 13, IM_COL32(255, 255, 255, 235));
+    draw.AddTriangleFilled({x - 9, middle}, {x - 3, middle - 5}, {x - 3, middle + 5}, kBackground);
+    draw.AddTriangleFilled({x + 9, middle}, {x + 3, middle + 5}, {x + 3, middle - 5}, kBackground);
+}
+
+void Panes::show(Session& session, const session::Layout& layout) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    for (const Cell& cell : layout.cells) {
+        const unsigned texture = cell.pane == kDifferencePane ? difference_.texture : drawn_[cell.pane].texture;
+        if (session.view == session::View::kSlider) {
+            show_slider(session, cell);
+            // Two headers: the left picture's and the right one's.
+            Cell left = cell, right = cell;
+            left.pane = session.slider.a;
+            right.pane = session.slider.b;
+            left.header.width = left.footer.width = cell.header.width / 2;
+            right.header.x = right.footer.x = cell.header.x + left.header.width;
+            right.header.width = right.footer.width = cell.header.width - left.header.width;
+            for (const Cell& side : {left, right}) {
+                show_header(session, side);
+                show_footer(session, side);
+            }
+            continue;
+        }
+        draw.AddImage(texture_id(texture), corner(cell.picture), far_corner(cell.picture), {0, 1}, {1, 0});
+        show_header(session, cell);
+        show_footer(session, cell);
+        if (cell.pane == kDifferencePane && difference_.revision == session.revision &&
+            difference_.numbers.interior.differing > 0) {
+            const RegionDifference& region = difference_.numbers.interior;
+            draw.AddCircle({static_cast<float>(cell.picture.x + region.worst_x) + 0.5F,
+                            static_cast<float>(cell.picture.y + region.worst_y) + 0.5F},
+                           9, kAccent, 24, 2);
+        }
+        if (session.probe && !session.probe->is_vertex) {
+            const ImVec2 at{static_cast<float>(cell.picture.x + session.probe->x) + 0.5F,
+                            static_cast<float>(cell.picture.y + session.probe->y) + 0.5F};
+            for (const auto& [color, width] : {std::pair{IM_COL32(0, 0, 0, 200), 3.0F}, {IM_COL32_WHITE, 1.0F}}) {
+                draw.AddLine({at.x - 12, at.y}, {at.x - 4, at.y}, color, width);
+                draw.AddLine({at.x + 4, at.y}, {at.x + 12, at.y}, color, width);
+                draw.AddLine({at.x, at.y - 12}, {at.x, at.y - 4}, color, width);
+                draw.AddLine({at.x, at.y + 4}, {at.x, at.y + 12}, color, width);
+            }
+        }
+    }
+}
+
+}  // namespace twinlight::demo

@@ -1,0 +1,90 @@
+// Panes: the pictures of the window, each drawn by its renderer when something changed, and kept in a texture.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/session/layout.h"
+#include "app/session/reference_worker.h"
+#include "app/session/session.h"
+#include "base/image/difference.h"
+#include "render/programmable/programmable.h"
+
+namespace twinlight::demo {
+
+// The times of one second's frames.
+class FrameTimes {
+  public:
+    void add(double ms);
+    std::optional<double> median_ms() const;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::deque<std::pair<Clock::time_point, double>> times_;
+};
+
+class Panes {
+  public:
+    // Needs the window's context to be current, here and until the end.
+    Panes();
+    ~Panes();
+    Panes(const Panes&) = delete;
+    Panes& operator=(const Panes&) = delete;
+
+    // Draws what changed. The back buffer's lower left corner is overwritten.
+    void update(const session::Session& session, const session::Layout& layout);
+    // Puts the pictures on ImGui's background, between the bars.
+    void show(session::Session& session, const session::Layout& layout);
+    // Whether the reference is still at work. `wait` finishes it.
+    bool is_busy() const { return worker_.is_busy(); }
+    void wait() const { worker_.wait(); }
+
+    // The colour of a pixel (from the top left) as each pane of session.panes shows it; empty where it does not know.
+    std::array<std::optional<Rgba>, session::kPanes> colors_at(int x, int y) const;
+
+  private:
+    struct Drawn {  // what a texture holds
+        std::optional<session::Pane> pane;
+        Look look{};
+        int revision = -1;
+        int width = 0, height = 0;
+        unsigned texture = 0;
+        Image image{};  // empty unless it was needed
+        std::shared_ptr<const session::ReferencePicture> reference{};
+        std::chrono::steady_clock::time_point since{};  // the reference's picture is from then
+        std::string error{};                            // of the renderer
+        FrameTimes times{};
+    };
+    struct Difference {
+        int revision = -1;
+        session::Pair pair{};
+        int amplification = 1;
+        bool has_allowed = false;
+        std::array<const void*, 2> images{};  // what it was made from
+        ImageDifference numbers{};
+        unsigned texture = 0;
+    };
+
+    bool wants_image(const session::Session& session, std::size_t pane) const;
+    void draw_pane(const session::Session& session, std::size_t pane);
+    void request_reference(const session::Session& session, const std::array<bool, session::kPanes>& shown);
+    void take_reference(const session::Session& session);
+    void update_difference(const session::Session& session);
+    void show_header(session::Session& session, const session::Cell& cell);
+    void show_footer(session::Session& session, const session::Cell& cell);
+    void show_slider(session::Session& session, const session::Cell& cell);
+    std::string time_of(const session::Session& session, std::size_t pane) const;
+
+    std::array<Drawn, session::kPanes> drawn_;
+    Difference difference_;
+    session::ReferenceWorker worker_;
+    std::vector<std::shared_ptr<const session::ReferencePicture>> references_;  // the newest of each look
+    std::shared_ptr<const session::ReferenceAllowed> allowed_;
+    std::unique_ptr<programmable::Renderer> programmable_;
+};
+
+}  // namespace twinlight::demo

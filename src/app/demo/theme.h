@@ -1,0 +1,32 @@
+// Theme: the fonts and colours of the window's panels.
+#pragma once
+
+#include <imgui.h>
+
+namespace twinlight::demo {
+
+struct Fonts {
+    ImFont* text = nullptr;
+    ImFont* bold = nullptr;
+    ImFont* code = nullptr;  // every letter has the same width
+    ImFont* code_bold = nullptr;
+};
+
+// Loads the fonts and sets colours and spacing; `scale` is 1 for 96 dots per inch. Needs an ImGui context. Without the
+// DejaVu fonts, all four are ImGui's own.
+void set_theme(double scale);
+const Fonts& fonts();
+double scale();
+
+inline constexpr ImU32 kBackground = IM_COL32(24, 26, 31, 255);
+inline constexpr ImU32 kBar = IM_COL32(38, 41, 48, 255);
+inline constexpr ImU32 kText = IM_COL32(226, 229, 235, 255);
+inline constexpr ImU32 kDim = IM_COL32(150, 156, 168, 255);
+inline constexpr ImU32 kAccent = IM_COL32(240, 178, 72, 255);  // the light of a lamp
+inline constexpr ImU32 kGood = IM_COL32(126, 200, 130, 255);
+inline constexpr ImU32 kBad = IM_COL32(240, 110, 96, 255);
+
+void dim_text(const char* text);  // one line in kDim, wrapped at the window's edge
+void bold_text(const char* text);
+
+}  // namespace twinlight::demo

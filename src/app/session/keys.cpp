@@ -1,0 +1,218 @@
+#include "app/session/keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/session/camera.h"
+#include "app/session/edits.h"
+
+namespace twinlight::session {
+namespace {
+
+constexpr double kDegreesPerPixel = 0.5, kLookDegreesPerPixel = 0.15;
+constexpr double kDegreesPerArrow = 5;
+constexpr double kStep = 0.05;  // of the distance to the pivot, for W, A, S and D
+constexpr double kZoomPerStep = 1.1;
+constexpr double kDegreesPerSecond = 30;
+constexpr int kEscape = 27;
+
+void move_camera(Session& session, const DragStart& start, const CameraMove& move, const char* what) {
+    edit(session, with_camera_moved(*start.commands, move, start.pivot_eye), what, "camera");
+}
+
+void walk(Session& session, double forward, double right) {
+    CameraMove move;
+    move.forward = forward * kStep;
+    move.right = right * kStep;
+    move_camera(session, start_drag(session), move, "move the camera");
+}
+
+// The scene as the edit leaves it, for the message about what a key did.
+Frame frame_now(const Session& session) {
+    Session copy = session;
+    refresh(copy, copy.width, copy.height);
+    return copy.scene.frame;
+}
+
+void press_light(Session& session, int light) {
+    edit(session, toggle_light(commands(session), light), "switch " + light_name(light));
+    say(session, what_light_shows(frame_now(session), light));
+}
+
+void press_capability(Session& session, Enum cap, const char* name) {
+    edit(session, toggle_capability(commands(session), cap), fmt::format("switch {}", name));
+    say(session, what_capability_shows(commands(session), frame_now(session), cap));
+}
+
+void press_light_model(Session& session, Enum pname, const char* name) {
+    edit(session, toggle_light_model(commands(session), pname), fmt::format("switch {}", name));
+    say(session, what_light_model_shows(frame_now(session), pname));
+}
+
+void press_shade_model(Session& session, int) {
+    edit(session, toggle_shade_model(commands(session)), "switch glShadeModel");
+    say(session, is_flat(frame_now(session)) ? "glShadeModel(GL_FLAT): each primitive has the colour of one vertex"
+                                             : "glShadeModel(GL_SMOOTH): colours are interpolated");
+}
+
+void next_renderer(Session& session, int) {
+    if (session.active == kDifferencePane) session.active = 0;
+    Pane& pane = session.panes[session.active];
+    pane.renderer = static_cast<Path>((static_cast<std::size_t>(pane.renderer) + 1) % kPaths);
+    say(session, title_of(session, pane));
+}
+
+void next_view(Session& session, int) {
+    const auto here = std::ranges::find(kViews, session.view, &ViewName::value);
+    session.view = kViews[static_cast<std::size_t>(here - std::begin(kViews) + 1) % std::size(kViews)].value;
+}
+
+void next_shading(Session& session, int) {
+    if (session.active == kDifferencePane) session.active = session.difference.a;
+    Pane& pane = session.panes[session.active];
+    if (is_flat(session.scene.frame)) {
+        say(session, "glShadeModel(GL_FLAT) makes every picture flat; f switches it");
+        return;
+    }
+    const int first = static_cast<int>(pane.shading.value_or(Shading::kGouraud));
+    // The fixed function has the first two only.
+    const int count = pane.renderer == Path::kFixed ? 2 : 4;
+    pane.shading = static_cast<Shading>((first + 1) % count);
+    say(session, title_of(session, pane));
+}
+
+void next_wireframe(Session& session, int) {
+    Wireframe& wireframe = session.overlays.wireframe;
+    wireframe = static_cast<Wireframe>((static_cast<int>(wireframe) + 1) % 3);
+}
+
+void tessellate(Session& session, int steps) {
+    const std::string before = tessellation(commands(session));
+    edit(session, change_tessellation(commands(session), steps), steps > 0 ? "finer meshes" : "coarser meshes",
+         "tessellation");
+    const std::string now = tessellation(commands(session));
+    say(session, now.empty()     ? "no shape of this scene has slices and stacks"
+                 : now == before ? "slices and stacks stay at " + now
+                                 : "slices and stacks: " + now);
+}
+
+void reset(Session& session, int) {
+    edit(session, *session.opened, "reset");
+    session.animating = false;
+    say(session, "the scene is as it was opened; z brings the changes back");
+}
+
+void undo(Session& session, int) {
+    const std::string what = session.history.undo();
+    say(session, what.empty() ? "nothing to undo" : "undone: " + what);
+}
+
+void redo(Session& session, int) {
+    const std::string what = session.history.redo();
+    say(session, what.empty() ? "nothing to redo" : "done again: " + what);
+}
+
+// GLUT's numbers (freeglut_std.h; window.cpp checks them).
+constexpr int kF1 = kSpecialKey + 1, kLeft = kSpecialKey + 100;
+
+constexpr Key kKeys[] = {
+    {'1', '8', "1 .. 8", "GL_LIGHT0 .. GL_LIGHT7 on or off", press_light},
+    {'f', 'f', "f", "GL_FLAT or GL_SMOOTH", press_shade_model},
+    {'\t', '\t', "Tab", "next renderer: fixed function, shaders, reference", next_renderer},
+    {kShiftTab, kShiftTab, "Shift+Tab", "next view: slider, grid, single, world", next_view},
+    {'g', 'g', "g", "shading: flat, Gouraud, Phong, exact surfaces", next_shading},
+    {'w', 'w', "w a s d", "move the camera", [](Session& s, int) { walk(s, 1, 0); }, false},
+    {'a', 'a', "", "", [](Session& s, int) { walk(s, 0, -1); }},
+    {'s', 's', "", "", [](Session& s, int) { walk(s, -1, 0); }},
+    {'d', 'd', "", "", [](Session& s, int) { walk(s, 0, 1); }},
+    {kLeft, kLeft + 3, "drag, arrows", "orbit; drag with the right button: look around; wheel: zoom",
+     [](Session& s, int nth) {
+         constexpr std::array<std::array<int, 2>, 4> kDirections = {{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}};
+         const auto [x, y] = kDirections[static_cast<std::size_t>(nth)];
+         constexpr double kPixels = kDegreesPerArrow / kDegreesPerPixel;
+         orbit(s, start_drag(s), static_cast<int>(x * kPixels), static_cast<int>(y * kPixels));
+     },
+     false},
+    {'+', '+', "+ -", "finer or coarser meshes", [](Session& s, int) { tessellate(s, 1); }},
+    {'=', '=', "", "", [](Session& s, int) { tessellate(s, 1); }},
+    {'-', '-', "", "", [](Session& s, int) { tessellate(s, -1); }},
+    {'m', 'm', "m", "wireframe: over the surface, alone, off", next_wireframe},
+    {'n', 'n', "n", "normals", [](Session& s, int) { s.overlays.normals = !s.overlays.normals; }},
+    {'l', 'l', "l", "GL_LIGHTING on or off", [](Session& s, int) { press_capability(s, kGL_LIGHTING, "GL_LIGHTING"); }},
+    {'v', 'v', "v", "local viewer: the eye's own direction at each vertex",
+     [](Session& s, int) { press_light_model(s, kGL_LIGHT_MODEL_LOCAL_VIEWER, "GL_LIGHT_MODEL_LOCAL_VIEWER"); }},
+    {'t', 't', "t", "two-sided lighting",
+     [](Session& s, int) { press_light_model(s, kGL_LIGHT_MODEL_TWO_SIDE, "GL_LIGHT_MODEL_TWO_SIDE"); }},
+    {'x', 'x', "x", "GL_NORMALIZE on or off",
+     [](Session& s, int) { press_capability(s, kGL_NORMALIZE, "GL_NORMALIZE"); }},
+    {' ', ' ', "Space", "animate the selected light, or the camera",
+     [](Session& s, int) { s.animating = !s.animating; }},
+    {'[', '[', "[ ]", "the scene before or after this one", [](Session& s, int) { s.scene_requested = -1; }},
+    {']', ']', "", "", [](Session& s, int) { s.scene_requested = 1; }},
+    {'r', 'r', "r", "reset the scene to its file", reset},
+    {'z', 'z', "z", "undo", undo},
+    {'y', 'y', "y", "redo", redo},
+    {'e', 'e', "e", "export the scene as a C program", [](Session& s, int) { s.export_requested = true; }},
+    {'p', 'p', "p", "save a picture of the window", [](Session& s, int) { s.screenshot_requested = true; }},
+    {'h', 'h', "h", "hide or show the panel", [](Session& s, int) { s.panel_shown = !s.panel_shown; }},
+    {kF1, kF1, "F1, ?", "show or hide these keys", [](Session& s, int) { s.keys_shown = !s.keys_shown; }},
+    {'?', '?', "", "", [](Session& s, int) { s.keys_shown = !s.keys_shown; }},
+    {kEscape, kEscape, "Esc", "quit", [](Session& s, int) { s.quit_requested = true; }},
+};
+
+}  // namespace
+
+std::span<const Key> keys() { return kKeys; }
+
+bool press(Session& session, int code) {
+    if (code >= 'A' && code <= 'Z') code += 'a' - 'A';  // with Caps Lock
+    for (const Key& key : keys()) {
+        if (key.first <= code && code <= key.last) {
+            key.press(session, code - key.first);
+            return true;
+        }
+    }
+    return false;
+}
+
+std::string keys_help() {
+    std::size_t widest = 0;
+    for (const Key& key : keys()) widest = std::max(widest, key.label.size());
+    std::string help;
+    for (const Key& key : keys())
+        if (!key.label.empty()) help += fmt::format("{:{}}  {}\n", key.label, widest, key.what);
+    return help;
+}
+
+DragStart start_drag(const Session& session) { return {session.history.now(), middle_of(session.scene.frame)}; }
+
+void orbit(Session& session, const DragStart& start, int dx, int dy) {
+    CameraMove move;
+    move.yaw_deg = kDegreesPerPixel * dx;
+    move.pitch_deg = kDegreesPerPixel * dy;
+    move_camera(session, start, move, "turn the camera");
+}
+
+void look(Session& session, const DragStart& start, int dx, int dy) {
+    CameraMove move;
+    move.look_yaw_deg = kLookDegreesPerPixel * dx;
+    move.look_pitch_deg = -kLookDegreesPerPixel * dy;
+    move_camera(session, start, move, "look around");
+}
+
+void zoom(Session& session, int steps) {
+    CameraMove move;
+    move.zoom = std::pow(kZoomPerStep, steps);
+    move_camera(session, start_drag(session), move, "zoom");
+}
+
+void animate(Session& session, double seconds) {
+    CameraMove move;
+    move.yaw_deg = kDegreesPerSecond * seconds;
+    move_camera(session, start_drag(session), move, "animate the camera");
+}
+
+}  // namespace twinlight::session

@@ -1,0 +1,42 @@
+// Layout: where the panel, the panes and the bars are in the window. In window coordinates: pixels, y down.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "app/session/session.h"
+
+namespace twinlight::session {
+
+struct Box {
+    int x = 0, y = 0, width = 0, height = 0;
+
+    bool contains(int px, int py) const { return px >= x && px < x + width && py >= y && py < y + height; }
+    friend bool operator==(const Box&, const Box&) = default;
+};
+
+// A cell of the picture area. Its header is above its picture, its footer below.
+struct Cell {
+    std::size_t pane = 0;  // or kDifferencePane
+    Box header, picture, footer;
+};
+
+struct Layout {
+    Box panel;   // empty if the panel is hidden
+    Box status;  // the line at the bottom
+    std::vector<Cell> cells;
+    WindowSize picture;  // of every cell
+};
+
+// The layout of a window of this size. `scale` is that of the font: 1 for 96 dots per inch. Pictures keep the proportions
+// of the scene's natural size.
+Layout layout(const Session& session, int width, int height, double scale);
+
+// The pane whose picture holds this point, and the pixel of its picture from the top left.
+struct Hit {
+    std::size_t pane = 0;
+    int x = 0, y = 0;
+};
+std::optional<Hit> hit(const Layout& layout, int x, int y);
+
+}  // namespace twinlight::session

@@ -1,0 +1,134 @@
+#include "app/session/session.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "scene/command/text.h"
+#include "scene/state/state.h"
+
+namespace twinlight::session {
+
+Session::Session(std::shared_ptr<const CommandList> scene_opened)
+    : history(scene_opened), opened(std::move(scene_opened)) {}
+
+const CommandList& commands(const Session& session) { return *session.history.now(); }
+
+void say(Session& session, std::string message) {
+    session.message = std::move(message);
+    ++session.messages;
+}
+
+void edit(Session& session, CommandList commands, std::string what, std::string group) {
+    session.history.edit(std::move(commands), std::move(what), std::move(group));
+}
+
+void open(Session& session, std::shared_ptr<const CommandList> scene, std::optional<std::string> file) {
+    session.history = History(scene, session.history.revision() + 1);
+    session.opened = std::move(scene);
+    session.file = std::move(file);
+    session.error.clear();
+    session.probe.reset();
+    session.selected_light.reset();
+    session.selected_command.reset();
+}
+
+WindowSize natural_size(const CommandList& commands) { return commands.window.value_or(WindowSize{}); }
+
+CommandList scaled(const CommandList& commands, WindowSize from, WindowSize to) {
+    CommandList result = commands;
+    if (from == to) return result;
+    const double across = static_cast<double>(to.width) / from.width;
+    const double up = static_cast<double>(to.height) / from.height;
+    for (Command& command : result.commands) {
+        if (command.id != CommandId::glViewport && command.id != CommandId::glScissor) continue;
+        // Both borders are rounded, so that viewports that touch still touch.
+        const auto scale = [&command](std::size_t start, std::size_t length, double factor) {
+            const double first = std::round(command.arguments[start] * factor);
+            const double last = std::round((command.arguments[start] + command.arguments[length]) * factor);
+            command.arguments[start] = first;
+            if (command.arguments[length] > 0) command.arguments[length] = std::max(last - first, 1.0);
+        };
+        scale(0, 2, across);
+        scale(1, 3, up);
+    }
+    return result;
+}
+
+bool refresh(Session& session, int width, int height) {
+    if (session.made_from == session.history.revision() && session.width == width && session.height == height)
+        return false;
+    const bool resized = session.width != width || session.height != height;
+    session.made_from = session.history.revision();
+    session.width = width;
+    session.height = height;
+    const CommandList& list = commands(session);
+    StateOptions options;
+    options.width = width;
+    options.height = height;
+    try {
+        session.scene =
+            make_scene(std::make_shared<const CommandList>(scaled(list, natural_size(list), {width, height})), options);
+        session.error.clear();
+    } catch (const SceneError& error) {
+        session.error = error.what();
+        if (!resized) return false;
+    }
+    ++session.revision;
+    return true;
+}
+
+bool is_flat(const Frame& frame) {
+    const auto draws = frame.draws();
+    return !draws.empty() &&
+           std::ranges::all_of(draws, [](const Draw* draw) { return draw->lighting.shade_model == kGL_FLAT; });
+}
+
+std::string lights_summary(const Frame& frame) {
+    std::set<std::string> shade_models;
+    std::set<int> lights;
+    for (const Draw* draw : frame.draws()) {
+        shade_models.insert(draw->lighting.shade_model == kGL_FLAT ? "GL_FLAT" : "GL_SMOOTH");
+        for (std::size_t i = 0; i < draw->lighting.lights.size(); ++i)
+            if (draw->lighting.enabled && draw->lighting.lights[i].enabled) lights.insert(static_cast<int>(i));
+    }
+    std::string text = fmt::format("{}", fmt::join(shade_models, " and "));
+    if (lights.empty()) return text + ", no light is on";
+    if (lights.size() > kMaxLights) return text + fmt::format(", {} lights on", lights.size());
+    for (const int light : lights) text += ", " + light_name(light);
+    return text + " on";
+}
+
+std::optional<Shading> shading_of(const Session& session, const Pane& pane) {
+    if (!pane.shading) return {};
+    const bool per_pixel = *pane.shading == Shading::kPhong || *pane.shading == Shading::kExact;
+    if (pane.renderer == Path::kFixed && per_pixel) return {};
+    if (is_flat(session.scene.frame)) return {};
+    return pane.shading;
+}
+
+Look look_of(const Session& session, const Pane& pane) {
+    const std::optional<Shading> shading = shading_of(session, pane);
+    const bool per_pixel = shading == Shading::kPhong || shading == Shading::kExact;
+    return {shading, pane.lecture_variants.value_or(per_pixel)};
+}
+
+std::string title_of(const Session& session, const Pane& pane) {
+    constexpr std::array<const char*, kPaths> kRenderers = {"Fixed function", "Shaders", "Reference"};
+    std::string title = kRenderers[static_cast<std::size_t>(pane.renderer)];
+    const std::optional<Shading> shading = shading_of(session, pane);
+    if (!shading) return title + (is_flat(session.scene.frame) ? ", flat" : ", Gouraud");
+    switch (*shading) {
+        case Shading::kFlat: return title + ", flat";
+        case Shading::kGouraud: return title + ", Gouraud";
+        case Shading::kPhong: return title + ", Phong";
+        case Shading::kExact: return title + ", exact surfaces";
+    }
+    return title;
+}
+
+}  // namespace twinlight::session
