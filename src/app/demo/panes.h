@@ -39,8 +39,9 @@ class Panes {
     void update(const session::Session& session, const session::Layout& layout);
     // Puts the pictures on ImGui's background, between the bars.
     void show(session::Session& session, const session::Layout& layout);
-    // Whether the reference is still at work. `wait` finishes it.
-    bool is_busy() const { return worker_.is_busy(); }
+    // Whether another frame would show more: the reference is at work, or pictures are still to be compared. `wait` waits
+    // for the reference.
+    bool is_busy(const session::Session& session) const { return worker_.is_busy() || lacks_images(session); }
     void wait() const { worker_.wait(); }
 
     // The colour of a pixel (from the top left) as each pane of session.panes shows it; empty where it does not know.
@@ -69,6 +70,7 @@ class Panes {
         unsigned texture = 0;
     };
 
+    bool lacks_images(const session::Session& session) const;
     bool wants_image(const session::Session& session, std::size_t pane) const;
     void draw_pane(const session::Session& session, std::size_t pane);
     void request_reference(const session::Session& session, const std::array<bool, session::kPanes>& shown);

@@ -272,7 +272,7 @@ void Window::wake(int frames) {
 }
 
 void Window::set_timers() {
-    if (panes_ && panes_->is_busy()) after(kBusyMs, busy_timer_, [this] { wake(1); });
+    if (panes_ && panes_->is_busy(session_)) after(kBusyMs, busy_timer_, [this] { wake(1); });
     if (session_.animating) after(kFrameMs, animation_timer_, [this] { wake(1); });
     if (session_.file)
         after(kFileMs, file_timer_, [this] {
@@ -304,7 +304,7 @@ void Window::display() {
     // A script's last frame shows the reference's final picture.
     const bool last = options_.quit_after > 0 && frames_shown_ >= std::max(options_.quit_after, kFramesAfterEvent);
     if (last) {
-        while (panes_->is_busy()) {
+        while (panes_->is_busy(session_)) {
             panes_->wait();
             frame();
         }
