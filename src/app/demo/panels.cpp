@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "app/demo/overlays.h"
 #include "app/demo/theme.h"
 #include "scene/command/text.h"
 
@@ -31,6 +32,7 @@ void Panels::show(session::Session& session, const session::Box& box, const Pane
                 ImGui::TextUnformatted(print_command(command).c_str());
             ImGui::PopFont();
         });
+        tab("Overlays", [&] { overlays_panel(session); });
         ImGui::EndTabBar();
         opened_ = nullptr;
     }

@@ -186,6 +186,7 @@ void Panes::draw_pane(const Session& session, std::size_t number) {
     if (is_new) drawn.times.add(ms);
     drawn.image = reads ? read_pixels(session.width, session.height) : Image{};
     copy_back_buffer(drawn.texture, session.width, session.height);
+    ++drawn.version;
     drawn.pane = pane;
     drawn.look = look;
     drawn.revision = session.revision;
@@ -234,6 +235,7 @@ void Panes::take_reference(const Session& session) {
         if ((*found)->divisor == 1) drawn.times.add((*found)->ms);
         drawn.image = (*found)->divisor == 1 ? (*found)->image : Image{};
         upload(drawn.texture, (*found)->image, (*found)->divisor > 1);
+        ++drawn.version;
     }
 }
 
@@ -291,6 +293,20 @@ void Panes::update(const Session& session, const session::Layout& layout) {
     request_reference(session, shown);
     take_reference(session);
     if (wants_image(session, session.difference.a)) update_difference(session);
+    for (std::size_t i = 0; i < kPanes; ++i) {
+        Drawn& drawn = drawn_[i];
+        if (shown[i] && any(session.overlays) && drawn.revision == session.revision)
+            drawn.overlaid.update(session, drawn.look, drawn.texture, drawn.version);
+    }
+    if (session.view == session::View::kWorld) world_.update(session, *programmable_);
+}
+
+bool Panes::shows_overlays(const Session& session, std::size_t pane) const {
+    return any(session.overlays) && drawn_[pane].overlaid.shows(drawn_[pane].version);
+}
+
+unsigned Panes::shown_texture(const Session& session, std::size_t pane) const {
+    return shows_overlays(session, pane) ? drawn_[pane].overlaid.texture() : drawn_[pane].texture;
 }
 
 std::array<std::optional<Rgba>, kPanes> Panes::colors_at(int x, int y) const {
@@ -443,7 +459,8 @@ void Panes::show_slider(Session& session, const Cell& cell) {
     const float x = static_cast<float>(box.x) + static_cast<float>(session.slider_at) * static_cast<float>(box.width);
     const auto half = [&](std::size_t pane, float from, float to) {
         draw.PushClipRect({from, static_cast<float>(box.y)}, {to, far_corner(box).y}, true);
-        draw.AddImage(texture_id(drawn_[pane].texture), corner(box), far_corner(box), {0, 1}, {1, 0});
+        draw.AddImage(texture_id(shown_texture(session, pane)), corner(box), far_corner(box), {0, 1}, {1, 0});
+        if (shows_overlays(session, pane)) show_labels(drawn_[pane].overlaid.overlays(), box);
         draw.PopClipRect();
     };
     half(session.slider.a, static_cast<float>(box.x), x);
@@ -458,7 +475,11 @@ void Panes::show_slider(Session& session, const Cell& cell) {
 void Panes::show(Session& session, const session::Layout& layout) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     for (const Cell& cell : layout.cells) {
-        const unsigned texture = cell.pane == kDifferencePane ? difference_.texture : drawn_[cell.pane].texture;
+        const unsigned texture = cell.pane == kDifferencePane ? difference_.texture : shown_texture(session, cell.pane);
+        if (session.view == session::View::kWorld) {
+            world_.show(session, cell, texture);
+            continue;
+        }
         if (session.view == session::View::kSlider) {
             show_slider(session, cell);
             // Two headers: the left picture's and the right one's.
@@ -475,6 +496,8 @@ void Panes::show(Session& session, const session::Layout& layout) {
             continue;
         }
         draw.AddImage(texture_id(texture), corner(cell.picture), far_corner(cell.picture), {0, 1}, {1, 0});
+        if (cell.pane != kDifferencePane && shows_overlays(session, cell.pane))
+            show_labels(drawn_[cell.pane].overlaid.overlays(), cell.picture);
         show_header(session, cell);
         show_footer(session, cell);
         if (cell.pane == kDifferencePane && difference_.revision == session.revision &&

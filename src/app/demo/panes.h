@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "app/demo/overlays.h"
+#include "app/demo/world_view.h"
 #include "app/session/layout.h"
 #include "app/session/reference_worker.h"
 #include "app/session/session.h"
@@ -54,7 +56,9 @@ class Panes {
         int revision = -1;
         int width = 0, height = 0;
         unsigned texture = 0;
-        Image image{};  // empty unless it was needed
+        int version = 0;             // counts the texture's pictures
+        OverlaidPicture overlaid{};  // the texture with the overlays
+        Image image{};               // empty unless it was needed
         std::shared_ptr<const session::ReferencePicture> reference{};
         std::chrono::steady_clock::time_point since{};  // the reference's picture is from then
         std::string error{};                            // of the renderer
@@ -80,9 +84,12 @@ class Panes {
     void show_footer(session::Session& session, const session::Cell& cell);
     void show_slider(session::Session& session, const session::Cell& cell);
     std::string time_of(const session::Session& session, std::size_t pane) const;
+    bool shows_overlays(const session::Session& session, std::size_t pane) const;
+    unsigned shown_texture(const session::Session& session, std::size_t pane) const;
 
     std::array<Drawn, session::kPanes> drawn_;
     Difference difference_;
+    WorldView world_;
     session::ReferenceWorker worker_;
     std::vector<std::shared_ptr<const session::ReferencePicture>> references_;  // the newest of each look
     std::shared_ptr<const session::ReferenceAllowed> allowed_;

@@ -483,7 +483,9 @@ void Window::mouse(int button, int state, int x, int y) {
         ImGui_ImplGLUT_MouseFunc(button, state, x, y);
     }
     wake();
-    if (down && ImGui::GetIO().WantCaptureMouse) return;
+    // The world view takes the mouse, but not the right button, which opens the menu.
+    const bool in_world = session_.view == session::View::kWorld && hit(layout_, x, y);
+    if (down && ImGui::GetIO().WantCaptureMouse && !(in_world && button == GLUT_RIGHT_BUTTON)) return;
     if (wheel) {
         if (down && hit(layout_, x, y)) session::zoom(session_, button == kWheelUp ? 1 : -1);
         return;
