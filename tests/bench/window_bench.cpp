@@ -29,7 +29,7 @@ struct Times {
 
 Times run_window(const Xvfb& server, const std::string& view, int frames) {
     const TemporaryFolder folder;
-    const std::string file = (folder / "times.json").string();
+    const std::string file = folder / "times.json";
     // As users run it: with llvmpipe's threads and the driver's cache of shaders.
     const std::string command = fmt::format(
         "env -u LP_NUM_THREADS -u MESA_SHADER_CACHE_DISABLE LIBGL_ALWAYS_SOFTWARE=1 DISPLAY={} {}/twinlight-demo "
