@@ -4,9 +4,6 @@
 
 #include <string_view>
 
-#include "app/demo/theme.h"
-#include "scene/command/text.h"
-
 namespace twinlight::demo {
 
 void Panels::show(session::Session& session, const session::Box& box, const Panes&) {
@@ -25,12 +22,7 @@ void Panels::show(session::Session& session, const session::Box& box, const Pane
             ImGui::EndChild();
             ImGui::EndTabItem();
         };
-        tab("Commands", [&] {
-            ImGui::PushFont(fonts().code);
-            for (const Command& command : commands(session).commands)
-                ImGui::TextUnformatted(print_command(command).c_str());
-            ImGui::PopFont();
-        });
+        tab("Commands", [&] { commands_.show(session); });
         ImGui::EndTabBar();
         opened_ = nullptr;
     }
