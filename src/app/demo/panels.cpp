@@ -23,6 +23,7 @@ void Panels::show(session::Session& session, const session::Box& box, const Pane
             ImGui::EndTabItem();
         };
         tab("Commands", [&] { commands_.show(session); });
+        tab("Lights", [&] { lights_.show(session); });
         ImGui::EndTabBar();
         opened_ = nullptr;
     }

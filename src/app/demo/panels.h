@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/demo/panel_commands.h"
+#include "app/demo/panel_lights.h"
 #include "app/demo/panes.h"
 #include "app/session/layout.h"
 #include "app/session/session.h"
@@ -18,6 +19,7 @@ class Panels {
 
   private:
     CommandsPanel commands_;
+    LightsPanel lights_;
     const char* opened_ = nullptr;  // the tab to bring to the front in the next frame
 };
 
