@@ -5,8 +5,6 @@
 #include <string_view>
 
 #include "app/demo/overlays.h"
-#include "app/demo/theme.h"
-#include "scene/command/text.h"
 
 namespace twinlight::demo {
 
@@ -26,12 +24,8 @@ void Panels::show(session::Session& session, const session::Box& box, const Pane
             ImGui::EndChild();
             ImGui::EndTabItem();
         };
-        tab("Commands", [&] {
-            ImGui::PushFont(fonts().code);
-            for (const Command& command : commands(session).commands)
-                ImGui::TextUnformatted(print_command(command).c_str());
-            ImGui::PopFont();
-        });
+        tab("Commands", [&] { commands_.show(session); });
+        tab("Lights", [&] { lights_.show(session); });
         tab("Overlays", [&] { overlays_panel(session); });
         ImGui::EndTabBar();
         opened_ = nullptr;

@@ -1,6 +1,8 @@
 // Panels: the tabs at the window's left, and the menu of a right click.
 #pragma once
 
+#include "app/demo/panel_commands.h"
+#include "app/demo/panel_lights.h"
 #include "app/demo/panes.h"
 #include "app/session/layout.h"
 #include "app/session/session.h"
@@ -16,6 +18,8 @@ class Panels {
     bool is_busy() const { return false; }
 
   private:
+    CommandsPanel commands_;
+    LightsPanel lights_;
     const char* opened_ = nullptr;  // the tab to bring to the front in the next frame
 };
 
