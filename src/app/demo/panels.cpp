@@ -9,7 +9,7 @@
 
 namespace twinlight::demo {
 
-void Panels::show(session::Session& session, const session::Box& box, const Panes&) {
+void Panels::show(session::Session& session, const session::Box& box, const Panes& panes) {
     ImGui::SetNextWindowPos({static_cast<float>(box.x), static_cast<float>(box.y)});
     ImGui::SetNextWindowSize({static_cast<float>(box.width), static_cast<float>(box.height)});
     ImGui::Begin("panel", nullptr,
@@ -30,6 +30,10 @@ void Panels::show(session::Session& session, const session::Box& box, const Pane
             for (const Command& command : commands(session).commands)
                 ImGui::TextUnformatted(print_command(command).c_str());
             ImGui::PopFont();
+        });
+        tab("Probe", [&] {
+            const session::Probe probe = session.probe.value_or(session::Probe{});
+            probe_.show(session, panes.colors_at(probe.x, probe.y));
         });
         ImGui::EndTabBar();
         opened_ = nullptr;

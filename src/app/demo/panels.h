@@ -1,6 +1,7 @@
 // Panels: the tabs at the window's left, and the menu of a right click.
 #pragma once
 
+#include "app/demo/panel_probe.h"
 #include "app/demo/panes.h"
 #include "app/session/layout.h"
 #include "app/session/session.h"
@@ -16,6 +17,7 @@ class Panels {
     bool is_busy() const { return false; }
 
   private:
+    ProbePanel probe_;
     const char* opened_ = nullptr;  // the tab to bring to the front in the next frame
 };
 
