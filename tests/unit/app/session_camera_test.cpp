@@ -156,9 +156,9 @@ TEST(SessionCamera, AboveTheFloorItStaysAbove) {
 }
 
 TEST(SessionCamera, ACameraWithoutADirectionStays) {
-    for (const std::string& text :
+    for (const char* look_at_text :
          {"gluLookAt(1, 2, 3,  1, 2, 3,  0, 1, 0);", "gluLookAt(1, 2, 3,  0, 0, 0,  0, 0, 0);"}) {
-        const CommandList original = scene(text + kPoint);
+        const CommandList original = scene(look_at_text + kPoint);
         EXPECT_EQ(with_camera_moved(original, turned(10, 10, 2), kPivot).commands, original.commands);
     }
     // Straight down, it gets a side.
