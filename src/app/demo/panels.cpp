@@ -7,14 +7,18 @@
 #include <string_view>
 #include <utility>
 
+#include "app/demo/overlays.h"
 #include "app/demo/theme.h"
 #include "scene/command/text.h"
 
 namespace twinlight::demo {
 
-void Panels::show(session::Session& session, const session::Box& box, const Panes& panes) {
+void Panels::update(session::Session& session) {
     lint_.update(session);
     save_.update(session);
+}
+
+void Panels::show(session::Session& session, const session::Box& box, const Panes& panes) {
     ImGui::SetNextWindowPos({static_cast<float>(box.x), static_cast<float>(box.y)});
     ImGui::SetNextWindowSize({static_cast<float>(box.width), static_cast<float>(box.height)});
     ImGui::Begin("panel", nullptr,
@@ -47,6 +51,7 @@ void Panels::show(session::Session& session, const session::Box& box, const Pane
             if (lint_.show(session)) opened_ = "Commands";
         });
         tab("Save", "Save", [&] { save_.show(session); });
+        tab("Overlays", "Overlays", [&] { overlays_panel(session); });
         ImGui::EndTabBar();
     }
     ImGui::End();

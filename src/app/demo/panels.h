@@ -13,6 +13,8 @@ namespace twinlight::demo {
 
 class Panels {
   public:
+    // To be called in every frame, also when the panels are hidden.
+    void update(session::Session& session);
     void show(session::Session& session, const session::Box& box, const Panes& panes);
     // Brings the probe's tab to the front.
     void show_probe() { opened_ = "Probe"; }

@@ -79,6 +79,12 @@ std::string ms_text(double ms) {
                       : fmt::format("{:.0f} ms", ms);
 }
 
+// Whether the difference needs no picture of the reference, which comes later.
+bool compares_live(const Session& session) {
+    return session.panes[session.difference.a].renderer != Path::kReference &&
+           session.panes[session.difference.b].renderer != Path::kReference;
+}
+
 // "fixed function and reference"; with the shadings where the renderers are the same.
 std::string difference_title(const Session& session) {
     const session::Pane &a = session.panes[session.difference.a], &b = session.panes[session.difference.b];
@@ -153,8 +159,9 @@ void Panes::draw_pane(const Session& session, std::size_t number) {
     const Look look = look_of(session, pane);
     const bool is_new = drawn.revision != session.revision || drawn.pane != pane || !same(drawn.look, look) ||
                         drawn.width != session.width || drawn.height != session.height;
-    const bool lacks_image = wants_image(session, number) && drawn.image.pixels.empty();
-    if (!is_new && !lacks_image) return;
+    // While the scene changes in every frame, only pictures that are compared with each other at once are read back.
+    const bool reads = wants_image(session, number) && (!is_new || compares_live(session));
+    if (!is_new && !(reads && drawn.image.pixels.empty())) return;
     drawn.error.clear();
     // The first picture of a renderer includes compiling, so it is drawn twice and the second is timed.
     const bool compiles = drawn.pane != pane || !same(drawn.look, look);
@@ -177,8 +184,9 @@ void Panes::draw_pane(const Session& session, std::size_t number) {
     const fixed::InitialState initial(session.width, session.height);
     if (compiles) drawn.times = {};
     if (is_new) drawn.times.add(ms);
-    drawn.image = wants_image(session, number) ? read_pixels(session.width, session.height) : Image{};
+    drawn.image = reads ? read_pixels(session.width, session.height) : Image{};
     copy_back_buffer(drawn.texture, session.width, session.height);
+    ++drawn.version;
     drawn.pane = pane;
     drawn.look = look;
     drawn.revision = session.revision;
@@ -227,6 +235,7 @@ void Panes::take_reference(const Session& session) {
         if ((*found)->divisor == 1) drawn.times.add((*found)->ms);
         drawn.image = (*found)->divisor == 1 ? (*found)->image : Image{};
         upload(drawn.texture, (*found)->image, (*found)->divisor > 1);
+        ++drawn.version;
     }
 }
 
@@ -261,6 +270,14 @@ void Panes::update_difference(const Session& session) {
     upload(difference_.texture, difference_picture(first, second, difference_.amplification));
 }
 
+bool Panes::lacks_images(const Session& session) const {
+    for (std::size_t i = 0; i < kPanes; ++i)
+        if (wants_image(session, i) && session.panes[i].renderer != Path::kReference &&
+            drawn_[i].image.pixels.empty() && drawn_[i].error.empty())
+            return true;
+    return false;
+}
+
 void Panes::update(const Session& session, const session::Layout& layout) {
     std::array<bool, kPanes> shown{};
     for (const Cell& cell : layout.cells) {
@@ -276,6 +293,20 @@ void Panes::update(const Session& session, const session::Layout& layout) {
     request_reference(session, shown);
     take_reference(session);
     if (wants_image(session, session.difference.a)) update_difference(session);
+    for (std::size_t i = 0; i < kPanes; ++i) {
+        Drawn& drawn = drawn_[i];
+        if (shown[i] && any(session.overlays) && drawn.revision == session.revision)
+            drawn.overlaid.update(session, drawn.look, drawn.texture, drawn.version);
+    }
+    if (session.view == session::View::kWorld) world_.update(session, *programmable_);
+}
+
+bool Panes::shows_overlays(const Session& session, std::size_t pane) const {
+    return any(session.overlays) && drawn_[pane].overlaid.shows(drawn_[pane].version);
+}
+
+unsigned Panes::shown_texture(const Session& session, std::size_t pane) const {
+    return shows_overlays(session, pane) ? drawn_[pane].overlaid.texture() : drawn_[pane].texture;
 }
 
 std::array<std::optional<Rgba>, kPanes> Panes::colors_at(int x, int y) const {
@@ -428,7 +459,8 @@ void Panes::show_slider(Session& session, const Cell& cell) {
     const float x = static_cast<float>(box.x) + static_cast<float>(session.slider_at) * static_cast<float>(box.width);
     const auto half = [&](std::size_t pane, float from, float to) {
         draw.PushClipRect({from, static_cast<float>(box.y)}, {to, far_corner(box).y}, true);
-        draw.AddImage(texture_id(drawn_[pane].texture), corner(box), far_corner(box), {0, 1}, {1, 0});
+        draw.AddImage(texture_id(shown_texture(session, pane)), corner(box), far_corner(box), {0, 1}, {1, 0});
+        if (shows_overlays(session, pane)) show_labels(drawn_[pane].overlaid.overlays(), box);
         draw.PopClipRect();
     };
     half(session.slider.a, static_cast<float>(box.x), x);
@@ -443,7 +475,11 @@ void Panes::show_slider(Session& session, const Cell& cell) {
 void Panes::show(Session& session, const session::Layout& layout) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     for (const Cell& cell : layout.cells) {
-        const unsigned texture = cell.pane == kDifferencePane ? difference_.texture : drawn_[cell.pane].texture;
+        const unsigned texture = cell.pane == kDifferencePane ? difference_.texture : shown_texture(session, cell.pane);
+        if (session.view == session::View::kWorld) {
+            world_.show(session, cell, texture);
+            continue;
+        }
         if (session.view == session::View::kSlider) {
             show_slider(session, cell);
             // Two headers: the left picture's and the right one's.
@@ -460,6 +496,8 @@ void Panes::show(Session& session, const session::Layout& layout) {
             continue;
         }
         draw.AddImage(texture_id(texture), corner(cell.picture), far_corner(cell.picture), {0, 1}, {1, 0});
+        if (cell.pane != kDifferencePane && shows_overlays(session, cell.pane))
+            show_labels(drawn_[cell.pane].overlaid.overlays(), cell.picture);
         show_header(session, cell);
         show_footer(session, cell);
         if (cell.pane == kDifferencePane && difference_.revision == session.revision &&

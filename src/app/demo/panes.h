@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "app/demo/overlays.h"
+#include "app/demo/world_view.h"
 #include "app/session/layout.h"
 #include "app/session/reference_worker.h"
 #include "app/session/session.h"
@@ -39,8 +41,9 @@ class Panes {
     void update(const session::Session& session, const session::Layout& layout);
     // Puts the pictures on ImGui's background, between the bars.
     void show(session::Session& session, const session::Layout& layout);
-    // Whether the reference is still at work. `wait` finishes it.
-    bool is_busy() const { return worker_.is_busy(); }
+    // Whether another frame would show more: the reference is at work, or pictures are still to be compared. `wait` waits
+    // for the reference.
+    bool is_busy(const session::Session& session) const { return worker_.is_busy() || lacks_images(session); }
     void wait() const { worker_.wait(); }
 
     // The colour of a pixel (from the top left) as each pane of session.panes shows it; empty where it does not know.
@@ -53,7 +56,9 @@ class Panes {
         int revision = -1;
         int width = 0, height = 0;
         unsigned texture = 0;
-        Image image{};  // empty unless it was needed
+        int version = 0;             // counts the texture's pictures
+        OverlaidPicture overlaid{};  // the texture with the overlays
+        Image image{};               // empty unless it was needed
         std::shared_ptr<const session::ReferencePicture> reference{};
         std::chrono::steady_clock::time_point since{};  // the reference's picture is from then
         std::string error{};                            // of the renderer
@@ -69,6 +74,7 @@ class Panes {
         unsigned texture = 0;
     };
 
+    bool lacks_images(const session::Session& session) const;
     bool wants_image(const session::Session& session, std::size_t pane) const;
     void draw_pane(const session::Session& session, std::size_t pane);
     void request_reference(const session::Session& session, const std::array<bool, session::kPanes>& shown);
@@ -78,9 +84,12 @@ class Panes {
     void show_footer(session::Session& session, const session::Cell& cell);
     void show_slider(session::Session& session, const session::Cell& cell);
     std::string time_of(const session::Session& session, std::size_t pane) const;
+    bool shows_overlays(const session::Session& session, std::size_t pane) const;
+    unsigned shown_texture(const session::Session& session, std::size_t pane) const;
 
     std::array<Drawn, session::kPanes> drawn_;
     Difference difference_;
+    WorldView world_;
     session::ReferenceWorker worker_;
     std::vector<std::shared_ptr<const session::ReferencePicture>> references_;  // the newest of each look
     std::shared_ptr<const session::ReferenceAllowed> allowed_;

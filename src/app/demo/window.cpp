@@ -21,6 +21,7 @@
 #include "app/demo/panels.h"
 #include "app/demo/panes.h"
 #include "app/demo/theme.h"
+#include "app/session/clip.h"
 #include "app/session/keys.h"
 #include "app/session/layout.h"
 #include "base/image/file.h"
@@ -272,7 +273,7 @@ void Window::wake(int frames) {
 }
 
 void Window::set_timers() {
-    if (panes_ && panes_->is_busy()) after(kBusyMs, busy_timer_, [this] { wake(1); });
+    if (panes_ && panes_->is_busy(session_)) after(kBusyMs, busy_timer_, [this] { wake(1); });
     if (session_.animating) after(kFrameMs, animation_timer_, [this] { wake(1); });
     if (session_.file)
         after(kFileMs, file_timer_, [this] {
@@ -304,7 +305,7 @@ void Window::display() {
     // A script's last frame shows the reference's final picture.
     const bool last = options_.quit_after > 0 && frames_shown_ >= std::max(options_.quit_after, kFramesAfterEvent);
     if (last) {
-        while (panes_->is_busy()) {
+        while (panes_->is_busy(session_)) {
             panes_->wait();
             frame();
         }
@@ -312,6 +313,11 @@ void Window::display() {
         if (!options_.screenshot.empty()) save_screenshot();
     }
     if (session_.screenshot_requested) save_screenshot();
+    if (panels_->saving().is_recording()) {
+        const int left = layout_.panel.width;
+        panels_->saving().add_frame(
+            session::part_of(read_pixels(width_, height_), left, 0, width_ - left, layout_.status.y));
+    }
     glutSwapBuffers();
     frame_ms_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
 
@@ -339,6 +345,7 @@ void Window::frame() {
     ImGui_ImplGLUT_NewFrame();
     if (IMGUI_VERSION_NUM >= 18700) ImGui::NewFrame();  // 1.86's GLUT back end calls it itself
     panes_->show(session_, layout_);
+    panels_->update(session_);
     if (layout_.panel.width > 0) panels_->show(session_, layout_.panel, *panes_);
     show_status(layout_);
     if (session_.keys_shown) show_keys();
@@ -408,7 +415,8 @@ void Window::show_keys() const {
 // If the file cannot be written, says so and goes on.
 void Window::save_screenshot() {
     session_.screenshot_requested = false;
-    const std::string file = options_.screenshot.empty() ? "twinlight-demo.png" : options_.screenshot;
+    const std::string file =
+        options_.screenshot.empty() ? panels_->saving().screenshot_path(session_) : options_.screenshot;
     try {
         Image image = read_pixels(width_, height_);
         for (Rgba& pixel : image.pixels) pixel[3] = 1;
@@ -442,6 +450,7 @@ void Window::carry_out_requests() {
         return;
     }
     if (session_.scene_requested != 0) open_neighbour(std::exchange(session_.scene_requested, 0));
+    if (std::exchange(session_.export_requested, false)) panels_->saving().save(session_, session::Form::kC);
     if (session_.screenshot_requested) wake();
 }
 
@@ -483,7 +492,9 @@ void Window::mouse(int button, int state, int x, int y) {
         ImGui_ImplGLUT_MouseFunc(button, state, x, y);
     }
     wake();
-    if (down && ImGui::GetIO().WantCaptureMouse) return;
+    // The world view takes the mouse, but not the right button, which opens the menu.
+    const bool in_world = session_.view == session::View::kWorld && hit(layout_, x, y);
+    if (down && ImGui::GetIO().WantCaptureMouse && !(in_world && button == GLUT_RIGHT_BUTTON)) return;
     if (wheel) {
         if (down && hit(layout_, x, y)) session::zoom(session_, button == kWheelUp ? 1 : -1);
         return;

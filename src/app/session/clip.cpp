@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -39,6 +40,15 @@ bool runs(std::vector<std::string> words) {
 }
 
 }  // namespace
+
+Image part_of(const Image& picture, int x, int y, int width, int height) {
+    x = std::clamp(x, 0, picture.width - 1);
+    y = std::clamp(y, 0, picture.height - 1);
+    Image part(std::clamp(width, 1, picture.width - x), std::clamp(height, 1, picture.height - y));
+    for (int row = 0; row < part.height; ++row)
+        for (int column = 0; column < part.width; ++column) part.at(column, row) = picture.at(x + column, y + row);
+    return part;
+}
 
 int frames_before(double seconds) { return static_cast<int>(std::lround(seconds * Clip::kFramesPerSecond)); }
 

@@ -53,6 +53,9 @@ class Clip {
     std::thread thread_;  // the last member: it uses the others
 };
 
+// The rectangle of a picture with this upper left corner; at least one pixel, and only what lies inside.
+Image part_of(const Image& picture, int x, int y, int width, int height);
+
 // The number of frames of a clip that are to be written before the one that starts at this time.
 int frames_before(double seconds);
 

@@ -22,14 +22,14 @@ using reference::Shape;
 using reference::StageVertex;
 
 constexpr glm::vec4 kWire{1, 1, 1, 1};
-constexpr glm::vec4 kUnitNormal{0.35F, 0.9F, 0.5F, 1};
+constexpr glm::vec4 kUnitNormal{0.35F, 0.9F, 0.5F, 0.9F};
 constexpr glm::vec4 kOtherNormal{1, 0.35F, 0.3F, 1};
 constexpr glm::vec4 kProvoking{1, 0.75F, 0.2F, 0.85F};
 constexpr glm::vec4 kBackFace{0.25F, 0.5F, 1, 0.55F};
 constexpr glm::vec3 kAboveOne{1, 0, 0.75F};
 constexpr float kFaintest = 0.3F, kStrongest = 0.8F;  // alpha of a channel just above 1, and of one from 2 on
 
-constexpr double kNormalShare = 1.0 / 20;               // of the scene's radius
+constexpr double kNormalShare = 1.0 / 30;               // of the scene's radius
 constexpr double kLongestNormal = 4;                    // longer ones are cut
 constexpr double kUnitTolerance = 0.005;                // what a reader of two digits would call 1
 constexpr float kCornerShare = 0.3F;                    // of an edge
@@ -248,6 +248,7 @@ OverlayPicture overlays_of(const Frame& frame, const Overlays& overlays, const P
     std::vector<std::vector<StageVertex>> stages;
     std::vector<Bounds> bounds(draws.size());
     Bounds all;
+    const bool any_lit = std::ranges::any_of(draws, [](const Draw* draw) { return draw->lighting.enabled; });
     for (std::size_t d = 0; d < draws.size(); ++d) {
         stages.push_back(reference::vertex_stage(*draws[d]));
         for (const StageVertex& vertex : stages[d]) bounds[d].add(vertex.position_eye);
@@ -267,7 +268,8 @@ OverlayPicture overlays_of(const Frame& frame, const Overlays& overlays, const P
             if (overlays.back_faces) writer.back_faces();
             if (overlays.above_one) writer.above_one(plan_options);
             if (overlays.provoking_vertices) writer.provoking_vertices();
-            if (overlays.normals) writer.normals(all.radius(), shortest, longest);
+            if (overlays.normals && (draw.lighting.enabled || !any_lit))
+                writer.normals(all.radius(), shortest, longest);
             picture.draws.push_back(std::move(overlay));
             shape.add(bounds[next]);
         } while (++next < draws.size() && are_one_shape(*draws[next - 1], *draws[next]));

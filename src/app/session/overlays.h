@@ -54,8 +54,9 @@ bool any(const Overlays& overlays);
 // The overlays of a frame. `plan_options` are those of the shaders whose lights are named.
 //
 // Wireframe: the borders of all primitives.
-// Normals: a line from each vertex, as long as the normal that lights it, in twentieths of the scene's radius. A normal whose
-//     length is 1 is green, any other is red, and a label says how long those of its shape are.
+// Normals: a line from each vertex, as long as the normal that lights it, in thirtieths of the scene's radius. A normal whose
+//     length is 1 is green, any other is red, and a label says how long those of its shape are. Unlit shapes have none, unless
+//     nothing is lit.
 // Provoking vertices: the corner of each primitive that belongs to the vertex whose colour flat shading takes (2.14.7).
 // Back faces: tinted, where culling leaves them.
 // Above 1: tinted where a channel of a vertex's primary or secondary colour exceeds 1 before the clamp (2.14.6).

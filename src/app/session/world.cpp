@@ -17,10 +17,11 @@ namespace twinlight::session {
 namespace {
 
 constexpr double kFieldOfViewDeg = 40;
-constexpr double kDegreesPerPixel = 0.4;
-constexpr double kZoomPerStep = 1.1, kLargestZoom = 20;
-constexpr double kFarLight = 3;       // a light farther away than so many radii does not enlarge the view
-constexpr double kArrowShare = 0.22;  // of the radius
+constexpr double kTurnDegPerPixel = 0.4;
+constexpr double kOutsideZoomPerStep = 1.1, kMostOutsideZoom = 20;
+constexpr double kFarLight = 3;            // a light farther away than so many radii does not enlarge the view
+constexpr double kArrowShare = 0.22;       // of the radius
+constexpr double kDirectionalShare = 0.8;  // of the radius: how far from the middle a directional light's marker is
 constexpr double kWidestRimDeg = 80;
 constexpr int kRimPoints = 32;
 constexpr glm::dvec4 kOutsideBackground{0.13, 0.14, 0.17, 1};
@@ -118,7 +119,7 @@ std::optional<LightMarker> marker_of(const LightSource& light, int number, const
     if (marker.is_directional) {
         const glm::dvec3 dir = unit(glm::dvec3(position_world));
         if (!(glm::length(dir) > 0)) return {};
-        marker.place_world = world.around.middle_world + world.around.radius * dir;
+        marker.place_world = world.around.middle_world + kDirectionalShare * world.around.radius * dir;
     } else {
         marker.place_world = glm::dvec3(position_world) / position_world.w;
         const glm::dvec3 spot_dir = unit(glm::dmat3(world_from_eye) * light.spot_direction_eye);
@@ -237,12 +238,13 @@ World world_of(const CommandList& commands, const Frame& frame, const std::optio
 }
 
 void orbit(OutsideCamera& camera, double dx_pixels, double dy_pixels) {
-    camera.yaw_deg = std::remainder(camera.yaw_deg - kDegreesPerPixel * dx_pixels, 360.0);
-    camera.pitch_deg = std::clamp(camera.pitch_deg + kDegreesPerPixel * dy_pixels, -89.0, 89.0);
+    camera.yaw_deg = std::remainder(camera.yaw_deg - kTurnDegPerPixel * dx_pixels, 360.0);
+    camera.pitch_deg = std::clamp(camera.pitch_deg + kTurnDegPerPixel * dy_pixels, -89.0, 89.0);
 }
 
 void zoom(OutsideCamera& camera, double steps) {
-    camera.zoom = std::clamp(camera.zoom * std::pow(kZoomPerStep, steps), 1 / kLargestZoom, kLargestZoom);
+    camera.zoom =
+        std::clamp(camera.zoom * std::pow(kOutsideZoomPerStep, steps), 1 / kMostOutsideZoom, kMostOutsideZoom);
 }
 
 std::optional<glm::dvec3> WorldProjection::place_of(const glm::dvec3& point_world) const {

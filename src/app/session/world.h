@@ -19,7 +19,7 @@ struct LightMarker {
     int number = 0;           // of GL_LIGHTi
     std::uint32_t typed = 0;  // index into Frame::typed_lights
     bool is_directional = false;
-    // A directional light's marker is where its arrow starts, as far from the middle as the world's radius.
+    // A directional light's marker is where its arrow starts, 0.8 radii of the surroundings from the middle.
     glm::dvec3 place_world{0};
     std::optional<double> cutoff_deg{};  // of a spotlight
     glm::dvec3 spot_dir_world{0, 0, -1};
@@ -52,7 +52,7 @@ World world_of(const CommandList& commands, const Frame& frame, const std::optio
 // The camera of the world view: it orbits the middle.
 struct OutsideCamera {
     double yaw_deg = 40, pitch_deg = 25;
-    double zoom = 1;
+    double zoom = 1.2;  // 1 shows the whole sphere around the surroundings
 
     friend bool operator==(const OutsideCamera&, const OutsideCamera&) = default;
 };

@@ -72,7 +72,7 @@ TEST(SessionOverlays, AWireframeHasTheBordersOfPrimitives) {
 
 TEST(SessionOverlays, NormalsAreAsLongAsLightingSeesThem) {
     // The triangle's box has the half diagonal sqrt(1/2).
-    const float length = static_cast<float>(std::sqrt(0.5) / 20);
+    const float length = static_cast<float>(std::sqrt(0.5) / 30);
     const std::string text = "glEnable(GL_LIGHTING); glNormal3f(0, 2, 0);";
     const OverlayPicture twice = picture_of(text + kTriangle, kNormals);
     ASSERT_EQ(twice.draws[0].lines.size(), 6u);
@@ -86,6 +86,11 @@ TEST(SessionOverlays, NormalsAreAsLongAsLightingSeesThem) {
     expect_place(one.draws[0].lines[1].position_clip, {0, length, 0, 1});
     EXPECT_TRUE(one.labels.empty());
     EXPECT_NE(one.draws[0].lines[0].color, twice.draws[0].lines[0].color);
+    // Of unlit shapes only where nothing is lit.
+    const OverlayPicture mixed = picture_of(kTriangle + "glEnable(GL_LIGHTING);" + kTriangle, kNormals);
+    EXPECT_TRUE(mixed.draws[0].lines.empty());
+    EXPECT_FALSE(mixed.draws[1].lines.empty());
+    EXPECT_FALSE(picture_of(kTriangle, kNormals).draws[0].lines.empty());
 
     // A scale by 2 halves normals (2.11.3).
     const OverlayPicture half = picture_of(

@@ -111,7 +111,8 @@ TEST(SessionWorld, LeavesOutWhatAnotherProjectionDraws) {
 
 TEST(SessionWorld, TheSurroundingsFitIntoThePicture) {
     const Seen seen(kProjection + kLookAt + kSquare);
-    for (const OutsideCamera& camera : {OutsideCamera{}, OutsideCamera{-120, -30}, OutsideCamera{10, 89}}) {
+    for (const OutsideCamera& camera :
+         {OutsideCamera{40, 25, 1}, OutsideCamera{-120, -30, 1}, OutsideCamera{10, 89, 1}}) {
         for (const auto& [width, height] : {std::pair{400, 300}, {300, 400}, {900, 100}}) {
             const WorldProjection projection = projection_of(seen.world, camera, width, height);
             const auto middle = projection.place_of(seen.world.around.middle_world);
@@ -179,7 +180,7 @@ TEST(SessionWorld, EveryLightThatIsOnHasAMarker) {
     EXPECT_TRUE(lights[0].is_directional);
     EXPECT_EQ(lights[0].color, glm::dvec3(1));
     const Surroundings& around = seen.world.around;
-    expect_near(lights[0].place_world, around.middle_world + around.radius * glm::dvec3(0, 0, 1));
+    expect_near(lights[0].place_world, around.middle_world + 0.8 * around.radius * glm::dvec3(0, 0, 1));
 
     EXPECT_FALSE(lights[1].is_directional);
     expect_near(lights[1].place_world, {0, 0, 5});
@@ -192,7 +193,7 @@ TEST(SessionWorld, EveryLightThatIsOnHasAMarker) {
     EXPECT_FALSE(lights[2].cutoff_deg);
 
     EXPECT_EQ(lights[3].number, 4);
-    expect_near(lights[3].place_world, around.middle_world + around.radius * glm::dvec3(0, 1, 0));
+    expect_near(lights[3].place_world, around.middle_world + 0.8 * around.radius * glm::dvec3(0, 1, 0));
     EXPECT_EQ(lights[4].number, 5);
     EXPECT_TRUE(lights[4].is_black);
 }
@@ -253,9 +254,9 @@ TEST(SessionWorld, ADraggedLightGetsRoundNumbers) {
 }
 
 TEST(SessionWorld, ADraggedDirectionKeepsItsLength) {
-    // Seen from the front. The arrow starts right of the middle, at its radius.
+    // Seen from the front. The arrow starts right of the middle, at 0.8 radii.
     const Seen seen(kProjection + kLit + on(0) + kLookAt + light(0, "GL_POSITION", "3, 0, 0, 0") + kSquare, {0, 0});
-    const double radius = seen.world.around.radius;
+    const double radius = 0.8 * seen.world.around.radius;
     const glm::dvec3 start = seen.world.around.middle_world + glm::dvec3(radius, 0, 0);
     const glm::dvec2 up = glm::dvec2(*seen.projection.place_of(start + glm::dvec3(0, radius, 0))) -
                           glm::dvec2(*seen.projection.place_of(start));

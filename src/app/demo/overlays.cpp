@@ -1,0 +1,252 @@
+#include "app/demo/overlays.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "app/demo/theme.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+
+namespace twinlight::demo {
+namespace {
+
+using session::DrawOverlay;
+using session::OverlayPicture;
+using session::OverlayVertex;
+using session::Wireframe;
+
+constexpr float kPointSize = 7, kHaloWidth = 2.5F, kLineWidth = 1;
+constexpr float kHidden = 0.16F;                      // alpha of what faces hide
+constexpr float kOffsetFactor = 1, kOffsetUnits = 4;  // faces lie so much behind what is drawn on them (3.5.5)
+
+// The depth range and viewport of a Draw.
+void use_viewport(const DrawOverlay& draw) {
+    glViewport(draw.viewport.x, draw.viewport.y, draw.viewport.width, draw.viewport.height);
+    glScissor(draw.viewport.x, draw.viewport.y, draw.viewport.width, draw.viewport.height);
+    glDepthRange(draw.depth_near, draw.depth_far);
+}
+
+void draw_faces(const DrawOverlay& draw) {
+    if (draw.faces_clip.empty()) return;
+    glVertexPointer(4, GL_FLOAT, 0, draw.faces_clip.data());
+    glEdgeFlagPointer(0, draw.edges.data());
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(draw.faces_clip.size()));
+}
+
+void draw_vertices(GLenum mode, const std::vector<OverlayVertex>& vertices) {
+    if (vertices.empty()) return;
+    glEnableClientState(GL_COLOR_ARRAY);
+    const auto* first = reinterpret_cast<const std::byte*>(vertices.data());
+    glVertexPointer(4, GL_FLOAT, sizeof(OverlayVertex), first + offsetof(OverlayVertex, position_clip));
+    glColorPointer(4, GL_FLOAT, sizeof(OverlayVertex), first + offsetof(OverlayVertex, color));
+    glDrawArrays(mode, 0, static_cast<GLsizei>(vertices.size()));
+    glDisableClientState(GL_COLOR_ARRAY);
+}
+
+void draw_texture(unsigned texture) {
+    glEnable(GL_TEXTURE_2D);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glBegin(GL_QUADS);
+    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+        glTexCoord2i(x, y);
+        glVertex2i(2 * x - 1, 2 * y - 1);
+    }
+    glEnd();
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glDisable(GL_TEXTURE_2D);
+}
+
+void use_smooth_lines() {
+    glEnable(GL_LINE_SMOOTH);
+    glEnable(GL_POINT_SMOOTH);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glLineWidth(kLineWidth);
+    glPointSize(kPointSize);
+}
+
+// A dark line under a light one is visible on every picture.
+void draw_wires(const OverlayPicture& overlays) {
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    const bool alone = overlays.wireframe == Wireframe::kAlone;
+    const auto pass = [&](float width, float grey, float alpha) {
+        glLineWidth(width);
+        glColor4f(grey, grey, grey, alpha);
+        for (const DrawOverlay& draw : overlays.draws) {
+            use_viewport(draw);
+            draw_faces(draw);
+        }
+    };
+    if (alone) {
+        glDepthFunc(GL_GREATER);
+        pass(kLineWidth, 1, kHidden);
+        glDepthFunc(GL_LEQUAL);
+        pass(kLineWidth, 0.95F, 1);
+    } else {
+        pass(kHaloWidth, 0, 0.22F);
+        pass(kLineWidth, 1, 0.6F);
+    }
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+bool checkbox(const char* label, bool& value, const char* help, ImU32 color = 0) {
+    if (color != 0) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float size = ImGui::GetFontSize() * 0.7F;
+        const float y = at.y + (ImGui::GetFrameHeight() - size) / 2;
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + size, y + size}, color, 2);
+    }
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 1.1F);
+    const bool changed = ImGui::Checkbox(label, &value);
+    ImGui::Indent(ImGui::GetFontSize() * 1.1F + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+    dim_text(help);
+    ImGui::Unindent(ImGui::GetFontSize() * 1.1F + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::Spacing();
+    return changed;
+}
+
+}  // namespace
+
+void draw_overlays(const OverlayPicture& overlays, unsigned texture, int width, int height) {
+    const fixed::InitialState initial(width, height);
+    if (overlays.wireframe == Wireframe::kAlone) {
+        const glm::vec4& background = overlays.background;
+        glClearColor(background.r, background.g, background.b, 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    } else {
+        glClear(GL_DEPTH_BUFFER_BIT);
+        draw_texture(texture);
+    }
+    glEnable(GL_SCISSOR_TEST);
+    glEnable(GL_DEPTH_TEST);
+    glEnableClientState(GL_VERTEX_ARRAY);
+
+    // The faces' depths, slightly behind what is drawn on them.
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(kOffsetFactor, kOffsetUnits);
+    for (const DrawOverlay& draw : overlays.draws) {
+        if (!draw.hides) continue;
+        use_viewport(draw);
+        glVertexPointer(4, GL_FLOAT, 0, draw.faces_clip.data());
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(draw.faces_clip.size()));
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LEQUAL);
+    use_smooth_lines();
+    for (const DrawOverlay& draw : overlays.draws) {
+        use_viewport(draw);
+        draw_vertices(GL_TRIANGLES, draw.tints);
+    }
+    if (overlays.wireframe != Wireframe::kOff) {
+        glEnableClientState(GL_EDGE_FLAG_ARRAY);
+        draw_wires(overlays);
+        glDisableClientState(GL_EDGE_FLAG_ARRAY);
+    }
+    glLineWidth(kLineWidth);
+    for (const DrawOverlay& draw : overlays.draws) {
+        use_viewport(draw);
+        draw_vertices(GL_LINES, draw.lines);
+        draw_vertices(GL_POINTS, draw.points);
+    }
+    glDisableClientState(GL_VERTEX_ARRAY);
+}
+
+void draw_lines(const std::vector<OverlayVertex>& lines, int width, int height) {
+    const fixed::InitialState initial(width, height);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    use_smooth_lines();
+    glLineWidth(1.6F);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    std::vector<OverlayVertex> hidden = lines;
+    for (OverlayVertex& vertex : hidden) vertex.color.a *= 2 * kHidden;
+    glDepthFunc(GL_GREATER);
+    draw_vertices(GL_LINES, hidden);
+    glDepthFunc(GL_LEQUAL);
+    draw_vertices(GL_LINES, lines);
+    glDisableClientState(GL_VERTEX_ARRAY);
+}
+
+void show_labels(const OverlayPicture& overlays, const session::Box& picture) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const ImVec2 from{static_cast<float>(picture.x), static_cast<float>(picture.y)};
+    draw.PushClipRect(from, {from.x + static_cast<float>(picture.width), from.y + static_cast<float>(picture.height)},
+                      true);
+    for (const session::Label& label : overlays.labels) {
+        const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
+        const ImVec2 at{from.x + static_cast<float>(label.place.x) - size.x / 2,
+                        from.y + static_cast<float>(label.place.y) - size.y / 2};
+        draw.AddRectFilled({at.x - 6, at.y - 1}, {at.x + size.x + 6, at.y + size.y + 1}, IM_COL32(18, 20, 24, 205), 4);
+        draw.AddText(at, label.is_warning ? kBad : kText, label.text.c_str());
+    }
+    draw.PopClipRect();
+}
+
+OverlaidPicture::~OverlaidPicture() {
+    if (texture_ != 0) glDeleteTextures(1, &texture_);
+}
+
+void OverlaidPicture::update(const session::Session& session, const Look& look, unsigned texture, int version) {
+    const Made wanted{session.overlays, session.revision, version, look.shading, look.lecture_variants};
+    if (made_ == wanted) return;
+    Made same_lines = wanted;
+    same_lines.version = made_.version;
+    if (same_lines != made_) {
+        PlanOptions options;
+        static_cast<Look&>(options) = look;
+        overlays_ = overlays_of(session.scene.frame, session.overlays, options);
+    }
+    made_ = wanted;
+    draw_overlays(overlays_, texture, session.width, session.height);
+    if (texture_ == 0) {
+        glGenTextures(1, &texture_);
+        glBindTexture(GL_TEXTURE_2D, texture_);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, session.width, session.height, 0);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void overlays_panel(session::Session& session) {
+    session::Overlays& overlays = session.overlays;
+    bold_text("Wireframe");
+    constexpr std::array<const char*, 3> kWireframes = {"Off", "Over the picture", "Alone"};
+    for (std::size_t i = 0; i < kWireframes.size(); ++i) {
+        if (i > 0) ImGui::SameLine();
+        if (ImGui::RadioButton(kWireframes[i], overlays.wireframe == static_cast<Wireframe>(i)))
+            overlays.wireframe = static_cast<Wireframe>(i);
+    }
+    dim_text("The borders of all primitives, unlit. Key m.");
+    ImGui::Spacing();
+    ImGui::Spacing();
+    bold_text("Marks");
+    checkbox(
+        "Normals", overlays.normals,
+        "A green line has length 1. A red one does not, and lighting is wrong unless GL_NORMALIZE mends it. Key n.",
+        IM_COL32(89, 230, 128, 255));
+    checkbox("Provoking vertices", overlays.provoking_vertices,
+             "The corner of each primitive whose colour GL_FLAT takes for all of it (2.14.7).",
+             IM_COL32(255, 191, 51, 255));
+    checkbox("Back faces", overlays.back_faces,
+             "Faces that turn their back to the eye. GL_LIGHT_MODEL_TWO_SIDE lights them with reversed normals.",
+             IM_COL32(64, 128, 255, 255));
+    checkbox("Channels above 1", overlays.above_one,
+             "Vertices whose colour exceeds 1 before it is clamped (2.14.6): highlights are cut there.",
+             IM_COL32(255, 0, 191, 255));
+    checkbox("Lights that count", overlays.kept_lights,
+             "The lights that can change a pixel of each object. The shaders leave out the others.");
+}
+
+}  // namespace twinlight::demo

@@ -1,0 +1,54 @@
+// Overlays: wireframes, normals and marks over a picture, drawn with plain GL; their labels, drawn by ImGui.
+#pragma once
+
+#include <optional>
+
+#include "app/session/layout.h"
+#include "app/session/overlays.h"
+#include "app/session/session.h"
+
+namespace twinlight::demo {
+
+// Draws the picture in `texture` into the current back buffer's lower left corner, and the overlays over it. What the scene's
+// own faces hide is hidden. Leaves GL's initial state and a depth buffer without meaning.
+void draw_overlays(const session::OverlayPicture& overlays, unsigned texture, int width, int height);
+
+// Lines in clip coordinates over what was drawn last, with its depth buffer; hidden parts are faint.
+void draw_lines(const std::vector<session::OverlayVertex>& lines, int width, int height);
+
+// The labels, on ImGui's background, at the picture's place in the window.
+void show_labels(const session::OverlayPicture& overlays, const session::Box& picture);
+
+// A texture that keeps a picture with its overlays, made again when either changed.
+class OverlaidPicture {
+  public:
+    OverlaidPicture() = default;
+    ~OverlaidPicture();  // needs the context
+    OverlaidPicture(const OverlaidPicture&) = delete;
+    OverlaidPicture& operator=(const OverlaidPicture&) = delete;
+
+    // `texture` holds a picture of session.scene; `version` changes whenever its content does. `look` is the pane's.
+    void update(const session::Session& session, const Look& look, unsigned texture, int version);
+    unsigned texture() const { return texture_; }
+    // Whether it was made from this version of the picture.
+    bool shows(int version) const { return made_.version == version; }
+    const session::OverlayPicture& overlays() const { return overlays_; }
+
+  private:
+    struct Made {
+        session::Overlays overlays;
+        int revision = -1, version = -1;
+        std::optional<Shading> shading;
+        bool lecture_variants = false;
+
+        friend bool operator==(const Made&, const Made&) = default;
+    };
+    Made made_{};
+    session::OverlayPicture overlays_{};
+    unsigned texture_ = 0;
+};
+
+// The check boxes of all overlays, with a line of help for each. Emits widgets only.
+void overlays_panel(session::Session& session);
+
+}  // namespace twinlight::demo

@@ -1,0 +1,279 @@
+#include "app/demo/world_view.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <vector>
+
+#include "app/demo/overlays.h"
+#include "app/demo/theme.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+
+namespace twinlight::demo {
+namespace {
+
+using session::Box;
+using session::Handle;
+using session::LightMarker;
+
+constexpr double kInsideShare = 0.25;  // of the picture's width, for the scene's own picture in its corner
+constexpr float kBulb = 7, kDragPixels = 3;
+constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 150);
+
+ImU32 color_of(const glm::dvec3& color, int alpha = 255) {
+    const auto code = [](double channel) { return static_cast<int>(std::lround(255 * std::clamp(channel, 0.0, 1.0))); };
+    return IM_COL32(code(color.r), code(color.g), code(color.b), alpha);
+}
+
+std::string point_text(const glm::dvec3& point) {
+    std::string text;
+    for (int i = 0; i < 3; ++i)
+        text += (i > 0 ? ", " : "") + fmt::format("{:.3g}", std::abs(point[i]) < 5e-4 ? 0 : point[i]);
+    return "(" + text + ")";
+}
+
+// A marker's place in the window.
+std::optional<ImVec2> window_place(const session::WorldProjection& projection, const Box& box,
+                                   const glm::dvec3& point_world) {
+    const auto place = projection.place_of(point_world);
+    if (!place) return {};
+    return ImVec2{static_cast<float>(box.x + place->x), static_cast<float>(box.y + place->y)};
+}
+
+void draw_bulb(ImDrawList& draw, const ImVec2& at, const LightMarker& light, bool bright) {
+    const float size = kBulb * static_cast<float>(scale());
+    if (!light.is_black)
+        for (const auto& [radius, alpha] : {std::pair{2.6F, 28}, {1.9F, 45}})
+            draw.AddCircleFilled(at, radius * size, color_of(light.color, alpha), 32);
+    draw.AddCircleFilled(at, size + 1.5F, kShadow, 24);
+    draw.AddCircleFilled(at, size, color_of(light.color), 24);
+    draw.AddCircle(at, size + (bright ? 3.0F : 0.0F), bright ? IM_COL32_WHITE : IM_COL32(255, 255, 255, 170), 24,
+                   bright ? 2.0F : 1.0F);
+    if (light.is_black) draw.AddLine({at.x - size, at.y + size}, {at.x + size, at.y - size}, kBad, 2);
+}
+
+void draw_arrow(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 color) {
+    const ImVec2 along{to.x - from.x, to.y - from.y};
+    const float length = std::sqrt(along.x * along.x + along.y * along.y);
+    if (length < 1) return;
+    const float head = std::min(11 * static_cast<float>(scale()), length);
+    const ImVec2 dir{along.x / length, along.y / length};
+    const ImVec2 neck{to.x - head * dir.x, to.y - head * dir.y};
+    for (const auto& [ink, width] : {std::pair{kShadow, 5.0F}, {color, 2.5F}}) draw.AddLine(from, neck, ink, width);
+    draw.AddTriangleFilled(to, {neck.x - head * 0.5F * dir.y, neck.y + head * 0.5F * dir.x},
+                           {neck.x + head * 0.5F * dir.y, neck.y - head * 0.5F * dir.x}, color);
+}
+
+}  // namespace
+
+WorldView::~WorldView() {
+    if (texture_ != 0) glDeleteTextures(1, &texture_);
+}
+
+void WorldView::update(const session::Session& session, programmable::Renderer& renderer) {
+    const Made wanted{session.revision, camera_, session.width, session.height};
+    if (made_ == wanted) return;
+    if (made_.revision != session.revision) {
+        // The view stands still while things move.
+        const bool same_scene = opened_ == session.opened;
+        opened_ = session.opened;
+        if (!same_scene) camera_ = {};
+        world_ =
+            world_of(commands(session), session.scene.frame, same_scene ? std::optional(world_.around) : std::nullopt);
+    }
+    made_ = wanted;
+    made_.camera = camera_;
+    projection_ = projection_of(world_, camera_, session.width, session.height);
+    error_.clear();
+    try {
+        renderer.draw(as_seen_from_outside(session.scene.frame, world_, projection_),
+                      {{{.shading = Shading::kPhong, .lecture_variants = true}}, programmable::Tier::kAuto});
+    } catch (const std::exception& error) {
+        error_ = error.what();
+    }
+    draw_lines(world_lines(world_, projection_), session.width, session.height);
+    const fixed::InitialState initial(session.width, session.height);
+    if (texture_ == 0) {
+        glGenTextures(1, &texture_);
+        glBindTexture(GL_TEXTURE_2D, texture_);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    }
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, session.width, session.height, 0);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void WorldView::carry_out_mouse(session::Session& session, const Box& box) {
+    ImGui::SetNextWindowPos({static_cast<float>(box.x), static_cast<float>(box.y)});
+    ImGui::SetNextWindowSize({static_cast<float>(box.width), static_cast<float>(box.height)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin("world", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::InvisibleButton("mouse", {static_cast<float>(box.width), static_cast<float>(box.height)});
+    const ImGuiIO& io = ImGui::GetIO();
+    const glm::dvec2 place(io.MousePos.x - static_cast<float>(box.x), io.MousePos.y - static_cast<float>(box.y));
+    if (ImGui::IsItemHovered()) {
+        if (!ImGui::IsItemActive()) under_mouse_ = handle_at(world_, projection_, place, 12 * scale());
+        if (io.MouseWheel != 0) zoom(camera_, io.MouseWheel);
+    } else if (!ImGui::IsItemActive()) {
+        under_mouse_.reset();
+    }
+    if (ImGui::IsItemActivated()) {
+        drag_.reset();
+        dragged_ = false;
+        under_mouse_ = handle_at(world_, projection_, place, 12 * scale());
+        orbits_ = !under_mouse_;
+        session.history.end_group();
+        if (under_mouse_) drag_ = Drag{*under_mouse_, session.history.now(), session.scene.frame, world_};
+    }
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, kDragPixels)) dragged_ = true;
+    const ImVec2 by = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, kDragPixels);
+    if (ImGui::IsItemActive() && drag_ && (by.x != 0 || by.y != 0)) {
+        const LightMarker& light = drag_->world.lights[drag_->handle.light];
+        session.selected_light = light.number;
+        const std::string what = (drag_->handle.is_spot_direction ? "turn " : "move ") + light_name(light.number);
+        edit(session,
+             with_handle_moved(*drag_->commands, drag_->frame, drag_->world, projection_, drag_->handle, {by.x, by.y}),
+             what, "light " + std::to_string(light.number));
+    }
+    if (ImGui::IsItemActive() && orbits_ && dragged_) orbit(camera_, io.MouseDelta.x, io.MouseDelta.y);
+    if (ImGui::IsItemDeactivated()) {
+        session.history.end_group();
+        if (!dragged_ && drag_) session.selected_light = drag_->world.lights[drag_->handle.light].number;
+        if (!dragged_ && !drag_) session.selected_light.reset();
+        drag_.reset();
+        orbits_ = false;
+    }
+    if (under_mouse_ || drag_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+void WorldView::show_markers(const session::Session& session, const Box& box) const {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const auto place = [&](const glm::dvec3& point_world) { return window_place(projection_, box, point_world); };
+    const auto text = [&](const ImVec2& at, ImU32 color, const std::string& words) {
+        const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+        draw.AddRectFilled({at.x - 4, at.y - 1}, {at.x + size.x + 4, at.y + size.y + 1}, kShadow, 4);
+        draw.AddText(at, color, words.c_str());
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 tip(0);
+        tip[axis] = arrow_length(world_);
+        constexpr std::array<ImU32, 3> kColors = {IM_COL32(235, 95, 90, 255), IM_COL32(120, 210, 120, 255),
+                                                  IM_COL32(105, 155, 255, 255)};
+        if (const auto at = place(tip))
+            text({at->x + 4, at->y - 8}, kColors[static_cast<std::size_t>(axis)],
+                 std::string(1, static_cast<char>('x' + axis)));
+    }
+    if (world_.camera_world)
+        if (const auto at = place(*world_.camera_world)) {
+            draw.AddCircleFilled(*at, 5, kShadow);
+            draw.AddCircleFilled(*at, 4, kAccent);
+            text({at->x - ImGui::CalcTextSize("camera").x - 16, at->y - ImGui::GetFontSize() / 2}, kAccent, "camera");
+        }
+    for (std::size_t i = 0; i < world_.lights.size(); ++i) {
+        const LightMarker& light = world_.lights[i];
+        const auto at = place(light.place_world);
+        if (!at) continue;
+        const bool selected = session.selected_light == light.number;
+        const bool bright = selected || (under_mouse_ && under_mouse_->light == i);
+        const ImU32 color = color_of(light.color);
+        if (light.is_directional) {
+            // Toward the middle, as its light goes.
+            const glm::dvec3 toward = world_.around.middle_world - light.place_world;
+            const double share = 1.4 * arrow_length(world_) / glm::length(toward);
+            if (const auto to = place(light.place_world + share * toward)) draw_arrow(draw, *at, *to, color);
+        }
+        if (light.cutoff_deg) {
+            const auto tip = place(place_of(world_, Handle{i, true}));
+            std::vector<ImVec2> rim;
+            for (const glm::dvec3& point : cone_rim(light, arrow_length(world_)))
+                if (const auto on_rim = place(point)) rim.push_back(*on_rim);
+            const int alpha = bright ? 230 : 130;
+            draw.AddPolyline(rim.data(), static_cast<int>(rim.size()), color_of(light.color, alpha), ImDrawFlags_Closed,
+                             1.5F);
+            for (std::size_t p = 0; p < rim.size(); p += 4)
+                draw.AddLine(*at, rim[p], color_of(light.color, alpha / 2), 1);
+            if (tip) {
+                draw.AddLine(*at, *tip, color_of(light.color, alpha), 1.5F);
+                draw.AddCircleFilled(*tip, 5.5F, kShadow);
+                draw.AddCircleFilled(*tip, 4.5F, color);
+            }
+        }
+        draw_bulb(draw, *at, light, bright);
+        const float beside = (kBulb + 6) * static_cast<float>(scale());
+        text({at->x + beside, at->y - ImGui::GetFontSize() - 2}, bright ? kText : kDim, light_name(light.number));
+    }
+}
+
+// What the scene's own camera sees, in the lower right corner.
+void WorldView::show_inside(const Box& box, unsigned inside) const {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const float width = static_cast<float>(kInsideShare * box.width),
+                height = static_cast<float>(kInsideShare * box.height);
+    const ImVec2 to{static_cast<float>(box.x + box.width) - 10, static_cast<float>(box.y + box.height) - 10};
+    const ImVec2 from{to.x - width, to.y - height};
+    draw.AddRectFilled({from.x - 4, from.y - 4}, {to.x + 5, to.y + 5}, kShadow, 4);
+    draw.AddImage((ImTextureID)(std::intptr_t)inside, from, to, {0, 1}, {1, 0});
+    draw.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, kAccent, 0, ImDrawFlags_None, 1.5F);
+}
+
+std::string WorldView::described(const session::Session& session, const LightMarker& light) const {
+    const std::string name = light_name(light.number);
+    const std::string black = light.is_black ? "; its colours are black" : "";
+    if (light.typed >= session.scene.frame.typed_lights.size()) return name + black;
+    const TypedLight& typed = session.scene.frame.typed_lights[light.typed];
+    const std::string position = point_text(glm::dvec3(typed.position.value));
+    if (light.is_directional) return fmt::format("{}: directional, from {}{}", name, position, black);
+    const std::string place = fmt::format(
+        "at {}{}", position, typed.position.value.w == 1 ? "" : fmt::format(", w = {:.3g}", typed.position.value.w));
+    if (!light.cutoff_deg) return fmt::format("{}: point light {}{}", name, place, black);
+    return fmt::format("{}: spotlight {}, toward {}, {:.3g} degrees{}", name, place,
+                       point_text(typed.spot_direction.value), *light.cutoff_deg, black);
+}
+
+void WorldView::show(session::Session& session, const session::Cell& cell, unsigned inside) {
+    const Box& box = cell.picture;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const auto corner = [](int x, int y) { return ImVec2{static_cast<float>(x), static_cast<float>(y)}; };
+    const auto bar = [&](const Box& at, ImDrawFlags corners, ImU32 color, const std::string& words, ImFont* font) {
+        draw.AddRectFilled(corner(at.x, at.y), corner(at.x + at.width, at.y + at.height), kBar, 4, corners);
+        const float y = static_cast<float>(at.y) + (static_cast<float>(at.height) - font->FontSize) / 2;
+        draw.AddText(font, font->FontSize, {static_cast<float>(at.x) + 10, y}, color, words.c_str());
+    };
+    carry_out_mouse(session, box);
+
+    draw.AddImage((ImTextureID)(std::intptr_t)texture_, corner(box.x, box.y),
+                  corner(box.x + box.width, box.y + box.height), {0, 1}, {1, 0});
+    draw.PushClipRect(corner(box.x, box.y), corner(box.x + box.width, box.y + box.height), true);
+    show_inside(box, inside);
+    show_markers(session, box);
+    draw.PopClipRect();
+
+    bar(cell.header, ImDrawFlags_RoundCornersTop, kText, "The scene from outside", fonts().bold);
+    const auto shown_light = [&]() -> const LightMarker* {
+        if (under_mouse_ && under_mouse_->light < world_.lights.size()) return &world_.lights[under_mouse_->light];
+        const auto found = std::ranges::find_if(
+            world_.lights, [&](const LightMarker& light) { return session.selected_light == light.number; });
+        return found == world_.lights.end() ? nullptr : &*found;
+    };
+    const LightMarker* light = shown_light();
+    if (!error_.empty())
+        bar(cell.footer, ImDrawFlags_RoundCornersBottom, kBad, error_.substr(0, error_.find('\n')), fonts().text);
+    else if (light)
+        bar(cell.footer, ImDrawFlags_RoundCornersBottom, kText, described(session, *light), fonts().text);
+    else
+        bar(cell.footer, ImDrawFlags_RoundCornersBottom, kDim,
+            "Drag to turn, wheel to zoom; drag a light, or the tip of its cone, to move it", fonts().text);
+}
+
+}  // namespace twinlight::demo

@@ -1,0 +1,61 @@
+// The world view: the scene from outside, with its camera's frustum, its axes and its lights, which can be dragged.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/session/layout.h"
+#include "app/session/session.h"
+#include "app/session/world.h"
+#include "render/programmable/programmable.h"
+
+namespace twinlight::demo {
+
+class WorldView {
+  public:
+    WorldView() = default;
+    ~WorldView();  // needs the context
+    WorldView(const WorldView&) = delete;
+    WorldView& operator=(const WorldView&) = delete;
+
+    // Draws the scene at the session's size, if something changed, at the back buffer's lower left corner.
+    void update(const session::Session& session, programmable::Renderer& renderer);
+    // Puts the picture on ImGui's background, with markers and bars, and carries out what the mouse does: a drag turns the
+    // view or moves a light, the wheel zooms, a click selects a light. `inside` is the texture of the scene's own picture.
+    void show(session::Session& session, const session::Cell& cell, unsigned inside);
+
+  private:
+    struct Made {
+        int revision = -1;
+        session::OutsideCamera camera{};
+        int width = 0, height = 0;
+
+        friend bool operator==(const Made&, const Made&) = default;
+    };
+    // A drag of a light starts from the commands and the world that it began with.
+    struct Drag {
+        session::Handle handle;
+        std::shared_ptr<const CommandList> commands;
+        Frame frame;
+        session::World world;
+    };
+
+    void carry_out_mouse(session::Session& session, const session::Box& box);
+    void show_markers(const session::Session& session, const session::Box& box) const;
+    void show_inside(const session::Box& box, unsigned inside) const;
+    std::string described(const session::Session& session, const session::LightMarker& light) const;
+
+    session::OutsideCamera camera_{};
+    session::World world_{};
+    session::WorldProjection projection_{};
+    std::shared_ptr<const CommandList> opened_;  // the scene that the surroundings are of
+    Made made_{};
+    std::string error_;  // of the renderer
+    std::optional<Drag> drag_;
+    std::optional<session::Handle> under_mouse_;
+    bool orbits_ = false, dragged_ = false;  // since the button was pressed
+    unsigned texture_ = 0;
+};
+
+}  // namespace twinlight::demo
