@@ -169,6 +169,15 @@ void set_argument(Session& session, std::size_t command, std::size_t argument, d
     edit(session, session::with_argument(commands(session), command, argument, value), name, std::move(group));
 }
 
+// Moves a call past the one above or below it, and selects it; glBegin with all up to glEnd is one.
+void move_selected(Session& session, std::size_t index, bool down) {
+    const CommandList& list = commands(session);
+    const std::size_t count = session::end_of_group(list, index) - index + 1;
+    const std::size_t to = down ? session::index_below(list, index) : session::index_above(list, index);
+    edit(session, session::with_moved(list, index, to, count), fmt::format("move {}", list.commands[index].name()));
+    session.selected_command = to;
+}
+
 // The calls that the insert menu offers.
 constexpr const char* kTemplates[] = {
     "glEnable(GL_LIGHTING);",
@@ -290,6 +299,7 @@ void CommandsPanel::show_argument(Session& session, ArgumentAt at, const std::st
     const bool is_hovered = ImGui::IsItemHovered(), is_active = ImGui::IsItemActive();
     const bool is_editable = info.editing != Editing::kFixed;
     if (is_hovered) {
+        is_over_part_ = true;
         help_ = fmt::format("{}: {}", info.name, session::argument_help(command, at.argument));
         if (info.editing == Editing::kNumber) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
         if (info.editing == Editing::kName || info.editing == Editing::kBits || info.editing == Editing::kFlag)
@@ -381,7 +391,10 @@ void CommandsPanel::show_swatch(Session& session, ArgumentAt at) {
     const ImVec2 to = plus(from, {side, side});
     list.AddRectFilled(from, to, IM_COL32(byte(color[0]), byte(color[1]), byte(color[2]), 255), 2);
     list.AddRect(from, to, is_hovered ? kAccent : kSignColor, 2);
-    if (is_hovered) help_ = "click to choose the colour";
+    if (is_hovered) {
+        is_over_part_ = true;
+        help_ = "click to choose the colour";
+    }
     if (clicked) {
         asked_ = at;
         ImGui::OpenPopup("colour");
@@ -410,10 +423,9 @@ void CommandsPanel::drag_row(Session& session, const Row& row, double list_top) 
     if (moved_row_ != number) return;
     // The border between two rows that is nearest to the mouse.
     const double y = static_cast<double>(ImGui::GetIO().MousePos.y) - list_top;
+    const auto bottom = [this](std::size_t i) { return i + 1 < rows_.size() ? rows_[i + 1].top : height_; };
     std::size_t border = 0;
-    while (border < rows_.size() && rows_[border].top + rows_[border].lines * 0.5 < y &&
-           (border + 1 < rows_.size() ? rows_[border + 1].top : height_) < y + 1)
-        ++border;
+    while (border < rows_.size() && (rows_[border].top + bottom(border)) / 2 < y) ++border;
     const double line = border < rows_.size() ? rows_[border].top : height_;
     const ImVec2 left{ImGui::GetWindowPos().x, static_cast<float>(list_top + line)};
     ImGui::GetWindowDrawList()->AddLine(left, plus(left, {ImGui::GetWindowWidth(), 0}), kAccent, 2);
@@ -451,6 +463,7 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
     const bool clicked = ImGui::InvisibleButton("gutter", {gutter, line_height});
     const bool gutter_hovered = ImGui::IsItemHovered();
     drag_row(session, row, static_cast<double>(start.y) - row.top);
+    is_over_part_ = gutter_hovered;
     if (gutter_hovered) {
         help_ = row.is_fold ? "click to fold or unfold; drag to move all up to glEnd" : "drag to move this call";
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
@@ -500,7 +513,7 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
     // What is left of the row: selects it. A double click edits the whole call as text.
     ImGui::SetCursorScreenPos(start);
     ImGui::InvisibleButton("row", {std::max(width, 1.0f), height});
-    if (ImGui::IsItemHovered()) {
+    if (ImGui::IsItemHovered() && !is_over_part_) {
         const std::string line = command.place.line > 0 ? fmt::format("line {}: ", command.place.line) : "";
         if (!is_wrong) help_ = line + command.sig().usage() + "  double click: edit as text; right click: menu";
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -515,7 +528,7 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
             to_open_ = "argument menu";
         }
     }
-    if (ImGui::IsItemClicked()) session.selected_command = last_selected_ = row.command;
+    if (ImGui::IsItemClicked() && !is_over_part_) session.selected_command = last_selected_ = row.command;
     ImGui::PopID();
 }
 
@@ -542,6 +555,7 @@ void CommandsPanel::show_list(Session& session) {
         ImGui::SetCursorPos({start.x, start.y + static_cast<float>(row->top)});
         show_row(session, *row, columns);
     }
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) moved_row_.reset();  // of a row that is no longer seen
     ImGui::SetCursorPos({start.x, start.y + static_cast<float>(height_)});
     ImGui::Dummy({1, 1});
 }
@@ -593,14 +607,9 @@ void CommandsPanel::show_argument_menu(Session& session) {
         edit(session, session::with_command(*list, index, *opened), "reset " + std::string(command.name()));
     ImGui::Separator();
     const std::size_t count = session::end_of_group(*list, index) - index + 1;
-    if (ImGui::MenuItem("Move up", nullptr, false, index > 0)) {
-        edit(session, session::with_moved(*list, index, index - 1, count), "move " + std::string(command.name()));
-        session.selected_command = index - 1;
-    }
-    if (ImGui::MenuItem("Move down", nullptr, false, index + count < list->commands.size())) {
-        edit(session, session::with_moved(*list, index, index + 1, count), "move " + std::string(command.name()));
-        session.selected_command = index + 1;
-    }
+    if (ImGui::MenuItem("Move up", nullptr, false, index > 0)) move_selected(session, index, false);
+    if (ImGui::MenuItem("Move down", nullptr, false, index + count < list->commands.size()))
+        move_selected(session, index, true);
     if (ImGui::MenuItem("Duplicate") && count == 1)
         edit(session, session::with_inserted(*list, index + 1, session::new_command(command.id, command.arguments)),
              "duplicate " + std::string(command.name()));
@@ -678,7 +687,9 @@ void CommandsPanel::show_insert(Session& session) {
         try {
             const CommandList typed = read_scene(inserted_text_, "the typed call", "the typed call");
             CommandList edited = commands(session);
-            std::size_t at = session.selected_command ? *session.selected_command + 1 : edited.commands.size();
+            std::size_t at = edited.commands.size();
+            if (session.selected_command && *session.selected_command < at)
+                at = session::end_of_group(edited, *session.selected_command) + 1;
             if (replaced_) {
                 at = *replaced_;
                 edited = session::without_command(edited, at);
@@ -718,14 +729,9 @@ void CommandsPanel::show_tools(Session& session) {
         say(session, "done again: " + session.history.redo());
     const std::size_t count = has_selected ? session::end_of_group(*list, index) - index + 1 : 0;
     const std::string name = has_selected ? std::string(list->commands[index].name()) : "";
-    if (button("Up", has_selected && index > 0, "move the selected call up")) {
-        edit(session, session::with_moved(*list, index, index - 1, count), "move " + name);
-        session.selected_command = index - 1;
-    }
-    if (button("Down", has_selected && index + count < list->commands.size(), "move the selected call down")) {
-        edit(session, session::with_moved(*list, index, index + 1, count), "move " + name);
-        session.selected_command = index + 1;
-    }
+    if (button("Up", has_selected && index > 0, "move the selected call up")) move_selected(session, index, false);
+    if (button("Down", has_selected && index + count < list->commands.size(), "move the selected call down"))
+        move_selected(session, index, true);
     if (button("Delete", has_selected, "delete the selected call"))
         edit(session, session::without_command(*list, index, count), "delete " + name);
     if (button("Insert...", true, "insert a call after the selected one")) {

@@ -56,6 +56,7 @@ class CommandsPanel {
     std::size_t shown_unfolded_ = 0;
     double height_ = 0;
 
+    bool is_over_part_ = false;          // the mouse is over an argument, a swatch or the gutter of the row
     std::string help_;                   // of what is under the mouse
     std::optional<ArgumentAt> dragged_;  // the number that is being dragged
     double dragged_from_ = 0;

@@ -19,7 +19,7 @@ namespace {
 using session::SetBy;
 using session::Source;
 
-constexpr float kLabelWidth = 106;  // at scale 1
+constexpr float kLabelWidth = 114;  // at scale 1
 constexpr ImGuiColorEditFlags kColorFlags =
     ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoLabel;
 constexpr const char* kNumber = "%.3g";

@@ -442,6 +442,12 @@ void Window::write_times() const {
 
 void Window::key(int code) {
     const ImGuiIO& io = ImGui::GetIO();
+    constexpr int kEscape = 27;
+    if (code == kEscape && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+        ImGui::SetWindowFocus(nullptr);  // closes the popups
+        wake();
+        return;
+    }
     if (!(io.WantCaptureKeyboard && io.WantTextInput)) press(session_, code);
     if (session_.animating) animated_since_ = Clock::now();
     carry_out_requests();
