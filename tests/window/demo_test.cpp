@@ -218,13 +218,17 @@ class DemoWindow : public testing::Test {
         ASSERT_EQ(screenshot.height, height);
         const Layout places = layout(session, width, height, 1);
         refresh(session, places.picture.width, places.picture.height);
-        const auto context = make_offscreen_context(session.width, session.height);
+        // Of the window's size: the driver interpolates downwards from the top.
+        const auto context = make_offscreen_context(width, height);
         const PixelMask edges = reference::allowed_difference(session.scene.frame, {}).edge;
         for (const Cell& cell : places.cells) {
             if (cell.pane == kDifferencePane) continue;
             const Pane& pane = session.panes[cell.pane];
             SCOPED_TRACE(title_of(session, pane));
-            expect_near(part_of(screenshot, cell.picture), picture_of(session, pane), edges, 0);
+            // The window bakes numbers into shaders, which lets the driver fold them: lighting per pixel may then round to
+            // another of the 255 steps.
+            const bool may_round = pane.renderer == Path::kProgrammable;
+            expect_near(part_of(screenshot, cell.picture), picture_of(session, pane), edges, may_round ? 1 / 255.0 : 0);
         }
     }
 
@@ -249,10 +253,12 @@ class DemoWindow : public testing::Test {
 
     // `interior`: by how much a channel may differ there.
     void expect_near(const Image& actual, Image expected, const PixelMask& edges, double interior) {
-        constexpr double kBorderline = 0.001;              // share of edge pixels
+        constexpr double kBorderline = 0.001;              // share of pixels
         for (Rgba& pixel : expected.pixels) pixel[3] = 1;  // a PNG has no alpha
         const ImageDifference found = difference(actual, expected, edges);
-        if (found.interior.max <= interior && found.edge.differing_share() <= kBorderline) return;
+        if (found.interior.max <= interior && found.interior.differing_share() <= kBorderline &&
+            found.edge.differing_share() <= kBorderline)
+            return;
         const std::string kept = kept_folder().string();
         const int factor = amplification_for(std::max(found.interior.max, found.edge.max));
         write_png(kept + "/demo-actual.png", actual);
@@ -289,7 +295,7 @@ TEST_F(DemoWindow, ShowsTheFixedFunctionBesideLightingPerPixelFirst) {
     Session session = session_after("", View::kSlider);
     const Layout places = layout(session, kWidth, kHeight, 1);
     refresh(session, places.picture.width, places.picture.height);
-    const auto context = make_offscreen_context(session.width, session.height);
+    const auto context = make_offscreen_context(kWidth, kHeight);
     const Image left = fixed::render(session.scene);
     const Image right = programmable::Renderer().render(session.scene.frame, {{{.shading = Shading::kPhong}}}).image;
     const PixelMask edges = reference::allowed_difference(session.scene.frame, {}).edge;
@@ -309,7 +315,7 @@ TEST_F(DemoWindow, ShowsTheFixedFunctionBesideLightingPerPixelFirst) {
         return mask;
     };
     expect_near(half(shown), half(left), some_edges(0), 0);
-    expect_near(other_half(shown), other_half(right), some_edges(picture.width - width), 0);
+    expect_near(other_half(shown), other_half(right), some_edges(picture.width - width), 1 / 255.0);
     const RegionDifference apart = difference(left, right, edges).interior;
     EXPECT_GT(apart.max, 0.1) << "the two halves show the same";
 }
@@ -327,13 +333,15 @@ TEST_F(DemoWindow, DrawsTheBuiltInScenes) {
 
 TEST_F(DemoWindow, EachOfTheLabsLightsIsVisible) {
     scene_ = *load_commands("lab");
-    const auto context = make_offscreen_context(640, 480);
     const Session all = session_after("\t\t");  // the fixed function
     for (char key = '1'; key <= '8'; ++key) {
         SCOPED_TRACE(key);
         const Session one_less = session_after(std::string("\t\t") + key);
-        const Image with = fixed::render(all.scene), without = fixed::render(one_less.scene);
-        EXPECT_GT(difference(with, without, PixelMask(with.pixels.size())).interior.max, 8 / 255.0);
+        {
+            const auto context = make_offscreen_context(640, 480);
+            const Image with = fixed::render(all.scene), without = fixed::render(one_less.scene);
+            EXPECT_GT(difference(with, without, PixelMask(with.pixels.size())).interior.max, 8 / 255.0);
+        }
         const Ran ran = run_demo(std::string("lab --view single --keys '\t\t") + key + "'");
         ASSERT_EQ(ran.status, 0) << ran.output;
         expect_panes(picture(), one_less);

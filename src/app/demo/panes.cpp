@@ -42,9 +42,9 @@ unsigned make_texture() {
     unsigned name = 0;
     glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D, name);
-    // Pictures are shown pixel for pixel. The reference's coarse picture is smoothed.
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    // Pictures are shown pixel for pixel; linear filters would round.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glBindTexture(GL_TEXTURE_2D, 0);
@@ -52,7 +52,7 @@ unsigned make_texture() {
 }
 
 // Row 0 of a texture is at the bottom of the picture, as in GL.
-void upload(unsigned texture, const Image& image) {
+void upload(unsigned texture, const Image& image, bool is_coarse = false) {
     std::vector<std::uint8_t> codes;
     codes.reserve(image.pixels.size() * 3);
     for (int y = image.height - 1; y >= 0; --y)
@@ -63,6 +63,7 @@ void upload(unsigned texture, const Image& image) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, image.width, image.height, 0, GL_RGB, GL_UNSIGNED_BYTE, codes.data());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, is_coarse ? GL_LINEAR : GL_NEAREST);
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
@@ -226,7 +227,7 @@ void Panes::take_reference(const Session& session) {
         drawn.error.clear();
         if ((*found)->divisor == 1) drawn.times.add((*found)->ms);
         drawn.image = (*found)->divisor == 1 ? (*found)->image : Image{};
-        upload(drawn.texture, (*found)->image);
+        upload(drawn.texture, (*found)->image, (*found)->divisor > 1);
         ++drawn.version;
     }
 }

@@ -117,6 +117,7 @@ class Window {
     template <class Action>
     static void guarded(void* window, Action action) {
         Window& self = *static_cast<Window*>(window);
+        if (!self.imgui_runs_) return;  // the window is closing
         try {
             action(self);
         } catch (const std::exception& e) {
@@ -213,20 +214,27 @@ int Window::run() {
         [](int width, int height, void* w) { guarded(w, [=](Window& self) { self.reshape(width, height); }); }, this);
     glutKeyboardFuncUcall(
         [](unsigned char code, int x, int y, void* w) {
-            ImGui_ImplGLUT_KeyboardFunc(code, x, y);
-            const bool shift = (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0;
-            guarded(w, [=](Window& self) { self.key(code == '\t' && shift ? session::kShiftTab : code); });
+            guarded(w, [=](Window& self) {
+                ImGui_ImplGLUT_KeyboardFunc(code, x, y);
+                const bool shift = (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0;
+                self.key(code == '\t' && shift ? session::kShiftTab : code);
+            });
         },
         this);
-    glutKeyboardUpFuncUcall([](unsigned char code, int x, int y, void*) { ImGui_ImplGLUT_KeyboardUpFunc(code, x, y); },
+    glutKeyboardUpFuncUcall([](unsigned char code, int x, int y,
+                               void* w) { guarded(w, [=](Window&) { ImGui_ImplGLUT_KeyboardUpFunc(code, x, y); }); },
                             this);
     glutSpecialFuncUcall(
         [](int code, int x, int y, void* w) {
-            ImGui_ImplGLUT_SpecialFunc(code, x, y);
-            guarded(w, [=](Window& self) { self.key(session::kSpecialKey + code); });
+            guarded(w, [=](Window& self) {
+                ImGui_ImplGLUT_SpecialFunc(code, x, y);
+                self.key(session::kSpecialKey + code);
+            });
         },
         this);
-    glutSpecialUpFuncUcall([](int code, int x, int y, void*) { ImGui_ImplGLUT_SpecialUpFunc(code, x, y); }, this);
+    glutSpecialUpFuncUcall(
+        [](int code, int x, int y, void* w) { guarded(w, [=](Window&) { ImGui_ImplGLUT_SpecialUpFunc(code, x, y); }); },
+        this);
     glutMouseFuncUcall([](int button, int state, int x, int y,
                           void* w) { guarded(w, [=](Window& self) { self.mouse(button, state, x, y); }); },
                        this);
@@ -312,6 +320,7 @@ void Window::display() {
         return;
     }
     carry_out_requests();
+    if (!imgui_runs_) return;
     if (--frames_wanted_ > 0 || options_.quit_after > 0) glutPostRedisplay();
     set_timers();
 }

@@ -38,6 +38,8 @@ bool starts_drawing(const Command& command) {
 
 bool is_initially_on(Enum cap) { return State().capability(cap).value_or(false); }
 
+constexpr double kMostSlices = 10'000;
+
 int scaled_count(int count, int steps) {
     constexpr int kFewest = 3;
     if (count <= 0) return count;  // draws nothing
@@ -168,13 +170,15 @@ CommandList change_tessellation(const CommandList& commands, int steps) {
     for (Command& command : result.commands) {
         const study::SliceArguments slices = study::slice_arguments(command);
         double facets = 1;
+        bool fits = true;
         Command changed = command;
         for (const std::size_t i : {slices.around, slices.across}) {
             if (i == 0) continue;
             changed.arguments.at(i) = scaled_count(static_cast<int>(command.number(i)), steps);
-            facets *= changed.number(i);
+            facets *= std::max(1.0, changed.number(i));
+            fits = fits && changed.number(i) <= kMostSlices;
         }
-        if (steps < 0 || facets <= kMostShapeFacets) command = std::move(changed);
+        if (steps < 0 || (fits && facets <= kMostShapeFacets)) command = std::move(changed);
     }
     return result;
 }

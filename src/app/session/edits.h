@@ -33,7 +33,8 @@ CommandList toggle_shade_model(const CommandList& commands);
 // ---- Tessellation ----
 
 // The slices and stacks (or sides and rings, or slices and loops) of every round shape times 2^(steps/2), at least 3.
-// A shape without them stays as it is, and so does one that would have more than kMostShapeFacets facets.
+// A shape without them stays as it is, and so does one that would have more than kMostShapeFacets facets or
+// 10,000 slices.
 CommandList change_tessellation(const CommandList& commands, int steps);
 inline constexpr double kMostShapeFacets = 1'000'000;
 // The slices and stacks of the shapes, "48 x 24"; "32 x 16 to 96 x 48" if they differ. Empty if no shape has them.

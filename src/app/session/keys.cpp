@@ -139,7 +139,7 @@ constexpr Key kKeys[] = {
     {'+', '+', "+ -", "finer or coarser meshes", [](Session& s, int) { tessellate(s, 1); }},
     {'=', '=', "", "", [](Session& s, int) { tessellate(s, 1); }},
     {'-', '-', "", "", [](Session& s, int) { tessellate(s, -1); }},
-    {'m', 'm', "m", "wireframe: over the surface, alone, off", next_wireframe},
+    {'m', 'm', "m", "wireframe: over the surface, only lines, off", next_wireframe},
     {'n', 'n', "n", "normals", [](Session& s, int) { s.overlays.normals = !s.overlays.normals; }},
     {'l', 'l', "l", "GL_LIGHTING on or off", [](Session& s, int) { press_capability(s, kGL_LIGHTING, "GL_LIGHTING"); }},
     {'v', 'v', "v", "local viewer: the eye's own direction at each vertex",

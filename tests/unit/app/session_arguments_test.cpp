@@ -171,7 +171,8 @@ TEST(SessionArguments, TheHelpSaysMeaningInitialValueAndSection) {
 // The built-in scenes are what users open first: each number and name in them has its own line of help.
 TEST(SessionArguments, EveryArgumentOfTheBuiltInScenesHasHelp) {
     for (const char* name : {"report", "lab", "spectral"}) {
-        for (const Command& given : load_commands(name)->commands) {
+        const auto scene = load_commands(name);
+        for (const Command& given : scene->commands) {
             for (std::size_t i = 0; i < given.arguments.size(); ++i) {
                 if (argument_info(given, i).editing == Editing::kFixed) continue;
                 EXPECT_NE(argument_help(given, i), given.sig().usage()) << print_command(given);
@@ -185,7 +186,8 @@ TEST(SessionArguments, EveryArgumentOfTheBuiltInScenesHasHelp) {
 TEST(PrintParts, AreTheTextOfTheCommand) {
     int commands = 0;
     for (const char* name : {"commands", "report", "lab", "legacy", "spectral"}) {
-        for (const Command& given : load_commands(name)->commands) {
+        const auto scene = load_commands(name);
+        for (const Command& given : scene->commands) {
             if (given.memory && given.id != CommandId::pragma_texture) continue;
             std::string text;
             for (const PrintedPart& part : print_parts(given, 1000)) text += part.text;

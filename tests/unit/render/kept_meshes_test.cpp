@@ -5,7 +5,8 @@
 #include <memory>
 
 #include "../hand_built_draws.h"
-#include "app/demo/view.h"
+#include "app/session/camera.h"
+#include "app/session/edits.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
@@ -245,11 +246,13 @@ TEST(KeptPictures, OfTheBuiltInScenesAreTheSameBitByBit) {
         const CommandList scene = read_scene(file.text, std::string(file.name), "scene");
         Renderer keeps, forgets({.mesh_bytes = 0});
         for (int i = 0; i < 8; ++i) {
-            demo::View view;
-            view.yaw_deg = i < 4 ? 7 * i : 21;  // rotates, then stops
-            view.wireframe = i % 4 == 2;
-            const auto seen = std::make_shared<const CommandList>(demo::apply_view(scene, view));
-            const Frame frame = make_frame(*seen, {.width = kWidth, .height = kHeight});
+            session::CameraMove move;
+            move.yaw_deg = i < 4 ? 7 * i : 21;  // rotates, then stops
+            CommandList seen = session::with_camera_moved(scene, move, {0, 0, -5});
+            if (i % 4 == 2)
+                seen = session::with_inserted(
+                    seen, 0, session::new_command(CommandId::glPolygonMode, {kGL_FRONT_AND_BACK, kGL_LINE}));
+            const Frame frame = make_frame(seen, {.width = kWidth, .height = kHeight});
             EXPECT_EQ(keeps.render(frame, kLive).image.pixels, forgets.render(frame, kLive).image.pixels)
                 << file.name << ", frame " << i;
         }
