@@ -171,8 +171,8 @@ void WorldView::show_markers(const session::Session& session, const Box& box) co
         constexpr std::array<ImU32, 3> kColors = {IM_COL32(235, 95, 90, 255), IM_COL32(120, 210, 120, 255),
                                                   IM_COL32(105, 155, 255, 255)};
         if (const auto at = place(tip))
-            text({at->x + 4, at->y - 8}, kColors[static_cast<std::size_t>(axis)],
-                 std::string(1, static_cast<char>('x' + axis)));
+            draw.AddText({at->x + 4, at->y - 8}, kColors[static_cast<std::size_t>(axis)],
+                         std::string(1, static_cast<char>('x' + axis)).c_str());
     }
     if (world_.camera_world)
         if (const auto at = place(*world_.camera_world)) {

@@ -239,7 +239,7 @@ World world_of(const CommandList& commands, const Frame& frame, const std::optio
 
 void orbit(OutsideCamera& camera, double dx_pixels, double dy_pixels) {
     camera.yaw_deg = std::remainder(camera.yaw_deg - kTurnDegPerPixel * dx_pixels, 360.0);
-    camera.pitch_deg = std::clamp(camera.pitch_deg + kTurnDegPerPixel * dy_pixels, -89.0, 89.0);
+    camera.pitch_deg = std::clamp(camera.pitch_deg + kTurnDegPerPixel * dy_pixels, 0.0, 89.0);
 }
 
 void zoom(OutsideCamera& camera, double steps) {

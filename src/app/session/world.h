@@ -49,7 +49,7 @@ struct World {
 // `around`: those to keep, so that the view stands still while things move.
 World world_of(const CommandList& commands, const Frame& frame, const std::optional<Surroundings>& around = {});
 
-// The camera of the world view: it orbits the middle.
+// The camera of the world view: it orbits the middle, not below it.
 struct OutsideCamera {
     double yaw_deg = 40, pitch_deg = 25;
     double zoom = 1.2;  // 1 shows the whole sphere around the surroundings

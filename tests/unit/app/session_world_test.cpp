@@ -144,6 +144,8 @@ TEST(SessionWorld, TheOutsideCameraTurnsLikeATurntable) {
     EXPECT_GT(x(projection_of(seen.world, camera, kWidth, kHeight), {0, 0, 4}), kWidth / 2.0);
     orbit(camera, 0, 1000);
     EXPECT_EQ(camera.pitch_deg, 89);
+    orbit(camera, 0, -1000);
+    EXPECT_EQ(camera.pitch_deg, 0);
     zoom(camera, 1000);
     EXPECT_EQ(camera.zoom, 20);
 }
