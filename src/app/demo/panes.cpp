@@ -79,6 +79,12 @@ std::string ms_text(double ms) {
                       : fmt::format("{:.0f} ms", ms);
 }
 
+// Whether the difference needs no picture of the reference, which comes later.
+bool compares_live(const Session& session) {
+    return session.panes[session.difference.a].renderer != Path::kReference &&
+           session.panes[session.difference.b].renderer != Path::kReference;
+}
+
 // "fixed function and reference"; with the shadings where the renderers are the same.
 std::string difference_title(const Session& session) {
     const session::Pane &a = session.panes[session.difference.a], &b = session.panes[session.difference.b];
@@ -121,6 +127,11 @@ void FrameTimes::add(double ms) {
     while (times_.size() > 1 && now - times_.front().first > std::chrono::seconds(1)) times_.pop_front();
 }
 
+std::optional<double> FrameTimes::last_ms() const {
+    if (times_.empty()) return {};
+    return times_.back().second;
+}
+
 std::optional<double> FrameTimes::median_ms() const {
     if (times_.empty()) return {};
     std::vector<double> sorted;
@@ -153,8 +164,9 @@ void Panes::draw_pane(const Session& session, std::size_t number) {
     const Look look = look_of(session, pane);
     const bool is_new = drawn.revision != session.revision || drawn.pane != pane || !same(drawn.look, look) ||
                         drawn.width != session.width || drawn.height != session.height;
-    const bool lacks_image = wants_image(session, number) && drawn.image.pixels.empty();
-    if (!is_new && !lacks_image) return;
+    // While the scene changes in every frame, only pictures that are compared with each other at once are read back.
+    const bool reads = wants_image(session, number) && (!is_new || compares_live(session));
+    if (!is_new && !(reads && drawn.image.pixels.empty())) return;
     drawn.error.clear();
     // The first picture of a renderer includes compiling, so it is drawn twice and the second is timed.
     const bool compiles = drawn.pane != pane || !same(drawn.look, look);
@@ -177,7 +189,7 @@ void Panes::draw_pane(const Session& session, std::size_t number) {
     const fixed::InitialState initial(session.width, session.height);
     if (compiles) drawn.times = {};
     if (is_new) drawn.times.add(ms);
-    drawn.image = wants_image(session, number) ? read_pixels(session.width, session.height) : Image{};
+    drawn.image = reads ? read_pixels(session.width, session.height) : Image{};
     copy_back_buffer(drawn.texture, session.width, session.height);
     ++drawn.version;
     drawn.pane = pane;
@@ -261,6 +273,14 @@ void Panes::update_difference(const Session& session) {
     difference_.amplification =
         session.amplification != 0 ? session.amplification : amplification_for(difference_.numbers.interior.max);
     upload(difference_.texture, difference_picture(first, second, difference_.amplification));
+}
+
+bool Panes::lacks_images(const Session& session) const {
+    for (std::size_t i = 0; i < kPanes; ++i)
+        if (wants_image(session, i) && session.panes[i].renderer != Path::kReference &&
+            drawn_[i].image.pixels.empty() && drawn_[i].error.empty())
+            return true;
+    return false;
 }
 
 void Panes::update(const Session& session, const session::Layout& layout) {

@@ -23,6 +23,7 @@ class FrameTimes {
   public:
     void add(double ms);
     std::optional<double> median_ms() const;
+    std::optional<double> last_ms() const;
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -41,9 +42,13 @@ class Panes {
     void update(const session::Session& session, const session::Layout& layout);
     // Puts the pictures on ImGui's background, between the bars.
     void show(session::Session& session, const session::Layout& layout);
-    // Whether the reference is still at work. `wait` finishes it.
-    bool is_busy() const { return worker_.is_busy(); }
+    // Whether another frame would show more: the reference is at work, or pictures are still to be compared. `wait` waits
+    // for the reference.
+    bool is_busy(const session::Session& session) const { return worker_.is_busy() || lacks_images(session); }
     void wait() const { worker_.wait(); }
+
+    // How long the pane's last picture took.
+    std::optional<double> last_ms(std::size_t pane) const { return drawn_[pane].times.last_ms(); }
 
     // The colour of a pixel (from the top left) as each pane of session.panes shows it; empty where it does not know.
     std::array<std::optional<Rgba>, session::kPanes> colors_at(int x, int y) const;
@@ -73,6 +78,7 @@ class Panes {
         unsigned texture = 0;
     };
 
+    bool lacks_images(const session::Session& session) const;
     bool wants_image(const session::Session& session, std::size_t pane) const;
     void draw_pane(const session::Session& session, std::size_t pane);
     void request_reference(const session::Session& session, const std::array<bool, session::kPanes>& shown);

@@ -21,6 +21,7 @@
 #include "app/demo/panels.h"
 #include "app/demo/panes.h"
 #include "app/demo/theme.h"
+#include "app/session/clip.h"
 #include "app/session/keys.h"
 #include "app/session/layout.h"
 #include "base/image/file.h"
@@ -145,7 +146,8 @@ class Window {
     int messages_seen_ = 0;
     Clock::time_point message_since_{}, animated_since_{};
     std::optional<std::filesystem::file_time_type> file_time_;
-    std::vector<double> frame_ms_;
+    std::vector<double> frame_ms_;  // for options_.times
+    std::array<std::vector<double>, session::kPanes> pane_ms_;
     int menu_ = 0;
     std::string title_;
     int status_ = EXIT_SUCCESS;
@@ -272,7 +274,7 @@ void Window::wake(int frames) {
 }
 
 void Window::set_timers() {
-    if (panes_ && panes_->is_busy()) after(kBusyMs, busy_timer_, [this] { wake(1); });
+    if (panes_ && panes_->is_busy(session_)) after(kBusyMs, busy_timer_, [this] { wake(1); });
     if (session_.animating) after(kFrameMs, animation_timer_, [this] { wake(1); });
     if (session_.file)
         after(kFileMs, file_timer_, [this] {
@@ -304,7 +306,7 @@ void Window::display() {
     // A script's last frame shows the reference's final picture.
     const bool last = options_.quit_after > 0 && frames_shown_ >= std::max(options_.quit_after, kFramesAfterEvent);
     if (last) {
-        while (panes_->is_busy()) {
+        while (panes_->is_busy(session_)) {
             panes_->wait();
             frame();
         }
@@ -312,8 +314,16 @@ void Window::display() {
         if (!options_.screenshot.empty()) save_screenshot();
     }
     if (session_.screenshot_requested) save_screenshot();
+    if (panels_->saving().is_recording()) {
+        const int left = layout_.panel.width;
+        panels_->saving().add_frame(
+            session::part_of(read_pixels(width_, height_), left, 0, width_ - left, layout_.status.y));
+    }
     glutSwapBuffers();
-    frame_ms_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    if (!options_.times.empty()) {
+        frame_ms_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+        for (std::size_t i = 0; i < session::kPanes; ++i) pane_ms_[i].push_back(panes_->last_ms(i).value_or(0));
+    }
 
     if (last) {
         quit();
@@ -339,6 +349,7 @@ void Window::frame() {
     ImGui_ImplGLUT_NewFrame();
     if (IMGUI_VERSION_NUM >= 18700) ImGui::NewFrame();  // 1.86's GLUT back end calls it itself
     panes_->show(session_, layout_);
+    panels_->update(session_);
     if (layout_.panel.width > 0) panels_->show(session_, layout_.panel, *panes_);
     show_status(layout_);
     if (session_.keys_shown) show_keys();
@@ -408,7 +419,8 @@ void Window::show_keys() const {
 // If the file cannot be written, says so and goes on.
 void Window::save_screenshot() {
     session_.screenshot_requested = false;
-    const std::string file = options_.screenshot.empty() ? "twinlight-demo.png" : options_.screenshot;
+    const std::string file =
+        options_.screenshot.empty() ? panels_->saving().screenshot_path(session_) : options_.screenshot;
     try {
         Image image = read_pixels(width_, height_);
         for (Rgba& pixel : image.pixels) pixel[3] = 1;
@@ -425,7 +437,7 @@ void Window::save_screenshot() {
 
 void Window::write_times() const {
     if (options_.times.empty()) return;
-    write_file_atomically(options_.times, nlohmann::json{{"frame_ms", frame_ms_}}.dump() + "\n");
+    write_file_atomically(options_.times, nlohmann::json{{"frame_ms", frame_ms_}, {"pane_ms", pane_ms_}}.dump() + "\n");
 }
 
 void Window::key(int code) {
@@ -442,6 +454,7 @@ void Window::carry_out_requests() {
         return;
     }
     if (session_.scene_requested != 0) open_neighbour(std::exchange(session_.scene_requested, 0));
+    if (std::exchange(session_.export_requested, false)) panels_->saving().save(session_, session::Form::kC);
     if (session_.screenshot_requested) wake();
 }
 

@@ -8,14 +8,15 @@
 
 #include "app/session/camera.h"
 #include "app/session/edits.h"
+#include "app/session/world.h"
 
 namespace twinlight::session {
 namespace {
 
-constexpr double kDegreesPerPixel = 0.5, kLookDegreesPerPixel = 0.15;
+constexpr double kOrbitDegreesPerPixel = 0.5, kLookDegreesPerPixel = 0.15;
 constexpr double kDegreesPerArrow = 5;
 constexpr double kStep = 0.05;  // of the distance to the pivot, for W, A, S and D
-constexpr double kZoomPerStep = 1.1;
+constexpr double kCameraZoomPerStep = 1.1;
 constexpr double kDegreesPerSecond = 30;
 constexpr int kEscape = 27;
 
@@ -132,7 +133,7 @@ constexpr Key kKeys[] = {
      [](Session& s, int nth) {
          constexpr std::array<std::array<int, 2>, 4> kDirections = {{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}};
          const auto [x, y] = kDirections[static_cast<std::size_t>(nth)];
-         constexpr double kPixels = kDegreesPerArrow / kDegreesPerPixel;
+         constexpr double kPixels = kDegreesPerArrow / kOrbitDegreesPerPixel;
          orbit(s, start_drag(s), static_cast<int>(x * kPixels), static_cast<int>(y * kPixels));
      },
      false},
@@ -191,8 +192,8 @@ DragStart start_drag(const Session& session) { return {session.history.now(), mi
 
 void orbit(Session& session, const DragStart& start, int dx, int dy) {
     CameraMove move;
-    move.yaw_deg = kDegreesPerPixel * dx;
-    move.pitch_deg = kDegreesPerPixel * dy;
+    move.yaw_deg = kOrbitDegreesPerPixel * dx;
+    move.pitch_deg = kOrbitDegreesPerPixel * dy;
     move_camera(session, start, move, "turn the camera");
 }
 
@@ -205,14 +206,33 @@ void look(Session& session, const DragStart& start, int dx, int dy) {
 
 void zoom(Session& session, int steps) {
     CameraMove move;
-    move.zoom = std::pow(kZoomPerStep, steps);
+    move.zoom = std::pow(kCameraZoomPerStep, steps);
     move_camera(session, start_drag(session), move, "zoom");
 }
 
 void animate(Session& session, double seconds) {
-    CameraMove move;
-    move.yaw_deg = kDegreesPerSecond * seconds;
-    move_camera(session, start_drag(session), move, "animate the camera");
+    auto& animation = session.animation;
+    if (!animation || animation->last != session.history.now()) {
+        refresh(session, session.width, session.height);
+        animation = {session.history.now(), session.history.now(), session.scene.frame, 0};
+    }
+    animation->seconds += seconds;
+    const double degrees = kDegreesPerSecond * animation->seconds;
+    if (session.selected_light) {
+        const World world = world_of(*animation->from, animation->frame);
+        const auto light = std::ranges::find(world.lights, *session.selected_light, &LightMarker::number);
+        if (light != world.lights.end()) {
+            const auto index = static_cast<std::size_t>(light - world.lights.begin());
+            edit(session, with_light_turned(*animation->from, animation->frame, world, index, degrees),
+                 "animate " + light_name(*session.selected_light), "animation");
+        }
+    } else {
+        CameraMove move;
+        move.yaw_deg = degrees;
+        edit(session, with_camera_moved(*animation->from, move, middle_of(animation->frame)), "animate the camera",
+             "animation");
+    }
+    animation->last = session.history.now();
 }
 
 }  // namespace twinlight::session
