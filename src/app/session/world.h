@@ -95,6 +95,10 @@ glm::dvec3 place_of(const World& world, const Handle& handle);  // in world coor
 std::optional<Handle> handle_at(const World& world, const WorldProjection& projection, const glm::dvec2& place,
                                 double reach = 12);
 
+// The index of the call that set the handle's place; empty if none did.
+std::optional<std::size_t> command_of(const CommandList& commands, const Frame& frame, const World& world,
+                                      const Handle& handle);
+
 // The commands with a handle moved to this place. The glLight call that set the value changes; a light whose value was never
 // set gets a call at the start. Values are rounded to three digits of the world's radius.
 CommandList with_handle_at(const CommandList& commands, const Frame& frame, const World& world, const Handle& handle,
