@@ -50,6 +50,7 @@ void Panels::show(session::Session& session, const session::Box& box, const Pane
         tab("Lint", lint_.count() == 0 ? "Lint" : fmt::format("Lint ({})", lint_.count()), [&] {
             if (lint_.show(session)) opened_ = "Commands";
         });
+        tab("Accuracy", "Accuracy", [&] { accuracy_.show(session); });
         tab("Save", "Save", [&] { save_.show(session); });
         tab("Overlays", "Overlays", [&] { overlays_panel(session); });
         ImGui::EndTabBar();

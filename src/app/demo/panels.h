@@ -1,6 +1,7 @@
 // Panels: the tabs at the window's left, and the menu of a right click.
 #pragma once
 
+#include "app/demo/panel_accuracy.h"
 #include "app/demo/panel_lint.h"
 #include "app/demo/panel_probe.h"
 #include "app/demo/panel_save.h"
@@ -19,10 +20,11 @@ class Panels {
     // Brings the probe's tab to the front.
     void show_probe() { opened_ = "Probe"; }
     // Whether a panel works in the background, so that the window must go on drawing frames.
-    bool is_busy() const { return lint_.is_busy() || save_.is_busy(); }
+    bool is_busy() const { return lint_.is_busy() || save_.is_busy() || accuracy_.is_busy(); }
     SavePanel& saving() { return save_; }
 
   private:
+    AccuracyPanel accuracy_;
     LintPanel lint_;
     ProbePanel probe_;
     SavePanel save_;

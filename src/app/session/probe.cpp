@@ -163,7 +163,7 @@ std::vector<SumRow> fragment_rows(const Scene& scene, const ProbeAnswer& answer,
     return {{"", "fragment",
              explain::steps_after_lighting(at, *scene.frame.draws()[at.draw], answer.pixel.look.lecture_variants),
              vec3_cast<Vec>(at.color), true},
-            {"", "picture", "after this fragment", vec3_cast<Vec>(at.after), true}};
+            {"", "picture", "after it", vec3_cast<Vec>(at.after), true}};
 }
 
 std::string rulings_of(const ProbeAnswer& answer, std::size_t fragment) {
