@@ -181,6 +181,7 @@ test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs s
 	    tests/run.sh $(PROGRAMS)/twinlight-tests '$(or $(TEST),*)'
 
 bench: deps  ## measure speed: print medians, write ratios to build/bench.json (BENCH=Regex runs some, QUICK=1 runs each once)
+	@$(MAKE) $(PROGRAMS)/twinlight-demo
 	@$(MAKE) $(PROGRAMS)/twinlight-bench
 	@TWINLIGHT_BUILD=$(PROGRAMS) $(PROGRAMS)/twinlight-bench $(if $(QUICK),--quick) '$(or $(BENCH),.)'
 

@@ -127,6 +127,11 @@ void FrameTimes::add(double ms) {
     while (times_.size() > 1 && now - times_.front().first > std::chrono::seconds(1)) times_.pop_front();
 }
 
+std::optional<double> FrameTimes::last_ms() const {
+    if (times_.empty()) return {};
+    return times_.back().second;
+}
+
 std::optional<double> FrameTimes::median_ms() const {
     if (times_.empty()) return {};
     std::vector<double> sorted;

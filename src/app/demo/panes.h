@@ -23,6 +23,7 @@ class FrameTimes {
   public:
     void add(double ms);
     std::optional<double> median_ms() const;
+    std::optional<double> last_ms() const;
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -45,6 +46,9 @@ class Panes {
     // for the reference.
     bool is_busy(const session::Session& session) const { return worker_.is_busy() || lacks_images(session); }
     void wait() const { worker_.wait(); }
+
+    // How long the pane's last picture took.
+    std::optional<double> last_ms(std::size_t pane) const { return drawn_[pane].times.last_ms(); }
 
     // The colour of a pixel (from the top left) as each pane of session.panes shows it; empty where it does not know.
     std::array<std::optional<Rgba>, session::kPanes> colors_at(int x, int y) const;

@@ -146,7 +146,8 @@ class Window {
     int messages_seen_ = 0;
     Clock::time_point message_since_{}, animated_since_{};
     std::optional<std::filesystem::file_time_type> file_time_;
-    std::vector<double> frame_ms_;
+    std::vector<double> frame_ms_;  // for options_.times
+    std::array<std::vector<double>, session::kPanes> pane_ms_;
     int menu_ = 0;
     std::string title_;
     int status_ = EXIT_SUCCESS;
@@ -319,7 +320,10 @@ void Window::display() {
             session::part_of(read_pixels(width_, height_), left, 0, width_ - left, layout_.status.y));
     }
     glutSwapBuffers();
-    frame_ms_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    if (!options_.times.empty()) {
+        frame_ms_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+        for (std::size_t i = 0; i < session::kPanes; ++i) pane_ms_[i].push_back(panes_->last_ms(i).value_or(0));
+    }
 
     if (last) {
         quit();
@@ -433,7 +437,7 @@ void Window::save_screenshot() {
 
 void Window::write_times() const {
     if (options_.times.empty()) return;
-    write_file_atomically(options_.times, nlohmann::json{{"frame_ms", frame_ms_}}.dump() + "\n");
+    write_file_atomically(options_.times, nlohmann::json{{"frame_ms", frame_ms_}, {"pane_ms", pane_ms_}}.dump() + "\n");
 }
 
 void Window::key(int code) {

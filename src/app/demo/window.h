@@ -18,7 +18,7 @@ struct WindowOptions {
     std::string keys;                   // pressed before the first frame
     std::string screenshot;             // the file that the key p and --quit-after write
     int quit_after = 0;                 // frames; 0: until the user quits
-    std::string times;                  // a file for the times of all frames, as JSON
+    std::string times;  // a JSON file for the milliseconds of all frames: {"frame_ms": [...], "pane_ms": [[...], ...]}
 };
 
 // Shows the scene until the user quits, and returns the exit status. Throws SceneError for a scene with a GL error. If GLUT

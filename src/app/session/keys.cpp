@@ -8,6 +8,7 @@
 
 #include "app/session/camera.h"
 #include "app/session/edits.h"
+#include "app/session/world.h"
 
 namespace twinlight::session {
 namespace {
@@ -210,9 +211,28 @@ void zoom(Session& session, int steps) {
 }
 
 void animate(Session& session, double seconds) {
-    CameraMove move;
-    move.yaw_deg = kDegreesPerSecond * seconds;
-    move_camera(session, start_drag(session), move, "animate the camera");
+    auto& animation = session.animation;
+    if (!animation || animation->last != session.history.now()) {
+        refresh(session, session.width, session.height);
+        animation = {session.history.now(), session.history.now(), session.scene.frame, 0};
+    }
+    animation->seconds += seconds;
+    const double degrees = kDegreesPerSecond * animation->seconds;
+    if (session.selected_light) {
+        const World world = world_of(*animation->from, animation->frame);
+        const auto light = std::ranges::find(world.lights, *session.selected_light, &LightMarker::number);
+        if (light != world.lights.end()) {
+            const auto index = static_cast<std::size_t>(light - world.lights.begin());
+            edit(session, with_light_turned(*animation->from, animation->frame, world, index, degrees),
+                 "animate " + light_name(*session.selected_light), "animation");
+        }
+    } else {
+        CameraMove move;
+        move.yaw_deg = degrees;
+        edit(session, with_camera_moved(*animation->from, move, middle_of(animation->frame)), "animate the camera",
+             "animation");
+    }
+    animation->last = session.history.now();
 }
 
 }  // namespace twinlight::session

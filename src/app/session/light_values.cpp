@@ -341,4 +341,24 @@ CommandList with_material_parameter(const CommandList& commands, const LightingV
     return with_inserted(commands, index, new_command(id, std::move(arguments)));
 }
 
+CommandList with_light_model(const CommandList& commands, const LightingValues& values, Enum pname,
+                             const std::vector<double>& numbers) {
+    std::vector<double> arguments{static_cast<double>(pname)};
+    arguments.insert(arguments.end(), numbers.begin(), numbers.end());
+    Command call =
+        new_command(numbers.size() == 1 ? CommandId::glLightModeli : CommandId::glLightModelfv, std::move(arguments));
+    const SetBy& by = pname == kGL_LIGHT_MODEL_AMBIENT ? values.ambient : values.color_control;
+    if (by.source != Source::kCommand) return with_inserted(commands, 0, std::move(call));
+    call.place = commands.commands[*by.command].place;
+    return with_command(commands, *by.command, std::move(call));
+}
+
+CommandList with_color_material(const CommandList& commands, const LightingValues& values, Enum face, Enum mode) {
+    Command call = new_command(CommandId::glColorMaterial, {static_cast<double>(face), static_cast<double>(mode)});
+    const SetBy& by = values.color_material_mode;
+    if (by.source != Source::kCommand) return with_inserted(commands, values.color_material.command.value_or(0), call);
+    call.place = commands.commands[*by.command].place;
+    return with_command(commands, *by.command, std::move(call));
+}
+
 }  // namespace twinlight::session

@@ -88,5 +88,11 @@ CommandList with_light_parameter(const CommandList& commands, const LightingValu
                                  const std::vector<double>& numbers);
 CommandList with_material_parameter(const CommandList& commands, const LightingValues& values, Enum face, Enum pname,
                                     const std::vector<double>& numbers);
+// The same for GL_LIGHT_MODEL_AMBIENT and GL_LIGHT_MODEL_COLOR_CONTROL. A new call is inserted at the start.
+CommandList with_light_model(const CommandList& commands, const LightingValues& values, Enum pname,
+                             const std::vector<double>& numbers);
+// Sets both arguments of glColorMaterial. A new call is inserted before the drawing command's GL_COLOR_MATERIAL was
+// switched, or at the start.
+CommandList with_color_material(const CommandList& commands, const LightingValues& values, Enum face, Enum mode);
 
 }  // namespace twinlight::session

@@ -97,6 +97,13 @@ struct Session {
     bool keys_shown = false;
     bool panel_shown = true;
     bool animating = false;
+    // What moves does so from here, so that rounding does not add up. Begins again after any other edit.
+    struct Animation {
+        std::shared_ptr<const CommandList> from, last;
+        Frame frame;
+        double seconds = 0;
+    };
+    std::optional<Animation> animation{};
     bool quit_requested = false;
     // Requests that the window carries out and clears.
     bool export_requested = false, screenshot_requested = false;

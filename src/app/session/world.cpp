@@ -369,10 +369,23 @@ std::optional<Handle> handle_at(const World& world, const WorldProjection& proje
 
 CommandList with_handle_moved(const CommandList& commands, const Frame& frame, const World& world,
                               const WorldProjection& projection, const Handle& handle, const glm::dvec2& by_pixels) {
-    const LightMarker& light = world.lights.at(handle.light);
     const auto place = projection.place_of(place_of(world, handle));
-    if (!place || light.typed >= frame.typed_lights.size() || by_pixels == glm::dvec2(0)) return commands;
-    const glm::dvec3 moved_world = projection.point_at(*place + glm::dvec3(by_pixels, 0));
+    if (!place || by_pixels == glm::dvec2(0)) return commands;
+    return with_handle_at(commands, frame, world, handle, projection.point_at(*place + glm::dvec3(by_pixels, 0)));
+}
+
+CommandList with_light_turned(const CommandList& commands, const Frame& frame, const World& world, std::size_t light,
+                              double degrees) {
+    const glm::dvec3 from_middle = world.lights.at(light).place_world - world.around.middle_world;
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1), glm::radians(degrees), world.up_dir_world);
+    return with_handle_at(commands, frame, world, {light, false},
+                          world.around.middle_world + glm::dmat3(turn) * from_middle);
+}
+
+CommandList with_handle_at(const CommandList& commands, const Frame& frame, const World& world, const Handle& handle,
+                           const glm::dvec3& moved_world) {
+    const LightMarker& light = world.lights.at(handle.light);
+    if (light.typed >= frame.typed_lights.size()) return commands;
     const TypedLight& typed = frame.typed_lights[light.typed];
 
     // A direction keeps the length that it was given.

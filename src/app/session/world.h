@@ -95,10 +95,16 @@ glm::dvec3 place_of(const World& world, const Handle& handle);  // in world coor
 std::optional<Handle> handle_at(const World& world, const WorldProjection& projection, const glm::dvec2& place,
                                 double reach = 12);
 
-// The commands with a handle moved by so many pixels, in the plane of the picture through it. The glLight call that set the
-// value changes; a light whose value was never set gets a call at the start. Values are rounded to three digits of the
-// world's radius.
+// The commands with a handle moved to this place. The glLight call that set the value changes; a light whose value was never
+// set gets a call at the start. Values are rounded to three digits of the world's radius.
+CommandList with_handle_at(const CommandList& commands, const Frame& frame, const World& world, const Handle& handle,
+                           const glm::dvec3& place_world);
+// With a handle moved by so many pixels, in the plane of the picture through it.
 CommandList with_handle_moved(const CommandList& commands, const Frame& frame, const World& world,
                               const WorldProjection& projection, const Handle& handle, const glm::dvec2& by_pixels);
+
+// With a light (an index into World::lights) turned around the middle of the surroundings, about the up direction.
+CommandList with_light_turned(const CommandList& commands, const Frame& frame, const World& world, std::size_t light,
+                              double degrees);
 
 }  // namespace twinlight::session

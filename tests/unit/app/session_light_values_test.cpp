@@ -171,6 +171,27 @@ TEST(SessionLightValues, SettingAMaterialEditsItsCallOrInsertsOne) {
     EXPECT_EQ(values_of(shininess).back.material.shininess, 50);
 }
 
+TEST(SessionLightValues, SettingTheLightModelEditsItsCallOrInsertsOne) {
+    const CommandList commands = scene(
+        "glEnable(GL_LIGHTING); glEnable(GL_COLOR_MATERIAL);\n"
+        "glLightModeliv(GL_LIGHT_MODEL_AMBIENT, (GLint[]){0, 0, 0, 0});\n" +
+        kCube);
+    const LightingValues values = values_of(commands);
+    const CommandList ambient = with_light_model(commands, values, kGL_LIGHT_MODEL_AMBIENT, {0.5, 0.25, 0, 1});
+    EXPECT_EQ(ambient.commands.size(), commands.commands.size());
+    EXPECT_EQ(values_of(ambient).state.light_model.ambient, glm::dvec4(0.5, 0.25, 0, 1));
+    const CommandList separate =
+        with_light_model(commands, values, kGL_LIGHT_MODEL_COLOR_CONTROL, {kGL_SEPARATE_SPECULAR_COLOR});
+    EXPECT_EQ(print_command(separate.commands[0]),
+              "glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);");
+    // glColorMaterial before glEnable, so that no property takes the colour in between (2.14.3).
+    const CommandList tracked = with_color_material(commands, values, kGL_FRONT, kGL_SPECULAR);
+    EXPECT_EQ(print_command(tracked.commands[1]), "glColorMaterial(GL_FRONT, GL_SPECULAR);");
+    const CommandList again = with_color_material(tracked, values_of(tracked), kGL_BACK, kGL_EMISSION);
+    EXPECT_EQ(again.commands.size(), tracked.commands.size());
+    EXPECT_EQ(values_of(again).state.color_material.mode, kGL_EMISSION);
+}
+
 // ---- Presets ----
 
 TEST(SessionPresets, AreTheTwentyFourOfTeapots) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <string>
@@ -197,6 +198,37 @@ TEST(SessionKeys, TheArrowsUseTheDirectionsOfADrag) {
     orbit(dragged, start_drag(dragged), 10, 0);
     EXPECT_EQ(commands(arrow).commands, commands(dragged).commands);
     EXPECT_NE(commands(arrow).commands, arrow.opened->commands);
+}
+
+// ---- Animation ----
+
+TEST(SessionAnimation, AFullTurnOfTheCameraReturnsItInOneStepOfUndo) {
+    Session session = session_of("gluLookAt(0, 3, 4, 0, 0, 0, 0, 1, 0);" + kPoint);
+    for (int i = 0; i < 120; ++i) animate(session, 0.1);  // 12 s at 30 degrees a second
+    const auto& look_at = commands(session).commands.front().arguments;
+    EXPECT_NEAR(look_at[0], 0, 1e-4);
+    EXPECT_NEAR(look_at[1], 3, 1e-4);
+    EXPECT_NEAR(look_at[2], 4, 1e-4);
+    press(session, 'z');
+    EXPECT_EQ(commands(session).commands, session.opened->commands);
+}
+
+TEST(SessionAnimation, TurnsTheSelectedLightAroundTheMiddle) {
+    Session session = session_of(
+        "gluLookAt(0, 3, 6, 0, 0, 0, 0, 1, 0); glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);"
+        "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){2, 1, 0, 1}); glutSolidCube(1);");
+    session.selected_light = 0;
+    for (int i = 0; i < 30; ++i) animate(session, 0.1);  // a quarter turn
+    const auto& position = commands(session).commands[3].arguments;
+    ASSERT_EQ(position.size(), 6u);
+    // The middle of the cube and the light is on the light's side of 0, so its place is not known without the world's
+    // middle; but its height stays, and so does the camera.
+    EXPECT_NEAR(position[3], 1, 0.01);
+    EXPECT_GT(std::abs(position[4]), 0.5);
+    EXPECT_EQ(commands(session).commands[0], session.opened->commands[0]);
+    for (int i = 0; i < 90; ++i) animate(session, 0.1);
+    EXPECT_NEAR(commands(session).commands[3].arguments[2], 2, 0.01);
+    EXPECT_NEAR(commands(session).commands[3].arguments[4], 0, 0.01);
 }
 
 // ---- Layout ----
