@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/demo/overlays.h"
+#include "app/demo/theme.h"
 
 namespace twinlight::demo {
 namespace {
@@ -19,7 +20,7 @@ bool tab_button(const char* name, const std::string& title, bool is_shown) {
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - style.WindowPadding.x;
     if (ImGui::GetItemRectMax().x + gap + width <= right && ImGui::GetCursorPosY() > style.WindowPadding.y + 1)
         ImGui::SameLine(0, gap);
-    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(is_shown ? ImGuiCol_TabActive : ImGuiCol_Tab));
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(is_shown ? ImGuiCol_Button : ImGuiCol_WindowBg));
     ImGui::PushStyleColor(ImGuiCol_Text, is_shown ? kText : kDim);
     const bool clicked = ImGui::Button((title + "###" + name).c_str());
     ImGui::PopStyleColor(2);
@@ -48,7 +49,6 @@ void Panels::show(session::Session& session, const session::Box& box, const Pane
         {"Overlays", "Overlays"}, {"Lint", lint},       {"Accuracy", "Accuracy"}, {"Save", "Save"}};
     for (const auto& [name, title] : tabs)
         if (tab_button(name, title, shown_ == name)) shown_ = name;
-    ImGui::Dummy({0, 1});
     ImGui::Separator();
 
     // A tab's content scrolls by itself.

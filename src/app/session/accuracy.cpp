@@ -41,9 +41,9 @@ std::string demand(const std::vector<AccuracyRow>& rows, const std::string& shad
         if (row.shading == shading && (!nearest || row.error < nearest->error)) nearest = &row;
     if (!nearest) return "";
     return nearest->slices > 0
-               ? fmt::format("{} does not reach it: with {} slices its error is {}.", shading, nearest->slices,
+               ? fmt::format("{} is not accurate enough: with {} slices its error is {}.", shading, nearest->slices,
                              in_codes(nearest->error))
-               : fmt::format("{} does not reach it: its error is {}.", shading, in_codes(nearest->error));
+               : fmt::format("{} is not accurate enough: its error is {}.", shading, in_codes(nearest->error));
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ std::vector<AccuracyRow> accuracy_rows(const study::Study& study, double target)
 
 std::string accuracy_sentence(const std::vector<AccuracyRow>& rows, double target) {
     if (rows.empty()) return "";
-    std::string text = fmt::format("At an error of {},", in_codes(target));
+    std::string text = fmt::format("For an error of at most {}:", in_codes(target));
     std::vector<const AccuracyRow*> meshes;
     for (const char* shading : {"Gouraud", "Phong"}) {
         const std::string sentence = demand(rows, shading);
@@ -82,7 +82,8 @@ std::string accuracy_sentence(const std::vector<AccuracyRow>& rows, double targe
     const auto exact = std::ranges::find(rows, "Exact surfaces", &AccuracyRow::shading);
     if (exact == rows.end()) return text;
     if (!exact->is_enough)
-        return text + fmt::format(" Exact surfaces do not reach it: their error is {}.", in_codes(exact->error));
+        return text +
+               fmt::format(" Exact surfaces are not accurate enough: their error is {}.", in_codes(exact->error));
     const auto faster = std::ranges::count_if(meshes, [&](const AccuracyRow* row) { return exact->ms < row->ms; });
     text += fmt::format(" Exact surfaces take {}", in_ms(exact->ms));
     if (meshes.empty()) return text + ".";
