@@ -201,7 +201,9 @@ void ProbePanel::show_equation(const ProbePoint& point) {
         ImGui::TreePop();
     }
     for (const int light : lights) {
-        if (!ImGui::TreeNode(light_name(light).c_str())) continue;
+        // Two lights fit below the sum.
+        const ImGuiTreeNodeFlags open = lights.size() <= 2 ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+        if (!ImGui::TreeNodeEx(light_name(light).c_str(), open)) continue;
         show_lines("lines", session::lines_of(point.derivation, light));
         ImGui::TreePop();
     }

@@ -1,6 +1,7 @@
 #include "app/demo/panel_shaders.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -76,7 +77,13 @@ void ShadersPanel::update(const Session& session) {
     } catch (const std::runtime_error& error) {
         trouble_ = error.what();
     }
-    shown_ = shaders_.empty() ? 0 : std::min(shown_, shaders_.size() - 1);
+    // At first the longest program, which does the most.
+    const bool is_new_scene = opened_ != session.opened;
+    opened_ = session.opened;
+    if (is_new_scene || shown_ >= shaders_.size()) {
+        const auto length = [](const ShownShader& shader) { return shader.glsl.size(); };
+        shown_ = static_cast<std::size_t>(std::ranges::max_element(shaders_, {}, length) - shaders_.begin());
+    }
 }
 
 void ShadersPanel::show_reasons(const ShownShader& shader) const {
@@ -84,8 +91,7 @@ void ShadersPanel::show_reasons(const ShownShader& shader) const {
     if (!draw) return;
     std::vector<ExplainedEffect> rows = explain_effects(draw->plan);
     if (!all_reasons_) std::erase_if(rows, &ExplainedEffect::is_off);
-    for (const std::string& fact : effect_words(draw->plan).of_draw)
-        rows.insert(rows.begin(), {fact, "the scene turns it on", true, false});
+    ImGui::TextWrapped("%s", fmt::format("{}", fmt::join(effect_words(draw->plan).of_draw, ", ")).c_str());
     if (!ImGui::BeginTable("reasons", 2, ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("");
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
@@ -108,7 +114,7 @@ void ShadersPanel::show_reasons(const ShownShader& shader) const {
 void ShadersPanel::show_glsl(Session& session) {
     const std::string& glsl = shaders_[shown_].glsl;
     if (lines_.empty() || inked_ != shown_) {
-        lines_ = session::inked_lines(glsl);
+        lines_ = session::inked_lines(session::without_reasons(glsl));
         inked_ = shown_;
     }
     if (ImGui::Button("Copy")) {
@@ -118,7 +124,9 @@ void ShadersPanel::show_glsl(Session& session) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", fmt::format("{} lines; saved from the tab Save", lines_.size()).c_str());
-    ImGui::BeginChild("glsl", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    // At least twenty lines, also below a long list of reasons.
+    const float height = std::max(ImGui::GetContentRegionAvail().y, 20 * ImGui::GetTextLineHeightWithSpacing());
+    ImGui::BeginChild("glsl", {0, height}, true, ImGuiWindowFlags_HorizontalScrollbar);
     ImGui::PushFont(fonts().code);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 2});
     ImGuiListClipper clipper;

@@ -1,6 +1,7 @@
 // The panel "Shaders": the GLSL that draws the scene as it is now, and the reason for each effect in or out.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ class ShadersPanel {
     std::size_t inked_ = 0;  // the shader that `lines_` belongs to
     std::vector<std::vector<session::InkedText>> lines_;
     bool all_reasons_ = false;
+    std::shared_ptr<const CommandList> opened_;  // the scene that `shown_` was chosen for
 };
 
 }  // namespace twinlight::demo

@@ -130,7 +130,7 @@ std::vector<SumRow> sum_rows(const Derivation& at, std::optional<int> light) {
         return rows;
     }
     rows.push_back({"", "emission", "e_cm", point.material.emission});
-    rows.push_back({"+", "scene ambient", "a_cm a_cs", point.scene_ambient});
+    rows.push_back({"+", "ambient", "a_cm a_cs", point.scene_ambient});
     for (std::size_t i = 0; i < at.lights.size(); ++i) {
         const lighting::LightTerms<double>& terms = point.terms[i];
         Vec sum = terms.ambient + terms.diffuse;
@@ -153,7 +153,7 @@ std::vector<SumRow> mean_rows(const std::vector<ProbePoint>& points) {
         rows.push_back({rows.empty() ? "" : "+", point.name, fmt::format("{:.4f} x", point.weight), point.color});
         sum += point.weight * point.color;
     }
-    rows.push_back({"=", "mean", "of the clamped colours", sum, true});
+    rows.push_back({"=", "mean", "of the vertices", sum, true});
     return rows;
 }
 
@@ -163,7 +163,7 @@ std::vector<SumRow> fragment_rows(const Scene& scene, const ProbeAnswer& answer,
     return {{"", "fragment",
              explain::steps_after_lighting(at, *scene.frame.draws()[at.draw], answer.pixel.look.lecture_variants),
              vec3_cast<Vec>(at.color), true},
-            {"", "picture", "after this fragment", vec3_cast<Vec>(at.after), true}};
+            {"", "picture", "after it", vec3_cast<Vec>(at.after), true}};
 }
 
 std::string rulings_of(const ProbeAnswer& answer, std::size_t fragment) {

@@ -144,6 +144,19 @@ std::vector<ShownShader> shown_shaders(std::string_view source) {
     return shaders;
 }
 
+std::string_view without_reasons(std::string_view glsl) {
+    constexpr std::string_view kFirst[] = {"// State that", "// a_position", "// Uniform values"};
+    for (std::size_t at = 0; at < glsl.size();) {
+        const std::string_view rest = glsl.substr(at);
+        if (!rest.starts_with("//")) return glsl;
+        if (std::ranges::any_of(kFirst, [&](std::string_view words) { return rest.starts_with(words); })) return rest;
+        const std::size_t end = glsl.find('\n', at);
+        if (end == glsl.npos) return glsl;
+        at = end + 1;
+    }
+    return glsl;
+}
+
 const ExplainedDraw* plan_of(const std::vector<ExplainedDraw>& draws, int number) {
     for (const ExplainedDraw& draw : draws)
         if (std::ranges::find(draw.numbers, number) != draw.numbers.end()) return &draw;

@@ -31,6 +31,9 @@ struct ShownShader {
 // The programs in a text of programmable::shader_source().
 std::vector<ShownShader> shown_shaders(std::string_view source);
 
+// A program without the comments at its start that list effects and reasons. The values of the uniforms stay.
+std::string_view without_reasons(std::string_view glsl);
+
 // The plan of the Draw with this number, counted from 1; null if there is none.
 const ExplainedDraw* plan_of(const std::vector<ExplainedDraw>& draws, int number);
 

@@ -48,7 +48,7 @@ TEST(SessionProbe, AddsUpTheEquation) {
     ASSERT_EQ(rows.size(), 5u);
     EXPECT_EQ(rows[0].what, "emission");
     expect_color(rows[0].color, 0, 0, 0);
-    EXPECT_EQ(rows[1].what, "scene ambient");
+    EXPECT_EQ(rows[1].what, "ambient");
     EXPECT_NEAR(rows[1].color.x, 0.04, 1e-8);  // GL keeps 0.2 as a float
     EXPECT_EQ(rows[2].what, "GL_LIGHT0");
     expect_color(rows[2].color, 1, 0.5, 0.25);

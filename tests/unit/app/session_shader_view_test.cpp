@@ -71,6 +71,13 @@ TEST(SessionShaderView, SplitsTheProgramsOfAScene) {
         EXPECT_EQ(shader.glsl.find("// ==== Draw"), std::string::npos);
         EXPECT_NE(plan_of(plans, shader.draw), nullptr);
     }
+    for (const ShownShader& shader : shaders) {
+        const std::string_view rest = without_reasons(shader.glsl);
+        EXPECT_TRUE(shader.glsl.ends_with(rest));
+        EXPECT_EQ(rest.find("// Left out"), std::string::npos);
+        EXPECT_NE(rest.find("// Uniform values:"), std::string::npos);
+    }
+    EXPECT_EQ(without_reasons("#version 330\n// Uniform values:\n"), "#version 330\n// Uniform values:\n");
     EXPECT_EQ(shaders[0].draw, 1);
     EXPECT_EQ(plan_of(plans, 0), nullptr);
     EXPECT_TRUE(shown_shaders("").empty());
