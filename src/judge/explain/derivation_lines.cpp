@@ -104,16 +104,10 @@ Lines typed_lines(const char* what, const Value& typed, const std::string& eye, 
            (untransformed ? line("", "", "so it moves with the camera") : Lines{});
 }
 
-<<<<<<<< HEAD:src/judge/explain/derivation_lines.cpp
 Lines light_heading(const LightAt& light) {
     return {{Line::Kind::kLight, light_name(light.number), "",
              fmt::format("{}{}", light.directional() ? "directional (w = 0)" : "positional",
                          light.is_spot() ? ", a spot" : "")}};
-========
-std::string light_head(const LightAt& light, bool in_color) {
-    return fmt::format("  {}: {}{}\n", bold(light_name(light.number), in_color),
-                       light.directional() ? "directional (w = 0)" : "positional", light.is_spot() ? ", a spot" : "");
->>>>>>>> main:src/judge/explain/derivation_text.cpp
 }
 
 Lines position_lines(const LightAt& light) {
@@ -227,18 +221,10 @@ Lines product_lines(const Derivation& at, const LightAt& light, const char* name
     return line(name, used) + color_line("", product_text(used.c_str(), light.terms, material, color), product);
 }
 
-<<<<<<<< HEAD:src/judge/explain/derivation_lines.cpp
 Lines light_lines(const Derivation& at, std::size_t i, bool whole) {
     const LightAt light(at, i);
     const lighting::Material<double>& material = at.point.material;
     Lines text = light_heading(light) + position_lines(light);
-========
-std::string light_text(const Derivation& at, std::size_t i, const TextOptions& options) {
-    const bool whole = options.all;
-    const LightAt light(at, i);
-    const lighting::Material<double>& material = at.point.material;
-    std::string text = light_head(light, options.in_color) + position_text(light);
->>>>>>>> main:src/judge/explain/derivation_text.cpp
     text +=
         line("VP", triple(light.geometry.vp_dir),
              light.directional() ? "toward the light"
@@ -304,23 +290,7 @@ Lines sum_lines(const Derivation& at) {
 
 }  // namespace
 
-<<<<<<<< HEAD:src/judge/explain/derivation_lines.cpp
 std::vector<Line> derivation_lines(const Derivation& at, bool whole) {
-========
-std::string columns(const Vec& c) { return fmt::format("{:>9.5f} {:>9.5f} {:>9.5f}", c.x, c.y, c.z); }
-
-std::string color_row(const std::string& what, const std::string& how, const Vec& c) {
-    return fmt::format("    {:<12} {:<56} {}\n", what, how, columns(c));
-}
-std::string color_head(const std::string& what) {
-    return fmt::format("{:<73} {:>9} {:>9} {:>9}\n", what, "red", "green", "blue");
-}
-
-std::string bold(const std::string& text, bool in_color) { return in_color ? "\x1b[1m" + text + "\x1b[0m" : text; }
-
-std::string derivation_text(const Derivation& at, const TextOptions& options) {
-    const bool whole = options.all;
->>>>>>>> main:src/judge/explain/derivation_text.cpp
     const LitPoint& point = at.point;
     Lines text = place_lines(at) + normal_lines(at);
     const bool has_highlights = !is_zero(point.material.specular) && std::ranges::any_of(at.lights, [&](int light) {
@@ -328,7 +298,6 @@ std::string derivation_text(const Derivation& at, const TextOptions& options) {
     });
     if (has_highlights || whole) text += viewer_lines(at);
     text += material_note(at);
-<<<<<<<< HEAD:src/judge/explain/derivation_lines.cpp
     text += {{Line::Kind::kEquation, "", equation(at)}, {Line::Kind::kHeadingOfColors, "scene"}};
     if (whole || !is_zero(point.material.emission)) text += color_line("emission", "e_cm", point.material.emission);
     text += line("ambient", "a_cm a_cs") +
@@ -342,31 +311,4 @@ std::string derivation_text(const Derivation& at, const TextOptions& options) {
     return text + sum_lines(at);
 }
 
-========
-    text += equation_text(at) + color_head("  scene");
-    if (whole || !is_zero(point.material.emission)) text += color_row("emission", "e_cm", point.material.emission);
-    text +=
-        line("ambient", "a_cm a_cs", "") +
-        color_row("",
-                  at.draw.lighting.light_model.spectrum ? "multiplied as spectra"
-                                                        : short_color(point.material.ambient) + " x " +
-                                                              short_color(rgb_of(at.draw.lighting.light_model.ambient)),
-                  point.scene_ambient);
-    if (at.lights.empty()) text += "    note: no light is enabled; glEnable(GL_LIGHT0) turns one on\n";
-    for (std::size_t i = 0; i < at.lights.size(); ++i) text += light_text(at, i, options);
-    return text + sum_text(at);
-}
-
-std::string rulings_text(const std::vector<reference::PixelFragment::Decided>& rulings) {
-    std::string all;
-    for (const auto& decided : rulings) {
-        const lighting::RulingText& text = lighting::text_of(decided.ruling);
-        const std::vector<std::string> lights = names_of(decided.lights);
-        all += fmt::format("  {}{}{}the specification is silent ({}); our choice: {}\n", lights.empty() ? "" : "for ",
-                           fmt::join(lights, ", "), lights.empty() ? "" : " ", text.state, text.answer);
-    }
-    return all;
-}
-
->>>>>>>> main:src/judge/explain/derivation_text.cpp
 }  // namespace twinlight::explain
