@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -36,42 +35,14 @@ std::string colored(const std::string& text, bool used) {
     return result_in_color() ? (used ? "\x1b[32m" : "\x1b[2m") + text + "\x1b[0m" : text;
 }
 
-// The lines of describe(), split into those about the draw and those about its lights ("directional, diffuse").
-struct Facts {
-    std::vector<std::string> of_draw, of_lights;
-};
-Facts facts_of(const Plan& plan) {
-    Facts facts;
-    std::istringstream lines(describe(plan.effects));
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.starts_with("light ") && colon != line.npos)
-            facts.of_lights.push_back(line.substr(colon + 2));
-        else
-            facts.of_draw.push_back(line);
-    }
-    return facts;
-}
-
 // Without `all`, leaves out lights and effects that the scene does not turn on.
 std::string table(const Plan& plan, bool all) {
-    struct Row {
-        std::string what, why;
-        bool in;
-    };
-    std::vector<Row> rows;
-    const Facts facts = facts_of(plan);
-    std::size_t in = 0;
-    for (const ExplainedLights& lights : explain_lights(plan))
-        if (all || !lights.is_off)
-            rows.push_back(
-                {lights.names, lights.in ? facts.of_lights.at(in++) + ": " + lights.why : lights.why, lights.in});
-    for (const LeftOut& left_out : plan.left_out)
-        if (all || !left_out.is_off) rows.push_back({left_out.what, left_out.why, false});
+    std::vector<ExplainedEffect> rows = explain_effects(plan);
+    std::erase_if(rows, [all](const ExplainedEffect& row) { return !all && row.is_off; });
     std::size_t width = 0;
-    for (const Row& row : rows) width = std::max(width, row.what.size());
+    for (const ExplainedEffect& row : rows) width = std::max(width, row.what.size());
     std::string text;
-    for (const Row& row : rows)
+    for (const ExplainedEffect& row : rows)
         text += "  " + colored(fmt::format("{:<{}}  {:<7}", row.what, width, row.in ? "used" : "skipped"), row.in) +
                 "  " + row.why + "\n";
     return text;
@@ -106,7 +77,7 @@ std::string summary(const Scene& scene, const std::vector<ExplainedDraw>& draws,
             if (!light.in() && light.fate != LightFate::kDisabled)
                 reasons[light_name(light.number)].insert(reason(light));
         }
-        for (const std::string& fact : facts_of(draw.plan).of_draw)
+        for (const std::string& fact : effect_words(draw.plan).of_draw)
             if (!fact.ends_with("lighting") && !fact.ends_with(" shading")) effects.insert(fact);
         if (facts.two_side) effects.insert("two-sided lighting");
     }
@@ -131,7 +102,7 @@ std::string explanation(const Scene& scene, const std::vector<ExplainedDraw>& dr
     std::string text = summary(scene, draws, budget);
     for (const ExplainedDraw& draw : draws) {
         text += "\n" + explain::bold(name_of(draw), result_in_color()) +
-                "\n  effects: " + fmt::format("{}", fmt::join(facts_of(draw.plan).of_draw, ", ")) + "\n" +
+                "\n  effects: " + fmt::format("{}", fmt::join(effect_words(draw.plan).of_draw, ", ")) + "\n" +
                 table(draw.plan, all);
         if (draw.plan.error_bound > 0)
             text += fmt::format("  all skipped lights together change a channel by at most {}\n",
@@ -148,7 +119,7 @@ std::string explanation(const Scene& scene, const std::vector<ExplainedDraw>& dr
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Json json_of(const ExplainedDraw& draw) {
-    const Facts facts = facts_of(draw.plan);
+    const EffectWords facts = effect_words(draw.plan);
     Json json = {{"draws", draw.numbers}, {"place", draw.place.str()}, {"effects", facts.of_draw}};
     std::size_t in = 0;
     json["lights"] = Json::array();

@@ -4,7 +4,7 @@
 #include <string>
 #include <thread>
 
-#include "app/cli/study_renderers.h"
+#include "app/cli/study_samples.h"
 
 namespace twinlight::cli {
 

@@ -1,6 +1,7 @@
+#include "app/cli/study_samples.h"
+
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
-#include "app/cli/study_renderers.h"
 #include "render/context/gl.h"
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"

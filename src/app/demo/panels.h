@@ -1,8 +1,15 @@
-// Panels: the tabs at the window's left, and the menu of a right click.
+// Panels: the tabs at the window's left.
 #pragma once
 
+#include <string>
+
+#include "app/demo/panel_accuracy.h"
 #include "app/demo/panel_commands.h"
 #include "app/demo/panel_lights.h"
+#include "app/demo/panel_lint.h"
+#include "app/demo/panel_probe.h"
+#include "app/demo/panel_save.h"
+#include "app/demo/panel_shaders.h"
 #include "app/demo/panes.h"
 #include "app/session/layout.h"
 #include "app/session/session.h"
@@ -11,16 +18,24 @@ namespace twinlight::demo {
 
 class Panels {
   public:
+    // To be called in every frame, also when the panels are hidden.
+    void update(session::Session& session);
     void show(session::Session& session, const session::Box& box, const Panes& panes);
     // Brings the probe's tab to the front.
-    void show_probe() { opened_ = "Probe"; }
+    void show_probe() { shown_ = "Probe"; }
     // Whether a panel works in the background, so that the window must go on drawing frames.
-    bool is_busy() const { return false; }
+    bool is_busy() const { return lint_.is_busy() || save_.is_busy() || accuracy_.is_busy(); }
+    SavePanel& saving() { return save_; }
 
   private:
+    AccuracyPanel accuracy_;
     CommandsPanel commands_;
     LightsPanel lights_;
-    const char* opened_ = nullptr;  // the tab to bring to the front in the next frame
+    LintPanel lint_;
+    ProbePanel probe_;
+    SavePanel save_;
+    ShadersPanel shaders_;
+    std::string shown_ = "Commands";  // the name of the tab at the front
 };
 
 }  // namespace twinlight::demo

@@ -21,6 +21,7 @@
 #include "app/demo/panels.h"
 #include "app/demo/panes.h"
 #include "app/demo/theme.h"
+#include "app/session/clip.h"
 #include "app/session/keys.h"
 #include "app/session/layout.h"
 #include "base/image/file.h"
@@ -76,7 +77,7 @@ double screen_scale() {
     return std::clamp(std::floor(2 * dots_per_inch / 96) / 2, 1.0, 3.0);
 }
 
-enum class Drag { kNone, kOrbit, kLook, kSlider, kTaken };  // kTaken: by a marker of the world view
+enum class Drag { kNone, kOrbit, kLook, kSlider };
 
 class Window {
   public:
@@ -313,6 +314,11 @@ void Window::display() {
         if (!options_.screenshot.empty()) save_screenshot();
     }
     if (session_.screenshot_requested) save_screenshot();
+    if (panels_->saving().is_recording()) {
+        const int left = layout_.panel.width;
+        panels_->saving().add_frame(
+            session::part_of(read_pixels(width_, height_), left, 0, width_ - left, layout_.status.y));
+    }
     glutSwapBuffers();
     if (!options_.times.empty()) {
         frame_ms_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
@@ -343,6 +349,7 @@ void Window::frame() {
     ImGui_ImplGLUT_NewFrame();
     if (IMGUI_VERSION_NUM >= 18700) ImGui::NewFrame();  // 1.86's GLUT back end calls it itself
     panes_->show(session_, layout_);
+    panels_->update(session_);
     if (layout_.panel.width > 0) panels_->show(session_, layout_.panel, *panes_);
     show_status(layout_);
     if (session_.keys_shown) show_keys();
@@ -412,7 +419,8 @@ void Window::show_keys() const {
 // If the file cannot be written, says so and goes on.
 void Window::save_screenshot() {
     session_.screenshot_requested = false;
-    const std::string file = options_.screenshot.empty() ? "twinlight-demo.png" : options_.screenshot;
+    const std::string file =
+        options_.screenshot.empty() ? panels_->saving().screenshot_path(session_) : options_.screenshot;
     try {
         Image image = read_pixels(width_, height_);
         for (Rgba& pixel : image.pixels) pixel[3] = 1;
@@ -452,6 +460,7 @@ void Window::carry_out_requests() {
         return;
     }
     if (session_.scene_requested != 0) open_neighbour(std::exchange(session_.scene_requested, 0));
+    if (std::exchange(session_.export_requested, false)) panels_->saving().save(session_, session::Form::kC);
     if (session_.screenshot_requested) wake();
 }
 
@@ -493,9 +502,9 @@ void Window::mouse(int button, int state, int x, int y) {
         ImGui_ImplGLUT_MouseFunc(button, state, x, y);
     }
     wake();
-    // The world view takes the mouse, but not the right button, which opens the menu.
+    // The world view has its own drags and wheel; the right button opens the menu.
     const bool in_world = session_.view == session::View::kWorld && hit(layout_, x, y);
-    if (down && ImGui::GetIO().WantCaptureMouse && !(in_world && button == GLUT_RIGHT_BUTTON)) return;
+    if (in_world ? button != GLUT_RIGHT_BUTTON : down && ImGui::GetIO().WantCaptureMouse) return;
     if (wheel) {
         if (down && hit(layout_, x, y)) session::zoom(session_, button == kWheelUp ? 1 : -1);
         return;
@@ -549,8 +558,8 @@ void Window::motion(int x, int y) {
 
 void Window::passive_motion(int x, int y) {
     ImGui_ImplGLUT_MotionFunc(x, y);
-    // Over a picture nothing lights up under the mouse.
-    if (!hit(layout_, x, y) || ImGui::GetIO().WantCaptureMouse) wake();
+    // Over a picture nothing lights up under the mouse, except the lights of the world view.
+    if (!hit(layout_, x, y) || ImGui::GetIO().WantCaptureMouse || session_.view == session::View::kWorld) wake();
 }
 
 void Window::make_menu() {

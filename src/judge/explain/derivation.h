@@ -2,6 +2,8 @@
 // JSON.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,35 @@ struct Derivation {
     std::size_t draw_number;         // counts from 1
     const std::vector<int>& lights;  // as in LitPoint::terms
     const reference::LitPoint& point;
+    bool lecture_variants = true;  // as in Look: whether the scene's variants of the equation count
+
+    bool has_reflection() const { return lecture_variants && model().specular == Word::reflection; }
+    bool has_unattenuated_ambient() const { return lecture_variants && model().light_ambient == Word::unattenuated; }
+    bool is_spectral() const { return lecture_variants && model().spectrum; }
+    const LightModel& model() const { return draw.lighting.light_model; }
 };
+
+// A line of a derivation.
+struct Line {
+    enum class Kind : std::uint8_t {
+        kHeading,          // "total"
+        kHeadingOfColors,  // "scene": colours follow
+        kLight,            // "GL_LIGHT0", "positional, a spot"
+        kEquation,
+        kValue,  // "n.VP", "0.86603", "30.00 degrees between n and VP"
+        kColor,  // a colour and how it is computed
+        kNote,   // may have several lines
+    };
+    Kind kind = Kind::kValue;
+    std::string what{};  // the symbol; empty: that of the line above
+    std::string value{};
+    std::string how{};
+    reference::Vec color{};
+    std::optional<int> light{};  // the number of the light that the line belongs to
+};
+// `whole`: also the factors that are 1 because the scene does not use them.
+std::vector<Line> derivation_lines(const Derivation& at, bool whole);
+std::string text_of(const Line& line, bool in_color);
 
 // With TextOptions::all also the factors that are 1 because the scene does not use them.
 std::string derivation_text(const Derivation& at, const TextOptions& options);

@@ -57,7 +57,7 @@ Json light_json(const Derivation& at, std::size_t i) {
         if (light.typed) json["spot_direction_typed"] = typed_json(light.typed->spot_direction);
         json["spot_direction_eye"] = list_of(s.spot_direction_eye);
         json["spot_exponent"] = s.spot_exponent;
-        if (s.smooth_cone) json["smooth_cone_deg"] = {s.smooth_cone->inner_deg, s.smooth_cone->outer_deg};
+        if (light.has_smooth_cone) json["smooth_cone_deg"] = {s.smooth_cone->inner_deg, s.smooth_cone->outer_deg};
         json["axis_deg"] = light.axis_deg;
         json["cosine_to_axis"] = g.cosine_to_axis;
     }
@@ -103,7 +103,7 @@ Json derivation_json(const Derivation& at) {
                         {"shininess", point.material.shininess}};
     json["scene_ambient_color"] = color_json(rgb_of(state.light_model.ambient));
     json["scene_ambient"] = color_json(point.scene_ambient);
-    json["spectral"] = state.light_model.spectrum != nullptr;
+    json["spectral"] = at.is_spectral();
     json["separate_specular"] = state.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
     json["lights"] = Json::array();
     for (std::size_t i = 0; i < at.lights.size(); ++i) json["lights"].push_back(light_json(at, i));

@@ -30,15 +30,15 @@ struct LightAt {
           terms(at.point.terms[i]),
           geometry(at.point.geometry[i]) {
         if (source.typed < at.frame.typed_lights.size()) typed = &at.frame.typed_lights[source.typed];
+        has_smooth_cone = at.lecture_variants && source.smooth_cone;
         const double n = length_of(at.point.surface.normal_eye);
-        const bool reflection = at.draw.lighting.light_model.specular == Word::reflection;
         normal_to_light_deg = angle_deg(geometry.cosine_to_light, n);
-        highlight_deg = angle_deg(geometry.cosine_highlight, reflection ? length_of(geometry.half_dir) : n);
+        highlight_deg = angle_deg(geometry.cosine_highlight, at.has_reflection() ? length_of(geometry.half_dir) : n);
         axis_deg = angle_deg(geometry.cosine_to_axis, 1);
     }
 
     bool directional() const { return source.position_eye.w == 0; }
-    bool is_spot() const { return source.spot_cutoff_deg != 180 || source.smooth_cone; }
+    bool is_spot() const { return source.spot_cutoff_deg != 180 || has_smooth_cone; }
     reference::Vec ambient() const { return rgb_of(source.ambient); }
     reference::Vec diffuse() const { return rgb_of(source.diffuse); }
     reference::Vec specular() const { return rgb_of(source.specular); }
@@ -48,6 +48,7 @@ struct LightAt {
     const lighting::LightTerms<double>& terms;
     const lighting::LightGeometry<double>& geometry;
     const TypedLight* typed = nullptr;  // null in a Frame that State did not make
+    bool has_smooth_cone = false;       // a variant of the lecture
     double normal_to_light_deg = 0;
     double highlight_deg = 0;  // between n and h, or between r and VP_e
     double axis_deg = 0;       // between the cone's axis and the direction to the vertex

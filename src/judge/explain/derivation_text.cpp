@@ -1,287 +1,24 @@
 // The derivation as text.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/mat4x4.hpp>
-#include <sstream>
-#include <string_view>
-
-#include "judge/explain/derivation_light.h"
-#include "scene/command/names.h"
+#include "judge/explain/derivation.h"
 
 namespace twinlight::explain {
 
 namespace {
 
-using lighting::LightTerms;
-using reference::LitPoint;
-using reference::Vec;
-
-std::string triple(const Vec& v) {
-    return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);  // + 0.0 makes -0 positive
-}
-std::string quadruple(const glm::dvec4& v) {
-    return fmt::format("({:.5g}, {:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z, v.w);
-}
-std::string short_color(const Vec& c) { return fmt::format("({:.5g} {:.5g} {:.5g})", c.x, c.y, c.z); }
-
-// A line without colours: a name, its value, and how it is computed.
-std::string line(const std::string& what, const std::string& value, const std::string& how) {
-    return how.empty() ? fmt::format("    {:<12} {}\n", what, value)
-                       : fmt::format("    {:<12} {:<31} {}\n", what, value, how);
-}
-
-std::string place_text(const Derivation& at) {
-    const LitPoint& point = at.point;
-    std::string text;
-    if (point.position_object) text += line("object", quadruple(*point.position_object), "the vertex as it was sent");
-    const bool w_is_1 = point.position_eye.w == 1;
-    text += line("eye", triple(point.surface.position_eye),
-                 std::string(point.position_object ? "times the modelview matrix (2.11)" : "interpolated (3.5.1)") +
-                     (w_is_1 ? "" : fmt::format(", divided by w = {:.5g}", point.position_eye.w)));
-    return text;
-}
-
-std::string normal_text(const Derivation& at) {
-    const LitPoint& point = at.point;
-    const LightingState& state = at.draw.lighting;
-    const double length = length_of(point.surface.normal_eye);
-    std::string text, how;
-    if (point.normal_steps) {
-        const reference::NormalSteps& steps = *point.normal_steps;
-        text +=
-            line("normal", triple(steps.object), fmt::format("length {:.5f}, as it was sent", length_of(steps.object)));
-        text += line("", triple(steps.transformed),
-                     fmt::format("length {:.5f}, times the inverse of the modelview matrix (2.11.3)",
-                                 steps.transformed_length()));
-        how = state.normalize        ? "GL_NORMALIZE divides it by its length"
-              : state.rescale_normal ? fmt::format("GL_RESCALE_NORMAL multiplies it by {:.5g}", steps.rescale)
-                                     : "GL_NORMALIZE is disabled, so it stays as it is";
-    } else {
-        how = "made unit (2.14.1 does not interpolate normals; this shading does)";
-    }
-    if (point.face == reference::Face::kBack) how += "; reversed for the back face";
-    text += line("n", triple(point.surface.normal_eye), fmt::format("length {:.5f}; {}", length, how));
-    constexpr double kVisible = 1e-3;  // a change of a length that may show in 8 bits
-    if (length == 0)
-        text += "    note: n is zero, so no light adds diffuse or specular light\n";
-    else if (std::abs(length - 1) > kVisible)
-        text += fmt::format(
-            "    note: the length of n is {:.5g}, not 1. It multiplies n.VP and n.h, so the light is too {}.\n"
-            "          glEnable(GL_NORMALIZE) makes it 1.\n",
-            length, length > 1 ? "bright" : "dark");
-    return text;
-}
-
-std::string viewer_text(const Derivation& at) {
-    return line("VP_e", triple(at.point.vpe_dir),
-                at.draw.lighting.light_model.local_viewer
-                    ? "toward the viewer at (0, 0, 0): GL_LIGHT_MODEL_LOCAL_VIEWER is on"
-                    : "toward the viewer; always this, as GL_LIGHT_MODEL_LOCAL_VIEWER is off");
-}
-
-// The typed value beside the eye-space one, and the matrix between them.
-template <class Value, class Format>
-std::string typed_text(const char* what, const Value& typed, const std::string& eye, const Format& format) {
-    if (typed.is_initial()) return line(what, format(typed.value), "GL's initial value, in eye coordinates");
-    const bool untransformed = typed.eye_from_typed == glm::dmat4(1);
-    return line(what, format(typed.value), "typed at " + typed.place.str()) +
-           line("", eye,
-                untransformed ? "eye coordinates: the same, for the modelview matrix was the identity there,"
-                              : "eye coordinates: the typed value times the modelview matrix at that call") +
-           (untransformed ? line("", "", "so it moves with the camera") : "");
-}
-
-std::string light_head(const LightAt& light, bool in_color) {
-    return fmt::format("  {}: {}{}\n", bold(light_name(light.number), in_color),
-                       light.directional() ? "directional (w = 0)" : "positional", light.is_spot() ? ", a spot" : "");
-}
-
-std::string position_text(const LightAt& light) {
-    const std::string eye = quadruple(light.source.position_eye);
-    if (!light.typed) return line("position", eye, "in eye coordinates");
-    return typed_text("position", light.typed->position, eye, quadruple);
-}
-
-std::string attenuation_text(const LightAt& light, bool whole) {
-    const LightSource& s = light.source;
-    if (light.directional()) {
-        if (s.has_initial_attenuation()) return whole ? line("att", "1", "the light is directional") : "";
-        return line("att", "1", "the light is directional, so its attenuation factors do nothing");
-    }
-    if (s.has_initial_attenuation()) return whole ? line("att", "1", "the attenuation factors are 1, 0, 0") : "";
-    const double d = light.geometry.distance;
-    return line("att", "1 / (k0 + k1 d + k2 d d)", "the attenuation") +
-           line("", fmt::format("{:.5f}", light.terms.attenuation),
-                fmt::format("1 / ({:.5g} + {:.5g} x {:.5f} + {:.5g} x {:.5f} x {:.5f}) = 1 / {:.5f}",
-                            s.constant_attenuation, s.linear_attenuation, d, s.quadratic_attenuation, d, d,
-                            light.geometry.denominator));
-}
-
-std::string spot_text(const LightAt& light, bool whole) {
-    const LightSource& s = light.source;
-    if (!light.is_spot()) return whole ? line("spot", "1", "GL_SPOT_CUTOFF is 180") : "";
-    const Vec direction = vec3_cast<Vec>(s.spot_direction_eye);
-    std::string text = light.typed ? typed_text("axis", light.typed->spot_direction, triple(direction),
-                                                [](const glm::dvec3& v) { return triple(vec3_cast<Vec>(v)); })
-                                   : line("axis", triple(direction), "in eye coordinates");
-    const double angle = light.axis_deg, cosine = light.geometry.cosine_to_axis;
-    std::string how, note;
-    if (s.smooth_cone) {
-        how = fmt::format("{:.2f} degrees from the axis; full light to {:.5g}, none from {:.5g} degrees", angle,
-                          s.smooth_cone->inner_deg, s.smooth_cone->outer_deg);
-    } else {
-        const bool inside = angle <= s.spot_cutoff_deg;
-        how = fmt::format("{:.2f} degrees from the axis, {} the cutoff of {:.5g}", angle, inside ? "inside" : "outside",
-                          s.spot_cutoff_deg);
-        if (light.terms.spot > 0)
-            how += fmt::format(": (cos)^exponent = {:.5f}^{:.5g}", cosine, s.spot_exponent);
-        else if (!inside)
-            note = "    note: the cone misses this point, so the light adds nothing here\n";
-    }
-    return text + line("spot", fmt::format("{:.5f}", light.terms.spot), how) + note;
-}
-
-std::string diffuse_angle_text(const Derivation& at, const LightAt& light) {
-    const double cosine = light.geometry.cosine_to_light;
-    std::string how = fmt::format("{:.2f} degrees between n and VP", light.normal_to_light_deg), note;
-    if (cosine <= 0) {
-        how += fmt::format(": max({:.5f}, 0)", cosine);
-        note = fmt::format("    note: the light is behind the surface here, so it adds {}\n",
-                           at.draw.lighting.light_model.specular == Word::reflection
-                               ? "no diffuse light"
-                               : "neither diffuse nor specular light");
-    }
-    return line("n.VP", fmt::format("{:.5f}", light.terms.n_dot_vp), how) + note;
-}
-
-std::string highlight_text(const Derivation& at, const LightAt& light) {
-    const LightModel& model = at.draw.lighting.light_model;
-    const bool reflection = model.specular == Word::reflection;
-    const char* base = reflection ? "r.v" : "n.h";
-    const double cosine = light.geometry.cosine_highlight, s = at.point.material.shininess;
-    std::string text = reflection ? line("r", triple(light.geometry.half_dir), "VP reflected about n (not in GL)")
-                                  : line("h", triple(light.geometry.half_dir), "VP + VP_e, made unit");
-    text += line(base, fmt::format("{:.5f}", std::max(cosine, 0.0)),
-                 fmt::format("{:.2f} degrees between {}{}", light.highlight_deg, reflection ? "r and VP_e" : "n and h",
-                             cosine < 0 ? fmt::format(": max({:.5f}, 0)", cosine) : ""));
-    const bool facing = reflection || light.geometry.cosine_to_light > 0;
-    return text + line(reflection ? "(r.v)^s" : "f(n.h)^s", fmt::format("{:.5f}", light.terms.highlight),
-                       facing ? fmt::format("{:.5f}^{:.5g}: s is GL_SHININESS{}", std::max(cosine, 0.0), s,
-                                            reflection ? "" : ", f is 1 because n.VP > 0")
-                              : "f is 0 because n.VP is 0");
-}
-
-// "att spot n.VP d_cm d_cli" with its numbers: "0.70423 x 1.00000 x 0.86603 x (0.8 0.5 0.31) x (1 1 1)".
-std::string product_text(const char* formula, const LightTerms<double>& terms, const Vec& material, const Vec& light) {
-    std::string text;
-    std::istringstream words(formula);
-    for (std::string word; words >> word;) {
-        const std::string factor = word.ends_with("_cm")    ? short_color(material)
-                                   : word.ends_with("_cli") ? short_color(light)
-                                   : word == "att"          ? fmt::format("{:.5f}", terms.attenuation)
-                                   : word == "spot"         ? fmt::format("{:.5f}", terms.spot)
-                                   : word == "n.VP"         ? fmt::format("{:.5f}", terms.n_dot_vp)
-                                                            : fmt::format("{:.5f}", terms.highlight);
-        text += (text.empty() ? "" : " x ") + factor;
-    }
-    return text;
-}
-
-// The formula without the factors that are 1 because the scene does not use them.
-std::string used_factors(const char* formula, const LightAt& light, bool whole) {
-    std::string used;
-    std::istringstream words(formula);
-    for (std::string word; words >> word;) {
-        const bool is_idle = (word == "att" && (light.directional() || light.source.has_initial_attenuation())) ||
-                             (word == "spot" && !light.is_spot());
-        if (whole || !is_idle) used += (used.empty() ? "" : " ") + word;
-    }
-    return used;
-}
-
-bool is_zero(const Vec& c) { return c == Vec{}; }
-
-std::string product_rows(const Derivation& at, const LightAt& light, const char* name, const char* formula,
-                         const Vec& material, const Vec& color, const Vec& product, bool whole) {
-    const std::string used = used_factors(formula, light, whole);
-    const bool spectral = at.draw.lighting.light_model.spectrum != nullptr;
-    if (spectral) return line(name, used, "") + color_row("", "multiplied as spectra", product);
-    return line(name, used, "") + color_row("", product_text(used.c_str(), light.terms, material, color), product);
-}
-
-std::string light_text(const Derivation& at, std::size_t i, const TextOptions& options) {
-    const bool whole = options.all;
-    const LightAt light(at, i);
-    const lighting::Material<double>& material = at.point.material;
-    std::string text = light_head(light, options.in_color) + position_text(light);
-    text +=
-        line("VP", triple(light.geometry.vp_dir),
-             light.directional() ? "toward the light"
-                                 : fmt::format("from the vertex to the light; d = {:.5f}", light.geometry.distance));
-    const bool has_specular = !is_zero(material.specular) && !is_zero(light.specular());
-    text += attenuation_text(light, whole) + spot_text(light, whole) + diffuse_angle_text(at, light);
-    if (has_specular || whole) text += highlight_text(at, light);
-    const lighting::Formulas& formulas = at.point.formulas;
-    const auto add = [&](const char* name, const char* formula, const Vec& of, const Vec& color, const Vec& product) {
-        const bool is_black = (is_zero(of) || is_zero(color)) && is_zero(product);
-        if (whole || !is_black)
-            text += product_rows(at, light, name, formula, of, color, product, whole);
-        else if (name != std::string_view("ambient"))
-            text +=
-                line(name, "0", fmt::format("{} {} is black", is_zero(of) ? "the material's" : "the light's", name));
-    };
-    add("ambient", formulas.ambient, material.ambient, light.ambient(), light.terms.ambient);
-    add("diffuse", formulas.diffuse, material.diffuse, light.diffuse(), light.terms.diffuse);
-    add("specular", formulas.specular, material.specular, light.specular(), light.terms.specular);
-    const Vec sum = light.terms.ambient + light.terms.diffuse + light.terms.specular;
-    return text + color_row("sum", "of " + light_name(light.number), sum);
-}
-
-std::string material_note(const Derivation& at) {
-    const ColorMaterial& tracking = at.draw.lighting.color_material;
-    if (!tracking.enabled) return "";
-    return fmt::format("    note: GL_COLOR_MATERIAL takes {} of {} from glColor (2.14.3)\n", enum_name(tracking.mode),
-                       enum_name(tracking.face));
-}
-
-// The equation, with the formulas of the scene's variants.
-std::string equation_text(const Derivation& at) {
-    const lighting::Formulas& formulas = at.point.formulas;
-    const auto in_brackets = [](std::string_view formula) {
-        constexpr std::string_view kFactor = "att spot ";
-        return std::string(formula.starts_with(kFactor) ? formula.substr(kFactor.size()) : formula);
-    };
-    const std::string rest = in_brackets(formulas.diffuse) + " + " + in_brackets(formulas.specular);
-    if (at.draw.lighting.light_model.light_ambient == Word::unattenuated)
-        return "  c = e_cm + a_cm a_cs + sum of ( a_cm a_cli + att spot [ " + rest + " ] )\n";
-    return "  c = e_cm + a_cm a_cs + sum of att spot [ " + in_brackets(formulas.ambient) + " + " + rest + " ]\n";
-}
-
-bool is_clamped(const Vec& c) { return !(clamped_color(c) == c); }
-
-std::string sum_text(const Derivation& at) {
-    const LitPoint& point = at.point;
-    const bool separate = at.draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
-    const auto rows = [&](const char* name, const char* what, const Vec& color) {
-        return color_row(name, what, color) +
-               color_row("clamped", is_clamped(color) ? "to [0, 1] (2.14.6): this changes it" : "to [0, 1] (2.14.6)",
-                         clamped_color(color));
-    };
-    std::string text = "  total\n" + rows("c_pri",
-                                          separate ? "the scene and the lights, without specular terms"
-                                                   : "the scene and the sums of all lights",
-                                          point.primary);
-    if (separate) text += rows("c_sec", "the specular terms of all lights", point.secondary);
-    return text;
+// The lines of a note are aligned.
+std::string note_text(const std::string& note) {
+    std::string text = "    note: ";
+    for (const char c : note) text += c == '\n' ? "\n          " : std::string(1, c);
+    return text + "\n";
 }
 
 }  // namespace
 
-std::string columns(const Vec& c) { return fmt::format("{:>9.5f} {:>9.5f} {:>9.5f}", c.x, c.y, c.z); }
+std::string columns(const reference::Vec& c) { return fmt::format("{:>9.5f} {:>9.5f} {:>9.5f}", c.x, c.y, c.z); }
 
-std::string color_row(const std::string& what, const std::string& how, const Vec& c) {
+std::string color_row(const std::string& what, const std::string& how, const reference::Vec& c) {
     return fmt::format("    {:<12} {:<56} {}\n", what, how, columns(c));
 }
 std::string color_head(const std::string& what) {
@@ -290,27 +27,25 @@ std::string color_head(const std::string& what) {
 
 std::string bold(const std::string& text, bool in_color) { return in_color ? "\x1b[1m" + text + "\x1b[0m" : text; }
 
+std::string text_of(const Line& line, bool in_color) {
+    switch (line.kind) {
+        case Line::Kind::kHeading: return "  " + line.what + "\n";
+        case Line::Kind::kHeadingOfColors: return color_head("  " + line.what);
+        case Line::Kind::kLight: return fmt::format("  {}: {}\n", bold(line.what, in_color), line.how);
+        case Line::Kind::kEquation: return "  " + line.value + "\n";
+        case Line::Kind::kValue:
+            return line.how.empty() ? fmt::format("    {:<12} {}\n", line.what, line.value)
+                                    : fmt::format("    {:<12} {:<31} {}\n", line.what, line.value, line.how);
+        case Line::Kind::kColor: return color_row(line.what, line.how, line.color);
+        case Line::Kind::kNote: return note_text(line.value);
+    }
+    return "";
+}
+
 std::string derivation_text(const Derivation& at, const TextOptions& options) {
-    const bool whole = options.all;
-    const LitPoint& point = at.point;
-    std::string text = place_text(at) + normal_text(at);
-    const bool has_highlights = !is_zero(point.material.specular) && std::ranges::any_of(at.lights, [&](int light) {
-        return !is_zero(rgb_of(at.draw.lighting.lights[static_cast<std::size_t>(light)].specular));
-    });
-    if (has_highlights || whole) text += viewer_text(at);
-    text += material_note(at);
-    text += equation_text(at) + color_head("  scene");
-    if (whole || !is_zero(point.material.emission)) text += color_row("emission", "e_cm", point.material.emission);
-    text +=
-        line("ambient", "a_cm a_cs", "") +
-        color_row("",
-                  at.draw.lighting.light_model.spectrum ? "multiplied as spectra"
-                                                        : short_color(point.material.ambient) + " x " +
-                                                              short_color(rgb_of(at.draw.lighting.light_model.ambient)),
-                  point.scene_ambient);
-    if (at.lights.empty()) text += "    note: no light is enabled; glEnable(GL_LIGHT0) turns one on\n";
-    for (std::size_t i = 0; i < at.lights.size(); ++i) text += light_text(at, i, options);
-    return text + sum_text(at);
+    std::string text;
+    for (const Line& line : derivation_lines(at, options.all)) text += text_of(line, options.in_color);
+    return text;
 }
 
 std::string rulings_text(const std::vector<reference::PixelFragment::Decided>& rulings) {

@@ -10,12 +10,15 @@ namespace twinlight::explain {
 using reference::Face;
 
 PixelExplanation explain_pixel(const Frame& frame, const Look& look, const Pixel& pixel) {
-    return {pixel, reference::pixel_history(frame, reference::Options{look}, pixel.x, frame.height - 1 - pixel.y), {}};
+    return {pixel,
+            look,
+            reference::pixel_history(frame, reference::Options{look}, pixel.x, frame.height - 1 - pixel.y),
+            {}};
 }
 
 VertexExplanation explain_vertex(const Frame& frame, const Look& look, const VertexOfDraw& vertex) {
     const Draw& draw = *frame.draws()[vertex.draw];
-    VertexExplanation explanation{vertex, {}};
+    VertexExplanation explanation{vertex, look, {}};
     std::vector<Face> faces = {Face::kFront};
     if (draw.lighting.light_model.two_side && draws_polygons(draw.mode)) faces.push_back(Face::kBack);
     for (const Face face : faces)

@@ -31,6 +31,7 @@ struct Rendered {
 
 struct PixelExplanation {
     Pixel pixel{};
+    Look look{};
     reference::PixelHistory history{};  // the fragments that cover the pixel, and the reference's colour
     std::vector<Rendered> rendered{};   // the caller's; may stay empty
 };
@@ -42,6 +43,7 @@ struct FaceExplanation {
 };
 struct VertexExplanation {
     VertexOfDraw vertex{};
+    Look look{};
     std::vector<FaceExplanation> faces{};  // front and back with two-sided lighting, else front
 };
 // Lit as GL lights vertices. The Draw must have lighting enabled.
@@ -50,6 +52,11 @@ VertexExplanation explain_vertex(const Frame& frame, const Look& look, const Ver
 // A picture of one pixel that shows the vertex as a point, so that each renderer can light it: the projection moves it
 // to the middle, and only lighting is left of the state. Points show the front, so the back face becomes the front.
 Frame picture_of(const Draw& draw, std::uint32_t vertex, reference::Face face);
+
+// The index of the last fragment that hides all earlier ones; 0 if there is none.
+std::size_t first_seen(const Frame& frame, const std::vector<reference::PixelFragment>& fragments);
+// What happens to the lit colour before blending: "after clamping, texture (3.8), fog (3.10)".
+std::string steps_after_lighting(const reference::PixelFragment& fragment, const Draw& draw, bool lecture_variants);
 
 struct TextOptions {
     bool all = false;       // also what the scene does not use

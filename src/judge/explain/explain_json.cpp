@@ -35,7 +35,7 @@ Json mean_json(const LitPoint& mean, const std::vector<int>& lights) {
     return json;
 }
 
-Json fragment_json(const PixelFragment& fragment, const Scene& scene, const Draw& draw) {
+Json fragment_json(const PixelFragment& fragment, const Scene& scene, const Draw& draw, bool lecture_variants) {
     Json json = {{"draw", fragment.draw + 1},
                  {"place", draw.place.str()},
                  {"face", fragment.face == Face::kFront ? "front" : "back"},
@@ -50,7 +50,8 @@ Json fragment_json(const PixelFragment& fragment, const Scene& scene, const Draw
         json.update(mean_json(mean_of(fragment), fragment.lights));
         json["points"] = Json::array();
         for (const LitPoint& point : fragment.points)
-            json["points"].push_back(derivation_json({scene.frame, draw, fragment.draw + 1, fragment.lights, point}));
+            json["points"].push_back(
+                derivation_json({scene.frame, draw, fragment.draw + 1, fragment.lights, point, lecture_variants}));
     }
     json["color"] = color_json(vec3_cast<Vec>(fragment.color));
     json["rulings"] = rulings_json(fragment.rulings);
@@ -70,7 +71,8 @@ Json json_of(const Scene& scene, const PixelExplanation& explanation) {
     Json json = {{"scene", scene.name()}, {"pixel", {pixel.x, pixel.y}}, {"fragments", Json::array()}};
     const std::vector<const Draw*> draws = scene.frame.draws();
     for (const PixelFragment& fragment : explanation.history.fragments)
-        json["fragments"].push_back(fragment_json(fragment, scene, *draws[fragment.draw]));
+        json["fragments"].push_back(
+            fragment_json(fragment, scene, *draws[fragment.draw], explanation.look.lecture_variants));
     add_pictures(explanation.rendered, json);
     return json;
 }
@@ -80,7 +82,8 @@ Json json_of(const Scene& scene, const VertexExplanation& explanation) {
     const Draw& draw = *scene.frame.draws()[number];
     Json json = {{"scene", scene.name()}, {"draw", number + 1}, {"vertex", vertex + 1}, {"place", draw.place.str()}};
     for (const FaceExplanation& face : explanation.faces) {
-        Json one = derivation_json({scene.frame, draw, number + 1, face.history.lights, face.history.point});
+        Json one = derivation_json({scene.frame, draw, number + 1, face.history.lights, face.history.point,
+                                    explanation.look.lecture_variants});
         one["rulings"] = rulings_json(face.history.rulings);
         add_pictures(face.rendered, one);
         json["faces"].push_back(std::move(one));

@@ -71,18 +71,7 @@ std::string fragment_head(const PixelFragment& fragment, const Draw& draw, bool 
            fmt::format(": {}, depth {:.6f}", face_words(fragment.face), fragment.depth);
 }
 
-// What happens to the lit colour before blending: "after clamping, texture and fog".
-std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw) {
-    std::vector<std::string> steps = {"clamping"};
-    if (draw.texture.texture) steps.emplace_back("texture (3.8)");
-    if (fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
-        steps.emplace_back("colour sum (3.9)");
-    if (draw.fog.enabled) steps.emplace_back("fog (3.10)");
-    if (draw.fragment.srgb_coded) steps.emplace_back("sRGB");
-    return fmt::format("after {}", fmt::join(steps, ", "));
-}
-
-std::string fragment_text(const PixelFragment& fragment, const Scene& scene, const Draw& draw,
+std::string fragment_text(const PixelFragment& fragment, const Scene& scene, const Draw& draw, bool lecture_variants,
                           const TextOptions& options) {
     std::string text =
         fragment_head(fragment, draw, options.in_color) + (fragment.passes ? "\n" : "; discarded by a test\n");
@@ -92,7 +81,8 @@ std::string fragment_text(const PixelFragment& fragment, const Scene& scene, con
         for (const LitPoint& point : fragment.points) {
             if (!options.all && &point != &*heaviest) continue;
             text += point_head(point, fragment.draw + 1, draw.lighting.light_model.two_side, options.in_color);
-            text += derivation_text({scene.frame, draw, fragment.draw + 1, fragment.lights, point}, options);
+            text += derivation_text({scene.frame, draw, fragment.draw + 1, fragment.lights, point, lecture_variants},
+                                    options);
         }
         if (!options.all && fragment.points.size() > 1) {
             text += "\n  For the other vertices:";
@@ -103,18 +93,9 @@ std::string fragment_text(const PixelFragment& fragment, const Scene& scene, con
     } else {
         text += "  GL_LIGHTING is disabled: the colour is glColor's, and no light matters\n";
     }
-    text += "\n" + color_row("fragment", steps_after_lighting(fragment, draw), vec3_cast<Vec>(fragment.color));
+    text += "\n" + color_row("fragment", steps_after_lighting(fragment, draw, lecture_variants),
+                             vec3_cast<Vec>(fragment.color));
     return text + rulings_text(fragment.rulings);
-}
-
-// The last fragment that hides all earlier ones; 0 if there is none.
-std::size_t first_seen_of(const std::vector<PixelFragment>& fragments, const std::vector<const Draw*>& draws) {
-    for (std::size_t i = fragments.size(); i > 0; --i) {
-        const FragmentState& state = draws[fragments[i - 1].draw]->fragment;
-        if (fragments[i - 1].passes && !state.blend && state.color_mask == std::array{true, true, true, true})
-            return i - 1;
-    }
-    return 0;
 }
 
 std::string pictures_text(const std::vector<Rendered>& pictures, bool variants) {
@@ -132,6 +113,26 @@ std::string pictures_text(const std::vector<Rendered>& pictures, bool variants) 
 
 }  // namespace
 
+std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw, bool lecture_variants) {
+    std::vector<std::string> steps = {"clamping"};
+    if (draw.texture.texture) steps.emplace_back("texture (3.8)");
+    if (fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
+        steps.emplace_back("colour sum (3.9)");
+    if (draw.fog.enabled) steps.emplace_back("fog (3.10)");
+    if (lecture_variants && draw.fragment.srgb_coded) steps.emplace_back("sRGB");
+    return fmt::format("after {}", fmt::join(steps, ", "));
+}
+
+std::size_t first_seen(const Frame& frame, const std::vector<PixelFragment>& fragments) {
+    const std::vector<const Draw*> draws = frame.draws();
+    for (std::size_t i = fragments.size(); i > 0; --i) {
+        const FragmentState& state = draws[fragments[i - 1].draw]->fragment;
+        if (fragments[i - 1].passes && !state.blend && state.color_mask == std::array{true, true, true, true})
+            return i - 1;
+    }
+    return 0;
+}
+
 std::string text_of(const Scene& scene, const PixelExplanation& explanation, const TextOptions& options) {
     const Frame& frame = scene.frame;
     const Pixel& pixel = explanation.pixel;
@@ -142,19 +143,19 @@ std::string text_of(const Scene& scene, const PixelExplanation& explanation, con
         fragments.empty() ? "no draw covers it, so it shows what glClear left"
                           : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
     if (std::ranges::any_of(fragments, &PixelFragment::is_lit)) text += legend();
-    const std::size_t first_seen = first_seen_of(fragments, draws);
+    const std::size_t first_seen = explain::first_seen(frame, fragments);
     bool variants = false;
     for (std::size_t i = 0; i < fragments.size(); ++i) {
         const PixelFragment& fragment = fragments[i];
         const Draw& draw = *draws[fragment.draw];
-        variants = variants || has_variants(draw);
+        variants = variants || (explanation.look.lecture_variants && has_variants(draw));
         text += "\n";
         if (!options.all && !fragment.passes)
             text += fragment_head(fragment, draw, options.in_color) + "; discarded by a test, so it does not show\n";
         else if (!options.all && i < first_seen)
             text += fragment_head(fragment, draw, options.in_color) + "; a later draw covers it\n";
         else
-            text += fragment_text(fragment, scene, draw, options);
+            text += fragment_text(fragment, scene, draw, explanation.look.lecture_variants, options);
     }
     return text + pictures_text(explanation.rendered, variants);
 }
@@ -168,8 +169,11 @@ std::string text_of(const Scene& scene, const VertexExplanation& explanation, co
     for (const FaceExplanation& face : explanation.faces) {
         const reference::VertexHistory& history = face.history;
         text += point_head(history.point, number + 1, explanation.faces.size() > 1, options.in_color) +
-                derivation_text({scene.frame, draw, number + 1, history.lights, history.point}, options) +
-                rulings_text(history.rulings) + pictures_text(face.rendered, has_variants(draw));
+                derivation_text(
+                    {scene.frame, draw, number + 1, history.lights, history.point, explanation.look.lecture_variants},
+                    options) +
+                rulings_text(history.rulings) +
+                pictures_text(face.rendered, explanation.look.lecture_variants && has_variants(draw));
     }
     return text;
 }

@@ -43,7 +43,8 @@ class Run {
         study_.series.resize(1);
         study_.truth_png = encode_png(truth_.image());
         seen_ = renderers.seen(scene_, {{.shading = Shading::kExact}});
-        all_ = select_choices(scene_, has_slices, settings.extent, settings.coverage);
+        all_ = settings.choices.empty() ? select_choices(scene_, has_slices, settings.extent, settings.coverage)
+                                        : settings.choices;
     }
 
     Study study() {

@@ -97,6 +97,7 @@ struct Settings {
     Extent extent = Extent::kFull;
     int coverage = 1;
     double seconds = 60;             // for timing; every choice is timed at least three times
+    std::vector<Choice> choices{};   // empty: those of select_choices()
     const Study* earlier = nullptr;  // a study with one series to continue; its times are kept
     // Called before each step; false ends the study, which keeps its results.
     std::function<bool(const Progress& progress)> progress;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <map>
+#include <sstream>
 
 #include "render/effect/surface_draw.h"
 
@@ -117,6 +118,30 @@ std::vector<ExplainedLights> explain_lights(const Plan& plan) {
                         .why = why,
                         .largest = light.largest()});
     }
+    return rows;
+}
+
+EffectWords effect_words(const Plan& plan) {
+    EffectWords words;
+    std::istringstream lines(describe(plan.effects));
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("light ") && colon != line.npos)
+            words.of_lights.push_back(line.substr(colon + 2));
+        else
+            words.of_draw.push_back(line);
+    }
+    return words;
+}
+
+std::vector<ExplainedEffect> explain_effects(const Plan& plan) {
+    std::vector<ExplainedEffect> rows;
+    const EffectWords words = effect_words(plan);
+    std::size_t in = 0;
+    for (const ExplainedLights& lights : explain_lights(plan))
+        rows.push_back({lights.names, lights.in ? words.of_lights.at(in++) + ": " + lights.why : lights.why, lights.in,
+                        lights.is_off});
+    for (const LeftOut& left_out : plan.left_out) rows.push_back({left_out.what, left_out.why, false, left_out.is_off});
     return rows;
 }
 

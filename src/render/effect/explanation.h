@@ -41,6 +41,20 @@ struct ExplainedLights {
 };
 std::vector<ExplainedLights> explain_lights(const Plan& plan);
 
+// The lines of describe(): those about the draw, and those about its lights that are in ("directional, diffuse").
+struct EffectWords {
+    std::vector<std::string> of_draw, of_lights;
+};
+EffectWords effect_words(const Plan& plan);
+
+// A light or effect, whether the shaders have it, and why.
+struct ExplainedEffect {
+    std::string what, why;
+    bool in = false;
+    bool is_off = false;  // the scene does not turn it on
+};
+std::vector<ExplainedEffect> explain_effects(const Plan& plan);
+
 // "draw 1, scene.gl:3:1", "4 draws, the first draw 2, scene.gl:7:1"
 std::string name_of(const ExplainedDraw& draw);
 

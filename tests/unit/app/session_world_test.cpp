@@ -144,6 +144,8 @@ TEST(SessionWorld, TheOutsideCameraTurnsLikeATurntable) {
     EXPECT_GT(x(projection_of(seen.world, camera, kWidth, kHeight), {0, 0, 4}), kWidth / 2.0);
     orbit(camera, 0, 1000);
     EXPECT_EQ(camera.pitch_deg, 89);
+    orbit(camera, 0, -1000);
+    EXPECT_EQ(camera.pitch_deg, 0);
     zoom(camera, 1000);
     EXPECT_EQ(camera.zoom, 20);
 }
@@ -240,6 +242,9 @@ TEST(SessionWorld, ADraggedLightFollowsTheMouse) {
         for (std::size_t i = 0; i < seen.commands.commands.size(); ++i)
             changed += seen.commands.commands[i] == after.commands.commands[i] ? 0 : 1;
         EXPECT_EQ(changed, 1) << text;
+        const auto call = command_of(seen.commands, seen.frame, seen.world, handle);
+        ASSERT_TRUE(call) << text;
+        EXPECT_FALSE(seen.commands.commands[*call] == after.commands.commands[*call]) << text;
         EXPECT_EQ(read_scene(print_scene(after.commands), "test.gl", "test").commands, after.commands.commands);
     }
 }
@@ -288,6 +293,7 @@ TEST(SessionWorld, TheTipOfASpotlightTurnsItsCone) {
 
 TEST(SessionWorld, ALightThatWasNeverSetGetsACall) {
     const Seen seen(kProjection + kLookAt + kLit + on(0) + kSquare);
+    EXPECT_EQ(command_of(seen.commands, seen.frame, seen.world, {}), std::nullopt);
     const Seen after = seen.dragged({}, {30, 10});
     ASSERT_EQ(after.commands.commands.size(), seen.commands.commands.size() + 1);
     EXPECT_EQ(after.commands.commands[0].id, CommandId::glLightfv);

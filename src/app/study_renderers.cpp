@@ -1,4 +1,4 @@
-#include "app/cli/study_renderers.h"
+#include "app/study_renderers.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -8,7 +8,7 @@
 #include "render/fixed/replay.h"
 #include "render/reference/reference.h"
 
-namespace twinlight::cli {
+namespace twinlight {
 
 namespace {
 
@@ -91,4 +91,4 @@ study::Prepared StudyRenderers::prepare(const Frame& frame, const study::Choice&
             }};
 }
 
-}  // namespace twinlight::cli
+}  // namespace twinlight

@@ -1,18 +1,16 @@
-// The renderers of a study, and a description of the machine.
+// The renderers of a study.
 #pragma once
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 
-#include "judge/study/spectral.h"
 #include "judge/study/study.h"
 #include "render/context/context.h"
 #include "render/context/render_target.h"
 #include "render/programmable/programmable.h"
 
-namespace twinlight::cli {
+namespace twinlight {
 
 class StudyRenderers {
   public:
@@ -32,11 +30,4 @@ class StudyRenderers {
     std::map<std::pair<study::Target, int>, RenderTarget> targets_;
 };
 
-// For a scene with `#pragma twinlight spectrum(n)`: time and error for each number of wavelength samples. Draws into the current
-// context. `quick`: three rounds of measurements instead of nine.
-std::optional<study::SpectralStudy> study_samples(const Frame& frame, bool quick);
-
-// The machine that the program runs on.
-study::Machine this_machine();
-
-}  // namespace twinlight::cli
+}  // namespace twinlight

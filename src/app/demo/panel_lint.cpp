@@ -1,0 +1,102 @@
+#include "app/demo/panel_lint.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <exception>
+#include <optional>
+
+#include "app/demo/theme.h"
+#include "app/demo/widgets.h"
+#include "scene/command/text.h"
+
+namespace twinlight::demo {
+namespace {
+
+constexpr auto kStill = std::chrono::milliseconds(300);  // the commands must not change for so long
+
+}  // namespace
+
+void LintPanel::update(const session::Session& session) {
+    const int revision = session.history.revision();
+    if (revision != seen_) {
+        seen_ = revision;
+        since_ = Clock::now();
+    }
+    if (running_.valid() && running_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+        Result result = running_.get();
+        made_for_ = result.revision;
+        findings_ = std::move(result.findings);
+        trouble_ = std::move(result.trouble);
+    }
+    if (running_.valid() || made_for_ == revision || Clock::now() - since_ < kStill) return;
+    running_ = std::async(std::launch::async,
+                          [revision, list = session.history.now(), size = WindowSize{session.width, session.height}] {
+                              try {
+                                  return Result{revision, session::findings_of(*list, size), ""};
+                              } catch (const std::exception& error) {
+                                  return Result{revision, {}, error.what()};
+                              }
+                          });
+}
+
+bool LintPanel::show(session::Session& session) {
+    if (made_for_ != seen_) {
+        dim_text("Checking the scene ...");
+        return false;
+    }
+    if (!trouble_.empty()) {
+        colored_text(kBad, trouble_);
+        return false;
+    }
+    if (findings_.empty()) {
+        colored_text(kGood, "No mistakes in the lighting.");
+        dim_text(
+            "The linter checks what GL accepts without an error: lights that are black, positions set before the "
+            "camera, normals that are not unit, and more.");
+        return false;
+    }
+    dim_text("GL accepts these commands, but the picture is probably not what you want.");
+    bool selected = false;
+    std::optional<std::size_t> to_mend;
+    for (std::size_t i = 0; i < findings_.size(); ++i) {
+        const session::Finding& finding = findings_[i];
+        const lint::Warning& warning = finding.warning;
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::Dummy({0, ImGui::GetFontSize() / 4});
+        ImGui::Separator();
+        ImGui::Dummy({0, ImGui::GetFontSize() / 4});
+        bold_text(warning.message.c_str());
+        ImGui::PushFont(fonts().code);
+        colored_text(kAccent, print_command(commands(session).commands[finding.command]));
+        ImGui::PopFont();
+        dim_text(fmt::format("{}{}  [{}]", finding.where,
+                             warning.count > 1 ? fmt::format(" and {} more places", warning.count - 1) : "",
+                             warning.rule->name)
+                     .c_str());
+        ImGui::TextWrapped("%s", std::string(warning.rule->why).c_str());
+        ImGui::PushFont(fonts().code);
+        colored_text(kGood, warning.fix);
+        ImGui::PopFont();
+        if (ImGui::Button("Show me")) {
+            session.selected_command = finding.command;
+            selected = true;
+        }
+        ImGui::SameLine();
+        if (finding.can_mend) {
+            if (ImGui::Button("Mend it")) to_mend = i;
+        } else {
+            ImGui::AlignTextToFramePadding();
+            ImGui::TextDisabled("This one needs your own change.");
+        }
+        ImGui::PopID();
+    }
+    if (to_mend) {
+        const session::Finding& finding = findings_[*to_mend];
+        edit(session, session::mended(commands(session), finding), fmt::format("mend {}", finding.warning.rule->name));
+        say(session, fmt::format("mended: {}; z undoes it", finding.warning.message));
+    }
+    return selected;
+}
+
+}  // namespace twinlight::demo

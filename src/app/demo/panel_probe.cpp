@@ -1,0 +1,285 @@
+#include "app/demo/panel_probe.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/demo/theme.h"
+#include "app/demo/widgets.h"
+#include "scene/command/names.h"
+
+namespace twinlight::demo {
+namespace {
+
+using session::ProbePoint;
+using session::Session;
+using session::SumRow;
+
+bool is_same_look(const Look& a, const Look& b) {
+    return a.shading == b.shading && a.lecture_variants == b.lecture_variants;
+}
+
+// A table whose last three columns are red, green and blue.
+bool begin_sum(const char* name, const char* red = "red", const char* green = "green", const char* blue = "blue") {
+    if (!ImGui::BeginTable(name, 6, ImGuiTableFlags_SizingFixedFit)) return false;
+    ImGui::TableSetupColumn("");
+    ImGui::TableSetupColumn("");
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    for (int channel = 0; channel < 3; ++channel) ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TableNextColumn();
+    for (const char* head : {"", red, green, blue}) {
+        ImGui::TableNextColumn();
+        const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(head).x;
+        if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+        ImGui::TextDisabled("%s", head);
+    }
+    return true;
+}
+
+void sum_row(const SumRow& row) {
+    const Vec3<double>& c = row.color;
+    ImGui::TableNextRow();
+    if (row.is_result) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, kResultRow);
+    ImGui::TableNextColumn();
+    ImGui::PushFont(fonts().code);
+    ImGui::TextUnformatted(row.sign.empty() ? " " : row.sign.c_str());
+    ImGui::PopFont();
+    ImGui::TableNextColumn();
+    swatch(c);
+    ImGui::TableNextColumn();
+    ImGui::PushFont(row.is_result ? fonts().bold : fonts().text);
+    ImGui::TextUnformatted(row.what.c_str());
+    ImGui::PopFont();
+    if (!row.how.empty()) {
+        ImGui::SameLine();
+        if (ImGui::CalcTextSize(row.how.c_str()).x > ImGui::GetContentRegionAvail().x) ImGui::NewLine();
+        dim_text(row.how.c_str());
+    }
+    ImGui::PushFont(row.is_result ? fonts().code_bold : fonts().code);
+    for (const double channel : {c.x, c.y, c.z}) {
+        ImGui::TableNextColumn();
+        const bool is_clipped = channel > 1 || channel < 0;  // before the clamp
+        if (is_clipped) ImGui::PushStyleColor(ImGuiCol_Text, kBad);
+        ImGui::TextUnformatted(fmt::format("{:7.4f}", channel).c_str());
+        if (is_clipped) ImGui::PopStyleColor();
+    }
+    ImGui::PopFont();
+}
+
+void sum_table(const char* name, const std::vector<SumRow>& rows) {
+    if (rows.empty() || !begin_sum(name)) return;
+    for (const SumRow& row : rows) sum_row(row);
+    ImGui::EndTable();
+}
+
+// The lines of a derivation: the symbol at the left; at the right the value, and below it how it is computed.
+void show_lines(const char* name, const std::vector<explain::Line>& lines) {
+    using Kind = explain::Line::Kind;
+    if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 9 * ImGui::GetFontSize() / 1.8F);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    for (const explain::Line& line : lines) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushFont(fonts().code_bold);
+        ImGui::TextUnformatted(line.what.c_str());
+        ImGui::PopFont();
+        ImGui::TableNextColumn();
+        if (line.kind == Kind::kNote) {
+            colored_text(kAccent, line.value);
+            continue;
+        }
+        ImGui::PushFont(fonts().code);
+        if (line.kind == Kind::kColor) {
+            swatch(line.color);
+            ImGui::SameLine();
+            ImGui::TextUnformatted(
+                fmt::format("{:.4f} {:.4f} {:.4f}", line.color.x, line.color.y, line.color.z).c_str());
+        } else {
+            ImGui::TextWrapped("%s", line.value.c_str());
+        }
+        if (!line.how.empty() && line.kind == Kind::kColor) dim_text(line.how.c_str());
+        ImGui::PopFont();
+        if (!line.how.empty() && line.kind != Kind::kColor) dim_text(line.how.c_str());
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void ProbePanel::update(const Session& session) {
+    const std::size_t pane = std::min(session.active, session::kPanes - 1);
+    const Look look = look_of(session, session.panes[pane]);
+    if (answer_ && answer_->probe == *session.probe && revision_ == session.revision && is_same_look(look_, look))
+        return;
+    const bool is_same_probe = answer_ && answer_->probe == *session.probe;
+    answer_ = session::answer_probe(session.scene, look, *session.probe);
+    revision_ = session.revision;
+    look_ = look;
+    fragments_ = session::fragments_of(session.scene, *answer_);
+    if (is_same_probe && fragment_ < fragments_.size()) return;
+    fragment_ = session::main_fragment(fragments_);
+    const auto points = session::points_of(session.scene, *answer_, fragment_);
+    const auto heaviest = std::ranges::max_element(points, {}, &ProbePoint::weight);
+    point_ = static_cast<std::size_t>(heaviest - points.begin());
+}
+
+void ProbePanel::show_choice(Session& session) {
+    session::Probe& probe = *session.probe;
+    int kind = probe.is_vertex ? 1 : 0;
+    ImGui::RadioButton("Pixel", &kind, 0);
+    ImGui::SameLine();
+    ImGui::RadioButton("Vertex", &kind, 1);
+    probe.is_vertex = kind == 1;
+    ImGui::SameLine();
+    int numbers[2] = {probe.is_vertex ? static_cast<int>(probe.draw) : probe.x,
+                      probe.is_vertex ? static_cast<int>(probe.vertex) : probe.y};
+    ImGui::SetNextItemWidth(8 * ImGui::GetFontSize());
+    if (ImGui::InputInt2(probe.is_vertex ? "draw, vertex" : "x, y", numbers)) {
+        if (probe.is_vertex) {
+            probe.draw = static_cast<std::size_t>(std::max(numbers[0], 1));
+            probe.vertex = static_cast<std::size_t>(std::max(numbers[1], 1));
+        } else {
+            probe.x = std::clamp(numbers[0], 0, session.width - 1);
+            probe.y = std::clamp(numbers[1], 0, session.height - 1);
+        }
+    }
+}
+
+void ProbePanel::show_colors(const Session& session, const std::array<std::optional<Rgba>, session::kPanes>& colors) {
+    if (!ImGui::BeginTable("panes", 3, ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("");
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("");
+    for (std::size_t pane = 0; pane < session::kPanes; ++pane) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        const Rgba color = colors[pane].value_or(Rgba{});
+        if (colors[pane])
+            swatch({color[0], color[1], color[2]});
+        else
+            ImGui::TextUnformatted("");
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(title_of(session, session.panes[pane]).c_str());
+        ImGui::TableNextColumn();
+        ImGui::PushFont(fonts().code);
+        if (colors[pane])
+            ImGui::TextUnformatted(
+                fmt::format("{:3} {:3} {:3}", channel_code(color[0]), channel_code(color[1]), channel_code(color[2]))
+                    .c_str());
+        else
+            ImGui::TextDisabled("not drawn");
+        ImGui::PopFont();
+    }
+    ImGui::EndTable();
+}
+
+void ProbePanel::show_equation(const ProbePoint& point) {
+    ImGui::PushFont(fonts().code);
+    ImGui::TextWrapped("%s", session::equation_of(point.derivation).c_str());
+    ImGui::PopFont();
+    const std::vector<int>& lights = point.derivation.lights;
+    if (light_ && std::ranges::find(lights, *light_) == lights.end()) light_.reset();
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##light", light_ ? light_name(*light_).c_str() : "all lights")) {
+        if (ImGui::Selectable("all lights", !light_)) light_.reset();
+        for (const int light : lights)
+            if (ImGui::Selectable(light_name(light).c_str(), light_ == light)) light_ = light;
+        ImGui::EndCombo();
+    }
+    sum_table("sum", session::sum_rows(point.derivation, light_));
+    if (light_) {
+        show_lines("light", session::lines_of(point.derivation, light_));
+        return;
+    }
+    if (ImGui::TreeNode("Place and normal")) {
+        show_lines("place", session::lines_of(point.derivation, {}));
+        ImGui::TreePop();
+    }
+    for (const int light : lights) {
+        // Two lights fit below the sum.
+        const ImGuiTreeNodeFlags open = lights.size() <= 2 ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+        if (!ImGui::TreeNodeEx(light_name(light).c_str(), open)) continue;
+        show_lines("lines", session::lines_of(point.derivation, light));
+        ImGui::TreePop();
+    }
+}
+
+void ProbePanel::show_fragment(Session& session) {
+    if (fragments_.empty()) {
+        dim_text("No draw covers this pixel. It shows what glClear left.");
+        return;
+    }
+    if (fragments_.size() > 1) {
+        ImGui::SetNextItemWidth(-1);
+        const auto label = [this](std::size_t i) {
+            return fmt::format("{}: {}##{}", fragments_[i].name, fragments_[i].fate, i);
+        };
+        if (ImGui::BeginCombo(
+                "##fragment",
+                fmt::format("{} of {}: {}", fragment_ + 1, fragments_.size(), fragments_[fragment_].name).c_str())) {
+            for (std::size_t i = 0; i < fragments_.size(); ++i)
+                if (ImGui::Selectable(label(i).c_str(), i == fragment_)) fragment_ = i;
+            ImGui::EndCombo();
+        }
+        if (!fragments_[fragment_].is_seen) colored_text(kAccent, fragments_[fragment_].fate);
+    } else {
+        dim_text(fragments_[fragment_].name.c_str());
+    }
+    const std::vector<ProbePoint> points = session::points_of(session.scene, *answer_, fragment_);
+    if (!fragments_[fragment_].is_lit || points.empty()) {
+        dim_text("GL_LIGHTING is disabled here: the colour is glColor's, and no light matters.");
+    } else {
+        point_ = std::min(point_, points.size() - 1);
+        const std::vector<SumRow> mean = session::mean_rows(points);
+        if (!mean.empty()) {
+            heading("The colour of this pixel");
+            sum_table("mean", mean);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                if (i > 0) ImGui::SameLine();
+                if (ImGui::RadioButton(points[i].name.c_str(), i == point_)) point_ = i;
+            }
+        }
+        heading(fmt::format("The equation at {}", points[point_].name).c_str());
+        show_equation(points[point_]);
+    }
+    const std::vector<SumRow> after = session::fragment_rows(session.scene, *answer_, fragment_);
+    if (!after.empty()) {
+        heading("After lighting");
+        sum_table("after", after);
+    }
+    const std::string rulings = session::rulings_of(*answer_, fragment_);
+    if (!rulings.empty()) colored_text(kAccent, rulings);
+}
+
+void ProbePanel::show(Session& session, const std::array<std::optional<Rgba>, session::kPanes>& colors) {
+    if (!session.probe) {
+        dim_text(
+            "Click a picture to see why the pixel has its colour: every term of the lighting equation with its "
+            "numbers.");
+        if (ImGui::Button("Explain a vertex")) session.probe = session::Probe{.is_vertex = true};
+        if (!session.probe) return;
+    }
+    show_choice(session);
+    update(session);
+    if (!answer_->trouble.empty()) {
+        colored_text(kAccent, answer_->trouble);
+        return;
+    }
+    if (!session.probe->is_vertex) show_colors(session, colors);
+    show_fragment(session);
+    ImGui::Spacing();
+    if (ImGui::Button("Copy as text")) {
+        std::vector<explain::Rendered> rendered;
+        for (std::size_t pane = 0; pane < session::kPanes; ++pane)
+            if (colors[pane]) rendered.push_back({session.panes[pane].renderer, *colors[pane]});
+        ImGui::SetClipboardText(session::probe_text(session.scene, *answer_, rendered).c_str());
+        say(session, "the numbers of this probe are copied");
+    }
+}
+
+}  // namespace twinlight::demo

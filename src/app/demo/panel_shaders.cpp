@@ -1,0 +1,182 @@
+#include "app/demo/panel_shaders.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/demo/theme.h"
+#include "app/demo/widgets.h"
+#include "render/programmable/kept/kept_files.h"
+#include "render/programmable/programmable.h"
+
+namespace twinlight::demo {
+namespace {
+
+using session::Ink;
+using session::Session;
+using session::ShownShader;
+
+ImU32 color_of(Ink ink) {
+    switch (ink) {
+        case Ink::kPlain: return kText;
+        case Ink::kKeyword: return IM_COL32(206, 156, 232, 255);
+        case Ink::kType: return IM_COL32(122, 196, 214, 255);
+        case Ink::kNumber: return IM_COL32(226, 168, 116, 255);
+        case Ink::kComment: return IM_COL32(128, 140, 132, 255);
+        case Ink::kDirective: return IM_COL32(206, 156, 232, 255);
+        case Ink::kCall: return IM_COL32(234, 206, 130, 255);
+    }
+    return kText;
+}
+
+// The shading of the active pane, or of the first one with shaders.
+Look look_of_shaders(const Session& session) {
+    const std::size_t active = std::min(session.active, session::kPanes - 1);
+    if (session.panes[active].renderer == Path::kProgrammable) return look_of(session, session.panes[active]);
+    for (const session::Pane& pane : session.panes)
+        if (pane.renderer == Path::kProgrammable) return look_of(session, pane);
+    return look_of(session, session.panes[active]);
+}
+
+std::vector<ShownShader> shaders_to_keep(const Scene& scene, const programmable::Options& options) {
+    const std::string why = programmable::why_not_kept(scene.frame);
+    if (!why.empty()) throw std::runtime_error("Shaders to keep cannot draw this scene: " + why + ".");
+    std::vector<ShownShader> shaders;
+    for (programmable::NamedFile& file :
+         programmable::kept_files(scene.frame, options, programmable::Glsl::k330, scene.name()))
+        if (file.name.ends_with(".vert") || file.name.ends_with(".frag"))
+            shaders.push_back({std::move(file.name), 0, std::move(file.bytes)});
+    return shaders;
+}
+
+}  // namespace
+
+void ShadersPanel::update(const Session& session) {
+    const Look look = look_of_shaders(session);
+    const bool is_same = look.shading == look_.shading && look.lecture_variants == look_.lecture_variants;
+    if (revision_ == session.revision && is_same && to_keep_ == made_to_keep_) return;
+    revision_ = session.revision;
+    look_ = look;
+    made_to_keep_ = to_keep_;
+    trouble_.clear();
+    shaders_.clear();
+    lines_.clear();
+    programmable::Options options;
+    static_cast<Look&>(options) = look;
+    plans_ = explain_draws(session.scene.frame, options);
+    try {
+        if (to_keep_ && options.shading == Shading::kExact)
+            throw std::runtime_error(
+                "Exact surfaces are found by rays for one picture. Press g to choose another shading.");
+        shaders_ = to_keep_ ? shaders_to_keep(session.scene, options)
+                            : session::shown_shaders(programmable::shader_source(session.scene.frame, options));
+        if (shaders_.empty()) trouble_ = "The scene draws nothing, so it has no shaders.";
+    } catch (const std::runtime_error& error) {
+        trouble_ = error.what();
+    }
+    // At first the longest program, which does the most.
+    const bool is_new_scene = opened_ != session.opened;
+    opened_ = session.opened;
+    if (is_new_scene || shown_ >= shaders_.size()) {
+        const auto length = [](const ShownShader& shader) { return shader.glsl.size(); };
+        shown_ = static_cast<std::size_t>(std::ranges::max_element(shaders_, {}, length) - shaders_.begin());
+    }
+}
+
+void ShadersPanel::show_reasons(const ShownShader& shader) const {
+    const ExplainedDraw* draw = session::plan_of(plans_, shader.draw);
+    if (!draw) return;
+    std::vector<ExplainedEffect> rows = explain_effects(draw->plan);
+    if (!all_reasons_) std::erase_if(rows, &ExplainedEffect::is_off);
+    ImGui::TextWrapped("%s", fmt::format("{}", fmt::join(effect_words(draw->plan).of_draw, ", ")).c_str());
+    if (!ImGui::BeginTable("reasons", 2, ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("");
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    for (const ExplainedEffect& row : rows) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        colored_text_line(row.in ? kGood : kDim, row.in ? "used" : "skipped");
+        ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, row.in ? kText : kDim);
+        ImGui::TextWrapped("%s", row.what.c_str());
+        ImGui::PopStyleColor();
+        dim_text(row.why.c_str());
+    }
+    ImGui::EndTable();
+    dim_text(
+        fmt::format("All skipped lights together change a channel by at most {}.", in_codes(draw->plan.error_bound))
+            .c_str());
+}
+
+void ShadersPanel::show_glsl(Session& session) {
+    const std::string& glsl = shaders_[shown_].glsl;
+    if (lines_.empty() || inked_ != shown_) {
+        lines_ = session::inked_lines(session::without_reasons(glsl));
+        inked_ = shown_;
+    }
+    if (ImGui::Button("Copy")) {
+        ImGui::SetClipboardText(glsl.c_str());
+        say(session, fmt::format("copied {} lines of GLSL", lines_.size()));
+    }
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", fmt::format("{} lines; saved from the tab Save", lines_.size()).c_str());
+    // At least twenty lines, also below a long list of reasons.
+    const float height = std::max(ImGui::GetContentRegionAvail().y, 20 * ImGui::GetTextLineHeightWithSpacing());
+    ImGui::BeginChild("glsl", {0, height}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::PushFont(fonts().code);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 2});
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(lines_.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            ImGui::TextDisabled("%4d  ", i + 1);
+            for (const session::InkedText& piece : lines_[static_cast<std::size_t>(i)]) {
+                ImGui::SameLine(0, 0);
+                ImGui::PushStyleColor(ImGuiCol_Text, color_of(piece.ink));
+                ImGui::TextUnformatted(piece.text.data(), piece.text.data() + piece.text.size());
+                ImGui::PopStyleColor();
+            }
+        }
+    }
+    clipper.End();
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    ImGui::EndChild();
+}
+
+void ShadersPanel::show(Session& session) {
+    int kind = to_keep_ ? 1 : 0;
+    ImGui::RadioButton("for this picture", &kind, 0);
+    ImGui::SameLine();
+    ImGui::RadioButton("to keep (GLSL 3.30)", &kind, 1);
+    to_keep_ = kind == 1;
+    update(session);
+    if (!trouble_.empty()) {
+        colored_text(kAccent, trouble_);
+        return;
+    }
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##program", shaders_[shown_].title.c_str())) {
+        for (std::size_t i = 0; i < shaders_.size(); ++i) {
+            ImGui::PushID(static_cast<int>(i));
+            if (ImGui::Selectable(shaders_[i].title.c_str(), i == shown_)) shown_ = i;
+            ImGui::PopID();
+        }
+        ImGui::EndCombo();
+    }
+    if (to_keep_) {
+        dim_text("They stay right when objects, lights and the camera move. The values are uniforms with GL's names.");
+    } else {
+        heading("What the shaders compute, and why");
+        ImGui::Checkbox("also what the scene turns off", &all_reasons_);
+        show_reasons(shaders_[shown_]);
+        heading("GLSL");
+    }
+    show_glsl(session);
+}
+
+}  // namespace twinlight::demo

@@ -1,0 +1,110 @@
+#include "app/session/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "app/session/edits.h"
+#include "judge/lint/source.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
+
+namespace twinlight::session {
+namespace {
+
+// Commands may come from several texts or from none, so each gets its number as its place.
+std::shared_ptr<const CommandList> numbered(const CommandList& commands) {
+    auto list = std::make_shared<CommandList>(commands);
+    list->text = nullptr;
+    int line = 0;
+    for (Command& command : list->commands) command.place = {nullptr, ++line, 1};
+    return list;
+}
+
+std::optional<std::size_t> index_of(const Place& place, std::size_t count) {
+    if (place.line < 1 || static_cast<std::size_t>(place.line) > count) return {};
+    return static_cast<std::size_t>(place.line) - 1;
+}
+
+bool is_silenced(const CommandList& commands, const lint::Allowed& allowed, const Finding& finding) {
+    return allowed.has(finding.warning.rule->name, commands.commands[finding.command].place.line);
+}
+
+// As for `twinlight lint --fix`: a statement that is removed in many places is not mended at one of them.
+bool can_mend(const lint::Warning& warning, std::size_t count) {
+    if (warning.edits.empty()) return false;
+    for (const lint::Edit& edit : warning.edits) {
+        if (!index_of(edit.place, count)) return false;
+        if (edit.moved.line > 0 && !index_of(edit.moved, count)) return false;
+        if (edit.removes && warning.count > 1) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::vector<Finding> findings_of(const CommandList& commands, WindowSize size) {
+    StateOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    std::vector<Finding> findings;
+    for (lint::Warning& warning : lint::lint(make_scene(numbered(commands), options))) {
+        const auto index = index_of(warning.place, commands.commands.size());
+        if (!index) continue;
+        const Place& place = commands.commands[*index].place;
+        const std::string where =
+            place.line > 0 && place.column > 0 ? fmt::format("line {}", place.line) : "inserted here";
+        const bool mends = can_mend(warning, commands.commands.size());
+        findings.push_back({std::move(warning), *index, where, mends});
+    }
+    if (commands.text) {
+        const lint::Allowed allowed(*commands.text);
+        std::erase_if(findings, [&](const Finding& finding) { return is_silenced(commands, allowed, finding); });
+    }
+    return findings;
+}
+
+CommandList mended(const CommandList& commands, const Finding& finding) {
+    // What to write before and after each command, and which commands go.
+    struct Change {
+        std::vector<Command> before, after;
+        bool removed = false;
+    };
+    const std::size_t count = commands.commands.size();
+    std::vector<Change> changes(count);
+    for (const lint::Edit& edit : finding.warning.edits) {
+        const auto at = index_of(edit.place, count);
+        if (!at) continue;
+        std::vector<Command> written;
+        if (const auto from = index_of(edit.moved, count)) {
+            written = {commands.commands[*from]};
+            changes[*from].removed = true;
+        } else if (!edit.insert.empty()) {
+            written = read_scene(edit.insert, "the window", "the window").commands;
+            // They keep the place of what they replace.
+            for (Command& command : written) {
+                if (edit.removes)
+                    command.place = commands.commands[*at].place;
+                else
+                    command.place.line = command.place.column = 0;  // "the window"
+            }
+        }
+        Change& change = changes[*at];
+        change.removed = change.removed || edit.removes;
+        std::vector<Command>& into = edit.is_after ? change.after : change.before;
+        into.insert(into.end(), written.begin(), written.end());
+    }
+    CommandList result = commands;
+    result.commands.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        Change& change = changes[i];
+        std::ranges::move(change.before, std::back_inserter(result.commands));
+        if (!change.removed) result.commands.push_back(commands.commands[i]);
+        std::ranges::move(change.after, std::back_inserter(result.commands));
+    }
+    return result;
+}
+
+}  // namespace twinlight::session
