@@ -136,12 +136,43 @@ std::vector<PointOfFragment> Shader::points(const Fragment& fragment) const {
 template <class Real>
 Shader::Finish<Real> Shader::finish(const Fragment& fragment) const {
     Finish<Real> finish;
-    if (draw_.fog.enabled) {
-        const glm::dvec2 zw = eye_zw(fragment);
-        finish.fog = fog_factor(draw_.fog, std::abs(quotient(zw.x, zw.y)));
-    }
+    if (draw_.fog.enabled) add_fog(fragment, finish);
     if (draw_.texture.texture) add_texel(fragment, finish);
     return finish;
+}
+
+double Shader::fog(const Fragment& fragment) const {
+    const glm::dvec2 zw = eye_zw(fragment);
+    return fog_factor(draw_.fog, std::abs(quotient(zw.x, zw.y)));
+}
+
+// 3.10: f may be computed at each vertex and interpolated. Linear f is computed from the interpolated distance.
+double Shader::fog_of_vertices(const Fragment& fragment) const {
+    const glm::dvec3 weights = weights_at(*fragment.piece, fragment.position_window);
+    double distance = 0;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec4& eye = vertices_[fragment.piece->primitive.vertices[i]].position_eye;
+        distance += weights[i] * std::abs(quotient(eye.z, eye.w));
+    }
+    return fog_factor(draw_.fog, distance);
+}
+
+bool Shader::has_linear_fog_behind_eye(const Piece& piece) const {
+    if (!draw_.fog.enabled || draw_.fog.mode != kGL_LINEAR || piece.rays) return false;
+    const auto z_eye = [&](int i) { return vertices_[piece.primitive.vertices[i]].position_eye.z; };
+    const auto [least, most] = std::minmax({z_eye(0), z_eye(1), z_eye(2)});
+    return least < 0 && most > 0;
+}
+
+bool Shader::has_several_colors(const Piece& piece) const {
+    return draw_.texture.texture || has_linear_fog_behind_eye(piece);
+}
+
+void Shader::add_fog(const Fragment& fragment, Finish<double>& finish) const { finish.fog = fog(fragment); }
+
+void Shader::add_fog(const Fragment& fragment, Finish<Interval>& finish) const {
+    finish.fog = fog(fragment);
+    if (has_linear_fog_behind_eye(*fragment.piece)) finish.fog = hull(finish.fog, fog_of_vertices(fragment));
 }
 
 void Shader::add_texel(const Fragment& fragment, Finish<double>& finish) const {

@@ -56,6 +56,9 @@ class Shader {
 
     // The points that are lit for the colour; empty without lighting. The sum of the weights is 1.
     std::vector<PointOfFragment> points(const Fragment& fragment) const;
+    // Whether correct implementations may find different colours on this piece: textured, or in linear fog that reaches
+    // behind the eye.
+    bool has_several_colors(const Piece& piece) const;
     const DrawLighting& lighting() const { return lighting_; }
     Shading shading() const { return shading_; }
 
@@ -100,6 +103,11 @@ class Shader {
     LitMaterial material(const Fragment& fragment, const LitPlace& place) const;
     LitColors lit(const Fragment& fragment) const;
     glm::dvec2 eye_zw(const Fragment& fragment) const;
+    double fog(const Fragment& fragment) const;
+    double fog_of_vertices(const Fragment& fragment) const;
+    bool has_linear_fog_behind_eye(const Piece& piece) const;
+    void add_fog(const Fragment& fragment, Finish<double>& finish) const;
+    void add_fog(const Fragment& fragment, Finish<Interval>& finish) const;
     template <class Real>
     Finish<Real> finish(const Fragment& fragment) const;
     void add_texel(const Fragment& fragment, Finish<double>& finish) const;
