@@ -672,7 +672,7 @@ std::vector<Rule> picture_rules() {
  glEnable(GL_LIGHTING);
  glEnable(GL_LIGHT0);
  glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 2, -6, 0});
- glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){1, 1, 1, 1});
+ glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){0.6, 0.6, 0.6, 1});
  glMaterialf(GL_FRONT, GL_SHININESS, 100);
 +glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE);
  glRotatef(-90, 1, 0, 0);
