@@ -24,6 +24,11 @@ struct Derivation {
 std::string derivation_text(const Derivation& at, const TextOptions& options);
 Json derivation_json(const Derivation& at);
 
+// Texture, colour sum and fog of a fragment, if they are used. `is_exact`: a point of a curved surface.
+std::string after_lighting_text(const reference::ColorSteps& steps, const Draw& draw, bool is_exact);
+// Adds "texture" and "fog", if they are used.
+void add_after_lighting(const reference::ColorSteps& steps, const Draw& draw, Json& json);
+
 // "for GL_LIGHT0 the specification is silent (a zero normal); our choice: ambient and emission only"
 std::string rulings_text(const std::vector<reference::PixelFragment::Decided>& rulings);
 Json rulings_json(const std::vector<reference::PixelFragment::Decided>& rulings);
@@ -31,6 +36,10 @@ Json rulings_json(const std::vector<reference::PixelFragment::Decided>& rulings)
 // "GL_LIGHT0", "GL_LIGHT3"
 std::vector<std::string> names_of(const std::vector<int>& lights);
 Json color_json(const reference::Vec& c);
+// "(0.5, 1, 0, 1)"
+std::string quadruple(const glm::dvec4& v);
+// A line without colours: a name, its value, and how it is computed.
+std::string line(const std::string& what, const std::string& value, const std::string& how);
 // "   0.80000   0.50000   0.31000"
 std::string columns(const reference::Vec& c);
 // A line of the tables: a name, how it is computed, and its red, green and blue.

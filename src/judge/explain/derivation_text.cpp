@@ -21,16 +21,7 @@ using reference::Vec;
 std::string triple(const Vec& v) {
     return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);  // + 0.0 makes -0 positive
 }
-std::string quadruple(const glm::dvec4& v) {
-    return fmt::format("({:.5g}, {:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z, v.w);
-}
 std::string short_color(const Vec& c) { return fmt::format("({:.5g} {:.5g} {:.5g})", c.x, c.y, c.z); }
-
-// A line without colours: a name, its value, and how it is computed.
-std::string line(const std::string& what, const std::string& value, const std::string& how) {
-    return how.empty() ? fmt::format("    {:<12} {}\n", what, value)
-                       : fmt::format("    {:<12} {:<31} {}\n", what, value, how);
-}
 
 std::string place_text(const Derivation& at) {
     const LitPoint& point = at.point;
@@ -278,6 +269,15 @@ std::string sum_text(const Derivation& at) {
 }
 
 }  // namespace
+
+std::string quadruple(const glm::dvec4& v) {
+    return fmt::format("({:.5g}, {:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z, v.w);
+}
+
+std::string line(const std::string& what, const std::string& value, const std::string& how) {
+    return how.empty() ? fmt::format("    {:<12} {}\n", what, value)
+                       : fmt::format("    {:<12} {:<31} {}\n", what, value, how);
+}
 
 std::string columns(const Vec& c) { return fmt::format("{:>9.5f} {:>9.5f} {:>9.5f}", c.x, c.y, c.z); }
 

@@ -103,6 +103,7 @@ std::string fragment_text(const PixelFragment& fragment, const Scene& scene, con
     } else {
         text += "  GL_LIGHTING is disabled: the colour is glColor's, and no light matters\n";
     }
+    text += after_lighting_text(fragment.steps, draw, fragment.corners.empty());
     text += "\n" + color_row("fragment", steps_after_lighting(fragment, draw), vec3_cast<Vec>(fragment.color));
     return text + rulings_text(fragment.rulings);
 }
