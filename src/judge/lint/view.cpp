@@ -113,20 +113,23 @@ class AspectOfViewport : public Watch {
 
 class NearPlane : public Watch {
     void after(const Command& command, const State&) override {
-        if (!is_effect(command, "perspective")) return;
-        const double z_near = command.number(2), z_far = command.number(3);
+        if (!is_perspective(command)) return;
+        const bool has_angle = is_effect(command, "perspective");  // else its near plane sets the angle, too
+        const std::size_t near_at = has_angle ? 2 : 4;
+        const double z_near = command.arguments[near_at], z_far = command.arguments[near_at + 1];
         if (z_near > 0 && z_far / z_near < 2e6) return;
         Command nearer = command;
-        nearer.arguments[2] = z_far / 1000;
+        nearer.arguments[near_at] = z_far / 1000;
+        std::vector<Edit> edits;
+        if (has_angle) edits = {{.place = command.place, .removes = true, .insert = print_command(nearer)}};
         warn({.place = command.place,
-              .message =
-                  z_near <= 0
-                      ? fmt::format("the near plane of gluPerspective is {}: depths cannot be distinguished", z_near)
-                      : fmt::format("the far plane is {:.2g} times as far as the near plane: depths far away cannot "
-                                    "be distinguished",
-                                    z_far / z_near),
+              .message = z_near <= 0 ? fmt::format("the near plane of {} is {}: depths cannot be distinguished",
+                                                   command.name(), z_near)
+                                     : fmt::format("the far plane is {:.2g} times as far as the near plane: depths far "
+                                                   "away cannot be distinguished",
+                                                   z_far / z_near),
               .fix = "put the near plane as far away as possible, at least at a thousandth of the far plane",
-              .edits = {{.place = command.place, .removes = true, .insert = print_command(nearer)}}});
+              .edits = std::move(edits)});
     }
 };
 
@@ -298,7 +301,8 @@ std::vector<Rule> view_rules() {
 )",
          make_watch<AspectOfViewport>},
         {"near-plane",
-         "The near plane of `gluPerspective` is at 0, or very much nearer than the far plane. All depths are almost "
+         "The near plane of `gluPerspective` or `glFrustum` is at 0, or very much nearer than the far plane. All "
+         "depths are almost "
          "the same, and near objects do not hide far ones.",
          "Section 2.11.1: depths are divided by the distance; their precision at distance z is about z * z / near "
          "times that of the depth buffer.",

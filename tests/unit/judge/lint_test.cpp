@@ -235,6 +235,28 @@ TEST(Lint, ComparesTheAspectWithTheWindowOfAProgram) {
     EXPECT_EQ(warnings("300, 300"), std::set<std::string>{});
 }
 
+TEST(Lint, KnowsWhichTexturesAreIncomplete) {
+    const std::string incomplete = lint::wrong_scene(*lint::find_rule("texture-incomplete"));
+    const std::set<std::string> none;
+    EXPECT_EQ(names(warnings_of(changed(incomplete, "glEnable(GL_TEXTURE_2D);", ""))), none);
+    EXPECT_EQ(names(warnings_of(changed(incomplete, "glTexImage2D(",
+                                        "glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE); glTexImage2D("))),
+              none);
+    EXPECT_EQ(names(warnings_of(changed(incomplete, "glEnable(GL_TEXTURE_2D);",
+                                        "glBindTexture(GL_TEXTURE_2D, 1); glEnable(GL_TEXTURE_2D);"))),
+              none);  // no image: a texture that is not there yet
+}
+
+TEST(Lint, FindsNearPlanesOfBothCommands) {
+    const auto with = [](const std::string& call) {
+        return names(warnings_of("glClear(GL_DEPTH_BUFFER_BIT); glMatrixMode(GL_PROJECTION); " + call +
+                                 " glMatrixMode(GL_MODELVIEW); glTranslatef(0, 0, -5); glutWireCube(1);"));
+    };
+    EXPECT_EQ(with("glFrustum(-1e-4, 1e-4, -1e-4, 1e-4, 1e-4, 1000);"), std::set<std::string>{"near-plane"});
+    EXPECT_EQ(with("glFrustum(-1, 1, -1, 1, 1, 1000);"), std::set<std::string>{});
+    EXPECT_EQ(with("gluPerspective(45, 4.0 / 3.0, 1e-4, 1000);"), std::set<std::string>{"near-plane"});
+}
+
 TEST(Lint, FindsAHighlightEverywhereOnlyWhereALocalViewerChangesIt) {
     const std::string everywhere = lint::wrong_scene(*lint::find_rule("highlight-everywhere"));
     const std::set<std::string> none;
