@@ -105,11 +105,14 @@ Flow Reader::run_statement() {
     } else if (token_.is("case") || token_.is("default")) {
         while (!token_.is(":") && token_.kind != TokenKind::kEnd) advance();
         advance();
-    } else if (token_.is("goto") || token_.is("struct") || token_.is("union") || token_.is("typedef") ||
+    } else if (token_.is("goto") || token_.is("struct") || token_.is("union") ||
                (token_.kind == TokenKind::kName && ahead_.is("::"))) {
         out_of_reach(token_.place, in_quotes(token_.text));
-    } else if (token_.is("enum")) {
-        enumeration();
+    } else if (token_.is("typedef")) {
+        typedef_declaration();
+    } else if (token_.is("using") && ahead_.is("namespace")) {
+        skip_statement();
+    } else if (skip_extern()) {
     } else if (is_declaration()) {
         declaration();
     } else {
@@ -323,6 +326,7 @@ void Reader::declare(const Token& name, Object object) {
     if (p.locals.size() - p.frame >= kMaxProgramLocals)
         fail(name.place, "a function can have at most {} variables", kMaxProgramLocals);
     auto owned = std::make_unique<Object>(std::move(object));
+    owned->is_local = true;
     Object* const made = owned.get();
     p.locals.push_back({name.text, made, std::move(owned)});
 }
@@ -338,26 +342,6 @@ bool Reader::declare_static(const Token& name) {
     return true;
 }
 
-// The rest of GLfloat* name = array; after the name. It is another name for a part of the array.
-void Reader::declare_pointer(const Token& name, Kind kind, bool is_static) {
-    if (is_static || !accept("=")) out_of_reach(name.place, fmt::format("the pointer {}", in_quotes(name.text)));
-    const Value value = expression();
-    if (!value.object || value.object->is_literal || value.kind != kind)
-        out_of_reach(name.place, fmt::format("the pointer {}", in_quotes(name.text)));
-    const auto offset = static_cast<std::size_t>(value.offset);
-    const std::size_t rest = (value.object->memory->bytes.size() - offset) / size_of(kind);
-    Object object{.kind = kind,
-                  .dimensions = {rest},
-                  .shown = in_quotes(name.text),
-                  .place = name.place,
-                  .target = value.object,
-                  .offset = offset};
-    if (program_->in_function)
-        declare(name, std::move(object));
-    else
-        variables_.insert_or_assign(name.text, std::move(object));
-}
-
 void Reader::forget_locals(std::size_t count) {
     std::vector<Local>& locals = program_->locals;
     for (; locals.size() > count; locals.pop_back()) {
@@ -371,6 +355,7 @@ void Reader::forget_locals(std::size_t count) {
 Value Reader::run_function(const Function& function, const std::vector<Value>& given, const Place& place) {
     Program& p = *program_;
     const std::string name = in_quotes(function.name.text);
+    if (function.refusal) throw SceneError(*function.refusal);
     if (given.size() != function.parameters.size())
         fail(place, "the function {} takes {} arguments, but {} are given", name, function.parameters.size(),
              given.size());
@@ -382,29 +367,25 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
         const FormalParameter& parameter = function.parameters[i];
         const Token token{TokenKind::kName, parameter.name, place};
         Object object{.kind = parameter.kind, .dimensions = {}, .shown = in_quotes(parameter.name), .place = place};
+        object.is_text = parameter.is_text;
         if (parameter.is_array) {
             const Value& array = given[i];
-            if (!array.object || !array.kind || c_type(*array.kind) != c_type(parameter.kind))
+            if (array.object && (!array.kind || c_type(*array.kind) != c_type(parameter.kind)))
                 fail(place, "the parameter {} of {} needs an array of {}", object.shown, name,
                      c_type_name(c_type(parameter.kind)));
-            std::size_t row = size_of(parameter.kind);
-            for (const std::size_t length : parameter.row) row *= length;
-            object.target = array.object;
-            object.offset = static_cast<std::size_t>(array.offset);
-            object.dimensions = {(array.object->memory->bytes.size() - object.offset) / row};
+            if (!array.object && !array.is_pointer())
+                fail(place, "the parameter {} of {} needs an array", object.shown, name);
+            object.is_pointer = true;
+            object.dimensions = {0};
             object.dimensions.insert(object.dimensions.end(), parameter.row.begin(), parameter.row.end());
-        } else {
+            object.target = array.object;  // also a literal of the caller
+            point(object, array, token);
+        } else if (!parameter.is_text) {
             if (given[i].is_pointer()) fail(place, "the parameter {} of {} needs a number", object.shown, name);
             allocate(object, place);
             fill(object, {in_kind(given[i], parameter.kind, place).number()});
         }
         declare(token, std::move(object));
-    }
-    if (function.name.is("main")) {  // argc is 1: the program has no arguments
-        Object argc{.kind = Kind::kInt, .dimensions = {}, .shown = "argc", .place = place};
-        allocate(argc, place);
-        fill(argc, {1});
-        declare({TokenKind::kName, "argc", place}, std::move(argc));
     }
 
     // The caller's literals live on while the function runs.
