@@ -42,6 +42,7 @@ struct Local {
     std::string_view name;
     Object* object;
     std::unique_ptr<Object> owned;
+    std::size_t block;  // the first local of its block: blocks inside it have larger numbers
 };
 
 struct Program {
@@ -61,6 +62,7 @@ struct Program {
     std::size_t depth = 0;  // statements, expressions and calls inside each other
     std::vector<Local> locals{};
     std::size_t frame = 0;     // the first local of the running function
+    std::size_t block = 0;     // the first local of the running block
     bool in_function = false;  // false while the global variables are read
     Value returned{};          // by the last return
     bool has_window = false;

@@ -258,7 +258,10 @@ Value Reader::primary() {
     if (token.is("(")) {
         if (const std::optional<Token> name = program_ ? name_in_parentheses() : std::nullopt)
             return program_name(*name);
-        return parenthesis();
+        if (program_ && ahead_.is("*"))
+            if (const std::optional<Value> value = dereferenced_in_parentheses()) return *value;
+        const Value value = parenthesis();
+        return program_ && value.is_pointer() && token_.is("[") ? subscripted(value, token) : value;
     }
     advance();
     if (token.is("&")) {
@@ -427,10 +430,18 @@ std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
     if (found->is_text) out_of_reach(name.place, fmt::format("the text {}", in_quotes(name.text)));
     Object& object = found->target ? *found->target : *found;
     Lvalue result{&object, found->offset, found->dimensions, found->is_pointer ? found : nullptr};
+    subscripts(result, name);
+    return result;
+}
+
+// Reads [1][2] after a place, which then is that element. `name` is for messages.
+void Reader::subscripts(Lvalue& result, const Token& name) {
+    const Object& object = *result.object;
     while (!result.dimensions.empty() && accept("[")) {
         const Place place = token_.place;
-        if (std::exchange(result.pointer, nullptr) && !found->target && !dry_)
-            fail(name.place, "the pointer {} is NULL here; let it point into an array first", found->shown);
+        const Object* const pointer = std::exchange(result.pointer, nullptr);
+        if (pointer && !pointer->target && !dry_)
+            fail(name.place, "the pointer {} is NULL here; let it point into an array first", pointer->shown);
         const Value index = number();
         expect("]", "after the index");
         const std::size_t length = result.dimensions.front();
@@ -445,7 +456,6 @@ std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
         result.dimensions.erase(result.dimensions.begin());
         result.offset += static_cast<std::size_t>(index.integer) * product_of(result.dimensions) * size_of(object.kind);
     }
-    return result;
 }
 
 // The value of an lvalue: a number, or for an array a pointer to its first element.

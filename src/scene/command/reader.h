@@ -168,6 +168,7 @@ class Reader {
     Value named_value(const Token& name);
     Value size_of_operand();
     std::optional<Lvalue> lvalue(const Token& name);
+    void subscripts(Lvalue& result, const Token& name);
     [[noreturn]] void unknown_name(const Token& name);
     Value value_of(const Lvalue& lvalue, const Place& place) const;
     [[noreturn]] void fail_unknown(const Object& object, const Place& place) const;
@@ -202,6 +203,7 @@ class Reader {
     void jump(std::size_t at);
     Flow run_statement();
     Flow run_block();
+    Flow run_body();
     Flow run_if();
     Flow run_while();
     Flow run_do();
@@ -224,7 +226,11 @@ class Reader {
     void declare_text(const Token& name);
     void point(Object& pointer, const Value& value, const Token& name) const;
     bool outlives(const Object& target, const Object& pointer) const;
+    Lvalue behind(const Value& pointer, const Dimensions& row, const Place& place, std::string_view shown) const;
+    static Dimensions row_of(const Value& pointer);
+    Value subscripted(const Value& pointer, const Token& start);
     Value dereferenced();
+    std::optional<Value> dereferenced_in_parentheses();
     Value changed_pointer(const Token& name, const Lvalue& place);
 
     // -- a whole program: its expressions (run_expressions.cpp) --

@@ -132,12 +132,20 @@ Flow Reader::run_statement() {
 
 Flow Reader::run_block() {
     const std::size_t outer = program_->locals.size();
+    const std::size_t block = std::exchange(program_->block, outer);
     advance();
     Flow flow = Flow::kNext;
     while (flow == Flow::kNext && !token_.is("}")) flow = run_statement();
     forget_locals(outer);
+    program_->block = block;
     if (flow == Flow::kNext) advance();
     return flow;
+}
+
+// What follows if (...), else, for (...), while (...) and do.
+Flow Reader::run_body() {
+    if (!token_.is("{") && is_declaration()) fail(token_.place, "a declaration here needs {{ and }} around it");
+    return run_statement();
 }
 
 void Reader::comma_expressions() {
@@ -158,7 +166,7 @@ Flow Reader::run_if() {
     while (true) {  // a round for each else if
         advance();
         if (condition()) {
-            const Flow flow = run_statement();
+            const Flow flow = run_body();
             if (flow != Flow::kNext) return flow;
             while (accept("else")) {
                 if (!token_.is("if")) {
@@ -173,7 +181,7 @@ Flow Reader::run_if() {
         }
         skip_statement();
         if (!accept("else")) return Flow::kNext;
-        if (!token_.is("if")) return run_statement();
+        if (!token_.is("if")) return run_body();
     }
 }
 
@@ -184,7 +192,7 @@ Flow Reader::run_while() {
     const std::size_t outer = program_->locals.size();
     while (condition()) {
         program_->loop = loop;
-        const Flow flow = run_statement();
+        const Flow flow = run_body();
         forget_locals(outer);
         if (flow == Flow::kReturn) return flow;
         if (flow == Flow::kBreak) break;
@@ -207,7 +215,7 @@ Flow Reader::run_do() {
     while (again && flow != Flow::kBreak) {
         program_->loop = loop;
         jump(body);
-        flow = run_statement();
+        flow = run_body();
         forget_locals(outer);
         if (flow == Flow::kReturn) return flow;
         jump(end);
@@ -225,6 +233,7 @@ Flow Reader::run_for() {
     Program& p = *program_;
     const std::size_t loop = p.at;
     const std::size_t outer = p.locals.size();
+    const std::size_t block = std::exchange(p.block, outer);
     advance();
     if (!token_.is("(")) fail_missing("(", "after for");
     const std::size_t close = p.partners[p.at];
@@ -251,10 +260,11 @@ Flow Reader::run_for() {
         if (!token_.is(";")) fail_missing(";", "after the condition of for (...)");
         if (!holds) break;
         jump(close + 1);
-        const Flow flow = run_statement();
+        const Flow flow = run_body();
         forget_locals(inner);
         if (flow == Flow::kReturn) {
             forget_locals(outer);
+            p.block = block;
             return flow;
         }
         if (flow == Flow::kBreak) break;
@@ -263,6 +273,7 @@ Flow Reader::run_for() {
         if (p.at != close) fail_missing(")", "after for (...; ...; ...");
     }
     forget_locals(outer);
+    p.block = block;
     jump(close + 1);
     skip_statement();
     return Flow::kNext;
@@ -296,8 +307,10 @@ Flow Reader::run_switch() {
     }
     Flow flow = Flow::kNext;
     if (start) {
+        const std::size_t block = std::exchange(p.block, outer);
         jump(*start);
         while (flow == Flow::kNext && p.at < end) flow = run_statement();
+        p.block = block;
     }
     forget_locals(outer);
     if (flow == Flow::kReturn || flow == Flow::kContinue) return flow;
@@ -328,7 +341,7 @@ void Reader::declare(const Token& name, Object object) {
     auto owned = std::make_unique<Object>(std::move(object));
     owned->is_local = true;
     Object* const made = owned.get();
-    p.locals.push_back({name.text, made, std::move(owned)});
+    p.locals.push_back({name.text, made, std::move(owned), p.block});
 }
 
 // Declares a static variable of a function, whose name was just read. Returns true if it already has its value.
@@ -336,7 +349,7 @@ bool Reader::declare_static(const Token& name) {
     Program& p = *program_;
     if (!p.in_function) return false;
     const auto [found, is_new] = p.statics.emplace(p.at - 1, Object{});
-    p.locals.push_back({name.text, &found->second, nullptr});
+    p.locals.push_back({name.text, &found->second, nullptr, p.block});
     if (is_new) return false;
     skip_expression();
     return true;
@@ -363,6 +376,7 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
 
     const std::size_t first = p.locals.size();
     const std::size_t frame = std::exchange(p.frame, first);
+    const std::size_t block = std::exchange(p.block, first);
     for (std::size_t i = 0; i < given.size(); ++i) {
         const FormalParameter& parameter = function.parameters[i];
         const Token token{TokenKind::kName, parameter.name, place};
@@ -403,6 +417,7 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
     nesting_ = nesting;
     p.in_function = in_function;
     p.frame = frame;
+    p.block = block;
     --p.depth;
     jump(resume);
     const Value result = std::exchange(p.returned, integer(0));

@@ -193,6 +193,19 @@ TEST(Programs, HavePointersIntoArrays) {
     EXPECT_EQ(values_of("int m[2][3] = {{1, 2, 3}, {4, 5, 6}}; int *p = m[0], n = 0; while (n < 6) n += *p++ > 0; "
                         "glScaled(n, sizeof(p), sizeof(m));"),
               (Values{6, 8, 24}));
+    EXPECT_EQ(values_of("float m[2][3] = {{1, 2, 3}, {4, 5, 6}}; glNormal3fv(*m); glNormal3fv(*(m + 1)); line(m);",
+                        "void line(float row[][3]) { glVertex3fv(*row++); glVertex3fv(*row); }"),
+              (Values{1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(values_of("int v[2] = {7, 8}, i, *p = v; for (i = 0; i < 3; i++) glLineWidth(i < 2 ? *p++ : 9); "
+                        "glLineWidth(p - 0 ? 1 : *p); p = 0; glLineWidth(p ? *p : 2);"),
+              (Values{7, 8, 9, 1, 2}));
+    EXPECT_EQ(values_of("int n = 3; float m[2][3] = {{1, 2, 3}, {4, 5, 6}}; up(&n); glScaled(n, (*m)[2], 0); last(m);",
+                        "void up(int *n) { (*n)++; (*n) *= 2; (*n) += 1; } void last(float rows[][3]) { rows++; "
+                        "glLineWidth((*rows)[2]); }"),
+              (Values{9, 3, 0, 6}));
+    EXPECT_EQ(values_of("float m[2][3] = {{1, 2, 3}, {4, 5, 6}}, *p = m[0]; (p + 1)[1] = 7; glNormal3fv((m + 1)[0]); "
+                        "glScaled((*(m + 1))[2], (p + 1)[1], (1 ? p + 4 : p)[0]);"),
+              (Values{4, 5, 6, 6, 7, 5}));
     EXPECT_EQ(values_of("int *p = 0; if (!p && p == NULL) glLineWidth(1); put(NULL);",
                         "void put(float *to) { if (to) *to = 1; else glLineWidth(2); }"),
               (Values{1, 2}));
@@ -205,10 +218,16 @@ TEST(Programs, HavePointersIntoArrays) {
     has("float *p; glLineWidth(*p);", "3:23: this pointer is NULL");
     has("float *p; glLineWidth(p[0]);", "3:23: the pointer 'p' is NULL");
     has("float v[2]; float *p = v + 2; glLineWidth(*p);", "3:43: this pointer is outside 'v', which has 2 values");
+    has("float v[2]; float *p = v + 2; (*p)++;", "3:32: this pointer is behind its array");
+    has("float *p; (*p) = 1;", "3:12: this pointer is NULL");
     has("float v[2]; float *p = v; p--;", "this pointer is outside 'v'");
     // An array ends with its block, so no pointer outside it may keep its place.
     has("float *p; { float v[2]; p = v; }", "3:25: reading a program cannot follow the pointer 'p'");
     has("float *p; p = (GLfloat[]){1, 2};", "the pointer 'p'");
+    has("float *p; for (float v[2], f = 0; f < 1; f++) p = v;", "the pointer 'p'");
+    has("float *p; switch (1) { case 1: ; float v[2]; p = v; }", "the pointer 'p'");
+    has("for (;;) float v[2];", "3:10: a declaration here needs { and } around it");
+    EXPECT_EQ(values_of("float *p, v[1] = {3}; p = v; { float *q = p; glLineWidth(*q); }"), (Values{3}));
 }
 
 // In the parameters of macros, names have parentheses around them.
