@@ -65,7 +65,7 @@ TEST(SurfaceFacts, LeaveNoPictureOffByMoreThanThePlansBound) {
         programmable::Options options = exact(programmable::Tier::kUniform);
         const Image whole = renderer.render(frame, options).image;
         options.budget = 16 * kCode;
-        const double bound = error_bound(explain(frame, options));
+        const double bound = error_bound(explain_draws(frame, options));
         left_out += bound > 0;
         const Image image = renderer.render(frame, options).image;
         for (std::size_t i = 0; i < image.pixels.size(); ++i)

@@ -55,8 +55,9 @@ const std::map<std::string, Table>& rooms() {
           {"study", {"report"}},
           {"fuzz", {"compare"}},
           {"check", {"compare"}},
-          {"lint", {}}}},
-        {"app", {{"cli", {}}, {"demo", {}}}},
+          {"lint", {}},
+          {"explain", {}}}},
+        {"app", {{"cli", {}}, {"session", {}}, {"demo", {"session"}}}},
     };
     return table;
 }

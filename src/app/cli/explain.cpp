@@ -10,13 +10,15 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
-#include "app/cli/derivation.h"
 #include "app/cli/explain_pixel.h"
+#include "judge/explain/derivation.h"
 #include "render/effect/explanation.h"
 
 namespace twinlight::cli {
 
 namespace {
+
+using Json = explain::Json;
 
 struct ExplainArguments {
     std::string scene;
@@ -128,7 +130,7 @@ std::string summary(const Scene& scene, const std::vector<ExplainedDraw>& draws,
 std::string explanation(const Scene& scene, const std::vector<ExplainedDraw>& draws, double budget, bool all) {
     std::string text = summary(scene, draws, budget);
     for (const ExplainedDraw& draw : draws) {
-        text += "\n" + bold(name_of(draw)) +
+        text += "\n" + explain::bold(name_of(draw), result_in_color()) +
                 "\n  effects: " + fmt::format("{}", fmt::join(facts_of(draw.plan).of_draw, ", ")) + "\n" +
                 table(draw.plan, all);
         if (draw.plan.error_bound > 0)
@@ -169,7 +171,7 @@ std::string json_text(const Scene& scene, const std::vector<ExplainedDraw>& draw
     json["error_bound"] = error_bound(draws);
     json["plans"] = Json::array();
     for (const ExplainedDraw& draw : draws) json["plans"].push_back(json_of(draw));
-    return dumped(json);
+    return explain::dumped(json);
 }
 
 int run_explain(const ExplainArguments& arguments) {
@@ -181,14 +183,14 @@ int run_explain(const ExplainArguments& arguments) {
     const PlanOptions options{{.shading = arguments.shading}, arguments.budget};
     const ExplainOptions of_point{options, arguments.json, arguments.all};
     if (!arguments.pixel.empty()) {
-        write_result(explain_pixel(scene, of_point, parse_pixel(arguments.pixel, scene.frame)));
+        write_result(explain_pixel(scene, of_point, arguments.pixel));
         return kFine;
     }
     if (!arguments.vertex.empty()) {
-        write_result(explain_vertex(scene, of_point, parse_vertex(arguments.vertex, scene.frame)));
+        write_result(explain_vertex(scene, of_point, arguments.vertex));
         return kFine;
     }
-    const std::vector<ExplainedDraw> draws = explain(scene.frame, options);
+    const std::vector<ExplainedDraw> draws = explain_draws(scene.frame, options);
     write_result(arguments.json ? json_text(scene, draws, arguments.budget)
                                 : explanation(scene, draws, arguments.budget, arguments.all));
     return kFine;
@@ -198,25 +200,25 @@ int run_explain(const ExplainArguments& arguments) {
 
 Subcommand add_explain(CLI::App& app) {
     const auto arguments = std::make_shared<ExplainArguments>();
-    CLI::App* explain = app.add_subcommand(
+    CLI::App* command = app.add_subcommand(
         "explain", "Show which effects a scene uses, or the lighting equation with its numbers at a pixel");
-    add_scene_argument(*explain, arguments->scene);
-    add_shading_option(*explain, arguments->shading);
-    add_size_option(*explain, arguments->size);
-    add_frame_option(*explain, arguments->frame);
-    add_budget_option(*explain, arguments->budget);
-    explain
+    add_scene_argument(*command, arguments->scene);
+    add_shading_option(*command, arguments->shading);
+    add_size_option(*command, arguments->size);
+    add_frame_option(*command, arguments->frame);
+    add_budget_option(*command, arguments->budget);
+    command
         ->add_option("--pixel", arguments->pixel,
                      "show the lighting equation with its numbers at one pixel; 0,0 is the top left corner")
         ->type_name("X,Y")
         ->check(not_empty());
-    explain->add_option("--vertex", arguments->vertex, "the same at a vertex; draws and vertices count from 1")
+    command->add_option("--vertex", arguments->vertex, "the same at a vertex; draws and vertices count from 1")
         ->type_name("DRAW,N")
         ->check(not_empty());
-    explain->add_flag("--all", arguments->all,
+    command->add_flag("--all", arguments->all,
                       "show also lights and effects that the scene does not turn on, and every vertex of a pixel");
-    explain->add_flag("--json", arguments->json, "print one JSON object instead of the text");
-    return {explain, [arguments] { return run_explain(*arguments); }};
+    command->add_flag("--json", arguments->json, "print one JSON object instead of the text");
+    return {command, [arguments] { return run_explain(*arguments); }};
 }
 
 }  // namespace twinlight::cli

@@ -8,28 +8,15 @@
 
 namespace twinlight::cli {
 
-struct Pixel {
-    int x = 0, y = 0;  // from the top left corner of the picture
-};
-// Throws UsageError unless `text` is "X,Y" and inside the frame.
-Pixel parse_pixel(const std::string& text, const Frame& frame);
-
-struct VertexOfDraw {
-    std::size_t draw = 0, vertex = 0;  // both count from 0
-};
-// Throws UsageError unless `text` is "DRAW,N", both counted from 1, and the frame has that vertex.
-VertexOfDraw parse_vertex(const std::string& text, const Frame& frame);
-
 struct ExplainOptions {
     PlanOptions plan{};
     bool as_json = false;
     bool all = false;  // also what the scene does not use
 };
 
-// The fragments that cover the pixel, with every lighting term as the reference computes it; then the colours of the
-// three renderers.
-std::string explain_pixel(const Scene& scene, const ExplainOptions& options, const Pixel& pixel);
-// The same for a vertex, lit as GL lights vertices.
-std::string explain_vertex(const Scene& scene, const ExplainOptions& options, const VertexOfDraw& vertex);
+// What covers the pixel "X,Y". Throws UsageError unless it is inside the frame.
+std::string explain_pixel(const Scene& scene, const ExplainOptions& options, const std::string& pixel);
+// The same for the vertex "DRAW,N", both counted from 1. Throws UsageError unless the frame has it and lights it.
+std::string explain_vertex(const Scene& scene, const ExplainOptions& options, const std::string& vertex);
 
 }  // namespace twinlight::cli

@@ -92,7 +92,7 @@ Render render(const PlannedRender& planned, const Scene& scene, const CompareOpt
             programmable::Picture picture =
                 timed(twice, result.ms, [&] { return renderers.programmable(scene.frame, shaders); });
             result.image = std::move(picture.image);
-            if (!shaders.precise) result.plan = explain(std::move(picture.plans));
+            if (!shaders.precise) result.plan = explain_draws(std::move(picture.plans));
             break;
         }
         case Path::kReference:

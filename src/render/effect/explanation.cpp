@@ -76,7 +76,7 @@ std::vector<PlannedDraw> plan_frame(const Frame& frame, const PlanOptions& optio
 
 }  // namespace
 
-std::vector<ExplainedDraw> explain(std::vector<PlannedDraw> plans) {
+std::vector<ExplainedDraw> explain_draws(std::vector<PlannedDraw> plans) {
     std::vector<ExplainedDraw> draws;
     std::map<std::string, std::size_t> by_text;
     for (ExplainedDraw& shape : explain_shapes(std::move(plans))) {
@@ -91,8 +91,8 @@ std::vector<ExplainedDraw> explain(std::vector<PlannedDraw> plans) {
     return draws;
 }
 
-std::vector<ExplainedDraw> explain(const Frame& frame, const PlanOptions& options) {
-    return explain(plan_frame(frame, options));
+std::vector<ExplainedDraw> explain_draws(const Frame& frame, const PlanOptions& options) {
+    return explain_draws(plan_frame(frame, options));
 }
 
 double error_bound(const std::vector<ExplainedDraw>& draws) {

@@ -24,9 +24,9 @@ struct ExplainedDraw {
     Plan plan;
 };
 
-std::vector<ExplainedDraw> explain(std::vector<PlannedDraw> plans);
+std::vector<ExplainedDraw> explain_draws(std::vector<PlannedDraw> plans);
 // Plans the frame first.
-std::vector<ExplainedDraw> explain(const Frame& frame, const PlanOptions& options);
+std::vector<ExplainedDraw> explain_draws(const Frame& frame, const PlanOptions& options);
 
 // The largest error of a channel in the whole picture. Errors of blended Draws do not add up (Plan::budget).
 double error_bound(const std::vector<ExplainedDraw>& draws);

@@ -1,9 +1,9 @@
 // The derivation as JSON.
 #include <glm/mat4x4.hpp>
 
-#include "app/cli/derivation_light.h"
+#include "judge/explain/derivation_light.h"
 
-namespace twinlight::cli {
+namespace twinlight::explain {
 
 Json color_json(const reference::Vec& c) { return {c.x, c.y, c.z}; }
 
@@ -126,4 +126,4 @@ Json rulings_json(const std::vector<reference::PixelFragment::Decided>& rulings)
     return json;
 }
 
-}  // namespace twinlight::cli
+}  // namespace twinlight::explain

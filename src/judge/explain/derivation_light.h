@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/cli/derivation.h"
+#include "judge/explain/derivation.h"
 
-namespace twinlight::cli {
+namespace twinlight::explain {
 
 inline double length_of(const reference::Vec& v) { return lighting::unit_and_length(v).length; }
 
@@ -53,4 +53,4 @@ struct LightAt {
     double axis_deg = 0;       // between the cone's axis and the direction to the vertex
 };
 
-}  // namespace twinlight::cli
+}  // namespace twinlight::explain

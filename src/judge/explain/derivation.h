@@ -2,16 +2,14 @@
 // JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "judge/explain/explain.h"
 #include "render/reference/pixel_history.h"
 #include "scene/state/frame.h"
 
-namespace twinlight::cli {
-
-using Json = nlohmann::ordered_json;
+namespace twinlight::explain {
 
 // A lit point and where it comes from.
 struct Derivation {
@@ -22,8 +20,8 @@ struct Derivation {
     const reference::LitPoint& point;
 };
 
-// `whole`: also the factors that are 1 because the scene does not use them.
-std::string derivation_text(const Derivation& at, bool whole);
+// With TextOptions::all also the factors that are 1 because the scene does not use them.
+std::string derivation_text(const Derivation& at, const TextOptions& options);
 Json derivation_json(const Derivation& at);
 
 // "for GL_LIGHT0 the specification is silent (a zero normal); our choice: ambient and emission only"
@@ -33,14 +31,13 @@ Json rulings_json(const std::vector<reference::PixelFragment::Decided>& rulings)
 // "GL_LIGHT0", "GL_LIGHT3"
 std::vector<std::string> names_of(const std::vector<int>& lights);
 Json color_json(const reference::Vec& c);
-// With a newline. A scene's name may hold any bytes; JSON is UTF-8.
-std::string dumped(const Json& json);
 // "   0.80000   0.50000   0.31000"
 std::string columns(const reference::Vec& c);
 // A line of the tables: a name, how it is computed, and its red, green and blue.
 std::string color_row(const std::string& what, const std::string& how, const reference::Vec& c);
 // The heading of the colour columns.
 std::string color_head(const std::string& what);
-std::string bold(const std::string& text);
+// With a terminal's codes, or as it is.
+std::string bold(const std::string& text, bool in_color);
 
-}  // namespace twinlight::cli
+}  // namespace twinlight::explain

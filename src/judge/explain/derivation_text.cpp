@@ -7,11 +7,10 @@
 #include <sstream>
 #include <string_view>
 
-#include "app/cli/command_line.h"
-#include "app/cli/derivation_light.h"
+#include "judge/explain/derivation_light.h"
 #include "scene/command/names.h"
 
-namespace twinlight::cli {
+namespace twinlight::explain {
 
 namespace {
 
@@ -94,8 +93,8 @@ std::string typed_text(const char* what, const Value& typed, const std::string& 
            (untransformed ? line("", "", "so it moves with the camera") : "");
 }
 
-std::string light_head(const LightAt& light) {
-    return fmt::format("  {}: {}{}\n", bold(light_name(light.number)),
+std::string light_head(const LightAt& light, bool in_color) {
+    return fmt::format("  {}: {}{}\n", bold(light_name(light.number), in_color),
                        light.directional() ? "directional (w = 0)" : "positional", light.is_spot() ? ", a spot" : "");
 }
 
@@ -212,10 +211,11 @@ std::string product_rows(const Derivation& at, const LightAt& light, const char*
     return line(name, used, "") + color_row("", product_text(used.c_str(), light.terms, material, color), product);
 }
 
-std::string light_text(const Derivation& at, std::size_t i, bool whole) {
+std::string light_text(const Derivation& at, std::size_t i, const TextOptions& options) {
+    const bool whole = options.all;
     const LightAt light(at, i);
     const lighting::Material<double>& material = at.point.material;
-    std::string text = light_head(light) + position_text(light);
+    std::string text = light_head(light, options.in_color) + position_text(light);
     text +=
         line("VP", triple(light.geometry.vp_dir),
              light.directional() ? "toward the light"
@@ -288,9 +288,10 @@ std::string color_head(const std::string& what) {
     return fmt::format("{:<73} {:>9} {:>9} {:>9}\n", what, "red", "green", "blue");
 }
 
-std::string bold(const std::string& text) { return result_in_color() ? "\x1b[1m" + text + "\x1b[0m" : text; }
+std::string bold(const std::string& text, bool in_color) { return in_color ? "\x1b[1m" + text + "\x1b[0m" : text; }
 
-std::string derivation_text(const Derivation& at, bool whole) {
+std::string derivation_text(const Derivation& at, const TextOptions& options) {
+    const bool whole = options.all;
     const LitPoint& point = at.point;
     std::string text = place_text(at) + normal_text(at);
     const bool has_highlights = !is_zero(point.material.specular) && std::ranges::any_of(at.lights, [&](int light) {
@@ -308,7 +309,7 @@ std::string derivation_text(const Derivation& at, bool whole) {
                                                               short_color(rgb_of(at.draw.lighting.light_model.ambient)),
                   point.scene_ambient);
     if (at.lights.empty()) text += "    note: no light is enabled; glEnable(GL_LIGHT0) turns one on\n";
-    for (std::size_t i = 0; i < at.lights.size(); ++i) text += light_text(at, i, whole);
+    for (std::size_t i = 0; i < at.lights.size(); ++i) text += light_text(at, i, options);
     return text + sum_text(at);
 }
 
@@ -323,4 +324,4 @@ std::string rulings_text(const std::vector<reference::PixelFragment::Decided>& r
     return all;
 }
 
-}  // namespace twinlight::cli
+}  // namespace twinlight::explain

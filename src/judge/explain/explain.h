@@ -1,0 +1,66 @@
+// One pixel or vertex of a scene: every lighting term with its numbers, as data, as text and as JSON.
+//
+// The numbers are the reference's. What the renderers give there is the caller's to add, where it is wanted.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "render/look.h"
+#include "render/path.h"
+#include "render/reference/pixel_history.h"
+#include "scene/state/scene.h"
+
+namespace twinlight::explain {
+
+using Json = nlohmann::ordered_json;
+
+struct Pixel {
+    int x = 0, y = 0;  // from the top left corner of the picture
+};
+struct VertexOfDraw {
+    std::size_t draw = 0, vertex = 0;  // both count from 0
+};
+
+// The colour that a renderer gives.
+struct Rendered {
+    Path renderer = Path::kReference;
+    Rgba color{};
+};
+
+struct PixelExplanation {
+    Pixel pixel{};
+    reference::PixelHistory history{};  // the fragments that cover the pixel, and the reference's colour
+    std::vector<Rendered> rendered{};   // the caller's; may stay empty
+};
+PixelExplanation explain_pixel(const Frame& frame, const Look& look, const Pixel& pixel);
+
+struct FaceExplanation {
+    reference::VertexHistory history{};
+    std::vector<Rendered> rendered{};  // the caller's, of picture_of(); may stay empty
+};
+struct VertexExplanation {
+    VertexOfDraw vertex{};
+    std::vector<FaceExplanation> faces{};  // front and back with two-sided lighting, else front
+};
+// Lit as GL lights vertices. The Draw must have lighting enabled.
+VertexExplanation explain_vertex(const Frame& frame, const Look& look, const VertexOfDraw& vertex);
+
+// A picture of one pixel that shows the vertex as a point, so that each renderer can light it: the projection moves it
+// to the middle, and only lighting is left of the state. Points show the front, so the back face becomes the front.
+Frame picture_of(const Draw& draw, std::uint32_t vertex, reference::Face face);
+
+struct TextOptions {
+    bool all = false;       // also what the scene does not use
+    bool in_color = false;  // with a terminal's codes for bold
+};
+std::string text_of(const Scene& scene, const PixelExplanation& explanation, const TextOptions& options);
+std::string text_of(const Scene& scene, const VertexExplanation& explanation, const TextOptions& options);
+Json json_of(const Scene& scene, const PixelExplanation& explanation);
+Json json_of(const Scene& scene, const VertexExplanation& explanation);
+
+// With a newline. A scene's name may hold any bytes; JSON is UTF-8.
+std::string dumped(const Json& json);
+
+}  // namespace twinlight::explain

@@ -1,0 +1,177 @@
+// An explanation as text.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "judge/explain/derivation_light.h"
+#include "judge/explain/explain.h"
+#include "scene/command/text.h"
+#include "scene/state/lecture_variants.h"
+
+namespace twinlight::explain {
+
+namespace {
+
+using reference::Face;
+using reference::LitPoint;
+using reference::PixelFragment;
+using reference::Vec;
+
+std::string face_words(Face face) { return face == Face::kFront ? "front face" : "back face"; }
+
+std::string legend() {
+    return "All lines follow OpenGL 2.1, section 2.14.1, in eye coordinates. VP: the direction to the light (L); VP_e: "
+           "to the\n"
+           "viewer (V); h: half-way between them (H); n: the normal. docs/lighting.md lists all symbols.\n";
+}
+
+// Where the fragment's colour comes from: its corners and their shares.
+std::string corners_text(const PixelFragment& fragment, const Draw& draw) {
+    std::string text;
+    switch (fragment.shading) {
+        case Shading::kFlat:
+            return fmt::format(
+                "  flat: the whole primitive has the colour of its provoking vertex, number {} (2.14.7)\n",
+                *fragment.points.front().vertex + 1);
+        case Shading::kPhong:
+            text = "  phong: this pixel is lit with what lies between these vertices:";
+            for (const PixelFragment::Corner& corner : fragment.corners)
+                text += fmt::format("{} {:.5f} of number {}", &corner == fragment.corners.data() ? "" : ",",
+                                    corner.weight, corner.vertex + 1);
+            return text + "\n";
+        case Shading::kExact: return "  exact: this point of the curved surface is lit; a mesh is lit at this pixel\n";
+        case Shading::kGouraud: break;
+    }
+    const bool separate = draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+    text = "  gouraud: the mean of the vertices' clamped colours, weighted by their distances to the pixel (3.5.1)\n";
+    const auto add = [&](const char* name, Vec LitPoint::*color) {
+        text += color_head(fmt::format("  {}", name));
+        Vec sum{};
+        for (const LitPoint& point : fragment.points) {
+            const Vec of_vertex = clamped_color(point.*color);
+            text += color_row(fmt::format("number {}", *point.vertex + 1), fmt::format("weight {:.5f}", point.weight),
+                              of_vertex);
+            sum += point.weight * of_vertex;
+        }
+        text += color_row("mean", "the sum of weight times colour", sum);
+    };
+    add(separate ? "primary colour" : "colour", &LitPoint::primary);
+    if (separate) add("secondary colour", &LitPoint::secondary);
+    return text;
+}
+
+std::string point_head(const LitPoint& point, std::size_t draw, bool two_side, bool in_color) {
+    const std::string where =
+        point.vertex ? fmt::format("vertex {} of draw {}", *point.vertex + 1, draw) : "this pixel";
+    return "\n  " + bold(where, in_color) + (two_side ? ", " + face_words(point.face) : "") + "\n";
+}
+
+std::string fragment_head(const PixelFragment& fragment, const Draw& draw, bool in_color) {
+    return bold(fmt::format("draw {}, {}", fragment.draw + 1, draw.place.str()), in_color) +
+           fmt::format(": {}, depth {:.6f}", face_words(fragment.face), fragment.depth);
+}
+
+// What happens to the lit colour before blending: "after clamping, texture and fog".
+std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw) {
+    std::vector<std::string> steps = {"clamping"};
+    if (draw.texture.texture) steps.emplace_back("texture (3.8)");
+    if (fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
+        steps.emplace_back("colour sum (3.9)");
+    if (draw.fog.enabled) steps.emplace_back("fog (3.10)");
+    if (draw.fragment.srgb_coded) steps.emplace_back("sRGB");
+    return fmt::format("after {}", fmt::join(steps, ", "));
+}
+
+std::string fragment_text(const PixelFragment& fragment, const Scene& scene, const Draw& draw,
+                          const TextOptions& options) {
+    std::string text =
+        fragment_head(fragment, draw, options.in_color) + (fragment.passes ? "\n" : "; discarded by a test\n");
+    if (fragment.is_lit) {
+        text += corners_text(fragment, draw);
+        const auto heaviest = std::ranges::max_element(fragment.points, {}, &LitPoint::weight);
+        for (const LitPoint& point : fragment.points) {
+            if (!options.all && &point != &*heaviest) continue;
+            text += point_head(point, fragment.draw + 1, draw.lighting.light_model.two_side, options.in_color);
+            text += derivation_text({scene.frame, draw, fragment.draw + 1, fragment.lights, point}, options);
+        }
+        if (!options.all && fragment.points.size() > 1) {
+            text += "\n  For the other vertices:";
+            for (const LitPoint& point : fragment.points)
+                if (&point != &*heaviest) text += fmt::format(" --vertex {},{}", fragment.draw + 1, *point.vertex + 1);
+            text += " (or --all)\n";
+        }
+    } else {
+        text += "  GL_LIGHTING is disabled: the colour is glColor's, and no light matters\n";
+    }
+    text += "\n" + color_row("fragment", steps_after_lighting(fragment, draw), vec3_cast<Vec>(fragment.color));
+    return text + rulings_text(fragment.rulings);
+}
+
+// The last fragment that hides all earlier ones; 0 if there is none.
+std::size_t first_seen_of(const std::vector<PixelFragment>& fragments, const std::vector<const Draw*>& draws) {
+    for (std::size_t i = fragments.size(); i > 0; --i) {
+        const FragmentState& state = draws[fragments[i - 1].draw]->fragment;
+        if (fragments[i - 1].passes && !state.blend && state.color_mask == std::array{true, true, true, true})
+            return i - 1;
+    }
+    return 0;
+}
+
+std::string pictures_text(const std::vector<Rendered>& pictures, bool variants) {
+    if (pictures.empty()) return "";
+    std::string text = "\n" + color_head("The same by each renderer");
+    for (const Rendered& picture : pictures)
+        text += color_row(std::string(name_of(picture.renderer)),
+                          fmt::format("8-bit values {} {} {}", channel_code(picture.color[0]),
+                                      channel_code(picture.color[1]), channel_code(picture.color[2])),
+                          {picture.color[0], picture.color[1], picture.color[2]});
+    if (variants && pictures.front().renderer == Path::kFixed)
+        text += "  (programmable and reference follow the scene's pragmas; GL's fixed function cannot)\n";
+    return text;
+}
+
+}  // namespace
+
+std::string text_of(const Scene& scene, const PixelExplanation& explanation, const TextOptions& options) {
+    const Frame& frame = scene.frame;
+    const Pixel& pixel = explanation.pixel;
+    const std::vector<PixelFragment>& fragments = explanation.history.fragments;
+    const std::vector<const Draw*> draws = frame.draws();
+    std::string text = fmt::format(
+        "{}, pixel {},{} of {} x {}: {}\n", scene.name(), pixel.x, pixel.y, frame.width, frame.height,
+        fragments.empty() ? "no draw covers it, so it shows what glClear left"
+                          : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
+    if (std::ranges::any_of(fragments, &PixelFragment::is_lit)) text += legend();
+    const std::size_t first_seen = first_seen_of(fragments, draws);
+    bool variants = false;
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+        const PixelFragment& fragment = fragments[i];
+        const Draw& draw = *draws[fragment.draw];
+        variants = variants || has_variants(draw);
+        text += "\n";
+        if (!options.all && !fragment.passes)
+            text += fragment_head(fragment, draw, options.in_color) + "; discarded by a test, so it does not show\n";
+        else if (!options.all && i < first_seen)
+            text += fragment_head(fragment, draw, options.in_color) + "; a later draw covers it\n";
+        else
+            text += fragment_text(fragment, scene, draw, options);
+    }
+    return text + pictures_text(explanation.rendered, variants);
+}
+
+std::string text_of(const Scene& scene, const VertexExplanation& explanation, const TextOptions& options) {
+    const auto [number, vertex] = explanation.vertex;
+    const Draw& draw = *scene.frame.draws()[number];
+    std::string text = fmt::format("{}, vertex {} of the {} of draw {}, {}\n", scene.name(), vertex + 1,
+                                   draw.vertices.size(), number + 1, draw.place.str()) +
+                       legend();
+    for (const FaceExplanation& face : explanation.faces) {
+        const reference::VertexHistory& history = face.history;
+        text += point_head(history.point, number + 1, explanation.faces.size() > 1, options.in_color) +
+                derivation_text({scene.frame, draw, number + 1, history.lights, history.point}, options) +
+                rulings_text(history.rulings) + pictures_text(face.rendered, has_variants(draw));
+    }
+    return text;
+}
+
+}  // namespace twinlight::explain
