@@ -188,8 +188,11 @@ void Reader::initialise(Object& object, const Token& name) {
         if (!accept("=")) return;
         if (!program_ && ahead_.is("(") && find_command_or_extension(token_.text))
             return assign_result({&object, 0, {}});
+        const bool in_braces = program_ && accept("{");  // GLfloat shininess = {100};
         const Place place = token_.place;
         const double value = converted(number(), object.kind, place, fmt::format("the value of {}", object.shown));
+        if (in_braces) accept(",");
+        if (in_braces) expect("}", "after the value of {}", object.shown);
         return fill(object, {value});
     }
     std::vector<double> values;

@@ -157,6 +157,7 @@ TEST(Programs, ConvertAsCDoes) {
     EXPECT_EQ(values_of("unsigned int seed = 3000000000u; seed = seed * 1103515245u + 12345u; glScaled(seed, 0, 0);"),
               (Values{1398552121.0, 0, 0}));
     EXPECT_EQ(values_of("glutSolidSphere(1, 16.0, 12.9);"), (Values{1, 16, 12}));
+    EXPECT_EQ(values_of("GLfloat shininess = {100.0}; int i = {3,}; glScaled(shininess, i, 0);"), (Values{100, 3, 0}));
 }
 
 TEST(Programs, CallFunctions) {
