@@ -355,6 +355,9 @@ TEST(Frames, AreRefusedWhenSomethingIsLeftOpen) {
 TEST(Frames, AreRefusedWhenNothingIsDrawn) {
     EXPECT_NE(error_of("").find("draws nothing"), std::string::npos);
     EXPECT_NE(error_of("glEnable(GL_LIGHTING);").find("draws nothing"), std::string::npos);
+    EXPECT_NE(error_of("glEnable(GL_LIGHTING);\nglEvalMesh2(GL_FILL, 0, 4, 0, 4);")
+                  .find(":2:1: this scene draws only with glEvalMesh2, which Twinlight leaves to drivers"),
+              std::string::npos);
 }
 
 TEST(Frames, AreRefusedAtTheFirstError) {
