@@ -2,8 +2,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "app/demo/theme.h"
@@ -69,6 +71,44 @@ void use_smooth_lines() {
     glPointSize(kPointSize);
 }
 
+// The depths of the faces. Leaves a depth test for what lies on them.
+void draw_depths(const OverlayPicture& overlays) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+    for (const DrawOverlay& draw : overlays.draws) {
+        if (!draw.hides || draw.faces_clip.empty()) continue;
+        use_viewport(draw);
+        glVertexPointer(4, GL_FLOAT, 0, draw.faces_clip.data());
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(draw.faces_clip.size()));
+    }
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LEQUAL);
+}
+
+// Stripes where alpha exceeds 0.5.
+void draw_brightness(const OverlayPicture& overlays) {
+    std::array<GLubyte, 128> stripes{};  // 32 rows of 32 bits, leftmost first
+    for (unsigned y = 0; y < 32; ++y)
+        for (unsigned x = 0; x < 32; ++x)
+            if ((x + y) % 8 < 4) stripes[(32 * y + x) / 8] |= static_cast<GLubyte>(0x80U >> (x % 8));
+    glPolygonStipple(stripes.data());
+    glEnable(GL_POLYGON_STIPPLE);
+    glEnable(GL_ALPHA_TEST);
+    glAlphaFunc(GL_GREATER, 0.5F);
+    glBlendColor(0, 0, 0, 0.85F);
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    for (const DrawOverlay& draw : overlays.draws) {
+        use_viewport(draw);
+        draw_vertices(GL_TRIANGLES, draw.brightness);
+        draw_vertices(GL_POINTS, draw.point_brightness);
+    }
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDisable(GL_ALPHA_TEST);
+    glDisable(GL_POLYGON_STIPPLE);
+}
+
 // A dark line under a light one is visible on every picture.
 void draw_wires(const OverlayPicture& overlays) {
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
@@ -124,27 +164,27 @@ void draw_overlays(const OverlayPicture& overlays, unsigned texture, int width, 
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glEnableClientState(GL_VERTEX_ARRAY);
-
-    // The faces' depths, slightly behind what is drawn on them.
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    use_smooth_lines();
+    if (std::ranges::any_of(overlays.draws, [](const DrawOverlay& draw) { return !draw.tints.empty(); })) {
+        draw_depths(overlays);
+        for (const DrawOverlay& draw : overlays.draws) {
+            use_viewport(draw);
+            draw_vertices(GL_TRIANGLES, draw.tints);
+        }
+        glDisable(GL_SCISSOR_TEST);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        glEnable(GL_SCISSOR_TEST);
+    }
+    // Parts of faces and lines lie slightly before them.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(kOffsetFactor, kOffsetUnits);
-    for (const DrawOverlay& draw : overlays.draws) {
-        if (!draw.hides) continue;
-        use_viewport(draw);
-        glVertexPointer(4, GL_FLOAT, 0, draw.faces_clip.data());
-        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(draw.faces_clip.size()));
-    }
+    draw_depths(overlays);
     glDisable(GL_POLYGON_OFFSET_FILL);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_LEQUAL);
-    use_smooth_lines();
     for (const DrawOverlay& draw : overlays.draws) {
         use_viewport(draw);
-        draw_vertices(GL_TRIANGLES, draw.tints);
+        draw_vertices(GL_TRIANGLES, draw.marks);
     }
+    draw_brightness(overlays);
     if (overlays.wireframe != Wireframe::kOff) {
         glEnableClientState(GL_EDGE_FLAG_ARRAY);
         draw_wires(overlays);
@@ -234,7 +274,7 @@ void overlays_panel(session::Session& session) {
     bold_text("Marks");
     checkbox(
         "Normals", overlays.normals,
-        "A green line has length 1. A red one does not, and lighting is wrong unless GL_NORMALIZE mends it. Key n.",
+        "Green: the length is 1, as lighting needs. Red: it is not, so the surface is too dark or too bright. Key n.",
         IM_COL32(89, 230, 128, 255));
     checkbox("Provoking vertices", overlays.provoking_vertices,
              "The corner of each primitive whose colour GL_FLAT takes for all of it (2.14.7).",
@@ -243,7 +283,8 @@ void overlays_panel(session::Session& session) {
              "Faces that turn their back to the eye. GL_LIGHT_MODEL_TWO_SIDE lights them with reversed normals.",
              IM_COL32(64, 128, 255, 255));
     checkbox("Channels above 1", overlays.above_one,
-             "Vertices whose colour exceeds 1 before it is clamped (2.14.6): highlights are cut there.",
+             "Where a channel exceeds 1 before it is clamped (2.14.6). At the vertices; for lighting per pixel also "
+             "between them.",
              IM_COL32(255, 0, 191, 255));
     checkbox("Lights that count", overlays.kept_lights,
              "The lights that can change a pixel of each object. The shaders leave out the others.");

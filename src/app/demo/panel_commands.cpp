@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/demo/command_text.h"
 #include "app/demo/theme.h"
 #include "app/session/edits.h"
 #include "scene/command/memory.h"
@@ -24,9 +25,7 @@ using session::Editing;
 using session::Session;
 
 constexpr std::size_t kMostMeasured = 20'000;  // rows; longer lists have one line for each call
-constexpr int kIndent = 4;                     // columns, of the second line of a long call
-constexpr int kSwatchColumns = 2;
-constexpr float kGutter = 16;  // at scale 1: where a call is grabbed and folded
+constexpr float kGutter = 16;                  // at scale 1: where a call is grabbed and folded
 constexpr float kHelpLines = 3.2f;
 constexpr float kDragThreshold = 3;  // pixels; less is a click
 
@@ -38,91 +37,6 @@ constexpr ImU32 kRowHovered = IM_COL32(255, 255, 255, 9);
 constexpr ImU32 kRowSelected = IM_COL32(240, 178, 72, 34);
 constexpr ImU32 kArgumentHovered = IM_COL32(255, 255, 255, 28);
 constexpr ImU32 kErrorLine = IM_COL32(240, 110, 96, 200);
-
-// A piece of a printed call that is not broken: text, or an argument, or the swatch before a colour.
-struct Piece {
-    std::string text;
-    std::optional<std::size_t> argument{};
-    bool may_break = false;  // a line may begin with it
-    bool is_swatch = false;
-    int columns() const { return is_swatch ? kSwatchColumns : static_cast<int>(text.size()); }
-};
-struct PlacedPiece {
-    Piece piece;
-    int line = 0, column = 0;
-};
-
-bool starts_color(const Command& command, std::size_t argument) {
-    const session::ArgumentInfo info = session::argument_info(command, argument);
-    return info.is_color && info.name == "red";
-}
-
-// A number with many digits, such as 4.0 / 3, with six; its help has all of them.
-std::string shortened(const std::string& text) {
-    constexpr std::size_t kMostDigits = 9;
-    const bool is_number = text.find_first_not_of("-+.0123456789e") == std::string::npos;
-    return is_number && text.size() > kMostDigits ? fmt::format("{:.6g}", std::stod(text)) : text;
-}
-
-std::vector<Piece> pieces_of(const Command& command) {
-    std::vector<Piece> pieces;
-    bool after_comma = false;
-    for (const PrintedPart& part : print_parts(command)) {
-        if (part.argument) {
-            if (starts_color(command, *part.argument)) {
-                pieces.push_back({"", part.argument, after_comma, true});
-                after_comma = false;
-            }
-            pieces.push_back({shortened(part.text), part.argument, after_comma});
-            after_comma = false;
-            continue;
-        }
-        std::string_view text = part.text;
-        while (!text.empty()) {
-            const std::size_t comma = text.find(", ");
-            const std::string_view piece = text.substr(0, comma == std::string_view::npos ? comma : comma + 1);
-            pieces.push_back({std::string(piece), std::nullopt, after_comma && piece != ","});
-            after_comma = comma != std::string_view::npos;
-            text.remove_prefix(after_comma ? comma + 2 : text.size());
-        }
-    }
-    return pieces;
-}
-
-// How many columns the pieces from `first` on need until a line may break again; an array counts as a whole.
-int columns_until_break(const std::vector<Piece>& pieces, std::size_t first) {
-    const bool is_array = pieces[first].text.ends_with('{');
-    int columns = 0;
-    for (std::size_t i = first; i < pieces.size(); ++i) {
-        if (i > first && !is_array && pieces[i].may_break) break;
-        columns += pieces[i].columns() + (i > first && pieces[i].may_break ? 1 : 0);
-        if (is_array && pieces[i].text.starts_with('}')) break;
-    }
-    return columns;
-}
-
-std::vector<PlacedPiece> placed_pieces(const Command& command, int columns) {
-    std::vector<Piece> pieces = pieces_of(command);
-    std::vector<PlacedPiece> placed;
-    int line = 0, column = 0;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (pieces[i].may_break) {
-            const int needed = columns_until_break(pieces, i);
-            const bool is_array = pieces[i].text.ends_with('{');
-            const bool helps = column > kIndent && (!is_array || kIndent + needed <= columns);
-            if (column + 1 + needed > columns && helps) {
-                ++line;
-                column = kIndent;
-            } else if (column > 0) {
-                ++column;  // the space after the comma
-            }
-        }
-        const int width = pieces[i].columns();
-        placed.push_back({std::move(pieces[i]), line, column});
-        column += width;
-    }
-    return placed;
-}
 
 ImVec2 plus(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
 
@@ -141,9 +55,6 @@ void draw_code(ImVec2 at, ImU32 color, const std::string& text, bool is_bold) {
     list.AddText(font, ImGui::GetFontSize(), at, color, text.c_str());
 }
 
-// Rounds what a drag gives to a readable number: a multiple of the drag's step.
-double rounded_to_step(double value, double step) { return std::round(value / step) * step; }
-
 // How far a pixel moves a number: more for large numbers, a tenth with Shift.
 double step_of(const session::ArgumentInfo& info, double value) {
     double step = info.drag_speed;
@@ -157,67 +68,6 @@ double number_of(const std::string& text) {
     const CommandList read = read_scene("glTranslated(" + text + ", 0, 0);", "the number", "the number");
     if (read.commands.size() != 1) throw std::invalid_argument("type one number");
     return read.commands.front().number(0);
-}
-
-// "glLightfv, red"
-std::string edit_name(const Command& command, std::size_t argument) {
-    return fmt::format("{}, {}", command.name(), session::argument_info(command, argument).name);
-}
-
-void set_argument(Session& session, std::size_t command, std::size_t argument, double value, std::string group = {}) {
-    const std::string name = edit_name(commands(session).commands[command], argument);
-    edit(session, session::with_argument(commands(session), command, argument, value), name, std::move(group));
-}
-
-// The calls that the insert menu offers.
-constexpr const char* kTemplates[] = {
-    "glEnable(GL_LIGHTING);",
-    "glEnable(GL_LIGHT0);",
-    "glEnable(GL_NORMALIZE);",
-    "glEnable(GL_COLOR_MATERIAL);",
-    "glDisable(GL_LIGHTING);",
-    "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 2, 2, 1});",
-    "glLightfv(GL_LIGHT0, GL_AMBIENT, (GLfloat[]){0, 0, 0, 1});",
-    "glLightfv(GL_LIGHT0, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});",
-    "glLightfv(GL_LIGHT0, GL_SPECULAR, (GLfloat[]){1, 1, 1, 1});",
-    "glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, (GLfloat[]){0, 0, -1});",
-    "glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);",
-    "glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, 10);",
-    "glLightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, 1);",
-    "glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 0.1);",
-    "glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.05);",
-    "glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, (GLfloat[]){0.8, 0.8, 0.8, 1});",
-    "glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, (GLfloat[]){0.2, 0.2, 0.2, 1});",
-    "glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, (GLfloat[]){0.8, 0.8, 0.8, 1});",
-    "glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, (GLfloat[]){0.5, 0.5, 0.5, 1});",
-    "glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, (GLfloat[]){0, 0, 0, 1});",
-    "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 32);",
-    "glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);",
-    "glColor3f(1, 1, 1);",
-    "glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (GLfloat[]){0.2, 0.2, 0.2, 1});",
-    "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);",
-    "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);",
-    "glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);",
-    "glShadeModel(GL_FLAT);",
-    "glPushMatrix();",
-    "glPopMatrix();",
-    "glTranslatef(0, 0, 0);",
-    "glRotatef(30, 0, 1, 0);",
-    "glScalef(1, 1, 1);",
-    "glLoadIdentity();",
-    "gluLookAt(0, 2, 8, 0, 0, 0, 0, 1, 0);",
-    "glutSolidSphere(1, 48, 24);",
-    "glutSolidCube(1);",
-    "glutSolidTorus(0.3, 0.8, 24, 48);",
-    "glutSolidTeapot(1);",
-    "glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);",
-    "glFrontFace(GL_CW);",
-};
-
-// Whether the text has all letters of the pattern, in any case, in this order next to each other.
-bool has_text(std::string_view text, std::string_view pattern) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return !std::ranges::search(text, pattern, {}, lower, lower).empty();
 }
 
 }  // namespace
@@ -244,16 +94,19 @@ void CommandsPanel::refresh_rows(const Session& session, int columns, double lin
             if (!row.is_folded && list[row.command] == shown_->commands[row.command]) known[row.command] = row.lines;
 
     rows_.clear();
-    std::size_t folds = 0;
+    std::size_t folds = 0, end_of_fold = 0;
     double top = 0;
     for (std::size_t i = 0; i < list.size();) {
-        Row row{.command = i, .top = top};
+        Row row{.command = i, .top = top, .is_inside = i < end_of_fold};
         const std::size_t last = session::end_of_group(*now, i);
         if (last > i) {
             row.is_fold = true;
             row.fold = folds++;
             row.is_folded = !unfolded_.contains(row.fold);
-            if (row.is_folded) row.count = last - i + 1;
+            if (row.is_folded)
+                row.count = last - i + 1;
+            else
+                end_of_fold = last;
         }
         if (!row.is_folded && list.size() <= kMostMeasured)
             row.lines = known[i] > 0 ? known[i] : placed_pieces(list[i], columns).back().line + 1;
@@ -290,6 +143,7 @@ void CommandsPanel::show_argument(Session& session, ArgumentAt at, const std::st
     const bool is_hovered = ImGui::IsItemHovered(), is_active = ImGui::IsItemActive();
     const bool is_editable = info.editing != Editing::kFixed;
     if (is_hovered) {
+        is_over_part_ = true;
         help_ = fmt::format("{}: {}", info.name, session::argument_help(command, at.argument));
         if (info.editing == Editing::kNumber) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
         if (info.editing == Editing::kName || info.editing == Editing::kBits || info.editing == Editing::kFlag)
@@ -381,7 +235,10 @@ void CommandsPanel::show_swatch(Session& session, ArgumentAt at) {
     const ImVec2 to = plus(from, {side, side});
     list.AddRectFilled(from, to, IM_COL32(byte(color[0]), byte(color[1]), byte(color[2]), 255), 2);
     list.AddRect(from, to, is_hovered ? kAccent : kSignColor, 2);
-    if (is_hovered) help_ = "click to choose the colour";
+    if (is_hovered) {
+        is_over_part_ = true;
+        help_ = "click to choose the colour";
+    }
     if (clicked) {
         asked_ = at;
         ImGui::OpenPopup("colour");
@@ -404,16 +261,15 @@ void CommandsPanel::show_swatch(Session& session, ArgumentAt at) {
 }
 
 // The gutter: folds glBegin, and moves calls by a drag.
-void CommandsPanel::drag_row(Session& session, const Row& row, double list_top) {
+void CommandsPanel::drag_row(const Session& session, const Row& row, double list_top) {
     const std::size_t number = row_of(row.command);
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, kDragThreshold)) moved_row_ = number;
     if (moved_row_ != number) return;
     // The border between two rows that is nearest to the mouse.
     const double y = static_cast<double>(ImGui::GetIO().MousePos.y) - list_top;
+    const auto bottom = [this](std::size_t i) { return i + 1 < rows_.size() ? rows_[i + 1].top : height_; };
     std::size_t border = 0;
-    while (border < rows_.size() && rows_[border].top + rows_[border].lines * 0.5 < y &&
-           (border + 1 < rows_.size() ? rows_[border + 1].top : height_) < y + 1)
-        ++border;
+    while (border < rows_.size() && (rows_[border].top + bottom(border)) / 2 < y) ++border;
     const double line = border < rows_.size() ? rows_[border].top : height_;
     const ImVec2 left{ImGui::GetWindowPos().x, static_cast<float>(list_top + line)};
     ImGui::GetWindowDrawList()->AddLine(left, plus(left, {ImGui::GetWindowWidth(), 0}), kAccent, 2);
@@ -422,10 +278,7 @@ void CommandsPanel::drag_row(Session& session, const Row& row, double list_top) 
     const std::size_t count = session::end_of_group(commands(session), row.command) - row.command + 1;
     const std::size_t before = border < rows_.size() ? rows_[border].command : commands(session).commands.size();
     if (before >= row.command && before <= row.command + count) return;
-    const std::size_t to = before > row.command ? before - count : before;
-    const std::string what = fmt::format("move {}", commands(session).commands[row.command].name());
-    edit(session, session::with_moved(commands(session), row.command, to, count), what);
-    session.selected_command = last_selected_ = to;
+    to_move_ = Move{row.command, before > row.command ? before - count : before, count};
 }
 
 void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
@@ -451,6 +304,7 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
     const bool clicked = ImGui::InvisibleButton("gutter", {gutter, line_height});
     const bool gutter_hovered = ImGui::IsItemHovered();
     drag_row(session, row, static_cast<double>(start.y) - row.top);
+    is_over_part_ = gutter_hovered;
     if (gutter_hovered) {
         help_ = row.is_fold ? "click to fold or unfold; drag to move all up to glEnd" : "drag to move this call";
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
@@ -473,7 +327,10 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
         shown_columns_ = 0;
     }
 
-    const ImVec2 text_start = plus(start, {gutter, 0});
+    constexpr int kInsideColumns = 4;
+    if (row.is_inside) columns -= kInsideColumns;
+    const float indent = row.is_inside ? kInsideColumns * column_width : 0;
+    const ImVec2 text_start = plus(start, {gutter + indent, 0});
     for (const PlacedPiece& placed : placed_pieces(command, row.is_folded ? 1000 : columns)) {
         const ImVec2 at = plus(text_start, {static_cast<float>(placed.column) * column_width,
                                             static_cast<float>(placed.line) * line_height});
@@ -500,7 +357,7 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
     // What is left of the row: selects it. A double click edits the whole call as text.
     ImGui::SetCursorScreenPos(start);
     ImGui::InvisibleButton("row", {std::max(width, 1.0f), height});
-    if (ImGui::IsItemHovered()) {
+    if (ImGui::IsItemHovered() && !is_over_part_) {
         const std::string line = command.place.line > 0 ? fmt::format("line {}: ", command.place.line) : "";
         if (!is_wrong) help_ = line + command.sig().usage() + "  double click: edit as text; right click: menu";
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -515,7 +372,7 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
             to_open_ = "argument menu";
         }
     }
-    if (ImGui::IsItemClicked()) session.selected_command = last_selected_ = row.command;
+    if (ImGui::IsItemClicked() && !is_over_part_) session.selected_command = last_selected_ = row.command;
     ImGui::PopID();
 }
 
@@ -542,6 +399,13 @@ void CommandsPanel::show_list(Session& session) {
         ImGui::SetCursorPos({start.x, start.y + static_cast<float>(row->top)});
         show_row(session, *row, columns);
     }
+    if (to_move_) {
+        const auto [from, to, count] = *std::exchange(to_move_, std::nullopt);
+        const std::string what = fmt::format("move {}", commands(session).commands[from].name());
+        edit(session, session::with_moved(commands(session), from, to, count), what);
+        session.selected_command = last_selected_ = to;
+    }
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) moved_row_.reset();  // of a row that is no longer seen
     ImGui::SetCursorPos({start.x, start.y + static_cast<float>(height_)});
     ImGui::Dummy({1, 1});
 }
@@ -553,151 +417,6 @@ void CommandsPanel::scroll_to(std::size_t command, double visible_height) {
     const double top = static_cast<double>(ImGui::GetScrollY());
     if (row.top >= top && row.top + 40 < top + visible_height) return;
     ImGui::SetScrollY(static_cast<float>(std::max(0.0, row.top - visible_height / 3)));
-}
-
-void CommandsPanel::show_argument_menu(Session& session) {
-    if (!ImGui::BeginPopup("argument menu")) return;
-    if (!asked_ || asked_->command >= commands(session).commands.size()) {
-        ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
-        return;
-    }
-    const std::shared_ptr<const CommandList> list = session.history.now();
-    const std::size_t index = asked_->command, argument = asked_->argument;
-    const Command& command = list->commands[index];
-    const Command* const opened = opened_command(session, index);
-    const auto printed = [&](double value) {
-        Command with = command;
-        with.arguments[argument] = value;
-        for (const PrintedPart& part : print_parts(with))
-            if (part.argument == argument) return part.text;
-        return std::string();
-    };
-    if (argument < command.arguments.size()) {
-        const session::ArgumentInfo info = session::argument_info(command, argument);
-        if (info.initial) {
-            const std::string label = "Reset to GL's default: " + printed(*info.initial);
-            if (ImGui::MenuItem(label.c_str())) set_argument(session, index, argument, *info.initial);
-        }
-        if (opened && opened->id == command.id && argument < opened->arguments.size()) {
-            const std::string label = "Reset to the file's value: " + printed(opened->number(argument));
-            const bool differs = opened->number(argument) != command.number(argument);
-            if (ImGui::MenuItem(label.c_str(), nullptr, false, differs))
-                set_argument(session, index, argument, opened->number(argument));
-        }
-    }
-    const Command defaults = session::with_initial_values(command);
-    if (defaults != command && ImGui::MenuItem("Reset the call to GL's defaults"))
-        edit(session, session::with_command(*list, index, defaults), "reset " + std::string(command.name()));
-    if (opened && *opened != command && ImGui::MenuItem("Reset the call to the file's"))
-        edit(session, session::with_command(*list, index, *opened), "reset " + std::string(command.name()));
-    ImGui::Separator();
-    const std::size_t count = session::end_of_group(*list, index) - index + 1;
-    if (ImGui::MenuItem("Move up", nullptr, false, index > 0)) {
-        edit(session, session::with_moved(*list, index, index - 1, count), "move " + std::string(command.name()));
-        session.selected_command = index - 1;
-    }
-    if (ImGui::MenuItem("Move down", nullptr, false, index + count < list->commands.size())) {
-        edit(session, session::with_moved(*list, index, index + 1, count), "move " + std::string(command.name()));
-        session.selected_command = index + 1;
-    }
-    if (ImGui::MenuItem("Duplicate") && count == 1)
-        edit(session, session::with_inserted(*list, index + 1, session::new_command(command.id, command.arguments)),
-             "duplicate " + std::string(command.name()));
-    if (ImGui::MenuItem(count > 1 ? "Delete all up to glEnd" : "Delete"))
-        edit(session, session::without_command(*list, index, count), "delete " + std::string(command.name()));
-    ImGui::EndPopup();
-}
-
-void CommandsPanel::show_choices(Session& session) {
-    if (!ImGui::BeginPopup("choices")) return;
-    if (!asked_ || asked_->command >= commands(session).commands.size()) {
-        ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
-        return;
-    }
-    const Command command = commands(session).commands[asked_->command];
-    const bool is_bits = session::argument_info(command, asked_->argument).editing == Editing::kBits;
-    const double value = command.number(asked_->argument);
-    const float height = std::min(static_cast<float>(choices_.size()), 16.0f) * ImGui::GetTextLineHeightWithSpacing();
-    float width = 0;
-    for (const session::Choice& choice : choices_) width = std::max(width, ImGui::CalcTextSize(choice.name.c_str()).x);
-    ImGui::BeginChild("names", {width + scaled_pixels(is_bits ? 60 : 30), height + scaled_pixels(is_bits ? 40 : 10)},
-                      false);
-    for (const session::Choice& choice : choices_) {
-        const auto bit = static_cast<std::uint32_t>(choice.value);
-        if (is_bits) {
-            bool on = (static_cast<std::uint32_t>(value) & bit) != 0;
-            if (ImGui::Checkbox(choice.name.c_str(), &on))
-                set_argument(session, asked_->command, asked_->argument,
-                             static_cast<double>(static_cast<std::uint32_t>(value) ^ bit));
-            continue;
-        }
-        const bool is_current = choice.value == value;
-        if (ImGui::Selectable(choice.name.c_str(), is_current)) {
-            set_argument(session, asked_->command, asked_->argument, choice.value);
-            ImGui::CloseCurrentPopup();
-        }
-        // The picture and the help follow the mouse only after a click; the help tells what a name means.
-        if (ImGui::IsItemHovered())
-            help_ = session::argument_help(session::changed_argument(command, asked_->argument, choice.value),
-                                           asked_->argument);
-        if (is_current && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
-    }
-    ImGui::EndChild();
-    ImGui::EndPopup();
-}
-
-// A call typed as C, or picked from common ones. It takes the place of `replaced_`, or goes after the selected call.
-void CommandsPanel::show_insert(Session& session) {
-    ImGui::SetNextWindowSize({scaled_pixels(560), 0});
-    if (!ImGui::BeginPopup("type a call")) return;
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    ImGui::PushFont(fonts().code);
-    ImGui::SetNextItemWidth(-1);
-    bool done = ImGui::InputTextWithHint("##call", "type a call, such as glEnable(GL_FOG);", inserted_text_,
-                                         sizeof inserted_text_, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (!insert_error_.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, kBad);
-        ImGui::TextWrapped("%s", insert_error_.c_str());
-        ImGui::PopStyleColor();
-    }
-    if (!replaced_) {
-        ImGui::BeginChild("templates", {0, scaled_pixels(260)}, false);
-        for (const char* text : kTemplates) {
-            if (!has_text(text, inserted_text_)) continue;
-            if (ImGui::Selectable(text)) {
-                std::snprintf(inserted_text_, sizeof inserted_text_, "%s", text);
-                done = true;
-            }
-        }
-        ImGui::EndChild();
-    }
-    ImGui::PopFont();
-    if (done) {
-        try {
-            const CommandList typed = read_scene(inserted_text_, "the typed call", "the typed call");
-            CommandList edited = commands(session);
-            std::size_t at = session.selected_command ? *session.selected_command + 1 : edited.commands.size();
-            if (replaced_) {
-                at = *replaced_;
-                edited = session::without_command(edited, at);
-            }
-            at = std::min(at, edited.commands.size());
-            for (std::size_t i = 0; i < typed.commands.size(); ++i) {
-                Command command = typed.commands[i];
-                if (replaced_ && i == 0) command.place = commands(session).commands[*replaced_].place;
-                edited = session::with_inserted(edited, at + i, std::move(command));
-            }
-            edit(session, std::move(edited), replaced_ ? "change a call" : "insert a call");
-            session.selected_command = at;
-            insert_error_.clear();
-            ImGui::CloseCurrentPopup();
-        } catch (const std::exception& error) {
-            insert_error_ = error.what();
-        }
-    }
-    ImGui::EndPopup();
 }
 
 void CommandsPanel::show_tools(Session& session) {
@@ -718,14 +437,9 @@ void CommandsPanel::show_tools(Session& session) {
         say(session, "done again: " + session.history.redo());
     const std::size_t count = has_selected ? session::end_of_group(*list, index) - index + 1 : 0;
     const std::string name = has_selected ? std::string(list->commands[index].name()) : "";
-    if (button("Up", has_selected && index > 0, "move the selected call up")) {
-        edit(session, session::with_moved(*list, index, index - 1, count), "move " + name);
-        session.selected_command = index - 1;
-    }
-    if (button("Down", has_selected && index + count < list->commands.size(), "move the selected call down")) {
-        edit(session, session::with_moved(*list, index, index + 1, count), "move " + name);
-        session.selected_command = index + 1;
-    }
+    if (button("Up", has_selected && index > 0, "move the selected call up")) move_call(session, index, false);
+    if (button("Down", has_selected && index + count < list->commands.size(), "move the selected call down"))
+        move_call(session, index, true);
     if (button("Delete", has_selected, "delete the selected call"))
         edit(session, session::without_command(*list, index, count), "delete " + name);
     if (button("Insert...", true, "insert a call after the selected one")) {

@@ -25,7 +25,8 @@ class CommandsPanel {
         int lines = 1;   // long calls are broken
         double top = 0;  // in pixels from the start of the list
         bool is_fold = false, is_folded = false;
-        std::size_t fold = 0;  // the number of the glBegin
+        bool is_inside = false;  // of a glBegin that is not folded
+        std::size_t fold = 0;    // the number of the glBegin
     };
     struct ArgumentAt {
         std::size_t command = 0, argument = 0;
@@ -39,7 +40,7 @@ class CommandsPanel {
     void show_argument(session::Session& session, ArgumentAt at, const std::string& text);
     void show_swatch(session::Session& session, ArgumentAt at);
     void show_input(session::Session& session);
-    void drag_row(session::Session& session, const Row& row, double list_top);
+    void drag_row(const session::Session& session, const Row& row, double list_top);
     void show_help(const session::Session& session);
     void show_argument_menu(session::Session& session);
     void show_choices(session::Session& session);
@@ -56,6 +57,7 @@ class CommandsPanel {
     std::size_t shown_unfolded_ = 0;
     double height_ = 0;
 
+    bool is_over_part_ = false;          // the mouse is over an argument, a swatch or the gutter of the row
     std::string help_;                   // of what is under the mouse
     std::optional<ArgumentAt> dragged_;  // the number that is being dragged
     double dragged_from_ = 0;
@@ -67,6 +69,10 @@ class CommandsPanel {
     std::vector<session::Choice> choices_;
     const char* to_open_ = nullptr;         // the popup to open after the list
     std::optional<std::size_t> moved_row_;  // the row that is being moved
+    struct Move {
+        std::size_t from, to, count;
+    };
+    std::optional<Move> to_move_;  // after the list is shown
     std::optional<std::size_t> last_selected_;
     bool scroll_to_selected_ = false;
     char inserted_text_[512] = "";

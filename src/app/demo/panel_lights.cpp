@@ -19,7 +19,7 @@ namespace {
 using session::SetBy;
 using session::Source;
 
-constexpr float kLabelWidth = 106;  // at scale 1
+constexpr float kLabelWidth = 114;  // at scale 1
 constexpr ImGuiColorEditFlags kColorFlags =
     ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoLabel;
 constexpr const char* kNumber = "%.3g";
@@ -207,6 +207,7 @@ void LightsPanel::show_light(session::Session& session, int light) {
     }
     const std::string kind = !source.enabled ? "off" : is_black(source) ? "on, but black" : kind_of(source);
     const ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding |
+                                     ImGuiTreeNodeFlags_NoTreePushOnOpen |
                                      (session.selected_light == light ? ImGuiTreeNodeFlags_Selected : 0);
     ImGui::PushStyleColor(ImGuiCol_Text, source.enabled ? kText : kDim);
     const bool open = ImGui::TreeNodeEx("light", flags, "%s  %s", light_name(light).c_str(), kind.c_str());
@@ -215,10 +216,7 @@ void LightsPanel::show_light(session::Session& session, int light) {
         session.selected_light = light;
         opened_light_ = light;
     }
-    if (open) {
-        show_light_details(session, light);
-        ImGui::TreePop();
-    }
+    if (open) show_light_details(session, light);
     ImGui::PopID();
 }
 
@@ -226,7 +224,6 @@ void LightsPanel::show_light_details(session::Session& session, int light) {
     const session::LightValues& values = values_->lights[static_cast<std::size_t>(light)];
     const LightSource& source = values.stored;
     std::vector<double> edited;
-    ImGui::Unindent(ImGui::GetTreeNodeToLabelSpacing());
 
     const struct {
         const char* text;
@@ -249,7 +246,7 @@ void LightsPanel::show_light_details(session::Session& session, int light) {
     if (vector_edit("##position", values.typed.position.value, edited, 0.02f))
         edit_light(session, light, kGL_POSITION, edited);
     end_group_after_drag(session);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + at_scale(kLabelWidth));
+    ImGui::SetCursorPosX(at_scale(kLabelWidth));
     dim_text(fmt::format("stored in eye space: {}", text_of(source.position_eye)).c_str());
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("the modelview matrix at the call, times what was typed (2.14.1); w = 0: a direction");
@@ -278,7 +275,6 @@ void LightsPanel::show_light_details(session::Session& session, int light) {
         }
     }
     show_spot(session, light);
-    ImGui::Indent(ImGui::GetTreeNodeToLabelSpacing());
     ImGui::Spacing();
 }
 
@@ -310,7 +306,7 @@ void LightsPanel::show_spot(session::Session& session, int light) {
     if (vector_edit("##direction", values.typed.spot_direction.value, edited, 0.01f))
         edit_light(session, light, kGL_SPOT_DIRECTION, edited);
     end_group_after_drag(session);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + at_scale(kLabelWidth));
+    ImGui::SetCursorPosX(at_scale(kLabelWidth));
     dim_text(fmt::format("stored in eye space: {}", text_of(source.spot_direction_eye)).c_str());
 }
 
@@ -349,7 +345,7 @@ void LightsPanel::show_face(session::Session& session, Enum face) {
         end_group_after_drag(session);
         ImGui::EndDisabled();
         if (const char* badge = badge_of(row.by.source)) {
-            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + at_scale(kLabelWidth));
+            ImGui::SetCursorPosX(at_scale(kLabelWidth));
             ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", badge);
         }
         ImGui::PopID();

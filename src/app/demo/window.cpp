@@ -77,7 +77,7 @@ double screen_scale() {
     return std::clamp(std::floor(2 * dots_per_inch / 96) / 2, 1.0, 3.0);
 }
 
-enum class Drag { kNone, kOrbit, kLook, kSlider, kTaken };  // kTaken: by a marker of the world view
+enum class Drag { kNone, kOrbit, kLook, kSlider };
 
 class Window {
   public:
@@ -442,6 +442,12 @@ void Window::write_times() const {
 
 void Window::key(int code) {
     const ImGuiIO& io = ImGui::GetIO();
+    constexpr int kEscape = 27;
+    if (code == kEscape && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+        ImGui::SetWindowFocus(nullptr);  // closes the popups
+        wake();
+        return;
+    }
     if (!(io.WantCaptureKeyboard && io.WantTextInput)) press(session_, code);
     if (session_.animating) animated_since_ = Clock::now();
     carry_out_requests();
@@ -496,9 +502,9 @@ void Window::mouse(int button, int state, int x, int y) {
         ImGui_ImplGLUT_MouseFunc(button, state, x, y);
     }
     wake();
-    // The world view takes the mouse, but not the right button, which opens the menu.
+    // The world view has its own drags and wheel; the right button opens the menu.
     const bool in_world = session_.view == session::View::kWorld && hit(layout_, x, y);
-    if (down && ImGui::GetIO().WantCaptureMouse && !(in_world && button == GLUT_RIGHT_BUTTON)) return;
+    if (in_world ? button != GLUT_RIGHT_BUTTON : down && ImGui::GetIO().WantCaptureMouse) return;
     if (wheel) {
         if (down && hit(layout_, x, y)) session::zoom(session_, button == kWheelUp ? 1 : -1);
         return;
@@ -552,8 +558,8 @@ void Window::motion(int x, int y) {
 
 void Window::passive_motion(int x, int y) {
     ImGui_ImplGLUT_MotionFunc(x, y);
-    // Over a picture nothing lights up under the mouse.
-    if (!hit(layout_, x, y) || ImGui::GetIO().WantCaptureMouse) wake();
+    // Over a picture nothing lights up under the mouse, except the lights of the world view.
+    if (!hit(layout_, x, y) || ImGui::GetIO().WantCaptureMouse || session_.view == session::View::kWorld) wake();
 }
 
 void Window::make_menu() {

@@ -132,13 +132,17 @@ void WorldView::carry_out_mouse(session::Session& session, const Box& box) {
         under_mouse_ = handle_at(world_, projection_, place, 12 * scale());
         orbits_ = !under_mouse_;
         session.history.end_group();
-        if (under_mouse_) drag_ = Drag{*under_mouse_, session.history.now(), session.scene.frame, world_};
+        if (under_mouse_) {
+            drag_ = Drag{*under_mouse_, session.history.now(), session.scene.frame, world_};
+            session.selected_light = world_.lights[under_mouse_->light].number;
+            const auto call = command_of(commands(session), session.scene.frame, world_, *under_mouse_);
+            if (call) session.selected_command = call;
+        }
     }
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, kDragPixels)) dragged_ = true;
     const ImVec2 by = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, kDragPixels);
-    if (ImGui::IsItemActive() && drag_ && (by.x != 0 || by.y != 0)) {
+    if (ImGui::IsItemActive() && drag_ && dragged_) {
         const LightMarker& light = drag_->world.lights[drag_->handle.light];
-        session.selected_light = light.number;
         const std::string what = (drag_->handle.is_spot_direction ? "turn " : "move ") + light_name(light.number);
         edit(session,
              with_handle_moved(*drag_->commands, drag_->frame, drag_->world, projection_, drag_->handle, {by.x, by.y}),
@@ -147,8 +151,7 @@ void WorldView::carry_out_mouse(session::Session& session, const Box& box) {
     if (ImGui::IsItemActive() && orbits_ && dragged_) orbit(camera_, io.MouseDelta.x, io.MouseDelta.y);
     if (ImGui::IsItemDeactivated()) {
         session.history.end_group();
-        if (!dragged_ && drag_) session.selected_light = drag_->world.lights[drag_->handle.light].number;
-        if (!dragged_ && !drag_) session.selected_light.reset();
+        if (orbits_ && !dragged_) session.selected_light.reset();  // a click beside the lights
         drag_.reset();
         orbits_ = false;
     }
@@ -171,8 +174,8 @@ void WorldView::show_markers(const session::Session& session, const Box& box) co
         constexpr std::array<ImU32, 3> kColors = {IM_COL32(235, 95, 90, 255), IM_COL32(120, 210, 120, 255),
                                                   IM_COL32(105, 155, 255, 255)};
         if (const auto at = place(tip))
-            text({at->x + 4, at->y - 8}, kColors[static_cast<std::size_t>(axis)],
-                 std::string(1, static_cast<char>('x' + axis)));
+            draw.AddText({at->x + 4, at->y - 8}, kColors[static_cast<std::size_t>(axis)],
+                         std::string(1, static_cast<char>('x' + axis)).c_str());
     }
     if (world_.camera_world)
         if (const auto at = place(*world_.camera_world)) {
@@ -180,7 +183,13 @@ void WorldView::show_markers(const session::Session& session, const Box& box) co
             draw.AddCircleFilled(*at, 4, kAccent);
             text({at->x - ImGui::CalcTextSize("camera").x - 16, at->y - ImGui::GetFontSize() / 2}, kAccent, "camera");
         }
-    for (std::size_t i = 0; i < world_.lights.size(); ++i) {
+    struct Name {
+        ImVec2 at;
+        std::string text;
+        bool bright;
+    };
+    std::vector<Name> names;
+    for (std::size_t i = world_.lights.size(); i-- > 0;) {  // the first on top
         const LightMarker& light = world_.lights[i];
         const auto at = place(light.place_world);
         if (!at) continue;
@@ -210,8 +219,20 @@ void WorldView::show_markers(const session::Session& session, const Box& box) co
             }
         }
         draw_bulb(draw, *at, light, bright);
+        // Lights at one place share a line.
+        const auto same_place = std::ranges::find_if(names, [&](const Name& name) {
+            return std::abs(name.at.x - at->x) < kBulb && std::abs(name.at.y - at->y) < kBulb;
+        });
+        if (same_place == names.end()) {
+            names.push_back({*at, light_name(light.number), bright});
+        } else {
+            same_place->text = light_name(light.number) + ", " + same_place->text;
+            same_place->bright = same_place->bright || bright;
+        }
+    }
+    for (const Name& name : names) {
         const float beside = (kBulb + 6) * static_cast<float>(scale());
-        text({at->x + beside, at->y - ImGui::GetFontSize() - 2}, bright ? kText : kDim, light_name(light.number));
+        text({name.at.x + beside, name.at.y - ImGui::GetFontSize() - 2}, name.bright ? kText : kDim, name.text);
     }
 }
 

@@ -247,6 +247,21 @@ std::size_t end_of_group(const CommandList& commands, std::size_t index) {
     return index;
 }
 
+std::size_t index_above(const CommandList& commands, std::size_t index) {
+    if (index == 0 || index >= commands.commands.size()) return index;
+    if (commands.commands[index - 1].id == CommandId::glEnd)
+        for (std::size_t i = index - 1; i-- > 0;)
+            if (commands.commands[i].id == CommandId::glBegin)
+                return end_of_group(commands, i) + 1 == index ? i : index - 1;
+    return index - 1;
+}
+
+std::size_t index_below(const CommandList& commands, std::size_t index) {
+    const std::size_t next = end_of_group(commands, index) + 1;
+    if (next >= commands.commands.size()) return index;
+    return index + end_of_group(commands, next) - next + 1;
+}
+
 std::vector<std::size_t> commands_of_draws(const CommandList& commands) {
     std::vector<std::size_t> result;
     State state;

@@ -56,6 +56,10 @@ CommandList with_moved(const CommandList& commands, std::size_t from, std::size_
 // the command itself.
 std::size_t end_of_group(const CommandList& commands, std::size_t index);
 
+// Where with_moved() takes a command past the one above or below it; past a whole group, never into one.
+std::size_t index_above(const CommandList& commands, std::size_t index);
+std::size_t index_below(const CommandList& commands, std::size_t index);
+
 // Which command begins each Draw of the frame: glBegin, a shape, glDrawArrays or glCallList.
 std::vector<std::size_t> commands_of_draws(const CommandList& commands);
 

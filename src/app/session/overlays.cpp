@@ -27,13 +27,15 @@ constexpr glm::vec4 kOtherNormal{1, 0.35F, 0.3F, 1};
 constexpr glm::vec4 kProvoking{1, 0.75F, 0.2F, 0.85F};
 constexpr glm::vec4 kBackFace{0.25F, 0.5F, 1, 0.55F};
 constexpr glm::vec3 kAboveOne{1, 0, 0.75F};
-constexpr float kFaintest = 0.3F, kStrongest = 0.8F;  // alpha of a channel just above 1, and of one from 2 on
+constexpr double kFinePixels = 12;  // between the points that are lit
+constexpr int kMostParts = 40;      // of an edge
 
 constexpr double kNormalShare = 1.0 / 30;               // of the scene's radius
 constexpr double kLongestNormal = 4;                    // longer ones are cut
 constexpr double kUnitTolerance = 0.005;                // what a reader of two digits would call 1
 constexpr float kCornerShare = 0.3F;                    // of an edge
 constexpr double kLineHeight = 18, kLetterWidth = 7.5;  // of labels, in pixels
+constexpr double kSamePlace = 12;                       // for labels with the same text: in pixels
 
 // The box around a shape's points in eye space.
 struct Bounds {
@@ -125,7 +127,7 @@ class OverlayWriter {
                 for (const glm::vec4& position :
                      {corner, mix(corner, clip(primitive.vertices[(i + 1) % 3]), kCornerShare),
                       mix(corner, clip(primitive.vertices[(i + 2) % 3]), kCornerShare)})
-                    out_.tints.push_back({position, kProvoking});
+                    out_.marks.push_back({position, kProvoking});
                 break;
             }
         }
@@ -138,32 +140,37 @@ class OverlayWriter {
         }
     }
 
+    // Half the largest channel before the clamp, at each vertex.
     void above_one(const Look& look) {
         reference::Options options;
         static_cast<Look&>(options) = look;
-        const std::vector<reference::LitVertex> lit = reference::light_vertices(draw_, options, false);
-        const auto color = [&](std::uint32_t i, bool back) {
+        const bool per_pixel = look.shading == Shading::kPhong || look.shading == Shading::kExact;
+        const Draw fine = per_pixel ? subdivided() : Draw{};
+        const Draw& draw = per_pixel ? fine : draw_;
+        const std::vector<reference::LitVertex> lit = reference::light_vertices(draw, options, false);
+        const auto vertex = [&](std::uint32_t i, bool back) {
             const glm::dvec4& primary = back ? lit[i].back_primary : lit[i].front_primary;
             const glm::dvec4& secondary = back ? lit[i].back_secondary : lit[i].front_secondary;
             const double most = std::max({primary.r, primary.g, primary.b, secondary.r, secondary.g, secondary.b});
-            // Rounding of the sums is no excess.
-            if (!(most > 1 + 1e-9)) return glm::vec4(kAboveOne, 0);
-            return glm::vec4(kAboveOne,
-                             kFaintest + (kStrongest - kFaintest) * static_cast<float>(std::min(most - 1, 1.0)));
+            const auto half = static_cast<float>(std::clamp(most / 2, 0.0, 1.0));
+            return OverlayVertex{glm::vec4(lit[i].position_clip), glm::vec4(kAboveOne, half)};
         };
-        for (const Primitive& primitive : primitives_) {
+        // Rounding of the sums is no excess.
+        const auto exceeds = [](const OverlayVertex& v) { return v.color.a > 0.5F + 1e-6F; };
+        for (const Primitive& primitive : reference::assemble(draw, reference::QuadCut::kFirstToThird)) {
             if (primitive.shape != Shape::kTriangle) {
-                const glm::vec4 mark = color(primitive.vertices[0], false);
-                if (mark.a > 0) out_.points.push_back({clip(primitive.vertices[0]), mark});
+                const OverlayVertex mark = vertex(primitive.vertices[0], false);
+                if (exceeds(mark)) out_.point_brightness.push_back(mark);
                 continue;
             }
-            const bool back = is_back(primitive);
-            if (is_culled(draw_.raster, back)) continue;
-            const bool back_colors = back && draw_.lighting.light_model.two_side;
-            std::array<glm::vec4, 3> colors{};
-            for (std::size_t i = 0; i < 3; ++i) colors[i] = color(primitive.vertices[i], back_colors);
-            if (std::ranges::all_of(colors, [](const glm::vec4& c) { return c.a == 0; })) continue;
-            for (std::size_t i = 0; i < 3; ++i) out_.tints.push_back({clip(primitive.vertices[i]), colors[i]});
+            const auto at = [&](std::size_t i) { return lit[primitive.vertices[i]].position_clip; };
+            const bool back = faces_back(draw, at(0), at(1), at(2));
+            if (is_culled(draw.raster, back)) continue;
+            std::array<OverlayVertex, 3> corners{};
+            for (std::size_t i = 0; i < 3; ++i)
+                corners[i] = vertex(primitive.vertices[i], back && draw.lighting.light_model.two_side);
+            if (std::ranges::any_of(corners, exceeds))
+                out_.brightness.insert(out_.brightness.end(), corners.begin(), corners.end());
         }
     }
 
@@ -172,6 +179,54 @@ class OverlayWriter {
     bool is_back(const Primitive& p) const {
         return faces_back(draw_, vertices_[p.vertices[0]].position_clip, vertices_[p.vertices[1]].position_clip,
                           vertices_[p.vertices[2]].position_clip);
+    }
+    // The triangles as a mesh so fine that colours between its vertices are nearly linear. Lighting per pixel scales
+    // normals to length 1.
+    Draw subdivided() const {
+        Draw fine = draw_;
+        fine.mode = kGL_TRIANGLES;
+        fine.lighting.normalize = true;
+        fine.vertices.clear();
+        fine.indices.clear();
+        for (const Primitive& primitive : primitives_) {
+            if (primitive.shape != Shape::kTriangle) continue;
+            const auto corner = [&](std::size_t i) -> const Vertex& {
+                return draw_.vertices[primitive.vertices[i % 3]];
+            };
+            double longest = 0;
+            for (std::size_t i = 0; i < 3; ++i)
+                longest = std::max(longest,
+                                   glm::distance(place(primitive.vertices[i]), place(primitive.vertices[(i + 1) % 3])));
+            const int parts =
+                std::clamp(static_cast<int>(std::min(longest / kFinePixels, 1.0 * kMostParts)), 1, kMostParts);
+            const auto vertex = [&](int i, int j) {  // weights (n - i - j, i, j) / n
+                const double b = 1.0 * i / parts, c = 1.0 * j / parts, a = 1 - b - c;
+                Vertex result = corner(0);
+                const auto between = [&](auto member) {
+                    result.*member = a * corner(0).*member + b * corner(1).*member + c * corner(2).*member;
+                };
+                between(&Vertex::position_object);
+                between(&Vertex::normal_object);
+                between(&Vertex::color);
+                return result;
+            };
+            for (int i = 0; i < parts; ++i) {
+                for (int j = 0; j < parts - i; ++j) {
+                    fine.vertices.insert(fine.vertices.end(), {vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)});
+                    if (i + j + 2 <= parts)
+                        fine.vertices.insert(fine.vertices.end(),
+                                             {vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+                }
+            }
+        }
+        return fine;
+    }
+    // In pixels; far away for a vertex behind the eye.
+    glm::dvec2 place(std::uint32_t i) const {
+        const glm::dvec4& p = vertices_[i].position_clip;
+        if (!(p.w > 0)) return glm::dvec2(1e6);
+        const glm::dvec2 size(draw_.raster.viewport.width, draw_.raster.viewport.height);
+        return glm::clamp(glm::dvec2(p) / p.w, -2.0, 2.0) / 2.0 * size;
     }
     std::set<std::uint32_t> used_vertices() const {
         std::set<std::uint32_t> used;
@@ -185,21 +240,36 @@ class OverlayWriter {
     DrawOverlay& out_;
 };
 
-// "lights 0, 2 of 8"
-std::string lights_text(std::span<const Draw* const> shape, const PlanOptions& options) {
-    std::set<int> kept;
-    std::size_t on = 0;
-    for (const Draw* draw : shape) {
-        for (const LightBound& light : plan_effects(*draw, options).light_bounds)
-            if (light.in() || light.fate == LightFate::kAmbientOnly) kept.insert(light.number);
-        on = std::max(on,
-                      static_cast<std::size_t>(std::ranges::count(draw->lighting.lights, true, &LightSource::enabled)));
+// "0, 2 to 4"
+std::string runs(const std::set<int>& numbers) {
+    std::string text;
+    for (auto first = numbers.begin(); first != numbers.end();) {
+        auto last = first;
+        int count = 1;
+        for (auto next = std::next(last); next != numbers.end() && *next == *last + 1; ++next, ++count) last = next;
+        if (count == 2) last = first;
+        text += (text.empty() ? "" : ", ") + std::to_string(*first);
+        if (last != first) text += " to " + std::to_string(*last);
+        first = std::next(last);
     }
-    if (kept.empty()) return fmt::format("no light of {}", on);
-    if (kept.size() > kMaxLights) return fmt::format("{} lights of {}", kept.size(), on);
-    std::string names;
-    for (const int number : kept) names += (names.empty() ? "" : ", ") + std::to_string(number);
-    return fmt::format("{} {} of {}", kept.size() == 1 ? "light" : "lights", names, on);
+    return text;
+}
+
+// "lights 0, 2; not 1": those that are on and count, and those that are on and do not.
+std::string lights_text(std::span<const Draw* const> shape, const PlanOptions& options) {
+    std::set<int> kept, left_out;
+    for (const Draw* draw : shape) {
+        for (const LightBound& light : plan_effects(*draw, options).light_bounds) {
+            if (light.in() || light.fate == LightFate::kAmbientOnly)
+                kept.insert(light.number);
+            else if (light.fate != LightFate::kDisabled)
+                left_out.insert(light.number);
+        }
+    }
+    for (const int number : kept) left_out.erase(number);
+    const std::string others = left_out.empty() ? "" : "; not " + runs(left_out);
+    if (kept.empty()) return left_out.empty() ? "no light" : "no light" + others;
+    return (kept.size() == 1 ? "light " : "lights ") + runs(kept) + others;
 }
 
 std::string normals_text(double shortest, double longest) {
@@ -223,7 +293,9 @@ void add_label(const Frame& frame, OverlayPicture& picture, Label label) {
         const double width = kLetterWidth * static_cast<double>(label.text.size() + other.text.size()) / 2;
         return std::abs(label.place.x - other.place.x) < width && std::abs(label.place.y - other.place.y) < kLineHeight;
     };
-    const auto repeats = [&](const Label& other) { return other.text == label.text && covers(other); };
+    const auto repeats = [&](const Label& other) {
+        return other.text == label.text && glm::distance(other.place, label.place) < kSamePlace;
+    };
     if (std::ranges::any_of(picture.labels, repeats)) return;
     for (auto other = std::ranges::find_if(picture.labels, covers); other != picture.labels.end();
          other = std::ranges::find_if(picture.labels, covers))

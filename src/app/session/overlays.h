@@ -30,7 +30,11 @@ struct DrawOverlay {
     std::vector<glm::vec4> faces_clip{};
     std::vector<std::uint8_t> edges{};
 
-    std::vector<OverlayVertex> tints{};  // triangles that lie on the faces
+    std::vector<OverlayVertex> tints{};  // some of the faces
+    std::vector<OverlayVertex> marks{};  // triangles that are parts of faces
+    // Triangles that cover the faces, or points. The alpha of a vertex is half its largest channel, at most 1: where it exceeds
+    // 0.5, a channel exceeds 1.
+    std::vector<OverlayVertex> brightness{}, point_brightness{};
     std::vector<OverlayVertex> lines{};  // two vertices each
     std::vector<OverlayVertex> points{};
 };
@@ -59,8 +63,9 @@ bool any(const Overlays& overlays);
 //     nothing is lit.
 // Provoking vertices: the corner of each primitive that belongs to the vertex whose colour flat shading takes (2.14.7).
 // Back faces: tinted, where culling leaves them.
-// Above 1: tinted where a channel of a vertex's primary or secondary colour exceeds 1 before the clamp (2.14.6).
-// Kept lights: a label at the middle of each shape.
+// Above 1: where a channel of the primary or secondary colour exceeds 1 before the clamp (2.14.6), at the vertices; for
+//     lighting per pixel also between them, every 12 pixels.
+// Kept lights: a label at the middle of each lit shape.
 OverlayPicture overlays_of(const Frame& frame, const Overlays& overlays, const PlanOptions& plan_options);
 
 }  // namespace twinlight::session

@@ -158,6 +158,17 @@ double nice(double value, double size) {
     return result == 0 ? 0 : static_cast<double>(static_cast<float>(result));
 }
 
+// Whether the command gave the light this position or direction.
+template <class Vector>
+bool gave(const Command& command, int light, Enum pname, const TypedLight::Value<Vector>& typed) {
+    constexpr auto kLength = static_cast<std::size_t>(Vector::length());
+    if (!sets(command, light, pname) || !(command.place == typed.place) || command.arguments.size() != 2 + kLength)
+        return false;
+    for (std::size_t i = 0; i < kLength; ++i)  // a loop gives several calls one place
+        if (command.arguments[2 + i] != typed.value[static_cast<int>(i)]) return false;
+    return true;
+}
+
 // New values for a position or direction that `typed` was given.
 template <class Vector>
 CommandList with_values(const CommandList& commands, int light, Enum pname, const TypedLight::Value<Vector>& typed,
@@ -177,12 +188,7 @@ CommandList with_values(const CommandList& commands, int light, Enum pname, cons
         return result;
     }
     for (Command& command : result.commands) {
-        if (!sets(command, light, pname) || !(command.place == typed.place)) continue;
-        // A loop gives several calls one place.
-        bool same = command.arguments.size() == 2 + numbers.size();
-        for (int i = 0; same && i < Vector::length(); ++i)
-            same = command.arguments[2 + static_cast<std::size_t>(i)] == typed.value[i];
-        if (!same) continue;
+        if (!gave(command, light, pname, typed)) continue;
         if (command.id == CommandId::glLightiv) command.id = CommandId::glLightfv;
         std::ranges::copy(numbers, command.arguments.begin() + 2);
     }
@@ -233,13 +239,13 @@ World world_of(const CommandList& commands, const Frame& frame, const std::optio
             if (const auto marker = marker_of(light, static_cast<int>(i), world)) world.lights.push_back(*marker);
         }
     }
-    std::ranges::stable_sort(world.lights, {}, &LightMarker::number);
+    std::ranges::stable_sort(world.lights, {}, [](const LightMarker& l) { return std::pair(l.is_black, l.number); });
     return world;
 }
 
 void orbit(OutsideCamera& camera, double dx_pixels, double dy_pixels) {
     camera.yaw_deg = std::remainder(camera.yaw_deg - kTurnDegPerPixel * dx_pixels, 360.0);
-    camera.pitch_deg = std::clamp(camera.pitch_deg + kTurnDegPerPixel * dy_pixels, -89.0, 89.0);
+    camera.pitch_deg = std::clamp(camera.pitch_deg + kTurnDegPerPixel * dy_pixels, 0.0, 89.0);
 }
 
 void zoom(OutsideCamera& camera, double steps) {
@@ -359,12 +365,26 @@ std::optional<Handle> handle_at(const World& world, const WorldProjection& proje
             if (is_spot_direction && !world.lights[i].cutoff_deg) continue;
             const Handle handle{i, is_spot_direction};
             const auto at = projection.place_of(place_of(world, handle));
-            if (!at || glm::distance(glm::dvec2(*at), place) > least) continue;
+            if (!at || glm::distance(glm::dvec2(*at), place) >= least) continue;
             least = glm::distance(glm::dvec2(*at), place);
             nearest = handle;
         }
     }
     return nearest;
+}
+
+std::optional<std::size_t> command_of(const CommandList& commands, const Frame& frame, const World& world,
+                                      const Handle& handle) {
+    const LightMarker& light = world.lights.at(handle.light);
+    if (light.typed >= frame.typed_lights.size()) return {};
+    const TypedLight& typed = frame.typed_lights[light.typed];
+    const auto gives = [&](const Command& command) {
+        return handle.is_spot_direction ? gave(command, light.number, kGL_SPOT_DIRECTION, typed.spot_direction)
+                                        : gave(command, light.number, kGL_POSITION, typed.position);
+    };
+    const auto found = std::ranges::find_if(commands.commands, gives);
+    if (found == commands.commands.end()) return {};
+    return static_cast<std::size_t>(found - commands.commands.begin());
 }
 
 CommandList with_handle_moved(const CommandList& commands, const Frame& frame, const World& world,

@@ -44,12 +44,12 @@ struct World {
     std::optional<glm::dvec3> camera_world{};  // empty for a parallel projection
     double frustum_depth = 1;                  // in normalised device coordinates: the deepest visible vertex
     Surroundings around{};
-    std::vector<LightMarker> lights{};
+    std::vector<LightMarker> lights{};  // black ones last, each by its number
 };
 // `around`: those to keep, so that the view stands still while things move.
 World world_of(const CommandList& commands, const Frame& frame, const std::optional<Surroundings>& around = {});
 
-// The camera of the world view: it orbits the middle.
+// The camera of the world view: it orbits the middle, not below it.
 struct OutsideCamera {
     double yaw_deg = 40, pitch_deg = 25;
     double zoom = 1.2;  // 1 shows the whole sphere around the surroundings
@@ -91,9 +91,13 @@ struct Handle {
     friend bool operator==(const Handle&, const Handle&) = default;
 };
 glm::dvec3 place_of(const World& world, const Handle& handle);  // in world coordinates
-// The nearest handle within `reach` pixels of this place.
+// The nearest handle within `reach` pixels of this place; of several at one place the first.
 std::optional<Handle> handle_at(const World& world, const WorldProjection& projection, const glm::dvec2& place,
                                 double reach = 12);
+
+// The index of the call that set the handle's place; empty if none did.
+std::optional<std::size_t> command_of(const CommandList& commands, const Frame& frame, const World& world,
+                                      const Handle& handle);
 
 // The commands with a handle moved to this place. The glLight call that set the value changes; a light whose value was never
 // set gets a call at the start. Values are rounded to three digits of the world's radius.

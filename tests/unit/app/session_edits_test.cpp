@@ -175,6 +175,19 @@ TEST(SessionEdits, FindsTheGroupAndTheCommandOfEachDraw) {
     EXPECT_EQ(draws[1], draws[0] + 1);
 }
 
+TEST(SessionEdits, MovingUpAndDownGoesPastGroups) {
+    const CommandList commands = scene("glEnable(GL_LIGHT0);" + kTriangle + "glEnable(GL_LIGHT1); glutSolidCube(1);");
+    EXPECT_EQ(index_below(commands, 0), 5u);  // behind glBegin, three vertices and glEnd
+    EXPECT_EQ(index_above(commands, 6), 1u);
+    EXPECT_EQ(index_below(commands, 1), 2u);  // the group, past one command
+    EXPECT_EQ(index_above(commands, 1), 0u);
+    EXPECT_EQ(index_above(commands, 3), 2u);  // a vertex, within its group
+    EXPECT_EQ(index_above(commands, 0), 0u);
+    EXPECT_EQ(index_below(commands, 7), 7u);
+    EXPECT_EQ(lines(with_moved(commands, 6, index_above(commands, 6)))[1], "glEnable(GL_LIGHT1);");
+    EXPECT_EQ(lines(with_moved(commands, 0, index_below(commands, 0)))[5], "glEnable(GL_LIGHT0);");
+}
+
 // ---- Sentences ----
 
 std::string light_words(const std::string& setup, int light) {

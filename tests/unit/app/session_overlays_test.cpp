@@ -105,8 +105,8 @@ TEST(SessionOverlays, ProvokingVerticesAreThoseOfTable2_12) {
     const auto provoking = [](const std::string& mode, int count) {
         const OverlayPicture picture = picture_of(vertices(mode, count), kProvoking);
         std::vector<int> found;
-        for (std::size_t i = 0; i < picture.draws[0].tints.size(); i += 3)
-            found.push_back(vertex_at(picture.draws[0].tints[i].position_clip));
+        for (std::size_t i = 0; i < picture.draws[0].marks.size(); i += 3)
+            found.push_back(vertex_at(picture.draws[0].marks[i].position_clip));
         for (const OverlayVertex& point : picture.draws[0].points) found.push_back(vertex_at(point.position_clip));
         return found;
     };
@@ -137,59 +137,90 @@ TEST(SessionOverlays, BackFacesAreTinted) {
     EXPECT_EQ(tints(projection + "glFrontFace(GL_CW);" + behind), 0u);
 }
 
-TEST(SessionOverlays, ChannelsAbove1AreTinted) {
-    const auto tints = [](const std::string& emission, const std::string& more = "") {
+TEST(SessionOverlays, ChannelsAbove1AreFound) {
+    const auto brightness = [](const std::string& emission, const std::string& more = "") {
         // The light model's ambient light 0.2 times the material's 0.2 adds 0.04.
         return picture_of("glEnable(GL_LIGHTING); glMaterialfv(GL_FRONT, GL_EMISSION, (GLfloat[]){" + emission + "});" +
                               more + kTriangle,
                           kAboveOne)
             .draws[0]
-            .tints;
+            .brightness;
     };
-    EXPECT_TRUE(tints("0, 0.95, 0, 1").empty());
-    const auto above = tints("0, 1.46, 0, 1");  // by 0.5
+    EXPECT_TRUE(brightness("0, 0.95, 0, 1").empty());
+    const auto above = brightness("0, 1.46, 0, 1");  // 1.5
     ASSERT_EQ(above.size(), 3u);
-    EXPECT_NEAR(above[0].color.a, 0.3 + 0.5 * 0.5, 1e-6);
-    EXPECT_NEAR(tints("9, 0, 0, 1").at(0).color.a, 0.8, 1e-6);
+    EXPECT_NEAR(above[0].color.a, 0.75, 1e-6);
+    EXPECT_EQ(brightness("9, 0, 0, 1").at(0).color.a, 1);
     // A back face has its own colours only under two-sided lighting.
     const std::string back = "glFrontFace(GL_CW);";
-    EXPECT_EQ(tints("9, 0, 0, 1", back).size(), 3u);
-    EXPECT_TRUE(tints("9, 0, 0, 1", back + "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);").empty());
-    // One bright vertex fades towards the others. Unlit colours are clamped when they are given (2.14.6) or later.
+    EXPECT_EQ(brightness("9, 0, 0, 1", back).size(), 3u);
+    EXPECT_TRUE(brightness("9, 0, 0, 1", back + "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);").empty());
+    // One vertex has 1.54, the others 0.04.
     const auto one = picture_of(
-        "glEnable(GL_LIGHTING); glEnable(GL_COLOR_MATERIAL); glColorMaterial(GL_FRONT, GL_EMISSION);"
-        "glBegin(GL_TRIANGLES); glColor3f(3, 0, 0); glVertex2f(0, 0); glColor3f(0, 0, 0);"
+        "glEnable(GL_LIGHTING); glColorMaterial(GL_FRONT, GL_EMISSION); glEnable(GL_COLOR_MATERIAL);"
+        "glBegin(GL_TRIANGLES); glColor3f(1.5, 0, 0); glVertex2f(0, 0); glColor3f(0, 0, 0);"
         "glVertex2f(1, 0); glVertex2f(0, 1); glEnd();",
         kAboveOne);
-    ASSERT_EQ(one.draws[0].tints.size(), 3u);
-    EXPECT_NEAR(one.draws[0].tints[0].color.a, 0.8, 1e-6);
-    EXPECT_EQ(one.draws[0].tints[1].color.a, 0);
+    ASSERT_EQ(one.draws[0].brightness.size(), 3u);
+    EXPECT_NEAR(one.draws[0].brightness[0].color.a, 0.77, 1e-6);
+    EXPECT_NEAR(one.draws[0].brightness[1].color.a, 0.02, 1e-6);
+}
+
+TEST(SessionOverlays, AHighlightBetweenVerticesIsFoundForLightingPerPixel) {
+    // The light is near the middle of a square, whose corners it hardly reaches.
+    const Frame frame = frame_of(
+        "glMatrixMode(GL_PROJECTION); glOrtho(-1, 1, -1, 1, -1, 1); glMatrixMode(GL_MODELVIEW);"
+        "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);"
+        "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, 0.1, 1});"
+        "glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 4);"
+        "glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});"
+        "glNormal3f(0, 0, 1); glRectf(-1, -1, 1, 1);");
+    PlanOptions options;
+    EXPECT_TRUE(overlays_of(frame, kAboveOne, options).draws[0].brightness.empty());
+    options.shading = Shading::kPhong;
+    // At a distance r from the middle: 0.04 + 0.1 / sqrt(r^2 + 0.01) / (1 + 4 r^2 + 0.04) exceeds 1 for r below 0.0072.
+    const auto found = overlays_of(frame, kAboveOne, options).draws[0].brightness;
+    EXPECT_TRUE(std::ranges::all_of(found, [](const OverlayVertex& vertex) {
+        const bool above = vertex.color.a > 0.5F;
+        return above == (std::hypot(vertex.position_clip.x, vertex.position_clip.y) < 0.0072F);
+    }));
+    // 200 pixels by 100: the diagonal of 224 pixels has 18 parts, so one vertex is in the middle.
+    EXPECT_TRUE(std::ranges::any_of(found, [](const OverlayVertex& vertex) { return vertex.color.a > 0.5F; }));
 }
 
 TEST(SessionOverlays, KeptLightsAreThoseOfThePlan) {
     // GL_LIGHT1 is black; GL_LIGHT3 is off. The label is at the middle of the box: (0.5, 0.5), in 200 by 100 pixels.
     const std::string lit = "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_LIGHT1);";
+    const std::string white = ", GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});";
+    const auto text = [](const std::string& scene) {
+        return picture_of(scene + kTriangle, kKeptLights).labels.at(0).text;
+    };
     const OverlayPicture picture = picture_of(lit + kTriangle, kKeptLights);
     ASSERT_EQ(picture.labels.size(), 1u);
-    EXPECT_EQ(picture.labels[0].text, "light 0 of 2");
+    EXPECT_EQ(picture.labels[0].text, "light 0; not 1");
     EXPECT_EQ(picture.labels[0].place, glm::dvec2(150, 25));
-    EXPECT_EQ(picture_of("glEnable(GL_LIGHTING); glEnable(GL_LIGHT1);" + kTriangle, kKeptLights).labels.at(0).text,
-              "no light of 1");
-    EXPECT_EQ(picture_of(lit + "glLightfv(GL_LIGHT1, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});" + kTriangle, kKeptLights)
-                  .labels.at(0)
-                  .text,
-              "lights 0, 1 of 2");
+    EXPECT_EQ(text("glEnable(GL_LIGHTING); glEnable(GL_LIGHT1);"), "no light; not 1");
+    EXPECT_EQ(text("glEnable(GL_LIGHTING);"), "no light");
+    EXPECT_EQ(text(lit + "glLightfv(GL_LIGHT1" + white), "lights 0, 1");
+    std::string most = lit;
+    for (const char* number : {"2", "3", "4", "6", "7"})
+        most += "glEnable(GL_LIGHT" + std::string(number) + "); glLightfv(GL_LIGHT" + number + white;
+    EXPECT_EQ(text(most), "lights 0, 2 to 4, 6, 7; not 1");
     EXPECT_TRUE(picture_of(kTriangle, kKeptLights).labels.empty());                                   // unlit
     EXPECT_TRUE(picture_of("glTranslatef(3, 0, 0);" + lit + kTriangle, kKeptLights).labels.empty());  // outside
 }
 
 TEST(SessionOverlays, LabelsDoNotCoverEachOther) {
     const std::string lit = "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);";
-    const OverlayPicture picture =
-        picture_of(lit + kTriangle + kTriangle + "glEnable(GL_LIGHT1);" + kTriangle, kKeptLights);
-    ASSERT_EQ(picture.labels.size(), 2u);  // the second says the same as the first
-    EXPECT_EQ(picture.labels[1].text, "light 0 of 2");
-    EXPECT_GE(picture.labels[1].place.y - picture.labels[0].place.y, 18);
+    // The second is at the same place and says the same; the third is beside the first, and the fourth says something else.
+    const OverlayPicture picture = picture_of(
+        lit + kTriangle + kTriangle + "glTranslatef(-0.25, 0, 0);" + kTriangle + "glEnable(GL_LIGHT1);" + kTriangle,
+        kKeptLights);
+    ASSERT_EQ(picture.labels.size(), 3u);
+    EXPECT_EQ(picture.labels[0].place, glm::dvec2(150, 25));
+    EXPECT_EQ(picture.labels[1].place, glm::dvec2(125, 43));
+    EXPECT_EQ(picture.labels[2].place, glm::dvec2(125, 61));
+    EXPECT_EQ(picture.labels[2].text, "light 0; not 1");
 }
 
 TEST(SessionOverlays, NothingIsOnAtFirst) {

@@ -144,6 +144,8 @@ TEST(SessionWorld, TheOutsideCameraTurnsLikeATurntable) {
     EXPECT_GT(x(projection_of(seen.world, camera, kWidth, kHeight), {0, 0, 4}), kWidth / 2.0);
     orbit(camera, 0, 1000);
     EXPECT_EQ(camera.pitch_deg, 89);
+    orbit(camera, 0, -1000);
+    EXPECT_EQ(camera.pitch_deg, 0);
     zoom(camera, 1000);
     EXPECT_EQ(camera.zoom, 20);
 }
@@ -212,6 +214,11 @@ TEST(SessionWorld, TheNearestHandleIsFound) {
     for (const Handle& handle : {left, tip, right})
         EXPECT_EQ(handle_at(seen.world, seen.projection, seen.place(handle) + glm::dvec2(3, -2)), handle);
     EXPECT_EQ(handle_at(seen.world, seen.projection, seen.place(left) + glm::dvec2(13, 0), 5), std::nullopt);
+    // GL_LIGHT2 and GL_LIGHT3 are where lights are initially; the first is black.
+    const Seen initial(kLit + on(2) + on(3) + light(3, "GL_DIFFUSE", "1, 1, 1, 1") + kSquare);
+    const auto found = handle_at(initial.world, initial.projection, initial.place({0, false}));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(initial.world.lights[found->light].number, 3);
 }
 
 // ---- Dragging ----
@@ -240,6 +247,9 @@ TEST(SessionWorld, ADraggedLightFollowsTheMouse) {
         for (std::size_t i = 0; i < seen.commands.commands.size(); ++i)
             changed += seen.commands.commands[i] == after.commands.commands[i] ? 0 : 1;
         EXPECT_EQ(changed, 1) << text;
+        const auto call = command_of(seen.commands, seen.frame, seen.world, handle);
+        ASSERT_TRUE(call) << text;
+        EXPECT_FALSE(seen.commands.commands[*call] == after.commands.commands[*call]) << text;
         EXPECT_EQ(read_scene(print_scene(after.commands), "test.gl", "test").commands, after.commands.commands);
     }
 }
@@ -288,6 +298,7 @@ TEST(SessionWorld, TheTipOfASpotlightTurnsItsCone) {
 
 TEST(SessionWorld, ALightThatWasNeverSetGetsACall) {
     const Seen seen(kProjection + kLookAt + kLit + on(0) + kSquare);
+    EXPECT_EQ(command_of(seen.commands, seen.frame, seen.world, {}), std::nullopt);
     const Seen after = seen.dragged({}, {30, 10});
     ASSERT_EQ(after.commands.commands.size(), seen.commands.commands.size() + 1);
     EXPECT_EQ(after.commands.commands[0].id, CommandId::glLightfv);

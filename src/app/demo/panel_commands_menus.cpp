@@ -1,0 +1,219 @@
+// The panel of calls: its menu of a right click, the list of legal names, and the line that takes a typed call.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <string_view>
+
+#include "app/demo/command_text.h"
+#include "app/demo/panel_commands.h"
+#include "app/demo/theme.h"
+#include "app/session/edits.h"
+#include "scene/command/print_parts.h"
+#include "scene/command/text.h"
+
+namespace twinlight::demo {
+namespace {
+
+using session::Editing;
+using session::Session;
+
+// The calls that the insert menu offers.
+constexpr const char* kTemplates[] = {
+    "glEnable(GL_LIGHTING);",
+    "glEnable(GL_LIGHT0);",
+    "glEnable(GL_NORMALIZE);",
+    "glEnable(GL_COLOR_MATERIAL);",
+    "glDisable(GL_LIGHTING);",
+    "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 2, 2, 1});",
+    "glLightfv(GL_LIGHT0, GL_AMBIENT, (GLfloat[]){0, 0, 0, 1});",
+    "glLightfv(GL_LIGHT0, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1});",
+    "glLightfv(GL_LIGHT0, GL_SPECULAR, (GLfloat[]){1, 1, 1, 1});",
+    "glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, (GLfloat[]){0, 0, -1});",
+    "glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);",
+    "glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, 10);",
+    "glLightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, 1);",
+    "glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 0.1);",
+    "glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.05);",
+    "glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, (GLfloat[]){0.8, 0.8, 0.8, 1});",
+    "glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, (GLfloat[]){0.2, 0.2, 0.2, 1});",
+    "glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, (GLfloat[]){0.8, 0.8, 0.8, 1});",
+    "glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, (GLfloat[]){0.5, 0.5, 0.5, 1});",
+    "glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, (GLfloat[]){0, 0, 0, 1});",
+    "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 32);",
+    "glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);",
+    "glColor3f(1, 1, 1);",
+    "glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (GLfloat[]){0.2, 0.2, 0.2, 1});",
+    "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);",
+    "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);",
+    "glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);",
+    "glShadeModel(GL_FLAT);",
+    "glPushMatrix();",
+    "glPopMatrix();",
+    "glTranslatef(0, 0, 0);",
+    "glRotatef(30, 0, 1, 0);",
+    "glScalef(1, 1, 1);",
+    "glLoadIdentity();",
+    "gluLookAt(0, 2, 8, 0, 0, 0, 0, 1, 0);",
+    "glutSolidSphere(1, 48, 24);",
+    "glutSolidCube(1);",
+    "glutSolidTorus(0.3, 0.8, 24, 48);",
+    "glutSolidTeapot(1);",
+    "glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);",
+    "glFrontFace(GL_CW);",
+};
+
+// Whether the text has all letters of the pattern, in any case, in this order next to each other.
+bool has_text(std::string_view text, std::string_view pattern) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return !std::ranges::search(text, pattern, {}, lower, lower).empty();
+}
+
+}  // namespace
+
+void CommandsPanel::show_argument_menu(Session& session) {
+    if (!ImGui::BeginPopup("argument menu")) return;
+    if (!asked_ || asked_->command >= commands(session).commands.size()) {
+        ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+        return;
+    }
+    const std::shared_ptr<const CommandList> list = session.history.now();
+    const std::size_t index = asked_->command, argument = asked_->argument;
+    const Command& command = list->commands[index];
+    const Command* const opened = opened_command(session, index);
+    const auto printed = [&](double value) {
+        Command with = command;
+        with.arguments[argument] = value;
+        for (const PrintedPart& part : print_parts(with))
+            if (part.argument == argument) return part.text;
+        return std::string();
+    };
+    if (argument < command.arguments.size()) {
+        const session::ArgumentInfo info = session::argument_info(command, argument);
+        if (info.initial) {
+            const std::string label = "Reset to GL's default: " + printed(*info.initial);
+            if (ImGui::MenuItem(label.c_str())) set_argument(session, index, argument, *info.initial);
+        }
+        if (opened && opened->id == command.id && argument < opened->arguments.size()) {
+            const std::string label = "Reset to the file's value: " + printed(opened->number(argument));
+            const bool differs = opened->number(argument) != command.number(argument);
+            if (ImGui::MenuItem(label.c_str(), nullptr, false, differs))
+                set_argument(session, index, argument, opened->number(argument));
+        }
+    }
+    const Command defaults = session::with_initial_values(command);
+    if (defaults != command && ImGui::MenuItem("Reset the call to GL's defaults"))
+        edit(session, session::with_command(*list, index, defaults), "reset " + std::string(command.name()));
+    if (opened && *opened != command && ImGui::MenuItem("Reset the call to the file's"))
+        edit(session, session::with_command(*list, index, *opened), "reset " + std::string(command.name()));
+    ImGui::Separator();
+    const std::size_t count = session::end_of_group(*list, index) - index + 1;
+    if (ImGui::MenuItem("Move up", nullptr, false, index > 0)) move_call(session, index, false);
+    if (ImGui::MenuItem("Move down", nullptr, false, index + count < list->commands.size()))
+        move_call(session, index, true);
+    if (ImGui::MenuItem("Duplicate") && count == 1)
+        edit(session, session::with_inserted(*list, index + 1, session::new_command(command.id, command.arguments)),
+             "duplicate " + std::string(command.name()));
+    if (ImGui::MenuItem(count > 1 ? "Delete all up to glEnd" : "Delete"))
+        edit(session, session::without_command(*list, index, count), "delete " + std::string(command.name()));
+    ImGui::EndPopup();
+}
+
+void CommandsPanel::show_choices(Session& session) {
+    if (!ImGui::BeginPopup("choices")) return;
+    if (!asked_ || asked_->command >= commands(session).commands.size()) {
+        ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+        return;
+    }
+    const Command command = commands(session).commands[asked_->command];
+    const bool is_bits = session::argument_info(command, asked_->argument).editing == Editing::kBits;
+    const double value = command.number(asked_->argument);
+    const float line = is_bits ? ImGui::GetFrameHeightWithSpacing() : ImGui::GetTextLineHeightWithSpacing();
+    const float height = std::min(static_cast<float>(choices_.size()), 16.0f) * line;
+    float width = 0;
+    for (const session::Choice& choice : choices_) width = std::max(width, ImGui::CalcTextSize(choice.name.c_str()).x);
+    ImGui::BeginChild("names", {width + static_cast<float>(scale()) * (is_bits ? 60 : 30), height}, false);
+    for (const session::Choice& choice : choices_) {
+        const auto bit = static_cast<std::uint32_t>(choice.value);
+        if (is_bits) {
+            bool on = (static_cast<std::uint32_t>(value) & bit) != 0;
+            if (ImGui::Checkbox(choice.name.c_str(), &on))
+                set_argument(session, asked_->command, asked_->argument,
+                             static_cast<double>(static_cast<std::uint32_t>(value) ^ bit));
+            continue;
+        }
+        const bool is_current = choice.value == value;
+        if (ImGui::Selectable(choice.name.c_str(), is_current)) {
+            set_argument(session, asked_->command, asked_->argument, choice.value);
+            ImGui::CloseCurrentPopup();
+        }
+        // The picture and the help follow the mouse only after a click; the help tells what a name means.
+        if (ImGui::IsItemHovered())
+            help_ = session::argument_help(session::changed_argument(command, asked_->argument, choice.value),
+                                           asked_->argument);
+        if (is_current && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+    }
+    ImGui::EndChild();
+    ImGui::EndPopup();
+}
+
+// A call typed as C, or picked from common ones. It takes the place of `replaced_`, or goes after the selected call.
+void CommandsPanel::show_insert(Session& session) {
+    ImGui::SetNextWindowSize({static_cast<float>(scale()) * (560), 0});
+    if (!ImGui::BeginPopup("type a call")) return;
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::PushFont(fonts().code);
+    ImGui::SetNextItemWidth(-1);
+    bool done = ImGui::InputTextWithHint("##call", "type a call, such as glEnable(GL_FOG);", inserted_text_,
+                                         sizeof inserted_text_, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (!insert_error_.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, kBad);
+        ImGui::TextWrapped("%s", insert_error_.c_str());
+        ImGui::PopStyleColor();
+    }
+    if (!replaced_) {
+        ImGui::BeginChild("templates", {0, static_cast<float>(scale()) * (260)}, false);
+        for (const char* text : kTemplates) {
+            if (!has_text(text, inserted_text_)) continue;
+            if (ImGui::Selectable(text)) {
+                std::snprintf(inserted_text_, sizeof inserted_text_, "%s", text);
+                done = true;
+            }
+        }
+        ImGui::EndChild();
+    }
+    ImGui::PopFont();
+    if (done) {
+        try {
+            const CommandList typed = read_scene(inserted_text_, "the typed call", "the typed call");
+            CommandList edited = commands(session);
+            std::size_t at = edited.commands.size();
+            if (session.selected_command && *session.selected_command < at)
+                at = session::end_of_group(edited, *session.selected_command) + 1;
+            if (replaced_) {
+                at = *replaced_;
+                edited = session::without_command(edited, at);
+            }
+            at = std::min(at, edited.commands.size());
+            for (std::size_t i = 0; i < typed.commands.size(); ++i) {
+                Command command = typed.commands[i];
+                if (replaced_ && i == 0) command.place = commands(session).commands[*replaced_].place;
+                edited = session::with_inserted(edited, at + i, std::move(command));
+            }
+            edit(session, std::move(edited), replaced_ ? "change a call" : "insert a call");
+            session.selected_command = at;
+            insert_error_.clear();
+            ImGui::CloseCurrentPopup();
+        } catch (const std::exception& error) {
+            insert_error_ = error.what();
+        }
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace twinlight::demo
