@@ -200,7 +200,7 @@ deps:  ## install missing packages with apt; build nothing
 
 golden: deps  ## rewrite the golden pictures (CASE=scene for one); look at each before you commit it
 	@$(MAKE) test-binary
-	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(PROGRAMS)/twinlight-tests --gtest_filter='*GoldenScenes*'
+	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(PROGRAMS)/twinlight-tests --gtest_filter='*GoldenScenes*:*GoldenHomework*'
 
 instructions: deps  ## recount the instructions in tests/instructions after an intended change
 	@$(MAKE) test-binary

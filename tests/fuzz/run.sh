@@ -25,7 +25,7 @@ if [ "$target" = scene ]; then
     printf '"%s"\n' 'for (' 'while (' 'do ' 'if (' 'else ' 'switch (' 'case ' 'default:' break continue 'return ' static const enum \
         'void ' 'int ' 'float ' 'double ' 'GLfloat ' 'GLuint ' bool 'main(' 'display' glutDisplayFunc glutReshapeFunc glutInitWindowSize \
         glutMainLoop glutSwapBuffers '#define ' '#ifdef ' '#if ' '#else\x0a' '#endif\x0a' sin cos sqrt fabs pow atan2 fmod floor M_PI \
-        '++' '--' '+=' '&&' '||' '==' '!=' '<=' '<<' '?' '%' >>"$build/$target.dict"
+        'typedef ' 'char *' 'float *' '*p++' '(*p)' '++' '--' '+=' '&&' '||' '==' '!=' '<=' '<<' '?' '%' >>"$build/$target.dict"
 fi
 
 # A leak is told at the end; what a machine does in a second may take a sanitizer's build a minute.

@@ -5,17 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
 
 #include "../unit/compare_three_ways.h"
-#include "../unit/pictures.h"
-#include "base/image/png.h"
+#include "golden_picture.h"
 #include "judge/compare/allowances.h"
 #include "judge/compare/comparison.h"
 #include "judge/report/report.h"
-#include "picture_failure.h"
 #include "render/context/driver_name.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
@@ -43,27 +39,6 @@ Scene scene_of(const std::string& name) {
 
 compare::Comparison comparison_of(const std::string& name, Shading per_pixel = Shading::kPhong) {
     return compare_three_ways(scene_of(name), per_pixel);
-}
-
-// Writes it instead where `make golden` asks for that.
-void expect_golden(const std::string& scene, const std::string& file_name, const Image& image,
-                   const AllowedDifference& allowed) {
-    const char* write = std::getenv("TWINLIGHT_WRITE_GOLDEN");
-    const std::string folder = "golden/scenes/" + scene, file = folder + "/" + file_name;
-    if (write && (std::string_view(write) == "*" || scene == write)) {
-        std::filesystem::create_directories(folder);
-        write_png(file, image);
-        fmt::print("wrote {}\n", file);
-        return;
-    }
-    ASSERT_TRUE(std::filesystem::exists(file))
-        << "there is no " << file << "; make golden CASE=" << scene << " writes it";
-    const Image golden = read_png(file);
-    Image actual = image;
-    for (Rgba& pixel : actual.pixels) pixel[3] = 1;  // pictures in files have no alpha
-    // Edges may fall to either side on another driver; the interior is held to what two renderers are held to.
-    if (compare::judge(difference(actual, golden, allowed), {}) == compare::Verdict::kBeyond)
-        ADD_FAILURE() << picture_failure(scene + "-" + file_name, actual, golden).message();
 }
 
 class GoldenScenes : public testing::TestWithParam<std::string> {};
@@ -94,14 +69,14 @@ TEST_P(GoldenScenes, AgreeThreeWaysAndWithTheGoldenPictures) {
     EXPECT_TRUE(comparison.unsupported.empty());
     expect_agreement(comparison);
     for (const compare::Render& render : comparison.renders)
-        expect_golden(name, report::picture_file(render), render.image, allowed_of(render, comparison));
+        expect_golden(name, "scenes/" + name, report::picture_file(render), render.image,
+                      allowed_of(render, comparison));
 }
 
 // Of the reference alone: nothing is left to a driver.
 TEST_P(GoldenScenes, HaveTheGoldenPictureOfTheirExactSurfaces) {
     const Image image = reference::render(scene_of(GetParam()).frame, {{.shading = Shading::kExact}});
-    expect_golden(GetParam(), "reference-exact.png", image,
-                  {.edge = PixelMask(image.pixels.size()), .channels = Image(image.width, image.height)});
+    expect_golden(GetParam(), "scenes/" + GetParam(), "reference-exact.png", image, nothing_is_allowed(image));
 }
 
 // By shaders, to what two renderers are held to.

@@ -183,7 +183,13 @@ void WorldView::show_markers(const session::Session& session, const Box& box) co
             draw.AddCircleFilled(*at, 4, kAccent);
             text({at->x - ImGui::CalcTextSize("camera").x - 16, at->y - ImGui::GetFontSize() / 2}, kAccent, "camera");
         }
-    for (std::size_t i = 0; i < world_.lights.size(); ++i) {
+    struct Name {
+        ImVec2 at;
+        std::string text;
+        bool bright;
+    };
+    std::vector<Name> names;
+    for (std::size_t i = world_.lights.size(); i-- > 0;) {  // the first on top
         const LightMarker& light = world_.lights[i];
         const auto at = place(light.place_world);
         if (!at) continue;
@@ -213,8 +219,20 @@ void WorldView::show_markers(const session::Session& session, const Box& box) co
             }
         }
         draw_bulb(draw, *at, light, bright);
+        // Lights at one place share a line.
+        const auto same_place = std::ranges::find_if(names, [&](const Name& name) {
+            return std::abs(name.at.x - at->x) < kBulb && std::abs(name.at.y - at->y) < kBulb;
+        });
+        if (same_place == names.end()) {
+            names.push_back({*at, light_name(light.number), bright});
+        } else {
+            same_place->text = light_name(light.number) + ", " + same_place->text;
+            same_place->bright = same_place->bright || bright;
+        }
+    }
+    for (const Name& name : names) {
         const float beside = (kBulb + 6) * static_cast<float>(scale());
-        text({at->x + beside, at->y - ImGui::GetFontSize() - 2}, bright ? kText : kDim, light_name(light.number));
+        text({name.at.x + beside, name.at.y - ImGui::GetFontSize() - 2}, name.bright ? kText : kDim, name.text);
     }
 }
 

@@ -239,7 +239,7 @@ World world_of(const CommandList& commands, const Frame& frame, const std::optio
             if (const auto marker = marker_of(light, static_cast<int>(i), world)) world.lights.push_back(*marker);
         }
     }
-    std::ranges::stable_sort(world.lights, {}, &LightMarker::number);
+    std::ranges::stable_sort(world.lights, {}, [](const LightMarker& l) { return std::pair(l.is_black, l.number); });
     return world;
 }
 
@@ -365,7 +365,7 @@ std::optional<Handle> handle_at(const World& world, const WorldProjection& proje
             if (is_spot_direction && !world.lights[i].cutoff_deg) continue;
             const Handle handle{i, is_spot_direction};
             const auto at = projection.place_of(place_of(world, handle));
-            if (!at || glm::distance(glm::dvec2(*at), place) > least) continue;
+            if (!at || glm::distance(glm::dvec2(*at), place) >= least) continue;
             least = glm::distance(glm::dvec2(*at), place);
             nearest = handle;
         }

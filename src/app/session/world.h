@@ -44,7 +44,7 @@ struct World {
     std::optional<glm::dvec3> camera_world{};  // empty for a parallel projection
     double frustum_depth = 1;                  // in normalised device coordinates: the deepest visible vertex
     Surroundings around{};
-    std::vector<LightMarker> lights{};
+    std::vector<LightMarker> lights{};  // black ones last, each by its number
 };
 // `around`: those to keep, so that the view stands still while things move.
 World world_of(const CommandList& commands, const Frame& frame, const std::optional<Surroundings>& around = {});
@@ -91,7 +91,7 @@ struct Handle {
     friend bool operator==(const Handle&, const Handle&) = default;
 };
 glm::dvec3 place_of(const World& world, const Handle& handle);  // in world coordinates
-// The nearest handle within `reach` pixels of this place.
+// The nearest handle within `reach` pixels of this place; of several at one place the first.
 std::optional<Handle> handle_at(const World& world, const WorldProjection& projection, const glm::dvec2& place,
                                 double reach = 12);
 

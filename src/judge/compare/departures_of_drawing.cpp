@@ -141,6 +141,20 @@ bool adds_secondary_color_in_fog(const Draw& draw) {
     return draw.fog.enabled && draw.lighting.enabled && draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
 }
 
+bool has_w_in_fog(const Draw& draw) {
+    return draw.fog.enabled && std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+               return std::abs((draw.eye_from_object * vertex.position_object).w - 1) > 1e-9;
+           });
+}
+
+// Linear fog does not depart: 3.10 allows f to be computed at each vertex and interpolated, which gives the same colour.
+bool has_exponential_fog_behind_the_eye(const Draw& draw) {
+    if (!draw.fog.enabled || draw.fog.mode == kGL_LINEAR || draw.mode == kGL_POINTS) return false;
+    const auto z_eye = [&](const Vertex& vertex) { return (draw.eye_from_object * vertex.position_object).z; };
+    return std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) { return z_eye(vertex) > 0; }) &&
+           std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) { return z_eye(vertex) < 0; });
+}
+
 bool clamps_between_nearest_and_linear(const Draw& draw) {
     const Texture* texture = draw.texture.texture.get();
     if (!texture || (texture->wrap_s != kGL_CLAMP && texture->wrap_t != kGL_CLAMP)) return false;

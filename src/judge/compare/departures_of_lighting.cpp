@@ -97,12 +97,6 @@ bool has_w_under_positional_light(const Draw& draw, const Vertex& vertex) {
             any_light(draw, [](const LightSource& light) { return light.position_eye.w != 0; }));
 }
 
-bool has_w_in_fog(const Draw& draw) {
-    return draw.fog.enabled && std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
-               return std::abs((draw.eye_from_object * vertex.position_object).w - 1) > 1e-9;
-           });
-}
-
 bool has_extreme_direction(const Draw& draw, const Vertex& vertex) {
     return draw.lighting.enabled &&
            (leaves_floats(vertex.normal_object) || any_light(draw, [](const LightSource& light) {

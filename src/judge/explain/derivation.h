@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "judge/explain/explain.h"
@@ -46,13 +47,30 @@ struct Line {
     reference::Vec color{};
     std::optional<int> light{};  // the number of the light that the line belongs to
 };
+// Lines can be added up.
+using Lines = std::vector<Line>;
+inline Lines operator+(Lines a, const Lines& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+inline Lines& operator+=(Lines& a, const Lines& b) { return a = std::move(a) + b; }
+
+// A name, its value, and how it is computed.
+Lines line(std::string what, std::string value, std::string how = "");
+Lines color_line(std::string what, std::string how, const reference::Vec& color);
+
 // `whole`: also the factors that are 1 because the scene does not use them.
-std::vector<Line> derivation_lines(const Derivation& at, bool whole);
+Lines derivation_lines(const Derivation& at, bool whole);
 std::string text_of(const Line& line, bool in_color);
 
 // With TextOptions::all also the factors that are 1 because the scene does not use them.
 std::string derivation_text(const Derivation& at, const TextOptions& options);
 Json derivation_json(const Derivation& at);
+
+// Texture, colour sum and fog of a fragment, if they are used. `is_exact`: a point of a curved surface.
+Lines after_lighting_lines(const reference::ColorSteps& steps, const Draw& draw, bool is_exact);
+// Adds "texture" and "fog", if they are used.
+void add_after_lighting(const reference::ColorSteps& steps, const Draw& draw, Json& json);
 
 // "for GL_LIGHT0 the specification is silent (a zero normal); our choice: ambient and emission only"
 std::string rulings_text(const std::vector<reference::PixelFragment::Decided>& rulings);
@@ -61,6 +79,8 @@ Json rulings_json(const std::vector<reference::PixelFragment::Decided>& rulings)
 // "GL_LIGHT0", "GL_LIGHT3"
 std::vector<std::string> names_of(const std::vector<int>& lights);
 Json color_json(const reference::Vec& c);
+// "(0.5, 1, 0, 1)"
+std::string quadruple(const glm::dvec4& v);
 // "   0.80000   0.50000   0.31000"
 std::string columns(const reference::Vec& c);
 // A line of the tables: a name, how it is computed, and its red, green and blue.

@@ -12,6 +12,17 @@
 
 namespace twinlight::explain {
 
+std::string quadruple(const glm::dvec4& v) {
+    return fmt::format("({:.5g}, {:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z, v.w);
+}
+
+Lines line(std::string what, std::string value, std::string how) {
+    return {{Line::Kind::kValue, std::move(what), std::move(value), std::move(how)}};
+}
+Lines color_line(std::string what, std::string how, const reference::Vec& color) {
+    return {{Line::Kind::kColor, std::move(what), "", std::move(how), color}};
+}
+
 namespace {
 
 using lighting::LightTerms;
@@ -21,25 +32,8 @@ using reference::Vec;
 std::string triple(const Vec& v) {
     return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);  // + 0.0 makes -0 positive
 }
-std::string quadruple(const glm::dvec4& v) {
-    return fmt::format("({:.5g}, {:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z, v.w);
-}
 std::string short_color(const Vec& c) { return fmt::format("({:.5g} {:.5g} {:.5g})", c.x, c.y, c.z); }
 
-// Lines can be added up.
-using Lines = std::vector<Line>;
-Lines operator+(Lines a, const Lines& b) {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
-Lines& operator+=(Lines& a, const Lines& b) { return a = std::move(a) + b; }
-
-Lines line(std::string what, std::string value, std::string how = "") {
-    return {{Line::Kind::kValue, std::move(what), std::move(value), std::move(how)}};
-}
-Lines color_line(std::string what, std::string how, const Vec& color) {
-    return {{Line::Kind::kColor, std::move(what), "", std::move(how), color}};
-}
 Lines note(std::string words) { return {{Line::Kind::kNote, "", std::move(words)}}; }
 
 Lines place_lines(const Derivation& at) {
@@ -290,7 +284,7 @@ Lines sum_lines(const Derivation& at) {
 
 }  // namespace
 
-std::vector<Line> derivation_lines(const Derivation& at, bool whole) {
+Lines derivation_lines(const Derivation& at, bool whole) {
     const LitPoint& point = at.point;
     Lines text = place_lines(at) + normal_lines(at);
     const bool has_highlights = !is_zero(point.material.specular) && std::ranges::any_of(at.lights, [&](int light) {

@@ -53,6 +53,7 @@ Json fragment_json(const PixelFragment& fragment, const Scene& scene, const Draw
             json["points"].push_back(
                 derivation_json({scene.frame, draw, fragment.draw + 1, fragment.lights, point, lecture_variants}));
     }
+    add_after_lighting(fragment.steps, draw, json);
     json["color"] = color_json(vec3_cast<Vec>(fragment.color));
     json["rulings"] = rulings_json(fragment.rulings);
     return json;

@@ -93,6 +93,8 @@ std::string fragment_text(const PixelFragment& fragment, const Scene& scene, con
     } else {
         text += "  GL_LIGHTING is disabled: the colour is glColor's, and no light matters\n";
     }
+    for (const Line& line : after_lighting_lines(fragment.steps, draw, fragment.corners.empty()))
+        text += (line.kind == Line::Kind::kHeadingOfColors ? "\n" : "") + text_of(line, options.in_color);
     text += "\n" + color_row("fragment", steps_after_lighting(fragment, draw, lecture_variants),
                              vec3_cast<Vec>(fragment.color));
     return text + rulings_text(fragment.rulings);

@@ -26,7 +26,8 @@ class Builder {
                                  shows("GL_GENERATE_MIPMAP after glPopAttrib");
         if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
         add("glMatrixMode(GL_MODELVIEW);");
-        if (shows("the colour sum in fog") || shows("fog of a vertex whose w is not 1") || structure_.chance(0.4))
+        if (shows("the colour sum in fog") || shows("fog of a vertex whose w is not 1") || reaches_behind() ||
+            structure_.chance(0.4))
             fog();
         raster();
         lit_ = shows("the colour sum in fog") || shows("glRect as a quadrilateral") || structure_.chance(0.4);
@@ -125,8 +126,11 @@ class Builder {
         add("glEnable({});", target);
     }
 
+    bool reaches_behind() const { return shows("exponential fog on primitives that reach behind the eye"); }
+
     void fog() {
-        add("glEnable(GL_FOG); glFogi(GL_FOG_MODE, {});", one_of({"GL_LINEAR", "GL_EXP", "GL_EXP2"}));
+        add("glEnable(GL_FOG); glFogi(GL_FOG_MODE, {});",
+            reaches_behind() ? "GL_EXP" : one_of({"GL_LINEAR", "GL_EXP", "GL_EXP2"}));
         add("glFogf(GL_FOG_DENSITY, {:.4f}); glFogfv(GL_FOG_COLOR, {});", random_.uniform(0, 0.3), vector());
         add("glFogf(GL_FOG_START, {:.3f}); glFogf(GL_FOG_END, {:.3f});", random_.uniform(1, 6), random_.uniform(6, 12));
     }
@@ -250,7 +254,8 @@ class Builder {
         const bool of_triangles = shows("polygon offset of one of two polygon modes") ||
                                   shows("polygon offset of borders that leaves the depth range") ||
                                   shows("polygon offset of only lines or points") ||
-                                  shows("clipped polygons as lines and points") || shows("the colour sum in fog");
+                                  shows("clipped polygons as lines and points") || shows("the colour sum in fog") ||
+                                  reaches_behind();
         if (shows("glRect as a quadrilateral")) return flat("glRectf");
         if (shows("edge flags of strips and fans")) return anywhere("GL_TRIANGLE_STRIP");
         if (shows("edge flags in a display list"))
@@ -274,7 +279,7 @@ class Builder {
         const bool flags = !of_strips || shows("edge flags of strips and fans");
         for (int i = 0; i < 12; ++i) {
             if (!late || i > 4) text += attributes(i == 0, flags);
-            const double depth = random_.uniform(2, 9);
+            const double depth = random_.uniform(reaches_behind() ? -5 : 2, 9);
             const double x = random_.uniform(-1, 1) * depth, y = random_.uniform(-1, 1) * depth;
             if (shows("fog of a vertex whose w is not 1"))
                 text += fmt::format("glVertex4f({:.4f}, {:.4f}, {:.4f}, 2);\n", 2 * x, 2 * y, -2 * depth);

@@ -34,8 +34,9 @@ constexpr CommandSet kOnlyInDraws = CommandSet::of({"vertex", "tex_coord", "mult
 
 class Walk {
   public:
-    explicit Walk(const Frame& frame) : state_({.width = frame.width, .height = frame.height}) {
+    Walk(const Frame& frame, bool knows_window) : state_({.width = frame.width, .height = frame.height}) {
         for (const Rule& rule : rules()) watches_.push_back(rule.make());
+        for (const auto& watch : watches_) watch->start(knows_window);
         state_.watch_lists([this](const Command& command, bool is_done) { show(command, is_done); });
     }
 
@@ -102,12 +103,12 @@ std::vector<Warning> joined(std::vector<Warning> warnings) {
 }  // namespace
 
 std::vector<Warning> lint(const Scene& scene) {
-    Walk walk(scene.frame);
+    const CommandList* list = scene.recording->command_list();
+    Walk walk(scene.frame, list && list->window);
     scene.recording->for_each([&](const Step& step) {
         walk.take(step);
         return true;
     });
-    const CommandList* list = scene.recording->command_list();
     std::vector<Warning> warnings = walk.finish(scene.frame, list == nullptr);
     if (list && list->text) {
         const Allowed allowed(*list->text);

@@ -292,6 +292,29 @@ class TextureReplacesLight : public Watch {
     }
 };
 
+// GL ignores an enabled texture that is incomplete.
+class TextureIncomplete : public Watch {
+  public:
+    void after(const Command& command, const State& state) override {
+        if (is_effect(command, "tex_image") && command.enumerant(0) == kGL_TEXTURE_2D && command.number(1) == 0)
+            images_[state.attributes().units[0].bound_2d] = command.place;
+    }
+    void drawn(const Draw& draw, const State& state) override {
+        const TextureBindings& unit = state.attributes().units[0];
+        const auto image = images_.find(unit.bound_2d);
+        if (!unit.enabled_2d || draw.texture.texture || image == images_.end()) return;
+        const std::string call = "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);";
+        warn({.place = image->second,
+              .message = "this texture has no effect: its GL_TEXTURE_MIN_FILTER needs mipmaps, and not all levels are "
+                         "there",
+              .fix = call,
+              .edits = {{.place = image->second, .insert = call, .is_after = true}}});
+    }
+
+  private:
+    std::map<std::uint32_t, Place> images_;  // of level 0, by the texture's name
+};
+
 // A highlight that a texture darkens, where a secondary colour would keep it.
 class TextureDimsHighlight : public MaterialWatch {
     void drawn(const Draw& draw, const State&) override {
@@ -523,6 +546,23 @@ std::vector<Rule> material_rules() {
  glEnd();
 )",
          make_watch<FlatDropsColors>},
+        {"texture-incomplete",
+         "A texture is enabled, but its minification filter needs mipmaps, and there are none. The object is drawn "
+         "without the texture.",
+         "Section 3.8.10: an incomplete texture works as if texturing were disabled. Table 3.18: the initial filter is "
+         "`GL_NEAREST_MIPMAP_LINEAR`.",
+         "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);",
+         R"(// the view
+// the light
+ GLubyte texels[] = {255, 128, 0, 255, 0, 128, 255, 255};
+ glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
++glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+ glEnable(GL_TEXTURE_2D);
+ GLUquadric* ball = gluNewQuadric();
+ gluQuadricTexture(ball, GL_TRUE);
+ gluSphere(ball, 1.5, 40, 20);
+)",
+         make_watch<TextureIncomplete>},
         {"texture-replaces-light", "A texture with `GL_REPLACE` covers a lit object. The light has no effect.",
          "Section 3.8.13, table 3.21: `GL_REPLACE` takes the colour of the texture and drops that of the vertex.",
          "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);",

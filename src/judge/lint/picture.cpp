@@ -368,12 +368,11 @@ class SpotBetweenVertices : public Watch {
 };
 
 // (n . h)^s with attenuation and cone, section 2.14.1.
-double highlight(const Draw& draw, const LightSource& light, const EyeVertex& point) {
+double highlight(const Draw& draw, const LightSource& light, const EyeVertex& point, bool local_viewer) {
     const glm::dvec3 way = to_light(light, point.position);
     if (glm::dot(point.normal, way) <= 0) return 0;
     glm::dvec3 eye(0, 0, 1);
-    if (draw.lighting.light_model.local_viewer && glm::length(point.position) > 0)
-        eye = -glm::normalize(point.position);
+    if (local_viewer && glm::length(point.position) > 0) eye = -glm::normalize(point.position);
     const glm::dvec3 half = way + eye;
     if (glm::length(half) == 0) return 0;
     const double cosine = std::max(0.0, glm::dot(point.normal, glm::normalize(half)));
@@ -392,7 +391,9 @@ class HighlightBetweenVertices : public Watch {
             const std::vector<Triangle> triangles = triangles_of(*draw);
             for (const int number : enabled_lights(*draw)) {
                 const LightSource& light = draw->lighting.lights[static_cast<std::size_t>(number)];
-                const auto at = [&](const EyeVertex& point) { return highlight(*draw, light, point); };
+                const auto at = [&](const EyeVertex& point) {
+                    return highlight(*draw, light, point, draw->lighting.light_model.local_viewer);
+                };
                 if (std::ranges::any_of(vertices, [&](const EyeVertex& vertex) { return at(vertex) > 0.02; })) continue;
                 const auto is_bright_inside = [&](const Triangle& triangle) {
                     return any_inside(vertices, triangle, [&](const EyeVertex& point) { return at(point) > 0.5; });
@@ -406,6 +407,68 @@ class HighlightBetweenVertices : public Watch {
                       .fix = "divide the surface into smaller pieces, or use shaders (--shading phong)"});
             }
         }
+    }
+};
+
+// Flat surfaces of many vertices, all with the same highlight, where a local viewer sees a bright place.
+class HighlightEverywhere : public Watch {
+    void finish(const Frame& frame, bool) override {
+        std::map<std::pair<int, int>, std::vector<const Draw*>> objects;  // by line and column
+        for (const Draw* draw : frame.draws())
+            if (may_be_plane(*draw)) objects[{draw->place.line, draw->place.column}].push_back(draw);
+        for (const auto& [place, draws] : objects) {
+            const Draw& first = *draws.front();
+            std::vector<EyeVertex> in_view;
+            if (!add_plane(draws, in_view) || in_view.size() < kManyVertices) continue;
+            for (const int number : enabled_lights(first)) {
+                const LightSource& light = first.lighting.lights[static_cast<std::size_t>(number)];
+                double least = INFINITY, most = 0;
+                for (const EyeVertex& vertex : in_view) {
+                    const double local = highlight(first, light, vertex, true);
+                    least = std::min(least, local);
+                    most = std::max(most, local);
+                }
+                if (most - least < 0.25) continue;
+                const std::string call = "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE);";
+                warn({.place = first.place,
+                      .message =
+                          fmt::format("this flat surface has the same highlight everywhere: {} is directional, and "
+                                      "GL_LIGHT_MODEL_LOCAL_VIEWER is off",
+                                      light_name(number)),
+                      .fix = call,
+                      .edits = {{.place = first.place, .insert = call}},
+                      .key = "flat"});
+                break;
+            }
+        }
+    }
+
+    // A surface of fewer vertices has no highlight in its middle, whatever the viewer.
+    static constexpr std::size_t kManyVertices = 36;
+
+    static bool may_be_plane(const Draw& draw) {
+        const Material& front = draw.lighting.front;
+        return draws_polygons(draw.mode) && has_specular_light(draw) && !is_black(front.specular) &&
+               front.shininess >= 1 && !draw.lighting.light_model.local_viewer && draw.clip_from_eye[2][3] != 0 &&
+               draw.lighting.shade_model == kGL_SMOOTH && draw.materials.empty() &&
+               std::ranges::none_of(draw.lighting.lights, [](const LightSource& light) {
+                   return light.enabled && light.position_eye.w != 0 && !is_black(light.specular);
+               });
+    }
+
+    // Adds the vertices in view; false if the normals differ.
+    static bool add_plane(const std::vector<const Draw*>& draws, std::vector<EyeVertex>& in_view) {
+        std::optional<glm::dvec3> normal;
+        for (const Draw* draw : draws) {
+            for (const reference::StageVertex& vertex : reference::vertex_stage(*draw)) {
+                if (!normal) normal = vertex.normal_eye;
+                if (glm::length(vertex.normal_eye - *normal) > 1e-6) return false;
+                const glm::dvec4& clip = vertex.position_clip;
+                if (std::max({std::abs(clip.x), std::abs(clip.y), std::abs(clip.z)}) > clip.w) continue;
+                in_view.push_back({glm::dvec3(vertex.position_eye), vertex.normal_eye});
+            }
+        }
+        return true;
     }
 };
 
@@ -599,6 +662,24 @@ std::vector<Rule> picture_rules() {
 +gluDisk(floor, 0, 3, 60, 60);
 )",
          make_watch<HighlightBetweenVertices>},
+        {"highlight-everywhere",
+         "A flat surface has the same highlight everywhere, although it is divided into many pieces. The light is "
+         "directional, and `GL_LIGHT_MODEL_LOCAL_VIEWER` is off.",
+         "Section 2.14.1: without a local viewer, the direction to the viewer is (0, 0, 1) at every vertex. With a "
+         "directional light, the highlight then depends on the normal only, and a flat surface has one normal.",
+         "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE);",
+         R"(// the view
+ glEnable(GL_LIGHTING);
+ glEnable(GL_LIGHT0);
+ glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 2, -6, 0});
+ glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){0.6, 0.6, 0.6, 1});
+ glMaterialf(GL_FRONT, GL_SHININESS, 100);
++glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE);
+ glRotatef(-90, 1, 0, 0);
+ GLUquadric* floor = gluNewQuadric();
+ gluDisk(floor, 0, 3, 60, 60);
+)",
+         make_watch<HighlightEverywhere>},
         {"overexposed",
          "The lights add up to more than 1 everywhere. The objects are plain white, without shading.",
          "Section 2.14.6: colours are clamped to [0, 1] after the sum.",

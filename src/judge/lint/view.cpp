@@ -58,22 +58,78 @@ class ProjectionNotReset : public Watch {
     }
 };
 
+// Objects that are squeezed, because the aspect of gluPerspective is not that of the viewport.
+class AspectOfViewport : public Watch {
+  public:
+    void start(bool knows_window) override { knows_viewport_ = knows_window; }
+    void after(const Command& command, const State&) override {
+        if (is_effect(command, "viewport")) knows_viewport_ = true;
+        if (is_effect(command, "perspective")) perspective_ = command;
+    }
+    void drawn(const Draw& draw, const State&) override {
+        const Viewport& viewport = draw.raster.viewport;
+        if (!perspective_ || !knows_viewport_ || viewport.width <= 0 || viewport.height <= 0) return;
+        if (!is_its_projection(draw.clip_from_eye) || !keeps_proportions(draw.eye_from_object)) return;
+        const double aspect = perspective_->number(1), right = static_cast<double>(viewport.width) / viewport.height;
+        constexpr double kVisible = 1.03;  // less is hardly seen; 1.3 for 4/3 is 1.026
+        if (std::max(aspect / right, right / aspect) < kVisible) return;
+        const auto number = [&](int i) { return fmt::format("{:.9g}", perspective_->number(i)); };
+        const std::string call = fmt::format("gluPerspective({}, {}.0 / {}, {}, {});", number(0), viewport.width,
+                                             viewport.height, number(2), number(3));
+        const bool is_integer_division = aspect == std::floor(right);
+        warn(
+            {.place = perspective_->place,
+             .message = fmt::format("the picture is squeezed: the aspect of gluPerspective is {:.4g}, but the viewport "
+                                    "has {} x {} pixels, which is {:.4g}",
+                                    aspect, viewport.width, viewport.height, right),
+             .fix = call + (is_integer_division ? " or, where integers are divided, (double)width / height" : ""),
+             .edits = {{.place = perspective_->place, .removes = true, .insert = call}}});
+    }
+
+  private:
+    // Whether the projection is gluPerspective's, and nothing else.
+    bool is_its_projection(const glm::dmat4& clip_from_eye) const {
+        const double aspect = perspective_->number(1);
+        if (!(aspect > 0) || clip_from_eye[2][3] != -1) return false;
+        for (int row = 0; row < 2; ++row)
+            for (int column = 0; column < 4; ++column)
+                if (row != column && clip_from_eye[column][row] != 0) return false;
+        return std::abs(clip_from_eye[0][0] * aspect / clip_from_eye[1][1] - 1) < 1e-6;
+    }
+    // Whether the modelview matrix scales all directions alike; another one may make up for the aspect.
+    static bool keeps_proportions(const glm::dmat4& eye_from_object) {
+        const glm::dmat3 m(eye_from_object);
+        const double length = glm::length(m[0]);
+        for (int i = 0; i < 3; ++i) {
+            if (std::abs(glm::length(m[i]) - length) > 0.01 * length) return false;
+            if (std::abs(glm::dot(m[i], m[(i + 1) % 3])) > 0.01 * length * length) return false;
+        }
+        return length > 0;
+    }
+
+    std::optional<Command> perspective_;  // the last one
+    bool knows_viewport_ = false;
+};
+
 class NearPlane : public Watch {
     void after(const Command& command, const State&) override {
-        if (!is_effect(command, "perspective")) return;
-        const double z_near = command.number(2), z_far = command.number(3);
+        if (!is_perspective(command)) return;
+        const bool has_angle = is_effect(command, "perspective");  // else its near plane sets the angle, too
+        const std::size_t near_at = has_angle ? 2 : 4;
+        const double z_near = command.arguments[near_at], z_far = command.arguments[near_at + 1];
         if (z_near > 0 && z_far / z_near < 2e6) return;
         Command nearer = command;
-        nearer.arguments[2] = z_far / 1000;
+        nearer.arguments[near_at] = z_far / 1000;
+        std::vector<Edit> edits;
+        if (has_angle) edits = {{.place = command.place, .removes = true, .insert = print_command(nearer)}};
         warn({.place = command.place,
-              .message =
-                  z_near <= 0
-                      ? fmt::format("the near plane of gluPerspective is {}: depths cannot be distinguished", z_near)
-                      : fmt::format("the far plane is {:.2g} times as far as the near plane: depths far away cannot "
-                                    "be distinguished",
-                                    z_far / z_near),
+              .message = z_near <= 0 ? fmt::format("the near plane of {} is {}: depths cannot be distinguished",
+                                                   command.name(), z_near)
+                                     : fmt::format("the far plane is {:.2g} times as far as the near plane: depths far "
+                                                   "away cannot be distinguished",
+                                                   z_far / z_near),
               .fix = "put the near plane as far away as possible, at least at a thousandth of the far plane",
-              .edits = {{.place = command.place, .removes = true, .insert = print_command(nearer)}}});
+              .edits = std::move(edits)});
     }
 };
 
@@ -225,8 +281,28 @@ std::vector<Rule> view_rules() {
  glutSolidSphere(1.5, 40, 20);
 )",
          make_watch<ProjectionNotReset>},
+        {"aspect-of-viewport",
+         "The aspect of `gluPerspective` is not that of the viewport. The picture is squeezed: a ball looks like an "
+         "egg. "
+         "Often `width / height` is a division of integers, which drops the fraction.",
+         "Section 2.11.1: the viewport stretches the view volume to its own width and height.",
+         "gluPerspective(45, (double)width / height, 1, 100);",
+         R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+ glEnable(GL_DEPTH_TEST);
+ int width = 160, height = 120;
+ glViewport(0, 0, width, height);
+ glMatrixMode(GL_PROJECTION);
+-gluPerspective(45, width / height, 1, 100);
++gluPerspective(45, (double)width / height, 1, 100);
+ glMatrixMode(GL_MODELVIEW);
+ gluLookAt(0, 2, 6,  0, 0, 0,  0, 1, 0);
+// the light
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<AspectOfViewport>},
         {"near-plane",
-         "The near plane of `gluPerspective` is at 0, or very much nearer than the far plane. All depths are almost "
+         "The near plane of `gluPerspective` or `glFrustum` is at 0, or very much nearer than the far plane. All "
+         "depths are almost "
          "the same, and near objects do not hide far ones.",
          "Section 2.11.1: depths are divided by the distance; their precision at distance z is about z * z / near "
          "times that of the depth buffer.",

@@ -24,6 +24,8 @@ namespace twinlight::lint {
 class Watch {
   public:
     virtual ~Watch() = default;
+    // Before the first command. `knows_window`: the text says how large the window is.
+    virtual void start(bool /*knows_window*/) {}
     virtual void before(const Command&, const State&) {}
     virtual void after(const Command&, const State&) {}
     virtual void drawn(const Draw&, const State&) {}

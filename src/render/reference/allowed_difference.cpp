@@ -183,7 +183,8 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
     Pixel pixel(int x, int y) {
         const std::size_t at = window_.index(x, y);
         const StepId id = step_[at];
-        const bool is_exact = id != kColor && (id < 0 || !stages_.draw_of(stages_.piece(id)).texture.texture);
+        const bool is_exact =
+            id != kColor && (id < 0 || !shaders_[stages_.piece(id).draw].has_several_colors(stages_.piece(id)));
         if (kept_.is_open(at) || is_exact) return {.edge = kept_.is_open(at)};
         const Channels<Interval> color = resolved(x, y);
         Pixel result{.edge = kept_.is_open(at)};

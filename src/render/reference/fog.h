@@ -27,11 +27,18 @@ Real fog_factor(const Fog& fog, Real distance) {
     return clamp01(exp(-thickness));  // GL_EXP
 }
 
+template <class Real>
+Real blended(Real f, Real fragment, Real fog) {
+    return f * fragment + (Real(1) - f) * fog;
+}
+// f stands once, so the interval is no wider than it has to be.
+inline Interval blended(Interval f, Interval fragment, Interval fog) { return fog + f * (fragment - fog); }
+
 // C = f C_r + (1 - f) C_f.
 template <class Real>
 Channels<Real> fogged(const Fog& fog, Real f, const Channels<Real>& fragment) {
     Channels<Real> result = fragment;
-    for (int i = 0; i < 3; ++i) result[i] = f * fragment[i] + (Real(1) - f) * Real(clamp01(fog.color[i]));
+    for (int i = 0; i < 3; ++i) result[i] = blended(f, fragment[i], Real(clamp01(fog.color[i])));
     return result;
 }
 

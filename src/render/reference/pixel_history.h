@@ -11,6 +11,7 @@
 
 #include "base/image/image.h"
 #include "lighting/equation.h"
+#include "render/reference/color_steps.h"
 #include "render/reference/draw_lighting.h"
 #include "render/reference/reference_options.h"
 #include "scene/state/frame.h"
@@ -60,6 +61,7 @@ struct PixelFragment {
         double weight;
     };
     std::vector<Corner> corners{};
+    ColorSteps steps{};   // from the lit colour to `color`
     glm::dvec4 color{0};  // after clamp, texture, colour sum and fog; before blending
     glm::dvec4 after{0};  // the picture's colour after this fragment
     // A ruling (our choice where the specification is silent) that affected the colour.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/math/srgb.h"
-#include "render/reference/fog.h"
 #include "render/reference/texture_bounds.h"
 #include "render/reference/texture_environment.h"
 #include "render/reference/texture_place.h"
@@ -136,18 +135,52 @@ std::vector<PointOfFragment> Shader::points(const Fragment& fragment) const {
 template <class Real>
 Shader::Finish<Real> Shader::finish(const Fragment& fragment) const {
     Finish<Real> finish;
-    if (draw_.fog.enabled) {
-        const glm::dvec2 zw = eye_zw(fragment);
-        finish.fog = fog_factor(draw_.fog, std::abs(quotient(zw.x, zw.y)));
-    }
+    if (draw_.fog.enabled) add_fog(fragment, finish);
     if (draw_.texture.texture) add_texel(fragment, finish);
     return finish;
 }
 
+double Shader::fog_distance(const Fragment& fragment) const {
+    const glm::dvec2 zw = eye_zw(fragment);
+    return std::abs(quotient(zw.x, zw.y));
+}
+
+// 3.10: f may be computed at each vertex and interpolated. Linear f is computed from the interpolated distance.
+double Shader::fog_of_vertices(const Fragment& fragment) const {
+    const glm::dvec3 weights = weights_at(*fragment.piece, fragment.position_window);
+    double distance = 0;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec4& eye = vertices_[fragment.piece->primitive.vertices[i]].position_eye;
+        distance += weights[i] * std::abs(quotient(eye.z, eye.w));
+    }
+    return fog_factor(draw_.fog, distance);
+}
+
+bool Shader::has_linear_fog_behind_eye(const Piece& piece) const {
+    if (!draw_.fog.enabled || draw_.fog.mode != kGL_LINEAR || piece.rays) return false;
+    const auto z_eye = [&](int i) { return vertices_[piece.primitive.vertices[i]].position_eye.z; };
+    const auto [least, most] = std::minmax({z_eye(0), z_eye(1), z_eye(2)});
+    return least < 0 && most > 0;
+}
+
+bool Shader::has_several_colors(const Piece& piece) const {
+    return draw_.texture.texture || has_linear_fog_behind_eye(piece);
+}
+
+void Shader::add_fog(const Fragment& fragment, Finish<double>& finish) const { finish.fog = fog(fragment); }
+
+void Shader::add_fog(const Fragment& fragment, Finish<Interval>& finish) const {
+    finish.fog = fog(fragment);
+    if (has_linear_fog_behind_eye(*fragment.piece)) finish.fog = hull(finish.fog, fog_of_vertices(fragment));
+}
+
+TexturePlace Shader::texture_place_of(const Fragment& fragment) const {
+    return fragment.point ? fragment.point->place : texture_place(vertices_, *fragment.piece, fragment.position_window);
+}
+
 void Shader::add_texel(const Fragment& fragment, Finish<double>& finish) const {
     const TextureUnit& unit = draw_.texture;
-    const TexturePlace place =
-        fragment.point ? fragment.point->place : texture_place(vertices_, *fragment.piece, fragment.position_window);
+    const TexturePlace place = texture_place_of(fragment);
     const double lambda = level_of_detail(scale_factor(*unit.texture, place), unit.lod_bias);
     finish.texel = channels<double>(sample(*unit.texture, place.st, lambda));
 }
@@ -184,16 +217,49 @@ Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColo
 // clamped to [0,1]; both colours were clamped before.
 template <class Real, class Colors>
 Channels<Real> Shader::finished(const Colors& colors, const Finish<Real>& finish) const {
+    return finished(colors, finish, [](Step, const Channels<Real>&) {});
+}
+
+template <class Real, class Colors, class See>
+Channels<Real> Shader::finished(const Colors& colors, const Finish<Real>& finish, const See& see) const {
     Channels<Real> result;
     for (int i = 0; i < 4; ++i) result[i] = Real(colors.primary[i]);
     if (finish.texel)
         result = textured(draw_.texture, draw_.texture.texture->levels[0].base_format, result, *finish.texel);
+    see(Step::kTextured, result);
     for (int i = 0; i < 3; ++i) result[i] = result[i] + Real(colors.secondary[i]);
     for (Real& channel : result) channel = clamp01(channel);
+    see(Step::kSummed, result);
     if (draw_.fog.enabled) result = fogged(draw_.fog, finish.fog, result);
+    see(Step::kFogged, result);
     if (srgb_coded_)
         for (int i = 0; i < 3; ++i) result[i] = coded(result[i]);
     return result;
+}
+
+ColorSteps Shader::steps(const Fragment& fragment) const {
+    return with_point(fragment, [&](const Fragment& whole) {
+        const LitColors colors = lights_pixels(*whole.piece) ? lit(whole) : vertex_colors(whole);
+        ColorSteps steps{.primary = colors.primary, .secondary = colors.secondary};
+        if (draw_.texture.texture) {
+            const TexturePlace place = texture_place_of(whole);
+            glm::dvec4 coordinates(place.st, 0, 1);  // of a surface
+            if (!whole.point) {
+                coordinates = glm::dvec4(0);
+                const glm::dvec3 weights = weights_at(*whole.piece, whole.position_window);
+                for (int i = 0; i < 3; ++i)
+                    coordinates += weights[i] * vertices_[whole.piece->primitive.vertices[i]].tex_coord;
+            }
+            steps.texture = texture_steps(draw_.texture, coordinates, place);
+        }
+        if (draw_.fog.enabled) steps.fog = {.distance = fog_distance(whole), .factor = fog(whole)};
+        finished(colors, finish<double>(whole), [&](Step step, const Channels<double>& color) {
+            if (step == Step::kTextured && steps.texture) steps.texture->result = color_of(color);
+            if (step == Step::kSummed) steps.sum = color_of(color);
+            if (step == Step::kFogged && steps.fog) steps.fog->result = color_of(color);
+        });
+        return steps;
+    });
 }
 
 // Flat (2.14.7): one colour for the whole primitive. Gouraud: interpolated between the vertices.

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "render/reference/color_steps.h"
+#include "render/reference/fog.h"
 #include "render/reference/interval.h"
 #include "render/reference/piece.h"
 #include "render/reference/reference.h"
@@ -56,6 +58,12 @@ class Shader {
 
     // The points that are lit for the colour; empty without lighting. The sum of the weights is 1.
     std::vector<PointOfFragment> points(const Fragment& fragment) const;
+    // Whether correct implementations may find different colours on this piece: textured, or in linear fog that reaches
+    // behind the eye.
+    bool has_several_colors(const Piece& piece) const;
+    // How the fragment's colour comes from its lit colours. The last step gives shade()'s colour, before the transfer
+    // curve.
+    ColorSteps steps(const Fragment& fragment) const;
     const DrawLighting& lighting() const { return lighting_; }
     Shading shading() const { return shading_; }
 
@@ -100,12 +108,23 @@ class Shader {
     LitMaterial material(const Fragment& fragment, const LitPlace& place) const;
     LitColors lit(const Fragment& fragment) const;
     glm::dvec2 eye_zw(const Fragment& fragment) const;
+    double fog_distance(const Fragment& fragment) const;
+    double fog(const Fragment& fragment) const { return fog_factor(draw_.fog, fog_distance(fragment)); }
+    double fog_of_vertices(const Fragment& fragment) const;
+    bool has_linear_fog_behind_eye(const Piece& piece) const;
+    void add_fog(const Fragment& fragment, Finish<double>& finish) const;
+    void add_fog(const Fragment& fragment, Finish<Interval>& finish) const;
     template <class Real>
     Finish<Real> finish(const Fragment& fragment) const;
     void add_texel(const Fragment& fragment, Finish<double>& finish) const;
     void add_texel(const Fragment& fragment, Finish<Interval>& finish) const;
+    TexturePlace texture_place_of(const Fragment& fragment) const;
     template <class Real, class Colors>
     Channels<Real> finished(const Colors& colors, const Finish<Real>& finish) const;
+    // Calls see(Step, colour) after each step.
+    enum class Step : std::uint8_t { kTextured, kSummed, kFogged };
+    template <class Real, class Colors, class See>
+    Channels<Real> finished(const Colors& colors, const Finish<Real>& finish, const See& see) const;
 
     const Draw& draw_;
     const std::vector<StageVertex>& vertices_;

@@ -120,23 +120,29 @@ int nearest_level(const Texture& texture, double lambda) {
     return lambda > last + 0.5 ? last : static_cast<int>(std::ceil(lambda + 0.5)) - 1;
 }
 
-glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda) {
-    assert(!texture.levels.empty() && !image_of(texture, 0).texels.empty());
-    const auto level = [&](int number, Enum filter) {
-        return sample_image(texture, image_of(texture, number), filter, st);
-    };
-    if (lambda <= magnification_limit(texture)) return level(0, texture.mag_filter);
-    const Enum filter = image_filter(texture.min_filter);
+FilteredImages filtered_images(const Texture& texture, double lambda) {
+    if (lambda <= magnification_limit(texture)) return {.is_magnified = true, .filter = texture.mag_filter};
+    FilteredImages images{.filter = image_filter(texture.min_filter)};
     switch (level_choice(texture.min_filter)) {
         case LevelChoice::kBase: break;
-        case LevelChoice::kNearest: return level(nearest_level(texture, lambda), filter);
+        case LevelChoice::kNearest: images.first = images.second = nearest_level(texture, lambda); break;
         case LevelChoice::kTwo: {  // equation 3.21
-            const int last = last_level(texture), finer = std::min(floor_int(lambda), last);
-            if (finer == last) return level(last, filter);
-            return glm::mix(level(finer, filter), level(finer + 1, filter), lambda - finer);
+            const int last = last_level(texture);
+            images.first = std::min(floor_int(lambda), last);
+            images.second = std::min(images.first + 1, last);
+            if (images.first < last) images.weight = lambda - images.first;
+            break;
         }
     }
-    return level(0, filter);
+    return images;
+}
+
+glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda) {
+    assert(!texture.levels.empty() && !image_of(texture, 0).texels.empty());
+    const FilteredImages images = filtered_images(texture, lambda);
+    const auto level = [&](int number) { return sample_image(texture, image_of(texture, number), images.filter, st); };
+    if (images.first == images.second) return level(images.first);
+    return glm::mix(level(images.first), level(images.second), images.weight);
 }
 
 }  // namespace twinlight::reference

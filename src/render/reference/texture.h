@@ -60,4 +60,13 @@ enum class LevelChoice : std::uint8_t { kBase, kNearest, kTwo };
 LevelChoice level_choice(Enum min_filter);
 int nearest_level(const Texture& texture, double lambda);
 
+// The images that are filtered at a level of detail, and how (3.8.8, 3.8.9).
+struct FilteredImages {
+    bool is_magnified = false;
+    Enum filter = kGL_NEAREST;  // of each image
+    int first = 0, second = 0;  // levels
+    double weight = 0;          // of the second; the first has 1 - weight
+};
+FilteredImages filtered_images(const Texture& texture, double lambda);
+
 }  // namespace twinlight::reference

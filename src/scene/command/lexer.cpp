@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "scene/command/characters.h"
@@ -167,6 +168,7 @@ std::size_t Lexer::operator_length() const {
     for (std::string_view two : {"==", "!=", "<=", ">=", "&&", "||", "++", "--", "+=", "-=",
                                  "*=", "/=", "%=", "|=", "&=", "^=", "<<", ">>", "->", "::"})
         if (rest.starts_with(two)) return 2;
+    if (rest[0] == '#') return in_directive_ ? 1 : 0;
     return std::string_view("(){}[],;=+-*/|&<>!?:%^~.").find(rest[0]) != rest.npos ? 1 : 0;
 }
 
@@ -265,6 +267,32 @@ Token Lexer::next() {
     }
     token.text = text_.substr(start, position_ - start);
     return token;
+}
+
+std::int64_t character_code(std::string_view quoted) {
+    const char c = quoted.size() > 2 ? quoted[1] : '\0';
+    if (c != '\\' || quoted.size() < 4) return static_cast<signed char>(c);
+    constexpr std::string_view kLetters = "abefnrtv0", kCodes("\a\b\x1b\f\n\r\t\v\0", 9);
+    const std::size_t at = kLetters.find(quoted[2]);
+    return static_cast<signed char>(at == kLetters.npos ? quoted[2] : kCodes[at]);
+}
+
+std::errc read_whole(std::string_view digits, std::int64_t& value) {
+    const auto is_suffix = [](char c) { return std::string_view("uUlL").find(c) != std::string_view::npos; };
+    const bool hex = digits.starts_with("0x") || digits.starts_with("0X");
+    while (!digits.empty() && is_suffix(digits.back())) digits.remove_suffix(1);
+    const bool octal = !hex && digits.size() > 1 && digits[0] == '0';
+    const std::string_view significant = digits.substr(hex ? 2 : 0);
+    const char* const end = significant.data() + significant.size();
+    const auto [read, error] = std::from_chars(significant.data(), end, value, hex ? 16 : octal ? 8 : 10);
+    if (error != std::errc()) return error;
+    return read == end ? std::errc() : std::errc::invalid_argument;
+}
+
+std::optional<std::int64_t> whole_number(std::string_view text) {
+    if (text.starts_with('\'')) return character_code(text);
+    std::int64_t value = 0;
+    return read_whole(text, value) == std::errc() ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace twinlight

@@ -3,8 +3,11 @@
 
 #include <fmt/core.h>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "scene/command/command.h"
 
@@ -66,6 +69,13 @@ class Lexer {
     std::string_view directive_;      // the name of the directive that was just found
     std::string_view replacement_{};  // the ASCII character instead of the last one; empty if there is none
 };
+
+// 'a' or '\n'; of longer ones the first character.
+std::int64_t character_code(std::string_view quoted);
+// Reads 16, 020 or 0x10u: invalid_argument if the text is no whole number, result_out_of_range above 63 bits.
+std::errc read_whole(std::string_view digits, std::int64_t& value);
+// A number of that form or a character; nullopt for others.
+std::optional<std::int64_t> whole_number(std::string_view text);
 
 // Untrusted text for a message: in quotes, one line, only printable characters, shortened if long.
 std::string in_quotes(std::string_view text);

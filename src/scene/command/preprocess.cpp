@@ -1,7 +1,6 @@
 #include "scene/command/preprocess.h"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <span>
 
@@ -139,7 +138,8 @@ class Preprocessor {
     bool is_defined(std::string_view name) const {
         for (std::string_view known :
              {"M_PI", "M_PI_2", "M_PI_4", "M_SQRT2", "GL_VERSION_1_1", "GL_VERSION_1_2", "GL_VERSION_1_3",
-              "GL_VERSION_1_4", "GL_VERSION_1_5", "GL_VERSION_2_0", "GL_VERSION_2_1", "__linux__", "__unix__"})
+              "GL_VERSION_1_4", "GL_VERSION_1_5", "GL_VERSION_2_0", "GL_VERSION_2_1", "GLU_VERSION_1_1",
+              "GLU_VERSION_1_2", "GLU_VERSION_1_3", "GLUT_API_VERSION", "FREEGLUT", "__linux__", "__unix__"})
             if (name == known) return true;
         return macros_.contains(name) || find_gl_name(name).has_value();
     }
@@ -150,9 +150,12 @@ class Preprocessor {
         if (at.text == "ifndef") return !is_defined(line[0].text);
         std::span<const Token> rest = line;
         const std::int64_t value = any_of(at, rest, 0);
-        if (!rest.empty())
-            fail(rest[0].place, "a program's #if can use numbers, names, defined(...), !, &&, || and comparisons only");
+        if (!rest.empty()) refuse(rest[0]);
         return value != 0;
+    }
+
+    [[noreturn]] static void refuse(const Token& token) {
+        fail(token.place, "a program's #if can use numbers, names, defined(...), !, &&, || and comparisons only");
     }
 
     static bool accept(std::span<const Token>& rest, std::string_view text) {
@@ -206,12 +209,14 @@ class Preprocessor {
         rest = rest.subspan(1);
         if (const auto found = macros_.find(token.text); found != macros_.end()) {
             std::span<const Token> body = found->second.body;
-            return body.empty() ? 0 : term(at, body, depth + 1);
+            const std::int64_t value = body.empty() ? 0 : term(at, body, depth + 1);
+            if (!body.empty()) refuse(body[0]);
+            return value;
         }
-        std::int64_t value = 0;  // C takes unknown names as 0
-        if (token.kind == TokenKind::kNumber)
-            std::from_chars(token.text.data(), token.text.data() + token.text.size(), value);
-        return value;
+        if (token.kind != TokenKind::kNumber) return 0;  // C takes unknown names as 0
+        const std::optional<std::int64_t> value = whole_number(token.text);
+        if (!value) fail(token.place, "{} is not a whole number", in_quotes(token.text));
+        return *value;
     }
 
     // ---- Macros ----
@@ -237,6 +242,10 @@ class Preprocessor {
                 fail(used_at, "macros make this program too long; it can have at most {} words and signs",
                      kMaxProgramTokens);
             Macro& macro = found->second;
+            if (std::any_of(macro.body.begin(), macro.body.end(), [](const Token& part) { return part.is("#"); }))
+                fail(used_at,
+                     "reading a program cannot follow '#' in the macro {}; run and record it: twinlight record {}",
+                     in_quotes(token.text), used_at.file ? *used_at.file : "PROGRAM.c");
             std::vector<Token> body;
             if (macro.has_parameters) {
                 const auto arguments = arguments_of(token, tokens, i);

@@ -5,28 +5,36 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <vector>
 
 #include "scene/command/lexer.h"
 #include "scene/command/reader.h"
+#include "scene/command/text.h"
 
 namespace twinlight {
 
-// A parameter of one of the program's functions: a number, or an array. An array has the lengths of its rows.
+// A parameter of one of the program's functions: a number, an array or a text. An array has the lengths of its rows.
 struct FormalParameter {
     std::string_view name;
     Kind kind{};
     bool is_array = false;
+    bool is_text = false;
     Dimensions row{};
+};
+
+// typedef GLfloat point[3];
+struct TypeName {
+    Kind kind{};
+    Dimensions lengths{};
 };
 
 struct Function {
     Token name;
     std::optional<Kind> result;  // nullopt for void
     std::vector<FormalParameter> parameters{};
-    std::size_t body = 0;  // the index of its "{"
+    std::size_t body = 0;                 // the index of its "{"
+    std::optional<SceneError> refusal{};  // why its result or its parameters cannot be read; thrown where it is called
 };
 
 // The object belongs to `owned`, or to Program::statics.
@@ -34,6 +42,7 @@ struct Local {
     std::string_view name;
     Object* object;
     std::unique_ptr<Object> owned;
+    std::size_t block;  // the first local of its block: blocks inside it have larger numbers
 };
 
 struct Program {
@@ -43,9 +52,9 @@ struct Program {
     ProgramOptions options{};
 
     std::map<std::string_view, Function> functions{};
+    std::map<std::string_view, TypeName> types{};   // from typedef
     std::map<std::string_view, Value> constants{};  // from enum
     std::map<std::size_t, Object> statics{};        // local static variables, by the index of their name
-    std::set<std::string_view> texts{};             // names of char arrays and pointers, which have no values here
 
     std::size_t at = 0;  // the index of the token that is being read
     std::size_t steps = 0;
@@ -53,13 +62,20 @@ struct Program {
     std::size_t depth = 0;  // statements, expressions and calls inside each other
     std::vector<Local> locals{};
     std::size_t frame = 0;     // the first local of the running function
+    std::size_t block = 0;     // the first local of the running block
     bool in_function = false;  // false while the global variables are read
     Value returned{};          // by the last return
+    bool has_window = false;
     bool reached_main_loop = false;
 
     std::optional<Token> display{}, reshape{};       // the functions that GLUT calls
     WindowSize window{.width = 300, .height = 300};  // GLUT's own size
 };
+
+inline bool is_step(const Token& token) { return token.is("++") || token.is("--"); }
+
+// The value of a name of GLUT that can decide what main and its functions call: GLUT_DOUBLE is 2.
+std::optional<int> glut_constant(std::string_view name);
 
 // How a statement ends.
 enum class Flow : std::uint8_t { kNext, kBreak, kContinue, kReturn };

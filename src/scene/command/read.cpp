@@ -14,6 +14,12 @@
 
 namespace twinlight {
 
+namespace {
+
+constexpr std::size_t kMaxDimensions = 8;
+
+}  // namespace
+
 std::size_t Object::length() const {
     return std::accumulate(dimensions.begin(), dimensions.end(), std::size_t{1}, std::multiplies<>());
 }
@@ -113,11 +119,19 @@ void Reader::declaration() {
         advance();
     }
     const bool is_text = program_ && at_byte_type();
-    const Kind kind = type_name();
+    const bool is_char = !is_text || token_.is("char");
+    if (!is_char) advance();  // void* and GLchar*
+    const Kind kind = is_char ? type_name() : Kind::kByte;
+    const Dimensions row = is_char ? type_lengths_ : Dimensions{};
+    if (program_ && accept(";")) return;  // enum { A, B };
     do {
         if (kind == Kind::kQuadric) expect("*", "after GLUquadric, as in GLUquadric* name = gluNewQuadric();");
         const bool is_pointer = program_ && kind != Kind::kQuadric && accept("*");
+        while (is_pointer && (accept("const") || (is_text && accept("*")))) {
+        }
         const Token name = token_;
+        if (program_ && name.is("*")) out_of_reach(name.place, "a pointer to a pointer");
+        if (program_ && name.is("(")) out_of_reach(name.place, "a pointer to an array or a function");
         if (name.kind != TokenKind::kName) {
             fail(name.place, "expected a variable's name, found {}{}", shown(name),
                  name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : "");
@@ -130,14 +144,12 @@ void Reader::declaration() {
                      "{{ ... }}",
                      in_quotes(name.text));
             }
-            if (is_text && (is_pointer || token_.is("["))) {  // a text; only what is passed over can use it
-                program_->texts.insert(name.text);
-                skip_expression();
-            } else if (is_pointer) {
-                declare_pointer(name, kind, is_static);
-            } else {
-                declare_object(name, kind, is_static);
-            }
+            if (is_text && (is_pointer || token_.is("[")))
+                declare_text(name);
+            else if (is_pointer)
+                declare_pointer(name, kind, row, is_static);
+            else
+                declare_object(name, kind, row, is_static);
         } catch (...) {
             misdeclared_.insert(name.text);
             throw;
@@ -147,14 +159,14 @@ void Reader::declaration() {
 }
 
 // The rest of the declaration of a number, an array or a quadric, after its name.
-void Reader::declare_object(const Token& name, Kind kind, bool is_static) {
+void Reader::declare_object(const Token& name, Kind kind, const Dimensions& row, bool is_static) {
     const bool is_local = program_ && program_->in_function;
     if (is_local && is_static && declare_static(name)) return;
     if (!is_local && variables_.contains(name.text))
         fail(name.place, "{} is already declared at {}; use another name", in_quotes(name.text),
              variables_.at(name.text).place.str());
     Object object{.kind = kind,
-                  .dimensions = dimensions_in_brackets(),
+                  .dimensions = with_rows(dimensions_in_brackets(), row, name.place),
                   .shown = in_quotes(name.text),
                   .place = name.place,
                   .known = is_static || (program_ && !is_local),  // C sets these to 0
@@ -176,8 +188,11 @@ void Reader::initialise(Object& object, const Token& name) {
         if (!accept("=")) return;
         if (!program_ && ahead_.is("(") && find_command_or_extension(token_.text))
             return assign_result({&object, 0, {}});
+        const bool in_braces = program_ && accept("{");  // GLfloat shininess = {100};
         const Place place = token_.place;
         const double value = converted(number(), object.kind, place, fmt::format("the value of {}", object.shown));
+        if (in_braces) accept(",");
+        if (in_braces) expect("}", "after the value of {}", object.shown);
         return fill(object, {value});
     }
     std::vector<double> values;
@@ -290,7 +305,6 @@ void Reader::returns_pragma() {
 
 // Reads "[8][3]", "[][3]" or nothing. An omitted length is 0.
 Dimensions Reader::dimensions_in_brackets() {
-    constexpr std::size_t kMaxDimensions = 8;
     Dimensions dimensions;
     std::size_t total = 1;
     while (token_.is("[")) {
@@ -311,6 +325,19 @@ Dimensions Reader::dimensions_in_brackets() {
         total *= dimensions.back();
     }
     return dimensions;
+}
+
+// The lengths of an array whose elements are rows: point corners[8] after typedef GLfloat point[3] has {8, 3}.
+Dimensions Reader::with_rows(Dimensions outer, const Dimensions& row, const Place& place) {
+    if (row.empty()) return outer;
+    outer.insert(outer.end(), row.begin(), row.end());
+    if (outer.size() > kMaxDimensions) fail(place, "an array can have at most {} dimensions", kMaxDimensions);
+    std::size_t total = 1;
+    for (const std::size_t length : outer) {
+        if (length > kMaxArrayLength / total) fail(place, "an array can have at most {} values", kMaxArrayLength);
+        total *= std::max<std::size_t>(length, 1);
+    }
+    return outer;
 }
 
 // Reads {1, 2, 3} or {{1, 2}, {3, 4}} into values[start...]. As in C, rows need no braces. Only the outermost array

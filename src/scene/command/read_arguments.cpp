@@ -109,8 +109,7 @@ void Reader::pointer_argument(Command& command, const Parameter& parameter) {
              parameter.name, command.name());
     }
     if (given.object) {
-        if (!given.object->known)
-            fail(start.place, "{} has no value here: {}", given.object->shown, given.object->unknown_because);
+        if (!given.object->known) fail_unknown(*given.object, start.place);
         command.memory = given.object->memory;
     }
     command.arguments.push_back(static_cast<double>(given.offset));
@@ -238,8 +237,7 @@ void Reader::array_argument(Command& command, std::size_t i) {
     constexpr std::size_t kShort = 16;  // the limit on the text covers shorter arrays
     if (length > kShort) hold(length * sizeof(double), start.place);
     if (parameter.extent == Extent::kNewNames) return give_names(command, *named_objects(parameter), given, length);
-    if (!object.known && length > 0)
-        fail(start.place, "{} has no value here: {}", object.shown, object.unknown_because);
+    if (!object.known && length > 0) fail_unknown(object, start.place);
     const std::span<const std::byte> bytes = object.memory->bytes;
     for (std::size_t n = 0; n < length; ++n)
         command.arguments.push_back(load(bytes.subspan(static_cast<std::size_t>(given.offset) + n * size), kind));

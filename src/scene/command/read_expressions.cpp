@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "scene/command/memory.h"
 #include "scene/command/program.h"
@@ -53,15 +54,6 @@ bool is_byte_type(const Token& token) {
     return token.is("void") || token.is("GLvoid") || token.is("char") || token.is("GLchar");
 }
 
-// 'a' or '\n'; of longer ones the first character.
-std::int64_t character_code(std::string_view quoted) {
-    const char c = quoted.size() > 2 ? quoted[1] : '\0';
-    if (c != '\\' || quoted.size() < 4) return static_cast<signed char>(c);
-    constexpr std::string_view kLetters = "abefnrtv0", kCodes("\a\b\x1b\f\n\r\t\v\0", 9);
-    const std::size_t at = kLetters.find(quoted[2]);
-    return static_cast<signed char>(at == kLetters.npos ? quoted[2] : kCodes[at]);
-}
-
 std::size_t product_of(std::span<const std::size_t> lengths) {
     return std::accumulate(lengths.begin(), lengths.end(), std::size_t{1}, std::multiplies<>());
 }
@@ -84,14 +76,29 @@ Value real(double value, bool is_float) {
 
 bool Reader::at_type() const {
     if (token_.is("signed") || token_.is("unsigned") || find_type(token_.text).has_value()) return true;
-    if (!program_) return false;
-    return token_.is("char") || token_.is("long") || token_.is("bool") || token_.is("size_t");
+    if (!program_ || token_.kind != TokenKind::kName) return false;
+    return token_.is("char") || token_.is("long") || token_.is("bool") || token_.is("size_t") || token_.is("enum") ||
+           program_->types.contains(token_.text);
 }
 
 bool Reader::at_byte_type() const { return is_byte_type(token_); }
 
 Kind Reader::type_name() {
+    type_lengths_.clear();
     while (accept("const")) {
+    }
+    if (program_) {
+        if (token_.is("enum")) {
+            enum_type();
+            return Kind::kInt;
+        }
+        if (const auto known = program_->types.find(token_.text); known != program_->types.end()) {
+            type_lengths_ = known->second.lengths;
+            advance();
+            while (accept("const")) {
+            }
+            return known->second.kind;
+        }
     }
     const bool is_unsigned = token_.is("unsigned");
     if (is_unsigned || token_.is("signed")) {
@@ -111,12 +118,24 @@ Kind Reader::type_name() {
         if (token_.is("long") && (ahead_.is("double") || ahead_.is("int") || ahead_.is("long"))) advance();
     }
     if (program_ && kind == Kind::kShort && ahead_.is("int")) advance();
-    if (token_.kind != TokenKind::kName || !kind)
+    if (token_.kind != TokenKind::kName || !kind) {
+        if (program_ && token_.kind == TokenKind::kName) unknown_type(token_);
         fail(token_.place, "expected a type such as GLfloat, found {}", shown(token_));
+    }
     advance();
     while (accept("const")) {
     }
     return *kind;
+}
+
+void Reader::unknown_type(const Token& name) const {
+    std::vector<std::string_view> names;
+    for (const NamedType& type : kTypes) names.push_back(type.name);
+    for (const auto& [known, type] : program_->types) names.push_back(known);
+    if (const auto near = nearest(name.text, names))
+        fail(name.place, "expected a type such as GLfloat, found {}; did you mean {}?", shown(name), *near);
+    const bool is_keyword = name.is("struct") || name.is("union") || name.is("class");
+    out_of_reach(name.place, is_keyword ? shown(name) : fmt::format("the type {}", shown(name)));
 }
 
 // ---- Operators ----
@@ -236,7 +255,14 @@ Value Reader::unary() {
 
 Value Reader::primary() {
     const Token token = token_;
-    if (token.is("(")) return parenthesis();
+    if (token.is("(")) {
+        if (const std::optional<Token> name = program_ ? name_in_parentheses() : std::nullopt)
+            return program_name(*name);
+        if (program_ && ahead_.is("*"))
+            if (const std::optional<Value> value = dereferenced_in_parentheses()) return *value;
+        const Value value = parenthesis();
+        return program_ && value.is_pointer() && token_.is("[") ? subscripted(value, token) : value;
+    }
     advance();
     if (token.is("&")) {
         const Token name = token_;
@@ -245,6 +271,7 @@ Value Reader::primary() {
         advance();
         const std::optional<Lvalue> place = lvalue(name);
         if (!place) unknown_name(name);
+        if (place->pointer) out_of_reach(token.place, "a pointer to a pointer");
         if (place->object->kind == Kind::kQuadric) fail(name.place, "a scene cannot take the address of a GLUquadric*");
         return address_of(*place);
     }
@@ -252,6 +279,7 @@ Value Reader::primary() {
     if (token.is("sizeof")) return size_of_operand();
     if (program_ && token.kind == TokenKind::kName) return program_name(token);
     if (token.kind == TokenKind::kName) return named_value(token);
+    if (program_ && token.kind == TokenKind::kString) out_of_reach(token.place, "a text that is not passed over");
     if (token.is("{")) {
         fail(token.place,
              "C does not allow {{...}} here; where an array is needed, write its type in front, as in "
@@ -281,12 +309,15 @@ Value Reader::cast(const Place& place) {
     while (accept("const")) {
     }
     std::optional<Kind> kind;
+    std::size_t row = 1;
     if (is_byte_type(token_)) {
         advance();
         while (accept("const")) {
         }
     } else {
         kind = type_name();
+        row = product_of(type_lengths_);
+        if (row != 1 && !token_.is("*")) out_of_reach(place, "a cast to an array");
     }
     if (program_ && !kind && !token_.is("*")) kind = Kind::kByte;  // (char)
     if (kind && token_.is("[")) return compound_literal(*kind, place);
@@ -312,7 +343,7 @@ Value Reader::cast(const Place& place) {
         value = {.type = Value::Type::kPointer, .offset = value.integer};
     }
     value.kind = kind;
-    value.step = stars > 1 ? sizeof(void*) : kind ? size_of(*kind) : 1;
+    value.step = stars > 1 ? sizeof(void*) : kind ? size_of(*kind) * row : 1;
     return value;
 }
 
@@ -340,7 +371,6 @@ Value Reader::literal(const Token& token) {
     std::string_view digits = token.text;
     if (digits[0] == '\'') return integer(character_code(digits));
     const bool hex = digits.starts_with("0x") || digits.starts_with("0X");
-    const auto is_suffix = [](char c) { return std::string_view("uUlL").find(c) != std::string_view::npos; };
     const bool has_point = !hex && digits.find_first_of(".eE") != std::string_view::npos;
     const auto bad = [&] { fail(token.place, "{} is not a number", in_quotes(token.text)); };
     if (has_point) {
@@ -356,17 +386,11 @@ Value Reader::literal(const Token& token) {
         }
         return real(value, is_float);
     }
-    while (!digits.empty() && is_suffix(digits.back())) digits.remove_suffix(1);
-    const bool octal = !hex && digits.size() > 1 && digits[0] == '0';
-    const std::string_view significant = digits.substr(hex ? 2 : 0);
     std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(significant.data(), significant.data() + significant.size(), value,
-                                              hex     ? 16
-                                              : octal ? 8
-                                                      : 10);
+    const std::errc error = read_whole(digits, value);
     if (error == std::errc::result_out_of_range)
         fail(token.place, "{} is too large for a whole number; write it with a decimal point", in_quotes(token.text));
-    if (significant.empty() || end != significant.data() + significant.size()) bad();
+    if (error != std::errc()) bad();
     return integer(value);
 }
 
@@ -379,7 +403,7 @@ Value Reader::size_of_operand() {
         }
         const bool is_byte = is_byte_type(token_);
         if (is_byte) advance();
-        size = is_byte ? 1 : size_of(type_name());
+        size = is_byte ? 1 : size_of(type_name()) * product_of(type_lengths_);
         while (token_.is("*") || token_.is("const")) {
             if (token_.is("*")) size = sizeof(void*);
             advance();
@@ -391,7 +415,7 @@ Value Reader::size_of_operand() {
         advance();
         const std::optional<Lvalue> operand = lvalue(name);
         if (!operand) unknown_name(name);
-        size = size_of(operand->object->kind) * product_of(operand->dimensions);
+        size = operand->pointer ? sizeof(void*) : size_of(operand->object->kind) * product_of(operand->dimensions);
     }
     if (in_parentheses) expect(")", "after sizeof");
     return integer(static_cast<std::int64_t>(size));
@@ -403,10 +427,21 @@ Value Reader::size_of_operand() {
 std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
     Object* const found = name.kind == TokenKind::kName ? find_variable(name.text) : nullptr;
     if (!found) return std::nullopt;
+    if (found->is_text) out_of_reach(name.place, fmt::format("the text {}", in_quotes(name.text)));
     Object& object = found->target ? *found->target : *found;
-    Lvalue result{&object, found->offset, found->dimensions};
+    Lvalue result{&object, found->offset, found->dimensions, found->is_pointer ? found : nullptr};
+    subscripts(result, name);
+    return result;
+}
+
+// Reads [1][2] after a place, which then is that element. `name` is for messages.
+void Reader::subscripts(Lvalue& result, const Token& name) {
+    const Object& object = *result.object;
     while (!result.dimensions.empty() && accept("[")) {
         const Place place = token_.place;
+        const Object* const pointer = std::exchange(result.pointer, nullptr);
+        if (pointer && !pointer->target && !dry_)
+            fail(name.place, "the pointer {} is NULL here; let it point into an array first", pointer->shown);
         const Value index = number();
         expect("]", "after the index");
         const std::size_t length = result.dimensions.front();
@@ -421,12 +456,12 @@ std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
         result.dimensions.erase(result.dimensions.begin());
         result.offset += static_cast<std::size_t>(index.integer) * product_of(result.dimensions) * size_of(object.kind);
     }
-    return result;
 }
 
 // The value of an lvalue: a number, or for an array a pointer to its first element.
 Value Reader::value_of(const Lvalue& lvalue, const Place& place) const {
     Object& object = *lvalue.object;
+    if (lvalue.pointer && !lvalue.pointer->target) return {.type = Value::Type::kPointer, .kind = object.kind};  // NULL
     if (!lvalue.dimensions.empty()) {
         return {.type = Value::Type::kPointer,
                 .object = &object,
@@ -437,12 +472,15 @@ Value Reader::value_of(const Lvalue& lvalue, const Place& place) const {
     if (dry_) return is_real(object.kind) ? real(0, object.kind == Kind::kFloat) : integer(0);
     if (object.kind == Kind::kQuadric && !program_)
         fail(place, "{} is a quadric, but a number is needed here", object.shown);
-    if (!object.known && program_)
-        out_of_reach(place, fmt::format("the value of {} ({})", object.shown, object.unknown_because));
-    if (!object.known) fail(place, "{} has no value here: {}", object.shown, object.unknown_because);
+    if (!object.known) fail_unknown(object, place);
     const double value = load(std::span(object.memory->bytes).subspan(lvalue.offset), object.kind);
     if (is_real(object.kind)) return real(value, object.kind == Kind::kFloat);
     return integer(static_cast<std::int64_t>(value));
+}
+
+void Reader::fail_unknown(const Object& object, const Place& place) const {
+    if (program_) out_of_reach(place, fmt::format("the value of {} ({})", object.shown, object.unknown_because));
+    fail(place, "{} has no value here: {}", object.shown, object.unknown_because);
 }
 
 Value Reader::address_of(const Lvalue& lvalue) {
@@ -479,8 +517,6 @@ Object* Reader::find_variable(std::string_view name) {
 
 void Reader::unknown_name(const Token& name) {
     if (misdeclared_.contains(name.text)) throw FollowingError();
-    if (program_ && program_->texts.contains(name.text))
-        out_of_reach(name.place, fmt::format("the text {}", in_quotes(name.text)));
     std::vector<std::string_view> names = visible_names();
     for (const NamedValue& row : gl_names()) names.push_back(row.name);
     // The nearest name to GL_LIGHT8 is another light, which is not what the scene means.
@@ -495,6 +531,9 @@ void Reader::unknown_name(const Token& name) {
              "unknown name 'GL_PHONG'; GL has no Phong shading, only GL_FLAT and GL_SMOOTH; to draw with Phong "
              "shading, run 'twinlight render --shading phong'");
     const auto near = nearest(name.text, names);
+    if (program_ && !near)
+        fail(name.place, "unknown name {}; if another file defines it, run and record the program: twinlight record {}",
+             in_quotes(name.text), name.place.file ? *name.place.file : "PROGRAM.c");
     fail(name.place, "unknown name {}{}", in_quotes(name.text),
          near             ? fmt::format("; did you mean {}?", *near)
          : token_.is("(") ? "; a call cannot be part of an expression"

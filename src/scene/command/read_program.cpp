@@ -52,7 +52,10 @@ CommandList Reader::run(const std::string& name) {
     const auto main = p.functions.find("main");
     if (main == p.functions.end()) fail(token_.place, "this program has no function main");
     const Place& place = main->second.name.place;
-    run_function(main->second, {}, place);
+    // argc is 1: the program has no arguments.
+    std::vector<Value> given(main->second.parameters.size());
+    if (!given.empty()) given[0] = integer(1);
+    run_function(main->second, given, place);
     if (!std::exchange(p.reached_main_loop, false))
         fail(place, "main ends before it calls glutMainLoop, so nothing is drawn");
     if (!p.display) fail(place, "this program has no display function; register it: glutDisplayFunc(display);");
@@ -80,91 +83,188 @@ void Reader::read_functions() {
         }
         if (token_.kind != TokenKind::kName)
             fail(token_.place, "expected a function or a variable of the program, found {}", shown(token_));
-        for (std::string_view word : {"typedef", "struct", "union", "class", "template", "using", "namespace"})
-            if (token_.is(word)) out_of_reach(token_.place, in_quotes(word));
-        if (token_.is("enum")) {
-            enumeration();
+        if (token_.is("using") && ahead_.is("namespace")) {  // using namespace std; changes nothing that is read
+            skip_statement();
             continue;
         }
+        for (std::string_view word : {"struct", "union", "class", "template", "using", "namespace"})
+            if (token_.is(word)) out_of_reach(token_.place, in_quotes(word));
+        if (token_.is("typedef")) {
+            typedef_declaration();
+            continue;
+        }
+        if (skip_extern()) continue;
         while (token_.is("extern") || token_.is("inline") || token_.is("register")) advance();
 
         // A function has its parenthesis before anything else.
         std::size_t i = p.at;
         while (p.tokens[i].kind == TokenKind::kName || p.tokens[i].is("*")) ++i;
-        if (!p.tokens[i].is("(") || i == p.at) {
+        if (!p.tokens[i].is("(") || i == p.at || p.tokens[i - 1].is("*")) {
             declaration();
             continue;
         }
         const std::size_t after = p.partners[i] + 1;
-        if (!p.tokens[after].is("{")) {  // a prototype
+        if (!p.tokens[after].is("{") && p.tokens[after].kind != TokenKind::kName) {  // a prototype
             while (!token_.is(";") && token_.kind != TokenKind::kEnd) skip_token();
             expect(";", "after the function's parameters");
             continue;
         }
-        while (token_.is("static") || token_.is("inline") || token_.is("const")) advance();
-        std::optional<Kind> result;
-        if (ahead_.is("("))  // main(), without a type
-            result = Kind::kInt;
-        else if (token_.is("void") || token_.is("GLvoid"))
-            advance();
-        else
-            result = type_name();
-        while (token_.kind == TokenKind::kName && ahead_.kind == TokenKind::kName) advance();  // CALLBACK
-        function(result);
+        function(i - 1);
     }
 }
 
-// The rest of a function, from its name on.
-void Reader::function(std::optional<Kind> result) {
+// Skips extern int x; whose definition, if this file has it, comes later.
+bool Reader::skip_extern() {
+    if (!token_.is("extern")) return false;
+    const Program& p = *program_;
+    std::size_t end = p.at;
+    while (end + 1 < p.tokens.size() && !p.tokens[end].is(";") && !p.tokens[end].is("=") && !p.tokens[end].is("{"))
+        ++end;
+    if (!p.tokens[end].is(";")) return false;
+    jump(end + 1);
+    return true;
+}
+
+// A function; `at` is the index of its name. What cannot be read of its result and its parameters matters only if it is
+// called, for a keyboard function may use anything.
+void Reader::function(std::size_t at) {
     Program& p = *program_;
-    const Token name = token_;
-    if (name.is("*")) out_of_reach(name.place, "a function that returns a pointer");
-    advance();
-    Function made{.name = name, .result = result};
-    const std::size_t close = p.partners[p.at];
-    expect("(", "after the function's name");
-    if (name.is("main") || (token_.is("void") && p.at + 1 == close)) jump(close);
-    while (!token_.is(")")) {
-        while (token_.is("const") || token_.is("register")) advance();
-        FormalParameter parameter;
-        const bool is_text = at_byte_type();
-        if (token_.is("void") && ahead_.is("(")) out_of_reach(token_.place, "a pointer to a function");
-        if (is_text && !token_.is("char"))
+    Function made{.name = p.tokens[at], .result = std::nullopt};
+    const Token& name = made.name;
+    made.body = p.partners[at + 1] + 1;
+    while (!p.tokens[made.body].is("{")) {
+        if (p.tokens[made.body].kind == TokenKind::kEnd) fail(name.place, "the function {} has no body", name.text);
+        ++made.body;
+    }
+    const std::size_t nesting = nesting_, depth = p.depth;
+    try {
+        while (token_.is("static") || token_.is("inline") || token_.is("const")) advance();
+        const bool is_void = token_.is("void") || token_.is("GLvoid");
+        if (p.at == at)  // main(), without a type
+            made.result = Kind::kInt;
+        else if (is_void || (at_byte_type() && !token_.is("char")))
             advance();
         else
-            parameter.kind = type_name();
-        if (is_text) parameter.kind = Kind::kByte;
-        parameter.is_array = accept("*") && parameter.kind != Kind::kQuadric;
-        while (accept("const")) {
-        }
-        if (token_.is("*") || token_.is("(")) out_of_reach(token_.place, "a pointer to a pointer");
-        parameter.name = token_.text;
-        if (token_.kind == TokenKind::kName) advance();
-        if (token_.is("[")) {
-            const Dimensions lengths = dimensions_in_brackets();
-            if (parameter.is_array) out_of_reach(token_.place, "a pointer to a pointer");
-            parameter.is_array = true;
-            parameter.row.assign(lengths.begin() + 1, lengths.end());
-        }
-        made.parameters.push_back(std::move(parameter));
-        if (!accept(",")) break;
+            made.result = type_name();
+        if (token_.is("*")) out_of_reach(name.place, "a function that returns a pointer");
+        jump(at + 1);
+        parameters_of(made);
+    } catch (const SceneError& error) {
+        made.refusal = error;
+        made.parameters.clear();
+        nesting_ = nesting;
+        p.depth = depth;
     }
-    expect(")", "after the parameters of {}", name.text);
-    made.body = p.at;
+    jump(p.partners[made.body] + 1);
+    const Place place = name.place;
     const auto [found, is_new] = p.functions.emplace(name.text, std::move(made));
     if (!is_new)
-        fail(name.place, "the function {} is already defined at {}", in_quotes(name.text),
+        fail(place, "the function {} is already defined at {}", in_quotes(found->second.name.text),
              found->second.name.place.str());
-    jump(p.partners[p.at] + 1);
 }
 
-// enum { kA, kB = 3 };
-void Reader::enumeration() {
+// From "(" to the "{" of the body. In the oldest form of C the types follow: f(a, b) int a; float b[3]; {
+void Reader::parameters_of(Function& function) {
+    const Program& p = *program_;
+    const std::size_t close = p.partners[p.at];
+    const std::string_view name = function.name.text;
+    expect("(", "after the function's name");
+    if (token_.is("void") && p.at + 1 == close) advance();
+    if (close + 1 == function.body) {
+        while (!token_.is(")")) {
+            parameter_name(function.parameters.emplace_back(parameter_type()));
+            if (!accept(",")) break;
+        }
+        return expect(")", "after the parameters of {}", name);
+    }
+    while (!token_.is(")")) {
+        function.parameters.push_back({.name = token_.text, .kind = Kind::kInt});
+        advance();
+        if (!accept(",")) break;
+    }
+    expect(")", "after the parameters of {}", name);
+    while (!token_.is("{")) {
+        const FormalParameter type = parameter_type();
+        do {
+            FormalParameter typed = type;
+            parameter_name(typed);
+            for (FormalParameter& parameter : function.parameters)
+                if (parameter.name == typed.name) parameter = typed;
+        } while (accept(","));
+        expect(";", "after the types of {}'s parameters", name);
+    }
+}
+
+// The type of a parameter, without its name and what stands beside it.
+FormalParameter Reader::parameter_type() {
+    FormalParameter parameter;
+    while (token_.is("const") || token_.is("register")) advance();
+    parameter.is_text = at_byte_type();
+    if (parameter.is_text && !token_.is("char")) {
+        parameter.kind = Kind::kByte;
+        advance();
+    } else {
+        parameter.kind = type_name();
+        parameter.row = type_lengths_;
+    }
+    while (accept("const")) {
+    }
+    return parameter;
+}
+
+// The rest of a parameter: *name, name[4] or name[][3].
+void Reader::parameter_name(FormalParameter& parameter) {
+    std::size_t stars = 0;
+    for (; token_.is("*") || token_.is("const"); advance()) stars += token_.is("*") ? 1 : 0;
+    if (token_.is("(")) out_of_reach(token_.place, "a pointer to an array or a function");
+    if (parameter.kind == Kind::kQuadric && stars > 0) --stars;
+    const Token name = token_;
+    if (name.kind == TokenKind::kName) {
+        parameter.name = name.text;
+        advance();
+    }
+    if (parameter.is_text) {
+        parameter.is_text = stars > 0 || token_.is("[");
+        while (token_.is("[")) skip_token();
+        return;
+    }
+    Dimensions lengths = with_rows(dimensions_in_brackets(), parameter.row, name.place);
+    if (stars > 1 || (stars == 1 && lengths.size() > parameter.row.size()))
+        out_of_reach(name.place, "a pointer to a pointer");
+    if (stars == 1) lengths.insert(lengths.begin(), 0);
+    parameter.is_array = !lengths.empty();
+    if (parameter.is_array) lengths.erase(lengths.begin());
+    parameter.row = std::move(lengths);
+}
+
+// typedef GLfloat point[3]; typedef enum { RED, GREEN } colour;
+void Reader::typedef_declaration() {
     const Place place = token_.place;
     advance();
-    if (token_.kind == TokenKind::kName) advance();
-    if (!token_.is("{")) out_of_reach(place, "variables of an enum type");
+    while (accept("const")) {
+    }
+    if (token_.is("struct") || token_.is("union")) out_of_reach(token_.place, in_quotes(token_.text));
+    if (at_byte_type()) out_of_reach(place, "'typedef' of this type");
+    const Kind kind = type_name();
+    const Dimensions row = type_lengths_;
+    do {
+        const Token name = token_;
+        if (name.kind != TokenKind::kName) out_of_reach(place, "'typedef' of this type");
+        advance();
+        Dimensions lengths = with_rows(dimensions_in_brackets(), row, name.place);
+        if (!lengths.empty() && lengths[0] == 0)
+            fail(name.place, "the type {} needs a length, as in typedef GLfloat point[3];", in_quotes(name.text));
+        if (token_.is("(") || kind == Kind::kQuadric) out_of_reach(place, "'typedef' of this type");
+        program_->types.insert_or_assign(name.text, TypeName{kind, std::move(lengths)});
+    } while (accept(","));
+    expect(";", "after typedef");
+}
+
+// enum { kA, kB = 3 }, enum mode { ... } or enum mode
+void Reader::enum_type() {
     advance();
+    if (token_.kind == TokenKind::kName) advance();
+    if (!accept("{")) return;
     Value next = integer(0);
     while (!token_.is("}")) {
         const Token name = token_;
@@ -177,8 +277,7 @@ void Reader::enumeration() {
         if (!accept(",")) break;
     }
     expect("}", "after the names of the enum");
-    if (!token_.is(";")) out_of_reach(place, "variables of an enum type");
-    advance();
+    type_lengths_.clear();
 }
 
 }  // namespace twinlight

@@ -33,10 +33,13 @@ struct Object {
     bool is_literal = false;
     bool known = false;  // false if declared without a value, or written by glGet*
     std::string unknown_because{};
-    // A pointer or an array parameter of a program: the array that it points into, and the offset in bytes. Then
-    // `dimensions` are what lies behind that place, and there is no memory.
+    // A pointer or an array parameter of a program has no memory: `target` is the array that it points into, `offset` is
+    // in bytes, and `dimensions` are what lies behind that place. NULL has no target.
+    bool is_pointer = false;
     Object* target = nullptr;
     std::size_t offset = 0;
+    bool is_local = false;  // of a block or a function, so it ends before the program does
+    bool is_text = false;   // a char array or pointer of a program; its characters are not kept
 
     std::size_t length() const;  // number of values
 };
@@ -63,6 +66,7 @@ struct Value {
 
 struct Program;
 struct Function;
+struct FormalParameter;
 enum class Flow : std::uint8_t;
 
 class Reader {
@@ -88,6 +92,7 @@ class Reader {
         Object* object = nullptr;
         std::size_t offset = 0;  // in bytes
         Dimensions dimensions;
+        Object* pointer = nullptr;  // the pointer variable that the name is, if no subscript follows it
     };
 
     // -- tokens --
@@ -111,7 +116,7 @@ class Reader {
     // -- statements (read.cpp) --
     void statement();
     void declaration();
-    void declare_object(const Token& name, Kind kind, bool is_static);
+    void declare_object(const Token& name, Kind kind, const Dimensions& row, bool is_static);
     void initialise(Object& object, const Token& name);
     void assignment();
     void program();
@@ -124,6 +129,7 @@ class Reader {
     void arrays_values(Kind kind, std::span<const std::size_t> dimensions, std::vector<double>& values,
                        std::size_t start, bool is_open);
     Dimensions dimensions_in_brackets();
+    static Dimensions with_rows(Dimensions outer, const Dimensions& row, const Place& place);
     void hold(std::size_t bytes, const Place& place);
     void allocate(Object& object, const Place& place);
     void fill(Object& object, const std::vector<double>& values);
@@ -162,15 +168,20 @@ class Reader {
     Value named_value(const Token& name);
     Value size_of_operand();
     std::optional<Lvalue> lvalue(const Token& name);
+    void subscripts(Lvalue& result, const Token& name);
     [[noreturn]] void unknown_name(const Token& name);
     Value value_of(const Lvalue& lvalue, const Place& place) const;
+    [[noreturn]] void fail_unknown(const Object& object, const Place& place) const;
     static Value address_of(const Lvalue& lvalue);
     Value arithmetic(const Token& op, const Value& a, const Value& b) const;
     Value moved(const Token& op, Value pointer, const Value& by) const;
     Object* find_variable(std::string_view name);
 
     bool at_type() const;
+    // Reads a type. type_lengths_ is then what a typedef of an array adds: typedef GLfloat point[3];
     Kind type_name();
+    void enum_type();
+    [[noreturn]] void unknown_type(const Token& name) const;
     bool at_byte_type() const;
     double converted(const Value& number, Kind kind, const Place& place, std::string_view what) const;
     std::vector<std::string_view> visible_names() const;
@@ -178,8 +189,12 @@ class Reader {
     // -- a whole program: its functions and global variables (read_program.cpp) --
     void match_brackets();
     void read_functions();
-    void function(std::optional<Kind> result);
-    void enumeration();
+    void function(std::size_t at);
+    void parameters_of(Function& function);
+    FormalParameter parameter_type();
+    void parameter_name(FormalParameter& parameter);
+    void typedef_declaration();
+    bool skip_extern();
     void call_from_glut(const Token& name, const std::vector<Value>& given);
     [[noreturn]] void out_of_reach(const Place& place, std::string_view construct) const;
 
@@ -188,6 +203,7 @@ class Reader {
     void jump(std::size_t at);
     Flow run_statement();
     Flow run_block();
+    Flow run_body();
     Flow run_if();
     Flow run_while();
     Flow run_do();
@@ -197,7 +213,6 @@ class Reader {
     bool is_declaration() const;
     void declare(const Token& name, Object object);
     bool declare_static(const Token& name);
-    void declare_pointer(const Token& name, Kind kind, bool is_static);
     void forget_locals(std::size_t count);
     void skip_token();
     void skip_statement();
@@ -206,6 +221,18 @@ class Reader {
     void comma_expressions();
     Value run_function(const Function& function, const std::vector<Value>& given, const Place& place);
 
+    // -- a whole program: its pointers (run_pointers.cpp) --
+    void declare_pointer(const Token& name, Kind kind, const Dimensions& row, bool is_static);
+    void declare_text(const Token& name);
+    void point(Object& pointer, const Value& value, const Token& name) const;
+    bool outlives(const Object& target, const Object& pointer) const;
+    Lvalue behind(const Value& pointer, const Dimensions& row, const Place& place, std::string_view shown) const;
+    static Dimensions row_of(const Value& pointer);
+    Value subscripted(const Value& pointer, const Token& start);
+    Value dereferenced();
+    std::optional<Value> dereferenced_in_parentheses();
+    Value changed_pointer(const Token& name, const Lvalue& place);
+
     // -- a whole program: its expressions (run_expressions.cpp) --
     Value conditional();
     Value binary(int lowest);
@@ -213,19 +240,23 @@ class Reader {
     Value combined(const Token& op, const Value& a, const Value& b) const;
     Value variable(const Token& name, Lvalue place);
     Value assigned(const Lvalue& place, const Value& value, const Token& name);
+    std::optional<Token> name_in_parentheses();
     Value program_name(const Token& name);
-    Value call_in_program(const Token& name);
-    std::optional<Value> call_of_glut(const Token& name);
-    std::optional<Value> call_of_mathematics(const Token& name);
     Value in_kind(const Value& value, Kind kind, const Place& place) const;
     static bool is_true(const Value& value);
     void skip_operand(int lowest);
-    std::vector<Value> values_in_parentheses();
+
+    // -- a whole program: its calls (run_calls.cpp) --
+    std::vector<Value> values_in_parentheses(const Function* called = nullptr);
+    Value call_in_program(const Token& name);
+    std::optional<Value> call_of_mathematics(const Token& name);
+    std::optional<Value> call_of_glut(const Token& name);
 
     Lexer lexer_;
     std::unique_ptr<Program> program_;  // null for scenes
     // Reads an expression only for its type: nothing is called, assigned or checked.
     bool dry_ = false;
+    Dimensions type_lengths_{};
     Token token_, ahead_;
     bool primed_ = false;
     std::size_t nesting_ = 0;

@@ -1,10 +1,8 @@
-// Evaluates what only a whole program's expressions have: assignments, conditions, calls of its functions, of C's
-// mathematics and of GLUT.
+// Evaluates what only a whole program's expressions have: conditions, more operators, assignments.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "scene/command/memory.h"
@@ -44,8 +42,6 @@ bool is_compound_assignment(const Token& token) {
     return token.kind == TokenKind::kPunctuation && token.text.size() > 1 && token.text.back() == '=' &&
            std::find(std::begin(kAll), std::end(kAll), token.text) != std::end(kAll);
 }
-
-bool is_step(const Token& token) { return token.is("++") || token.is("--"); }
 
 }  // namespace
 
@@ -143,7 +139,7 @@ Value Reader::combined(const Token& op, const Value& a, const Value& b) const {
         if (a.is_pointer() || b.is_pointer()) {
             const bool same = !is_true(a) && !is_true(b);
             if ((is_true(a) && is_true(b)) || (text != "==" && text != "!="))
-                fail(op.place, "pointers can be compared with NULL only");
+                out_of_reach(op.place, "a comparison of two pointers");
             return integer(static_cast<std::int64_t>((text == "==") == same));
         }
         // Floats and whole numbers of up to 53 bits are doubles exactly.
@@ -174,21 +170,19 @@ Value Reader::combined(const Token& op, const Value& a, const Value& b) const {
 Value Reader::prefix() {
     const Token op = token_;
     if (op.kind != TokenKind::kPunctuation || op.is("(") || op.is("&")) return primary();
-    if (is_step(op) || op.is("*")) {
+    if (op.is("*")) return dereferenced();
+    if (is_step(op)) {
         advance();
         const Token name = token_;
         advance();
-        std::optional<Lvalue> place = lvalue(name);
-        if (!place) out_of_reach(op.place, fmt::format("'{}' before {}", op.text, shown(name)));
-        if (op.is("*")) {
-            if (place->dimensions.size() != 1 || place->dimensions[0] == 0)
-                out_of_reach(op.place, fmt::format("'*' before {}", shown(name)));
-            place->dimensions.clear();
-            return variable(name, *place);
-        }
-        if (!place->dimensions.empty()) out_of_reach(op.place, "a pointer that moves");
+        const std::optional<Lvalue> place = lvalue(name);
+        if (!place || (!place->dimensions.empty() && !place->pointer))
+            out_of_reach(op.place, fmt::format("'{}' before {}", op.text, shown(name)));
         const Token sign{TokenKind::kPunctuation, op.text.substr(0, 1), op.place};
-        return assigned(*place, arithmetic(sign, value_of(*place, name.place), integer(1)), name);
+        const Value changed = arithmetic(sign, value_of(*place, name.place), integer(1));
+        if (!place->pointer) return assigned(*place, changed, name);
+        point(*place->pointer, changed, name);
+        return changed;
     }
     if (!op.is("!") && !op.is("~")) return primary();
     if (++program_->depth > kMaxProgramDepth) fail(op.place, "this program is nested too deeply");
@@ -208,7 +202,8 @@ Value Reader::variable(const Token& name, Lvalue place) {
     const bool is_changed = op.is("=") || is_compound_assignment(op) || is_step(op);
     if (op.is(".") || op.is("->")) out_of_reach(op.place, "a struct");
     if (!is_changed) return value_of(place, name.place);
-    if (!place.dimensions.empty()) out_of_reach(name.place, "a pointer that moves");
+    if (place.pointer) return changed_pointer(name, place);
+    if (!place.dimensions.empty()) fail(name.place, "{} is an array; only its elements can be changed", shown(name));
     advance();
     if (op.is("=")) return assigned(place, expression(), name);
     const Token by{TokenKind::kPunctuation, op.text.substr(0, op.text.size() - 1), op.place};
@@ -230,6 +225,24 @@ Value Reader::assigned(const Lvalue& place, const Value& value, const Token& nam
     return kept;
 }
 
+// Moves past (name) or ((name)), as macros write their parameters: (v)[0] = 1;
+std::optional<Token> Reader::name_in_parentheses() {
+    const Program& p = *program_;
+    std::size_t at = p.at;
+    while (p.tokens[at].is("(")) ++at;
+    const Token name = p.tokens[at];
+    const std::size_t outer = p.partners[p.at];
+    if (name.kind != TokenKind::kName || outer - at != at - p.at) return std::nullopt;
+    for (std::size_t i = at + 1; i <= outer; ++i)
+        if (!p.tokens[i].is(")")) return std::nullopt;
+    const bool is_type = name.is("void") || name.is("GLvoid") || name.is("char") || name.is("GLchar") ||
+                         name.is("signed") || name.is("unsigned") || name.is("long") || name.is("bool") ||
+                         name.is("size_t") || find_type(name.text) || p.types.contains(name.text);
+    if (is_type) return std::nullopt;
+    jump(outer + 1);
+    return name;
+}
+
 Value Reader::program_name(const Token& name) {
     if (token_.is("(")) return call_in_program(name);
     if (const std::optional<Lvalue> place = lvalue(name)) return variable(name, *place);
@@ -237,223 +250,9 @@ Value Reader::program_name(const Token& name) {
     if (constant != program_->constants.end()) return constant->second;
     if (name.is("true")) return integer(1);
     if (name.is("false")) return integer(0);
+    if (const std::optional<int> value = glut_constant(name.text)) return integer(*value);
     if (program_->functions.contains(name.text)) out_of_reach(name.place, "a pointer to a function");
     return named_value(name);
-}
-
-// ---- Calls ----
-
-std::vector<Value> Reader::values_in_parentheses() {
-    std::vector<Value> values;
-    expect("(", "after the function's name");
-    while (!token_.is(")")) {
-        values.push_back(expression());
-        if (!accept(",")) break;
-    }
-    expect(")", "after the arguments");
-    return values;
-}
-
-// The call of a function; its name was just read.
-Value Reader::call_in_program(const Token& name) {
-    Program& p = *program_;
-    const auto function = p.functions.find(name.text);
-    if (dry_) {
-        jump(p.partners[p.at] + 1);
-        if (function != p.functions.end() && function->second.result)
-            return in_kind(integer(0), *function->second.result, name.place);
-        if (name.text.starts_with("gl") || name.is("abs")) return integer(0);
-        return real(0, name.text.ends_with('f'));
-    }
-    if (function != p.functions.end()) {
-        const std::vector<Value> given = values_in_parentheses();
-        return run_function(function->second, given, name.place);
-    }
-    if (find_command_or_extension(name.text)) {
-        jump(p.at - 1);
-        const Command& command = call();
-        const Signature& sig = command.sig();
-        if (sig.c_arguments() == sig.parameters.size()) return integer(0);
-        const Parameter& result = sig.parameters.back();
-        // Scenes with errors are refused, so glGetError returns GL_NO_ERROR.
-        if (named_objects(result) || result.kind == Kind::kQuadric || command.id == CommandId::glGetError)
-            return integer(static_cast<std::int64_t>(command.arguments.back()));
-        out_of_reach(name.place, fmt::format("the result of {}", sig.name));
-    }
-    if (const std::optional<Value> result = call_of_mathematics(name)) return *result;
-    if (const std::optional<Value> result = call_of_glut(name)) return *result;
-    if (name.is("exit")) fail(name.place, "the program ends itself here, before its first picture is complete");
-    constexpr std::string_view kOutOfReach[] = {
-        "rand",    "random", "drand48", "time",   "clock",  "gettimeofday", "malloc", "calloc", "realloc", "free",
-        "fopen",   "fclose", "fread",   "fscanf", "scanf",  "getchar",      "fgets",  "getenv", "atoi",    "atof",
-        "sprintf", "strlen", "strcpy",  "strcmp", "memcpy", "memset",       "system", "usleep", "sleep",   "snprintf"};
-    if (std::find(std::begin(kOutOfReach), std::end(kOutOfReach), name.text) != std::end(kOutOfReach))
-        out_of_reach(name.place, fmt::format("the function {}", name.text));
-    std::vector<std::string_view> names;
-    for (const auto& [known, ignored] : p.functions) names.push_back(known);
-    for (const Signature& sig : signatures())
-        if (sig.family != Family::kPragma) names.push_back(sig.name);
-    if (const auto near = nearest(name.text, names))
-        fail(name.place, "unknown function {}; did you mean {}?", in_quotes(name.text), *near);
-    out_of_reach(name.place, fmt::format("the function {}, which this file does not define", in_quotes(name.text)));
-}
-
-namespace {
-
-struct OneArgument {
-    std::string_view name;
-    double (*of_double)(double);
-    float (*of_float)(float);
-};
-#define ROW(name)                                                                          \
-    {                                                                                      \
-#name, [](double x) { return std::name(x); }, [](float x) { return std::name(x); } \
-    }
-constexpr OneArgument kOneArgument[] = {ROW(sin),  ROW(cos),  ROW(tan),  ROW(asin),  ROW(acos),  ROW(atan),  ROW(sinh),
-                                        ROW(cosh), ROW(tanh), ROW(exp),  ROW(log),   ROW(log2),  ROW(log10), ROW(sqrt),
-                                        ROW(cbrt), ROW(fabs), ROW(ceil), ROW(floor), ROW(round), ROW(trunc)};
-#undef ROW
-
-struct TwoArguments {
-    std::string_view name;
-    double (*of_double)(double, double);
-    float (*of_float)(float, float);
-};
-#define ROW(name)                                                                                                   \
-    {                                                                                                               \
-#name, [](double x, double y) { return std::name(x, y); }, [](float x, float y) { return std::name(x, y); } \
-    }
-constexpr TwoArguments kTwoArguments[] = {ROW(pow), ROW(atan2), ROW(fmod), ROW(fmin), ROW(fmax), ROW(hypot)};
-#undef ROW
-
-}  // namespace
-
-// sin(x), sinf(x), abs(i): nullopt if the name is none of them.
-std::optional<Value> Reader::call_of_mathematics(const Token& name) {
-    const auto given = [&](std::size_t count) {
-        std::vector<Value> values = values_in_parentheses();
-        for (const Value& value : values)
-            if (value.is_pointer()) fail(name.place, "{} takes numbers", name.text);
-        if (values.size() != count) fail(name.place, "{} takes {} argument{}", name.text, count, count == 1 ? "" : "s");
-        return values;
-    };
-    if (name.is("abs") || name.is("labs"))
-        return integer(std::abs(in_kind(given(1)[0], Kind::kInt, name.place).integer));
-    const auto is_float_form = [&](std::string_view known) {
-        return name.text.size() == known.size() + 1 && name.text.back() == 'f' && name.text.starts_with(known);
-    };
-    for (const OneArgument& row : kOneArgument) {
-        if (name.text == row.name) return real(row.of_double(given(1)[0].number()), false);
-        if (is_float_form(row.name)) {
-            const auto x = static_cast<float>(given(1)[0].number());
-            return real(static_cast<double>(row.of_float(x)), true);
-        }
-    }
-    for (const TwoArguments& row : kTwoArguments) {
-        const bool is_float = is_float_form(row.name);
-        if (name.text != row.name && !is_float) continue;
-        const std::vector<Value> values = given(2);
-        const double x = values[0].number(), y = values[1].number();
-        if (!is_float) return real(row.of_double(x, y), false);
-        return real(static_cast<double>(row.of_float(static_cast<float>(x), static_cast<float>(y))), true);
-    }
-    return std::nullopt;
-}
-
-// GLUT's functions and C's output: nullopt if the name is none of them.
-std::optional<Value> Reader::call_of_glut(const Token& name) {
-    Program& p = *program_;
-    const std::size_t after = p.partners[p.at] + 1;
-    const bool is_display = name.is("glutDisplayFunc");
-    if (is_display || name.is("glutReshapeFunc")) {
-        advance();
-        accept("&");
-        if (token_.kind != TokenKind::kName || !ahead_.is(")"))
-            out_of_reach(token_.place, fmt::format("the argument of {}", name.text));
-        (is_display ? p.display : p.reshape) = token_;
-        if (token_.is("NULL")) (is_display ? p.display : p.reshape).reset();
-        jump(after);
-        return integer(0);
-    }
-    if (name.is("glutInitWindowSize")) {
-        const std::vector<Value> size = values_in_parentheses();
-        if (size.size() != 2) fail(name.place, "glutInitWindowSize takes 2 arguments: width and height");
-        const double width = size[0].number(), height = size[1].number();
-        if (!(width >= 1 && width <= kMaxProgramWindow && height >= 1 && height <= kMaxProgramWindow))
-            fail(name.place, "a window must be from 1 x 1 to {} x {} pixels", kMaxProgramWindow, kMaxProgramWindow);
-        if (!p.options.window) p.window = {static_cast<int>(width), static_cast<int>(height)};
-        return integer(0);
-    }
-    if (name.is("glutGet")) {
-        advance();
-        const Token asked = token_;
-        jump(after);
-        if (asked.is("GLUT_WINDOW_WIDTH")) return integer(p.window.width);
-        if (asked.is("GLUT_WINDOW_HEIGHT")) return integer(p.window.height);
-        out_of_reach(name.place, fmt::format("glutGet({})", asked.text));
-    }
-    if (name.is("glutMainLoop")) {
-        p.reached_main_loop = true;
-        jump(after);
-        return integer(0);
-    }
-    // Functions that change no picture, and those whose callbacks come after the first picture.
-    constexpr std::string_view kPassedOver[] = {"glutInit",
-                                                "glutInitDisplayMode",
-                                                "glutInitDisplayString",
-                                                "glutInitWindowPosition",
-                                                "glutCreateWindow",
-                                                "glutDestroyWindow",
-                                                "glutPostRedisplay",
-                                                "glutSwapBuffers",
-                                                "glutPositionWindow",
-                                                "glutReshapeWindow",
-                                                "glutFullScreen",
-                                                "glutSetWindowTitle",
-                                                "glutSetIconTitle",
-                                                "glutSetCursor",
-                                                "glutKeyboardFunc",
-                                                "glutKeyboardUpFunc",
-                                                "glutSpecialFunc",
-                                                "glutSpecialUpFunc",
-                                                "glutMouseFunc",
-                                                "glutMouseWheelFunc",
-                                                "glutMotionFunc",
-                                                "glutPassiveMotionFunc",
-                                                "glutEntryFunc",
-                                                "glutVisibilityFunc",
-                                                "glutWindowStatusFunc",
-                                                "glutIdleFunc",
-                                                "glutTimerFunc",
-                                                "glutCloseFunc",
-                                                "glutWMCloseFunc",
-                                                "glutCreateMenu",
-                                                "glutAddMenuEntry",
-                                                "glutAddSubMenu",
-                                                "glutAttachMenu",
-                                                "glutSetMenu",
-                                                "glutIgnoreKeyRepeat",
-                                                "glutSetKeyRepeat",
-                                                "glutSetOption",
-                                                "glutShowWindow",
-                                                "gluQuadricCallback",
-                                                "printf",
-                                                "fprintf",
-                                                "puts",
-                                                "fputs",
-                                                "putchar",
-                                                "fflush",
-                                                "perror",
-                                                "assert",
-                                                "atexit",
-                                                "srand",
-                                                "srand48",
-                                                "srandom",
-                                                "setbuf"};
-    if (std::find(std::begin(kPassedOver), std::end(kPassedOver), name.text) == std::end(kPassedOver))
-        return std::nullopt;
-    jump(after);
-    return integer(name.is("glutCreateWindow") || name.is("glutCreateMenu") ? 1 : 0);
 }
 
 }  // namespace twinlight

@@ -105,11 +105,14 @@ Flow Reader::run_statement() {
     } else if (token_.is("case") || token_.is("default")) {
         while (!token_.is(":") && token_.kind != TokenKind::kEnd) advance();
         advance();
-    } else if (token_.is("goto") || token_.is("struct") || token_.is("union") || token_.is("typedef") ||
+    } else if (token_.is("goto") || token_.is("struct") || token_.is("union") ||
                (token_.kind == TokenKind::kName && ahead_.is("::"))) {
         out_of_reach(token_.place, in_quotes(token_.text));
-    } else if (token_.is("enum")) {
-        enumeration();
+    } else if (token_.is("typedef")) {
+        typedef_declaration();
+    } else if (token_.is("using") && ahead_.is("namespace")) {
+        skip_statement();
+    } else if (skip_extern()) {
     } else if (is_declaration()) {
         declaration();
     } else {
@@ -129,12 +132,20 @@ Flow Reader::run_statement() {
 
 Flow Reader::run_block() {
     const std::size_t outer = program_->locals.size();
+    const std::size_t block = std::exchange(program_->block, outer);
     advance();
     Flow flow = Flow::kNext;
     while (flow == Flow::kNext && !token_.is("}")) flow = run_statement();
     forget_locals(outer);
+    program_->block = block;
     if (flow == Flow::kNext) advance();
     return flow;
+}
+
+// What follows if (...), else, for (...), while (...) and do.
+Flow Reader::run_body() {
+    if (!token_.is("{") && is_declaration()) fail(token_.place, "a declaration here needs {{ and }} around it");
+    return run_statement();
 }
 
 void Reader::comma_expressions() {
@@ -155,7 +166,7 @@ Flow Reader::run_if() {
     while (true) {  // a round for each else if
         advance();
         if (condition()) {
-            const Flow flow = run_statement();
+            const Flow flow = run_body();
             if (flow != Flow::kNext) return flow;
             while (accept("else")) {
                 if (!token_.is("if")) {
@@ -170,7 +181,7 @@ Flow Reader::run_if() {
         }
         skip_statement();
         if (!accept("else")) return Flow::kNext;
-        if (!token_.is("if")) return run_statement();
+        if (!token_.is("if")) return run_body();
     }
 }
 
@@ -181,7 +192,7 @@ Flow Reader::run_while() {
     const std::size_t outer = program_->locals.size();
     while (condition()) {
         program_->loop = loop;
-        const Flow flow = run_statement();
+        const Flow flow = run_body();
         forget_locals(outer);
         if (flow == Flow::kReturn) return flow;
         if (flow == Flow::kBreak) break;
@@ -204,7 +215,7 @@ Flow Reader::run_do() {
     while (again && flow != Flow::kBreak) {
         program_->loop = loop;
         jump(body);
-        flow = run_statement();
+        flow = run_body();
         forget_locals(outer);
         if (flow == Flow::kReturn) return flow;
         jump(end);
@@ -222,6 +233,7 @@ Flow Reader::run_for() {
     Program& p = *program_;
     const std::size_t loop = p.at;
     const std::size_t outer = p.locals.size();
+    const std::size_t block = std::exchange(p.block, outer);
     advance();
     if (!token_.is("(")) fail_missing("(", "after for");
     const std::size_t close = p.partners[p.at];
@@ -248,10 +260,11 @@ Flow Reader::run_for() {
         if (!token_.is(";")) fail_missing(";", "after the condition of for (...)");
         if (!holds) break;
         jump(close + 1);
-        const Flow flow = run_statement();
+        const Flow flow = run_body();
         forget_locals(inner);
         if (flow == Flow::kReturn) {
             forget_locals(outer);
+            p.block = block;
             return flow;
         }
         if (flow == Flow::kBreak) break;
@@ -260,6 +273,7 @@ Flow Reader::run_for() {
         if (p.at != close) fail_missing(")", "after for (...; ...; ...");
     }
     forget_locals(outer);
+    p.block = block;
     jump(close + 1);
     skip_statement();
     return Flow::kNext;
@@ -293,8 +307,10 @@ Flow Reader::run_switch() {
     }
     Flow flow = Flow::kNext;
     if (start) {
+        const std::size_t block = std::exchange(p.block, outer);
         jump(*start);
         while (flow == Flow::kNext && p.at < end) flow = run_statement();
+        p.block = block;
     }
     forget_locals(outer);
     if (flow == Flow::kReturn || flow == Flow::kContinue) return flow;
@@ -323,8 +339,9 @@ void Reader::declare(const Token& name, Object object) {
     if (p.locals.size() - p.frame >= kMaxProgramLocals)
         fail(name.place, "a function can have at most {} variables", kMaxProgramLocals);
     auto owned = std::make_unique<Object>(std::move(object));
+    owned->is_local = true;
     Object* const made = owned.get();
-    p.locals.push_back({name.text, made, std::move(owned)});
+    p.locals.push_back({name.text, made, std::move(owned), p.block});
 }
 
 // Declares a static variable of a function, whose name was just read. Returns true if it already has its value.
@@ -332,30 +349,10 @@ bool Reader::declare_static(const Token& name) {
     Program& p = *program_;
     if (!p.in_function) return false;
     const auto [found, is_new] = p.statics.emplace(p.at - 1, Object{});
-    p.locals.push_back({name.text, &found->second, nullptr});
+    p.locals.push_back({name.text, &found->second, nullptr, p.block});
     if (is_new) return false;
     skip_expression();
     return true;
-}
-
-// The rest of GLfloat* name = array; after the name. It is another name for a part of the array.
-void Reader::declare_pointer(const Token& name, Kind kind, bool is_static) {
-    if (is_static || !accept("=")) out_of_reach(name.place, fmt::format("the pointer {}", in_quotes(name.text)));
-    const Value value = expression();
-    if (!value.object || value.object->is_literal || value.kind != kind)
-        out_of_reach(name.place, fmt::format("the pointer {}", in_quotes(name.text)));
-    const auto offset = static_cast<std::size_t>(value.offset);
-    const std::size_t rest = (value.object->memory->bytes.size() - offset) / size_of(kind);
-    Object object{.kind = kind,
-                  .dimensions = {rest},
-                  .shown = in_quotes(name.text),
-                  .place = name.place,
-                  .target = value.object,
-                  .offset = offset};
-    if (program_->in_function)
-        declare(name, std::move(object));
-    else
-        variables_.insert_or_assign(name.text, std::move(object));
 }
 
 void Reader::forget_locals(std::size_t count) {
@@ -371,6 +368,7 @@ void Reader::forget_locals(std::size_t count) {
 Value Reader::run_function(const Function& function, const std::vector<Value>& given, const Place& place) {
     Program& p = *program_;
     const std::string name = in_quotes(function.name.text);
+    if (function.refusal) throw SceneError(*function.refusal);
     if (given.size() != function.parameters.size())
         fail(place, "the function {} takes {} arguments, but {} are given", name, function.parameters.size(),
              given.size());
@@ -378,33 +376,30 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
 
     const std::size_t first = p.locals.size();
     const std::size_t frame = std::exchange(p.frame, first);
+    const std::size_t block = std::exchange(p.block, first);
     for (std::size_t i = 0; i < given.size(); ++i) {
         const FormalParameter& parameter = function.parameters[i];
         const Token token{TokenKind::kName, parameter.name, place};
         Object object{.kind = parameter.kind, .dimensions = {}, .shown = in_quotes(parameter.name), .place = place};
+        object.is_text = parameter.is_text;
         if (parameter.is_array) {
             const Value& array = given[i];
-            if (!array.object || !array.kind || c_type(*array.kind) != c_type(parameter.kind))
+            if (array.object && (!array.kind || c_type(*array.kind) != c_type(parameter.kind)))
                 fail(place, "the parameter {} of {} needs an array of {}", object.shown, name,
                      c_type_name(c_type(parameter.kind)));
-            std::size_t row = size_of(parameter.kind);
-            for (const std::size_t length : parameter.row) row *= length;
-            object.target = array.object;
-            object.offset = static_cast<std::size_t>(array.offset);
-            object.dimensions = {(array.object->memory->bytes.size() - object.offset) / row};
+            if (!array.object && !array.is_pointer())
+                fail(place, "the parameter {} of {} needs an array", object.shown, name);
+            object.is_pointer = true;
+            object.dimensions = {0};
             object.dimensions.insert(object.dimensions.end(), parameter.row.begin(), parameter.row.end());
-        } else {
+            object.target = array.object;  // also a literal of the caller
+            point(object, array, token);
+        } else if (!parameter.is_text) {
             if (given[i].is_pointer()) fail(place, "the parameter {} of {} needs a number", object.shown, name);
             allocate(object, place);
             fill(object, {in_kind(given[i], parameter.kind, place).number()});
         }
         declare(token, std::move(object));
-    }
-    if (function.name.is("main")) {  // argc is 1: the program has no arguments
-        Object argc{.kind = Kind::kInt, .dimensions = {}, .shown = "argc", .place = place};
-        allocate(argc, place);
-        fill(argc, {1});
-        declare({TokenKind::kName, "argc", place}, std::move(argc));
     }
 
     // The caller's literals live on while the function runs.
@@ -422,6 +417,7 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
     nesting_ = nesting;
     p.in_function = in_function;
     p.frame = frame;
+    p.block = block;
     --p.depth;
     jump(resume);
     const Value result = std::exchange(p.returned, integer(0));

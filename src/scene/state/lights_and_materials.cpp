@@ -116,7 +116,9 @@ std::optional<std::vector<double>> State::parameter_values(const Command& c, Own
                                   : std::isinf(info->largest)
                                       ? "0 or more"
                                       : fmt::format("in [{}, {}]", info->smallest, info->largest);
-        raise(kGL_INVALID_VALUE, c, "{} is {}; it must be {}", enum_name(pname), value, range);
+        const bool may_be_of_obj = pname == kGL_SHININESS && value > info->largest;
+        raise(kGL_INVALID_VALUE, c, "{} is {}; it must be {}{}", enum_name(pname), value, range,
+              may_be_of_obj ? "; for a larger Ns of an OBJ file, use 128" : "");
         return std::nullopt;
     }
     return values;

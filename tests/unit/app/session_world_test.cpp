@@ -214,6 +214,11 @@ TEST(SessionWorld, TheNearestHandleIsFound) {
     for (const Handle& handle : {left, tip, right})
         EXPECT_EQ(handle_at(seen.world, seen.projection, seen.place(handle) + glm::dvec2(3, -2)), handle);
     EXPECT_EQ(handle_at(seen.world, seen.projection, seen.place(left) + glm::dvec2(13, 0), 5), std::nullopt);
+    // GL_LIGHT2 and GL_LIGHT3 are where lights are initially; the first is black.
+    const Seen initial(kLit + on(2) + on(3) + light(3, "GL_DIFFUSE", "1, 1, 1, 1") + kSquare);
+    const auto found = handle_at(initial.world, initial.projection, initial.place({0, false}));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(initial.world.lights[found->light].number, 3);
 }
 
 // ---- Dragging ----

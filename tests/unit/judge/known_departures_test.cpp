@@ -62,6 +62,18 @@ TEST(KnownDepartures, AreGoneInTheVersionThatMendedThem) {
     EXPECT_EQ(names_of(back, driver("llvmpipe", "Mesa 25.0.7")), Names{});
 }
 
+TEST(KnownDepartures, OfFogAreThoseOfPrimitivesOnBothSidesOfTheEye) {
+    const auto names = [](const std::string& mode, const std::string& shape) {
+        return names_of("glEnable(GL_FOG); glFogi(GL_FOG_MODE, " + mode + ");" + shape, kLlvmpipe);
+    };
+    const std::string vertices = "glVertex3f(0, 0, 1); glVertex3f(0, 1, -1); glEnd();", lines = "glBegin(GL_LINES);";
+    for (const char* mode : {"GL_EXP", "GL_EXP2"})
+        EXPECT_EQ(names(mode, lines + vertices), Names{"exponential fog on primitives that reach behind the eye"});
+    EXPECT_EQ(names("GL_LINEAR", lines + vertices), Names{});
+    EXPECT_EQ(names("GL_EXP", "glBegin(GL_POINTS);" + vertices), Names{});
+    EXPECT_EQ(names("GL_EXP", lines + "glVertex3f(0, 0, -1); glVertex3f(0, 1, -2); glEnd();"), Names{});
+}
+
 TEST(KnownDepartures, AreListedForADriverOrNotAtAll) {
     EXPECT_TRUE(is_listed(kLlvmpipe));
     EXPECT_TRUE(is_listed(kSoftpipe));

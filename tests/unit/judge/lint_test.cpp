@@ -197,6 +197,75 @@ TEST(Lint, SeesCommandsOfDisplayListsWhereTheyAreExecuted) {
               std::set<std::string>{"scale-without-normalize"});
 }
 
+// `text` with one part of it replaced.
+std::string changed(std::string text, const std::string& part, const std::string& by) {
+    const std::size_t at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    return text.replace(at, part.size(), by);
+}
+
+TEST(Lint, ComparesTheAspectWithAViewportThatTheTextSets) {
+    const std::string squeezed = lint::wrong_scene(*lint::find_rule("aspect-of-viewport"));
+    const std::set<std::string> none, aspect{"aspect-of-viewport"};
+    EXPECT_EQ(lint::headline(warnings_of(squeezed)[0]),
+              "scene.gl:6:1: warning: the picture is squeezed: the aspect of gluPerspective is 1, but the viewport has "
+              "160 x 120 pixels, which is 1.333 [aspect-of-viewport]");
+    EXPECT_EQ(names(warnings_of(changed(squeezed, "glViewport(0, 0, width, height);", ""))), none);
+    EXPECT_EQ(names(warnings_of(changed(squeezed, "width / height", "1.3"))), none);  // right to two digits
+    EXPECT_EQ(names(warnings_of(changed(squeezed, "width / height", "1.29"))), aspect);
+    // Another matrix makes up for it.
+    EXPECT_EQ(
+        names(warnings_of(changed(squeezed, "glutSolid", "glScalef(0.75, 1, 1); glEnable(GL_NORMALIZE); glutSolid"))),
+        none);
+    EXPECT_EQ(names(warnings_of(changed(squeezed, "gluPerspective", "glScalef(0.75, 1, 1); gluPerspective"))), none);
+}
+
+TEST(Lint, ComparesTheAspectWithTheWindowOfAProgram) {
+    const std::string program =
+        "#include <GL/glut.h>\nvoid display(void) { glutSolidSphere(1, 20, 20); }\nint main(int argc, char **argv) {\n"
+        "glutInit(&argc, argv); glutInitWindowSize(WINDOW); glutCreateWindow(\"w\"); glMatrixMode(GL_PROJECTION);\n"
+        "gluPerspective(45, 1, 1, 100); glMatrixMode(GL_MODELVIEW); glTranslatef(0, 0, -5); glutDisplayFunc(display); "
+        "glutMainLoop(); return 0; }";
+    const auto warnings = [&](const std::string& window) {
+        const auto list =
+            std::make_shared<CommandList>(read_scene(changed(program, "WINDOW", window), "scene.c", "scene.c"));
+        return names(lint::lint(make_scene(list, {.width = list->window->width, .height = list->window->height})));
+    };
+    EXPECT_EQ(warnings("400, 300"), std::set<std::string>{"aspect-of-viewport"});
+    EXPECT_EQ(warnings("300, 300"), std::set<std::string>{});
+}
+
+TEST(Lint, KnowsWhichTexturesAreIncomplete) {
+    const std::string incomplete = lint::wrong_scene(*lint::find_rule("texture-incomplete"));
+    const std::set<std::string> none;
+    EXPECT_EQ(names(warnings_of(changed(incomplete, "glEnable(GL_TEXTURE_2D);", ""))), none);
+    EXPECT_EQ(names(warnings_of(changed(incomplete, "glTexImage2D(",
+                                        "glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE); glTexImage2D("))),
+              none);
+    EXPECT_EQ(names(warnings_of(changed(incomplete, "glEnable(GL_TEXTURE_2D);",
+                                        "glBindTexture(GL_TEXTURE_2D, 1); glEnable(GL_TEXTURE_2D);"))),
+              none);  // no image: a texture that is not there yet
+}
+
+TEST(Lint, FindsNearPlanesOfBothCommands) {
+    const auto with = [](const std::string& call) {
+        return names(warnings_of("glClear(GL_DEPTH_BUFFER_BIT); glMatrixMode(GL_PROJECTION); " + call +
+                                 " glMatrixMode(GL_MODELVIEW); glTranslatef(0, 0, -5); glutWireCube(1);"));
+    };
+    EXPECT_EQ(with("glFrustum(-1e-4, 1e-4, -1e-4, 1e-4, 1e-4, 1000);"), std::set<std::string>{"near-plane"});
+    EXPECT_EQ(with("glFrustum(-1, 1, -1, 1, 1, 1000);"), std::set<std::string>{});
+    EXPECT_EQ(with("gluPerspective(45, 4.0 / 3.0, 1e-4, 1000);"), std::set<std::string>{"near-plane"});
+}
+
+TEST(Lint, FindsAHighlightEverywhereOnlyWhereALocalViewerChangesIt) {
+    const std::string everywhere = lint::wrong_scene(*lint::find_rule("highlight-everywhere"));
+    const std::set<std::string> none;
+    EXPECT_EQ(names(warnings_of(changed(everywhere, "{0, 2, -6, 0}", "{0, 2, -3, 1}"))), none);  // positional
+    EXPECT_EQ(names(warnings_of(changed(everywhere, "SHININESS, 100", "SHININESS, 1"))), none);  // no bright place
+    EXPECT_EQ(names(warnings_of(changed(everywhere, "gluDisk(floor, 0, 3, 60, 60)", "glutSolidSphere(1.5, 40, 20)"))),
+              none);
+}
+
 TEST(Lint, PrintsLikeACompiler) {
     const std::vector<lint::Warning> warnings = warnings_of(kBlack);
     ASSERT_EQ(warnings.size(), 1u);

@@ -157,6 +157,7 @@ TEST(Programs, ConvertAsCDoes) {
     EXPECT_EQ(values_of("unsigned int seed = 3000000000u; seed = seed * 1103515245u + 12345u; glScaled(seed, 0, 0);"),
               (Values{1398552121.0, 0, 0}));
     EXPECT_EQ(values_of("glutSolidSphere(1, 16.0, 12.9);"), (Values{1, 16, 12}));
+    EXPECT_EQ(values_of("GLfloat shininess = {100.0}; int i = {3,}; glScaled(shininess, i, 0);"), (Values{100, 3, 0}));
 }
 
 TEST(Programs, CallFunctions) {
@@ -176,6 +177,131 @@ TEST(Programs, CallFunctions) {
     EXPECT_EQ(values_of("q(GL_LIGHT0, (GLfloat[]){1, 2, 3, 4});",
                         "void q(GLenum l, const GLfloat c[4]) { int i = 0; i++; glLightfv(l, GL_DIFFUSE, c); }"),
               (Values{0x4000, 0x1201, 1, 2, 3, 4}));
+}
+
+TEST(Programs, HavePointersIntoArrays) {
+    EXPECT_EQ(values_of("const float *p = v; glLineWidth(*p++); glLineWidth(*p); p = v + 2; glLineWidth(*p--); "
+                        "glLineWidth(p[0]); glLineWidth(*(p + 2)); p += 2; --p; glLineWidth(*p);",
+                        "float v[4] = {1, 2, 3, 4};"),
+              (Values{1, 2, 3, 2, 4, 3}));
+    EXPECT_EQ(values_of("turn(1); glTexGenfv(GL_S, GL_OBJECT_PLANE, plane); turn(0); glNormal3fv(plane);",
+                        "GLfloat a[] = {1, 0, 0, 0}, b[] = {0, 1, 0, 0}; static GLfloat *plane;"
+                        "void turn(int to_a) { if (to_a) plane = a; else plane = b; }"),
+              (Values{0x2000, 0x2501, 1, 0, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(values_of("float v[3]; put(v); glNormal3fv(v);",
+                        "void put(float *to) { int i; for (i = 0; i < 3; i++) *to++ = i + 5; }"),
+              (Values{5, 6, 7}));
+    EXPECT_EQ(values_of("int m[2][3] = {{1, 2, 3}, {4, 5, 6}}; int *p = m[0], n = 0; while (n < 6) n += *p++ > 0; "
+                        "glScaled(n, sizeof(p), sizeof(m));"),
+              (Values{6, 8, 24}));
+    EXPECT_EQ(values_of("float m[2][3] = {{1, 2, 3}, {4, 5, 6}}; glNormal3fv(*m); glNormal3fv(*(m + 1)); line(m);",
+                        "void line(float row[][3]) { glVertex3fv(*row++); glVertex3fv(*row); }"),
+              (Values{1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(values_of("int v[2] = {7, 8}, i, *p = v; for (i = 0; i < 3; i++) glLineWidth(i < 2 ? *p++ : 9); "
+                        "glLineWidth(p - 0 ? 1 : *p); p = 0; glLineWidth(p ? *p : 2);"),
+              (Values{7, 8, 9, 1, 2}));
+    EXPECT_EQ(values_of("int n = 3; float m[2][3] = {{1, 2, 3}, {4, 5, 6}}; up(&n); glScaled(n, (*m)[2], 0); last(m);",
+                        "void up(int *n) { (*n)++; (*n) *= 2; (*n) += 1; } void last(float rows[][3]) { rows++; "
+                        "glLineWidth((*rows)[2]); }"),
+              (Values{9, 3, 0, 6}));
+    EXPECT_EQ(values_of("float m[2][3] = {{1, 2, 3}, {4, 5, 6}}, *p = m[0]; (p + 1)[1] = 7; glNormal3fv((m + 1)[0]); "
+                        "glScaled((*(m + 1))[2], (p + 1)[1], (1 ? p + 4 : p)[0]);"),
+              (Values{4, 5, 6, 6, 7, 5}));
+    EXPECT_EQ(values_of("int *p = 0; if (!p && p == NULL) glLineWidth(1); put(NULL);",
+                        "void put(float *to) { if (to) *to = 1; else glLineWidth(2); }"),
+              (Values{1, 2}));
+    EXPECT_EQ(values_of("next(); glLineWidth(next());",
+                        "int v[2] = {3, 4}; int next(void) { static int *p = v; return *p++; }"),
+              (Values{4}));
+    const auto has = [](const std::string& statements, const std::string& part) {
+        EXPECT_NE(error_of(program(statements)).find(part), std::string::npos) << error_of(program(statements));
+    };
+    has("float *p; glLineWidth(*p);", "3:23: this pointer is NULL");
+    has("float *p; glLineWidth(p[0]);", "3:23: the pointer 'p' is NULL");
+    has("float v[2]; float *p = v + 2; glLineWidth(*p);", "3:43: this pointer is outside 'v', which has 2 values");
+    has("float v[2]; float *p = v + 2; (*p)++;", "3:32: this pointer is behind its array");
+    has("float *p; (*p) = 1;", "3:12: this pointer is NULL");
+    has("float v[2]; float *p = v; p--;", "this pointer is outside 'v'");
+    // An array ends with its block, so no pointer outside it may keep its place.
+    has("float *p; { float v[2]; p = v; }", "3:25: reading a program cannot follow the pointer 'p'");
+    has("float *p; p = (GLfloat[]){1, 2};", "the pointer 'p'");
+    has("float *p; for (float v[2], f = 0; f < 1; f++) p = v;", "the pointer 'p'");
+    has("float *p; switch (1) { case 1: ; float v[2]; p = v; }", "the pointer 'p'");
+    has("for (;;) float v[2];", "3:10: a declaration here needs { and } around it");
+    EXPECT_EQ(values_of("float *p, v[1] = {3}; p = v; { float *q = p; glLineWidth(*q); }"), (Values{3}));
+}
+
+// In the parameters of macros, names have parentheses around them.
+TEST(Programs, KnowNamesInParentheses) {
+    EXPECT_EQ(values_of("float a[2]; SET(a, 3, 4); (i) = 5; ((i))++; glScaled((a)[0], ((a))[1], (i));",
+                        "#define SET(v, x, y) { (v)[0] = x; (v)[1] = y; }\nint i;"),
+              (Values{3, 4, 6}));
+}
+
+TEST(Programs, HaveTypedefsAndEnumTypes) {
+    EXPECT_EQ(
+        values_of("point p = {7, 8, 9}; face(corners[1], p); glScaled(sizeof(point), sizeof(corners), (real)1);",
+                  "typedef GLfloat point[3]; typedef double real, reals[2]; point corners[2] = {{1, 2, 3}, {4, 5, 6}};"
+                  "void face(point a, point b) { glNormal3fv(a); glVertex3fv(b); }"),
+        (Values{4, 5, 6, 7, 8, 9, 12, 24, 1}));
+    EXPECT_EQ(values_of("glScaled(now, f(OFF), later);",
+                        "typedef enum { OFF, ON = 4 } state; enum mode { LINE = 2, FILL } now = FILL; state later = ON;"
+                        "int f(state s) { enum mode m = LINE; return m + s; }"),
+              (Values{3, 2, 4}));
+    EXPECT_NE(
+        error_of(program("", "typedef float many[5000]; typedef many more[5000];")).find("an array can have at most"),
+        std::string::npos);
+}
+
+TEST(Programs, ReadTheOldestFormOfFunctions) {
+    const CommandList scene = read_program(
+        "float twice(x, v) int x; float v[2]; { return x * v[1]; }\n"
+        "display() { float v[2] = {0, 2.5}; glLineWidth(twice(3.9, v)); }\n"
+        "main(argc, argv) int argc; char **argv; { if (argc > 1) exit(1); glutDisplayFunc(display); glutMainLoop(); "
+        "}\n");
+    ASSERT_EQ(scene.commands.size(), 1U);
+    EXPECT_EQ(print_command(scene.commands[0]), "glLineWidth(7.5);");
+}
+
+TEST(Programs, PassTextsOn) {
+    EXPECT_EQ(values_of("char line[20]; sprintf(line, \"%d\", 3); label(2, \"a text\"); label(3, line);",
+                        "void label(int x, const char *text) { glLineWidth(x); printf(text); }"),
+              (Values{2, 3}));
+    const CommandList scene = read_program(
+        "#include <stdio.h>\nvoid args(int n, char *words[]) { int i; for (i = 1; i < n; i++) if (words[i][0]) "
+        "exit(1); }\n"
+        "void display(void) { glLineWidth(2); } int main(int n, char *words[]) { args(n, words); "
+        "glutDisplayFunc(display); "
+        "glutMainLoop(); }");
+    EXPECT_EQ(scene.commands.size(), 1U);
+    // The text hides the number.
+    EXPECT_NE(error_of(program("char *c = \"a\"; glLineWidth(c);", "int c = 3;")).find("the text 'c'"),
+              std::string::npos);
+    EXPECT_EQ(values_of("{ char *c = \"a\"; } glLineWidth(c);", "int c = 3;"), (Values{3}));
+}
+
+// A function of which only a key would need something that cannot be read.
+TEST(Programs, RefuseAFunctionOnlyWhereItIsCalled) {
+    const std::string functions = "float *data(void) { return 0; } void load(FILE *from) { }";
+    EXPECT_EQ(values_of("glLineWidth(2);", functions), (Values{2}));
+    EXPECT_NE(
+        error_of(program("data();", functions)).find("1:8: reading a program cannot follow a function that returns"),
+        std::string::npos);
+    EXPECT_NE(error_of(program("load(0);", functions)).find("1:43: reading a program cannot follow the type 'FILE'"),
+              std::string::npos);
+}
+
+TEST(Programs, KnowGlutsNames) {
+    EXPECT_EQ(values_of("int mode = GLUT_RGB; mode |= GLUT_DOUBLE | GLUT_DEPTH; glutInitDisplayMode(mode); "
+                        "glScaled(mode, GLUT_RIGHT_BUTTON, GLUT_STENCIL);"),
+              (Values{18, 2, 32}));
+}
+
+// extern names a variable that the file itself may define later.
+TEST(Programs, PassOverExternAndUsingNamespace) {
+    EXPECT_EQ(values_of("extern float x; using namespace std; glLineWidth(x);",
+                        "using namespace std; extern float x, v[]; float x = 3;"),
+              (Values{3}));
 }
 
 // A variable of a block or a function is unknown after it.
@@ -212,6 +338,16 @@ TEST(Programs, HaveAPreprocessor) {
             "5\n#endif\n"
             "#if 0\n it's not C \n#if 1\n#endif\n#endif\n#define C 6\n#undef N\n"),
         (Values{2, 4, 6}));
+    EXPECT_EQ(
+        values_of("glScaled(A, B, C);",
+                  "#define X 0x1F\n#if X >= 0x10 && X == 037 && 31UL == X\n#define A 1\n#else\n#define A 2\n#endif\n"
+                  "#if 'a' > 96\n#define B 3\n#else\n#define B 4\n#endif\n"
+                  "#ifdef GLU_VERSION_1_2\n#define C 5\n#else\n#define C 6\n#endif\n"
+                  "#define UNUSED(x) puts(#x)\n"),
+        (Values{1, 3, 5}));
+    EXPECT_NE(error_of(program("", "#define X 1 + 1\n#if X == 2\n#endif\n")).find("1:13: a program's #if can use"),
+              std::string::npos);
+    EXPECT_NE(error_of(program("", "#if 1.5\n#endif\n")).find("1:5: '1.5' is not a whole number"), std::string::npos);
     EXPECT_NE(error_of(program("", "#if 1\n")).find("homework.c:1:1: this #if is never closed"), std::string::npos);
     EXPECT_NE(error_of(program("", "#endif\n")).find("homework.c:1:1: #endif without #if"), std::string::npos);
     EXPECT_NE(error_of(program("glLineWidth(F(1));", "#define F(a, b) a\n")).find("takes 2 arguments"),
@@ -241,19 +377,32 @@ TEST_P(ProgramsOutOfReach, NameTheConstructAndTheCommandThatRecords) {
 }
 INSTANTIATE_TEST_SUITE_P(
     All, ProgramsOutOfReach,
-    testing::Values(OutOfReach{"int i = rand();", "the function rand"},
-                    OutOfReach{"float t = time(NULL);", "the function time"}, OutOfReach{"struct point p;", "'struct'"},
-                    OutOfReach{"goto end;", "'goto'"}, OutOfReach{"float *p = malloc(4);", "the function malloc"},
-                    OutOfReach{"float *p;", "the pointer 'p'"},
-                    OutOfReach{"float v[2]; float *p = v; p++;", "a pointer that moves"},
-                    OutOfReach{"char *t = \"a\"; for (; *t; t++) ;", "'*' before 't'"},
-                    OutOfReach{"char t[] = \"a\"; glLineWidth(t[0]);", "the text 't'"},
-                    OutOfReach{"float m[16]; glGetFloatv(GL_MODELVIEW_MATRIX, m); glLineWidth(m[0]);",
-                               "the value of 'm'"},
-                    OutOfReach{"int t = glutGet(GLUT_ELAPSED_TIME);", "glutGet(GLUT_ELAPSED_TIME)"},
-                    OutOfReach{"if (glIsEnabled(GL_FOG)) return;", "the result of glIsEnabled"},
-                    OutOfReach{"int i = 0; i.x = 3;", "a struct"}, OutOfReach{"std::cout << 1;", "'std'"},
-                    OutOfReach{"load_model(1, 2);", "the function 'load_model'"}));
+    testing::Values(
+        OutOfReach{"int i = rand();", "the function rand"}, OutOfReach{"float t = time(NULL);", "the function time"},
+        OutOfReach{"struct point p;", "'struct'"}, OutOfReach{"goto end;", "'goto'"},
+        OutOfReach{"float *p = malloc(4);", "the function malloc"},
+        OutOfReach{"int v[2]; float *p = v;", "the pointer 'p'"},
+        OutOfReach{"int a[2], *v[2];", "an array of pointers"}, OutOfReach{"int **p;", "a pointer to a pointer"},
+        OutOfReach{"float a[4], *p = a; glLightfv(GL_LIGHT0, GL_POSITION, &p);", "a pointer to a pointer"},
+        OutOfReach{"void (*f)(void);", "a pointer to an array or a function"},
+        OutOfReach{"int a[2], *p = a; if (p > a) ;", "a comparison of two pointers"},
+        OutOfReach{"int i = 1; glLineWidth(*i);", "'*' before 'i'"},
+        OutOfReach{"char *t = \"a\"; for (; *t; t++) ;", "the text 't'"},
+        OutOfReach{"float t = \"a\";", "a text that is not passed over"},
+        OutOfReach{"static PPMImage *image;", "the type 'PPMImage'"}, OutOfReach{"static struct point p;", "'struct'"},
+        OutOfReach{"typedef struct { float x; } point;", "'struct'"},
+        OutOfReach{"typedef float *place;", "'typedef' of this type"},
+        OutOfReach{"glLineWidth(jitter);", "unknown name 'jitter'; if another file defines it"},
+        OutOfReach{"init_map();", "the function 'init_map', which this file does not define"},
+        OutOfReach{"glutCreateWindow(\"one\");", "a second window"},
+        OutOfReach{"glutInitDisplayMode(GLUT_INDEX);", "a window with colour indices"},
+        OutOfReach{"float m[16]; glGetFloatv(GL_MODELVIEW_MATRIX, m); glMultMatrixf(m);", "the value of 'm'"},
+        OutOfReach{"char t[] = \"a\"; glLineWidth(t[0]);", "the text 't'"},
+        OutOfReach{"float m[16]; glGetFloatv(GL_MODELVIEW_MATRIX, m); glLineWidth(m[0]);", "the value of 'm'"},
+        OutOfReach{"int t = glutGet(GLUT_ELAPSED_TIME);", "glutGet(GLUT_ELAPSED_TIME)"},
+        OutOfReach{"if (glIsEnabled(GL_FOG)) return;", "the result of glIsEnabled"},
+        OutOfReach{"int i = 0; i.x = 3;", "a struct"}, OutOfReach{"std::cout << 1;", "'std'"},
+        OutOfReach{"load_model(1, 2);", "the function 'load_model'"}));
 
 TEST(ProgramErrors, HaveTheirPlaceAndARemedy) {
     const auto has = [](const std::string& text, const std::string& part) {

@@ -1,0 +1,204 @@
+// What happens to a lit colour before the per-fragment operations, with its numbers: texture, colour sum, fog.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "judge/explain/derivation_light.h"
+#include "render/reference/texture_environment.h"
+#include "scene/command/names.h"
+
+namespace twinlight::explain {
+
+namespace {
+
+using reference::ColorSteps;
+using reference::FogSteps;
+using reference::TextureSteps;
+
+constexpr double kLodLimit = 1000;  // GL_TEXTURE_MIN_LOD and GL_TEXTURE_MAX_LOD
+
+Lines head(std::string what) { return {{Line::Kind::kHeadingOfColors, std::move(what)}}; }
+
+glm::dvec4 clamped_rgba(const glm::dvec4& color) { return glm::clamp(color, 0.0, 1.0); }
+
+// The formulas of tables 3.22 and 3.23, for the color and for alpha.
+struct EnvironmentFormulas {
+    const char *color, *alpha;
+};
+EnvironmentFormulas environment_formulas(Enum env_mode, Enum base_format) {
+    const bool is_intensity = base_format == kGL_INTENSITY;
+    EnvironmentFormulas f{"C_f", "A_f"};
+    switch (env_mode) {
+        case kGL_REPLACE: f = {"C_s", "A_s"}; break;
+        case kGL_MODULATE: f = {"C_f C_s", "A_f A_s"}; break;
+        case kGL_DECAL:
+            if (base_format == kGL_RGB) f.color = "C_s";
+            if (base_format == kGL_RGBA) f.color = "C_f (1 - A_s) + C_s A_s";
+            break;
+        case kGL_BLEND: f = {"C_f (1 - C_s) + C_c C_s", is_intensity ? "A_f (1 - A_s) + A_c A_s" : "A_f A_s"}; break;
+        case kGL_ADD: f = {"C_f + C_s, at most 1", is_intensity ? "A_f + A_s, at most 1" : "A_f A_s"}; break;
+    }
+    if (!reference::has_color(base_format)) f.color = "C_f: the texture has no colour";
+    if (!reference::has_alpha(base_format)) f.alpha = "A_f: the texture has no alpha";
+    return f;
+}
+
+Lines coordinates_lines(const TextureSteps& steps, bool is_exact) {
+    Lines lines = line("s, t, r, q", quadruple(steps.coordinates),
+                       is_exact ? "of this point of the surface, times the texture matrix (2.11.2)"
+                                : "times the texture matrix (2.11.2), interpolated (3.5.1)");
+    constexpr double kRounding = 1e-9;  // of the interpolation
+    if (std::abs(steps.coordinates.w - 1) > kRounding)
+        lines += line("s/q, t/q", fmt::format("({:.5g}, {:.5g})", steps.st.x, steps.st.y), "the place in the texture");
+    return lines;
+}
+
+Lines level_of_detail_lines(const TextureSteps& steps, const Draw& draw) {
+    const double bias = draw.texture.lod_bias;
+    std::string how = "log2(rho)";
+    if (bias != 0) how += fmt::format(" + {:.5g}, GL_TEXTURE_LOD_BIAS", bias);
+    if (std::abs(steps.lambda) == kLodLimit) how += fmt::format(", from -{0} to {0}", kLodLimit);
+    const double limit = reference::magnification_limit(*draw.texture.texture);
+    return line("rho", fmt::format("{:.5g}", steps.rho),
+                steps.of_point ? "always 1 for a point (3.8.8)" : "texels per pixel, in x or y: the larger (3.8.8)") +
+           line("lambda", fmt::format("{:.5g}", steps.lambda), how) +
+           line("filter", enum_name(steps.filter),
+                steps.is_magnified ? fmt::format("GL_TEXTURE_MAG_FILTER, for lambda is at most {} (3.8.9)", limit)
+                                   : fmt::format("GL_TEXTURE_MIN_FILTER, for lambda is more than {} (3.8.8)", limit));
+}
+
+Lines texels_lines(const TextureSteps& steps, const Texture& texture) {
+    Lines lines;
+    for (const TextureSteps::Image& image : steps.images) {
+        const TextureImage& level = texture.levels[static_cast<std::size_t>(image.level)];
+        lines += line(fmt::format("level {}", image.level), fmt::format("weight {:.5f}", image.weight),
+                      fmt::format("{} x {} texels", level.width, level.height));
+        for (const TextureSteps::Texel& texel : image.texels)
+            lines += color_line("",
+                                fmt::format("texel {}, {}{}, weight {:.5f}", texel.i, texel.j,
+                                            texel.is_border ? " (the border colour)" : "", texel.weight),
+                                rgb_of(texel.color));
+    }
+    return lines;
+}
+
+Lines texture_lines(const ColorSteps& of, const TextureSteps& steps, const Draw& draw, bool is_exact) {
+    const TextureUnit& unit = draw.texture;
+    const Enum format = unit.texture->levels[0].base_format;
+    const EnvironmentFormulas formulas = environment_formulas(unit.env_mode, format);
+    Lines lines = head("texture (3.8)") + coordinates_lines(steps, is_exact) + level_of_detail_lines(steps, draw) +
+                  texels_lines(steps, *unit.texture);
+    lines += color_line("C_s", fmt::format("the sum of weight times texel; A_s is {:.5g}", steps.texel.a),
+                        rgb_of(steps.texel));
+    lines += color_line("C_f", fmt::format("the colour so far; A_f is {:.5g}", of.primary.a), rgb_of(of.primary));
+    if (unit.env_mode == kGL_BLEND)
+        lines += color_line("C_c", fmt::format("GL_TEXTURE_ENV_COLOR; A_c is {:.5g}", clamped_rgba(unit.env_color).a),
+                            rgb_of(clamped_rgba(unit.env_color)));
+    lines += color_line("C_v", fmt::format("{} of {}: {}", enum_name(unit.env_mode), enum_name(format), formulas.color),
+                        rgb_of(steps.result));
+    return lines + line("A_v", fmt::format("{:.5g}", steps.result.a), formulas.alpha);
+}
+
+// f, and its equation with the numbers.
+Lines factor_lines(const FogSteps& steps, const Fog& fog) {
+    const double c = steps.distance;
+    std::string how;
+    switch (fog.mode) {
+        case kGL_LINEAR: {
+            const double f = (fog.end - c) / (fog.end - fog.start);
+            how = fog.end == fog.start
+                      ? "GL_LINEAR, and GL_FOG_END is GL_FOG_START"
+                      : fmt::format("GL_LINEAR: (end - c) / (end - start) = ({:.5g} - {:.5g}) / ({:.5g} - {:.5g}){}",
+                                    fog.end, c, fog.end, fog.start, f < 0 || f > 1 ? ", clamped to [0, 1]" : "");
+            break;
+        }
+        case kGL_EXP2: how = fmt::format("GL_EXP2: e^-(density c)^2 = e^-({:.5g} x {:.5g})^2", fog.density, c); break;
+        default: how = fmt::format("GL_EXP: e^-(density c) = e^-({:.5g} x {:.5g})", fog.density, c);
+    }
+    return line("f", fmt::format("{:.5f}", steps.factor), how);
+}
+
+Lines fog_lines(const ColorSteps& of, const FogSteps& steps, const Fog& fog) {
+    return head("fog (3.10)") +
+           line("c", fmt::format("{:.5g}", steps.distance),
+                "|z_e|: how far the fragment is from the plane of the eye") +
+           factor_lines(steps, fog) + color_line("C_r", "the colour so far", rgb_of(of.sum)) +
+           color_line("C_f", "GL_FOG_COLOR", rgb_of(clamped_rgba(fog.color))) +
+           color_line("C", "f C_r + (1 - f) C_f", rgb_of(steps.result));
+}
+
+}  // namespace
+
+Lines after_lighting_lines(const ColorSteps& steps, const Draw& draw, bool is_exact) {
+    Lines lines;
+    if (steps.texture) lines += texture_lines(steps, *steps.texture, draw, is_exact);
+    if (draw.lighting.enabled && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR) {
+        lines += head("colour sum (3.9)") +
+                 color_line("", "the colour so far", rgb_of(steps.texture ? steps.texture->result : steps.primary)) +
+                 color_line("c_sec", "the mean of the secondary colours", rgb_of(steps.secondary)) +
+                 color_line("sum", "clamped to [0, 1]", rgb_of(steps.sum));
+    }
+    if (steps.fog) lines += fog_lines(steps, *steps.fog, draw.fog);
+    return lines;
+}
+
+namespace {
+
+Json rgba_json(const glm::dvec4& c) { return {c.r, c.g, c.b, c.a}; }
+
+Json texture_json(const ColorSteps& of, const TextureSteps& steps, const Draw& draw) {
+    const TextureUnit& unit = draw.texture;
+    Json json = {{"target", enum_name(unit.texture->target)},
+                 {"coordinates", rgba_json(steps.coordinates)},
+                 {"st", {steps.st.x, steps.st.y}},
+                 {"rho", steps.rho},
+                 {"lod_bias", unit.lod_bias},
+                 {"lambda", steps.lambda},
+                 {"magnified", steps.is_magnified},
+                 {"filter", enum_name(steps.filter)},
+                 {"levels", Json::array()}};
+    for (const TextureSteps::Image& image : steps.images) {
+        const TextureImage& level = unit.texture->levels[static_cast<std::size_t>(image.level)];
+        Json texels = Json::array();
+        for (const TextureSteps::Texel& texel : image.texels)
+            texels.push_back({{"i", texel.i},
+                              {"j", texel.j},
+                              {"border", texel.is_border},
+                              {"weight", texel.weight},
+                              {"color", rgba_json(texel.color)}});
+        json["levels"].push_back({{"level", image.level},
+                                  {"width", level.width},
+                                  {"height", level.height},
+                                  {"weight", image.weight},
+                                  {"texels", texels}});
+    }
+    json["texel"] = rgba_json(steps.texel);
+    json["format"] = enum_name(unit.texture->levels[0].base_format);
+    json["environment"] = enum_name(unit.env_mode);
+    json["environment_color"] = rgba_json(clamped_rgba(unit.env_color));
+    json["fragment"] = rgba_json(of.primary);
+    json["result"] = rgba_json(steps.result);
+    return json;
+}
+
+Json fog_json(const ColorSteps& of, const FogSteps& steps, const Fog& fog) {
+    Json json = {{"mode", enum_name(fog.mode)}, {"distance", steps.distance}};
+    if (fog.mode == kGL_LINEAR)
+        json.update({{"start", fog.start}, {"end", fog.end}});
+    else
+        json["density"] = fog.density;
+    json["factor"] = steps.factor;
+    json["color"] = rgba_json(clamped_rgba(fog.color));
+    json["fragment"] = rgba_json(of.sum);
+    json["result"] = rgba_json(steps.result);
+    return json;
+}
+
+}  // namespace
+
+void add_after_lighting(const ColorSteps& steps, const Draw& draw, Json& json) {
+    if (steps.texture) json["texture"] = texture_json(steps, *steps.texture, draw);
+    if (steps.fog) json["fog"] = fog_json(steps, *steps.fog, draw.fog);
+}
+
+}  // namespace twinlight::explain

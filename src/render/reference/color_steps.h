@@ -1,0 +1,51 @@
+// How a lit colour becomes the fragment's colour, with all numbers: texture (3.8), colour sum (3.9), fog (3.10).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/reference/texture.h"
+
+namespace twinlight::reference {
+
+struct TextureSteps {
+    struct Texel {
+        int i = 0, j = 0;
+        bool is_border = false;  // outside the image: the border colour
+        double weight = 1;
+        glm::dvec4 color{0};
+    };
+    struct Image {
+        int level = 0;
+        double weight = 1;
+        std::vector<Texel> texels{};  // the sum of the weights is 1
+    };
+
+    glm::dvec4 coordinates{0, 0, 0, 1};  // s, t, r, q after the texture matrix; interpolated
+    glm::dvec2 st{0};                    // s/q and t/q
+    bool of_point = false;               // rho is 1 by definition (3.8.8)
+    double rho = 1, lambda = 0;
+    bool is_magnified = false;
+    Enum filter = kGL_NEAREST;  // the magnification or the minification filter, whichever is used
+    std::vector<Image> images{};
+    glm::dvec4 texel{0};   // C_s and A_s: the sum of the weights times the texels
+    glm::dvec4 result{0};  // C_v and A_v, of the texture environment
+};
+
+struct FogSteps {
+    double distance = 0;  // c: |z_e|
+    double factor = 1;    // f
+    glm::dvec4 result{0};
+};
+
+struct ColorSteps {
+    glm::dvec4 primary{0}, secondary{0};  // clamped
+    std::optional<TextureSteps> texture{};
+    glm::dvec4 sum{0};  // with the secondary colour, clamped
+    std::optional<FogSteps> fog{};
+};
+
+// All but the result. `coordinates` and `place` are the fragment's.
+TextureSteps texture_steps(const TextureUnit& unit, const glm::dvec4& coordinates, const TexturePlace& place);
+
+}  // namespace twinlight::reference

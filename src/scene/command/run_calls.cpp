@@ -1,0 +1,282 @@
+// Calls in a whole program: of its own functions, of GL, of C's mathematics and of GLUT.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "scene/command/memory.h"
+#include "scene/command/program.h"
+#include "scene/command/reader.h"
+#include "scene/command/text.h"
+
+namespace twinlight {
+
+// The names of GLUT and GLEW that can decide what main and its functions call.
+std::optional<int> glut_constant(std::string_view name) {
+    constexpr std::pair<std::string_view, int> kAll[] = {{"GLUT_RGB", 0},          {"GLUT_RGBA", 0},
+                                                         {"GLUT_INDEX", 1},        {"GLUT_SINGLE", 0},
+                                                         {"GLUT_DOUBLE", 2},       {"GLUT_ACCUM", 4},
+                                                         {"GLUT_ALPHA", 8},        {"GLUT_DEPTH", 16},
+                                                         {"GLUT_STENCIL", 32},     {"GLUT_MULTISAMPLE", 128},
+                                                         {"GLUT_STEREO", 256},     {"GLUT_LUMINANCE", 512},
+                                                         {"GLUT_LEFT_BUTTON", 0},  {"GLUT_MIDDLE_BUTTON", 1},
+                                                         {"GLUT_RIGHT_BUTTON", 2}, {"GLUT_DOWN", 0},
+                                                         {"GLUT_UP", 1},           {"GLEW_OK", 0}};
+    for (const auto& [known, value] : kAll)
+        if (name == known) return value;
+    return std::nullopt;
+}
+
+std::vector<Value> Reader::values_in_parentheses(const Function* called) {
+    std::vector<Value> values;
+    expect("(", "after the function's name");
+    while (!token_.is(")")) {
+        const std::size_t i = values.size();
+        if (called && i < called->parameters.size() && called->parameters[i].is_text) {
+            skip_expression();
+            values.emplace_back();
+        } else {
+            values.push_back(expression());
+        }
+        if (!accept(",")) break;
+    }
+    expect(")", "after the arguments");
+    return values;
+}
+
+// The call of a function; its name was just read.
+Value Reader::call_in_program(const Token& name) {
+    Program& p = *program_;
+    const auto function = p.functions.find(name.text);
+    if (dry_) {
+        jump(p.partners[p.at] + 1);
+        if (function != p.functions.end() && function->second.result)
+            return in_kind(integer(0), *function->second.result, name.place);
+        if (name.text.starts_with("gl") || name.is("abs")) return integer(0);
+        return real(0, name.text.ends_with('f'));
+    }
+    if (function != p.functions.end()) {
+        if (function->second.refusal) throw SceneError(*function->second.refusal);
+        const std::vector<Value> given = values_in_parentheses(&function->second);
+        return run_function(function->second, given, name.place);
+    }
+    if (find_command_or_extension(name.text)) {
+        jump(p.at - 1);
+        const Command& command = call();
+        const Signature& sig = command.sig();
+        if (sig.c_arguments() == sig.parameters.size()) return integer(0);
+        const Parameter& result = sig.parameters.back();
+        // Scenes with errors are refused, so glGetError returns GL_NO_ERROR.
+        if (named_objects(result) || result.kind == Kind::kQuadric || command.id == CommandId::glGetError)
+            return integer(static_cast<std::int64_t>(command.arguments.back()));
+        out_of_reach(name.place, fmt::format("the result of {}", sig.name));
+    }
+    if (const std::optional<Value> result = call_of_mathematics(name)) return *result;
+    if (const std::optional<Value> result = call_of_glut(name)) return *result;
+    if (name.is("exit")) fail(name.place, "the program ends itself here, before its first picture is complete");
+    constexpr std::string_view kOutOfReach[] = {
+        "rand",    "random", "drand48", "time",   "clock",  "gettimeofday", "malloc", "calloc", "realloc", "free",
+        "fopen",   "fclose", "fread",   "fscanf", "scanf",  "getchar",      "fgets",  "getenv", "atoi",    "atof",
+        "sprintf", "strlen", "strcpy",  "strcmp", "memcpy", "memset",       "system", "usleep", "sleep",   "snprintf"};
+    // They write texts, which are not kept.
+    const bool writes_text = name.is("sprintf") || name.is("snprintf") || name.is("strcpy") || name.is("strcat");
+    const Object* const written = writes_text && ahead_.kind == TokenKind::kName ? find_variable(ahead_.text) : nullptr;
+    if (written && written->is_text) {
+        jump(p.partners[p.at] + 1);
+        return integer(0);
+    }
+    if (std::find(std::begin(kOutOfReach), std::end(kOutOfReach), name.text) != std::end(kOutOfReach))
+        out_of_reach(name.place, fmt::format("the function {}", name.text));
+    std::vector<std::string_view> names;
+    for (const auto& [known, ignored] : p.functions) names.push_back(known);
+    for (const Signature& sig : signatures())
+        if (sig.family != Family::kPragma) names.push_back(sig.name);
+    if (const auto near = nearest(name.text, names))
+        fail(name.place, "unknown function {}; did you mean {}? If another file defines it: twinlight record {}",
+             in_quotes(name.text), *near, name.place.file ? *name.place.file : "PROGRAM.c");
+    out_of_reach(name.place, fmt::format("the function {}, which this file does not define", in_quotes(name.text)));
+}
+
+namespace {
+
+struct OneArgument {
+    std::string_view name;
+    double (*of_double)(double);
+    float (*of_float)(float);
+};
+#define ROW(name)                                                                          \
+    {                                                                                      \
+#name, [](double x) { return std::name(x); }, [](float x) { return std::name(x); } \
+    }
+constexpr OneArgument kOneArgument[] = {ROW(sin),  ROW(cos),  ROW(tan),  ROW(asin),  ROW(acos),  ROW(atan),  ROW(sinh),
+                                        ROW(cosh), ROW(tanh), ROW(exp),  ROW(log),   ROW(log2),  ROW(log10), ROW(sqrt),
+                                        ROW(cbrt), ROW(fabs), ROW(ceil), ROW(floor), ROW(round), ROW(trunc)};
+#undef ROW
+
+struct TwoArguments {
+    std::string_view name;
+    double (*of_double)(double, double);
+    float (*of_float)(float, float);
+};
+#define ROW(name)                                                                                                   \
+    {                                                                                                               \
+#name, [](double x, double y) { return std::name(x, y); }, [](float x, float y) { return std::name(x, y); } \
+    }
+constexpr TwoArguments kTwoArguments[] = {ROW(pow), ROW(atan2), ROW(fmod), ROW(fmin), ROW(fmax), ROW(hypot)};
+#undef ROW
+
+}  // namespace
+
+// sin(x), sinf(x), abs(i): nullopt if the name is none of them.
+std::optional<Value> Reader::call_of_mathematics(const Token& name) {
+    const auto given = [&](std::size_t count) {
+        std::vector<Value> values = values_in_parentheses();
+        for (const Value& value : values)
+            if (value.is_pointer()) fail(name.place, "{} takes numbers", name.text);
+        if (values.size() != count) fail(name.place, "{} takes {} argument{}", name.text, count, count == 1 ? "" : "s");
+        return values;
+    };
+    if (name.is("abs") || name.is("labs"))
+        return integer(std::abs(in_kind(given(1)[0], Kind::kInt, name.place).integer));
+    const auto is_float_form = [&](std::string_view known) {
+        return name.text.size() == known.size() + 1 && name.text.back() == 'f' && name.text.starts_with(known);
+    };
+    for (const OneArgument& row : kOneArgument) {
+        if (name.text == row.name) return real(row.of_double(given(1)[0].number()), false);
+        if (is_float_form(row.name)) {
+            const auto x = static_cast<float>(given(1)[0].number());
+            return real(static_cast<double>(row.of_float(x)), true);
+        }
+    }
+    for (const TwoArguments& row : kTwoArguments) {
+        const bool is_float = is_float_form(row.name);
+        if (name.text != row.name && !is_float) continue;
+        const std::vector<Value> values = given(2);
+        const double x = values[0].number(), y = values[1].number();
+        if (!is_float) return real(row.of_double(x, y), false);
+        return real(static_cast<double>(row.of_float(static_cast<float>(x), static_cast<float>(y))), true);
+    }
+    return std::nullopt;
+}
+
+// GLUT's functions and C's output: nullopt if the name is none of them.
+std::optional<Value> Reader::call_of_glut(const Token& name) {
+    Program& p = *program_;
+    const std::size_t after = p.partners[p.at] + 1;
+    const bool is_display = name.is("glutDisplayFunc");
+    if (is_display || name.is("glutReshapeFunc")) {
+        advance();
+        accept("&");
+        if (token_.kind != TokenKind::kName || !ahead_.is(")"))
+            out_of_reach(token_.place, fmt::format("the argument of {}", name.text));
+        (is_display ? p.display : p.reshape) = token_;
+        if (token_.is("NULL")) (is_display ? p.display : p.reshape).reset();
+        jump(after);
+        return integer(0);
+    }
+    if (name.is("glutInitWindowSize")) {
+        const std::vector<Value> size = values_in_parentheses();
+        if (size.size() != 2) fail(name.place, "glutInitWindowSize takes 2 arguments: width and height");
+        const double width = size[0].number(), height = size[1].number();
+        if (!(width >= 1 && width <= kMaxProgramWindow && height >= 1 && height <= kMaxProgramWindow))
+            fail(name.place, "a window must be from 1 x 1 to {} x {} pixels", kMaxProgramWindow, kMaxProgramWindow);
+        if (!p.options.window) p.window = {static_cast<int>(width), static_cast<int>(height)};
+        return integer(0);
+    }
+    if (name.is("glutGet")) {
+        advance();
+        const Token asked = token_;
+        jump(after);
+        if (asked.is("GLUT_WINDOW_WIDTH")) return integer(p.window.width);
+        if (asked.is("GLUT_WINDOW_HEIGHT")) return integer(p.window.height);
+        out_of_reach(name.place, fmt::format("glutGet({})", asked.text));
+    }
+    if (name.is("glutInitDisplayMode")) {
+        for (const Value& mode : values_in_parentheses())
+            if (mode.is_integer() && (mode.integer & *glut_constant("GLUT_INDEX")) != 0)
+                out_of_reach(name.place, "a window with colour indices");
+        return integer(0);
+    }
+    if (name.is("glutCreateWindow") && std::exchange(p.has_window, true)) out_of_reach(name.place, "a second window");
+    if (name.is("glutMainLoop")) {
+        p.reached_main_loop = true;
+        jump(after);
+        return integer(0);
+    }
+    // Functions that change no picture, and those whose callbacks come after the first picture.
+    constexpr std::string_view kPassedOver[] = {"glutInit",
+                                                "glutInitDisplayString",
+                                                "glutInitWindowPosition",
+                                                "glutCreateWindow",
+                                                "glutDestroyWindow",
+                                                "glutPostRedisplay",
+                                                "glutSwapBuffers",
+                                                "glutPositionWindow",
+                                                "glutReshapeWindow",
+                                                "glutFullScreen",
+                                                "glutSetWindowTitle",
+                                                "glutSetIconTitle",
+                                                "glutSetCursor",
+                                                "glutKeyboardFunc",
+                                                "glutKeyboardUpFunc",
+                                                "glutSpecialFunc",
+                                                "glutSpecialUpFunc",
+                                                "glutMouseFunc",
+                                                "glutMouseWheelFunc",
+                                                "glutMotionFunc",
+                                                "glutPassiveMotionFunc",
+                                                "glutEntryFunc",
+                                                "glutVisibilityFunc",
+                                                "glutWindowStatusFunc",
+                                                "glutIdleFunc",
+                                                "glutTimerFunc",
+                                                "glutCloseFunc",
+                                                "glutWMCloseFunc",
+                                                "glutCreateMenu",
+                                                "glutAddMenuEntry",
+                                                "glutAddSubMenu",
+                                                "glutAttachMenu",
+                                                "glutSetMenu",
+                                                "glutIgnoreKeyRepeat",
+                                                "glutSetKeyRepeat",
+                                                "glutSetOption",
+                                                "glutInitContextVersion",
+                                                "glutInitContextProfile",
+                                                "glutIconifyWindow",
+                                                "glutPopWindow",
+                                                "glutWarpPointer",
+                                                "glutJoystickFunc",
+                                                "glutMenuStateFunc",
+                                                "glutMenuStatusFunc",
+                                                "glutDetachMenu",
+                                                "glutChangeToMenuEntry",
+                                                "glutReportErrors",
+                                                "glutSpaceballMotionFunc",
+                                                "glutSpaceballRotateFunc",
+                                                "glutSpaceballButtonFunc",
+                                                "glewInit",
+                                                "gladLoadGL",
+                                                "glutShowWindow",
+                                                "gluQuadricCallback",
+                                                "printf",
+                                                "fprintf",
+                                                "puts",
+                                                "fputs",
+                                                "putchar",
+                                                "fflush",
+                                                "perror",
+                                                "assert",
+                                                "atexit",
+                                                "srand",
+                                                "srand48",
+                                                "srandom",
+                                                "setbuf"};
+    if (std::find(std::begin(kPassedOver), std::end(kPassedOver), name.text) == std::end(kPassedOver))
+        return std::nullopt;
+    jump(after);
+    return integer(name.is("glutCreateWindow") || name.is("glutCreateMenu") || name.is("gladLoadGL") ? 1 : 0);
+}
+
+}  // namespace twinlight
