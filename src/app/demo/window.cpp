@@ -85,6 +85,8 @@ class Window {
         : options_(options), session_(std::move(scene)) {
         session_.file = options.file;
         session_.view = options.view;
+        session_.panel = options.panel;
+        session_.probe = options.probe;
         const WindowSize size = session::natural_size(commands(session_));
         refresh(session_, size.width, size.height);
     }
@@ -559,7 +561,7 @@ void Window::mouse(int button, int state, int x, int y) {
                               ? (x < box.x + session_.slider_at * box.width ? session_.slider.a : session_.slider.b)
                               : where->pane;
         session_.probe = session::Probe{false, where->x, where->y};
-        panels_->show_probe();
+        session_.panel = session::Panel::kProbe;
     }
 }
 
