@@ -20,21 +20,12 @@ class GlxContext final : public OffscreenContext {
         if (!display_) throw std::runtime_error("GLX: cannot connect to the display again");
         const int bits = color_buffer == ColorBuffer::kFloat ? 32 : 8;
         const int type = color_buffer == ColorBuffer::kFloat ? GLX_RGBA_FLOAT_BIT_ARB : GLX_RGBA_BIT;
-        const int wanted[] = {GLX_DRAWABLE_TYPE,
-                              GLX_PBUFFER_BIT,
-                              GLX_RENDER_TYPE,
-                              type,
-                              GLX_RED_SIZE,
-                              bits,
-                              GLX_GREEN_SIZE,
-                              bits,
-                              GLX_BLUE_SIZE,
-                              bits,
-                              GLX_ALPHA_SIZE,
-                              bits,
-                              GLX_DEPTH_SIZE,
-                              24,
-                              None};
+        // With one buffer only, llvmpipe would copy each picture to the X server, which refuses it for a pbuffer.
+        // clang-format off
+        const int wanted[] = {
+            GLX_DRAWABLE_TYPE, GLX_PBUFFER_BIT, GLX_RENDER_TYPE, type, GLX_DOUBLEBUFFER, True, GLX_DEPTH_SIZE, 24,
+            GLX_RED_SIZE, bits, GLX_GREEN_SIZE, bits, GLX_BLUE_SIZE, bits, GLX_ALPHA_SIZE, bits, None};
+        // clang-format on
         int count = 0;
         GLXFBConfig* configs = glXChooseFBConfig(display_, DefaultScreen(display_), wanted, &count);
         if (configs && count > 0) {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <cctype>
 #include <exception>
 #include <optional>
+#include <string_view>
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
@@ -14,6 +16,20 @@ namespace twinlight::demo {
 namespace {
 
 constexpr auto kStill = std::chrono::milliseconds(300);  // the commands must not change for so long
+
+// With a capital letter, unless it starts with a name of GL.
+std::string as_sentence(std::string message) {
+    if (!message.starts_with("gl") && !message.empty())
+        message[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(message[0])));
+    return message + ".";
+}
+
+// The rules' texts are Markdown.
+std::string without_marks(std::string_view text) {
+    std::string plain(text);
+    std::erase(plain, '`');
+    return plain;
+}
 
 }  // namespace
 
@@ -66,7 +82,7 @@ bool LintPanel::show(session::Session& session) {
         ImGui::Dummy({0, ImGui::GetFontSize() / 4});
         ImGui::Separator();
         ImGui::Dummy({0, ImGui::GetFontSize() / 4});
-        bold_text(warning.message.c_str());
+        bold_text(as_sentence(warning.message).c_str());
         ImGui::PushFont(fonts().code);
         colored_text(kAccent, print_command(commands(session).commands[finding.command]));
         ImGui::PopFont();
@@ -74,7 +90,7 @@ bool LintPanel::show(session::Session& session) {
                              warning.count > 1 ? fmt::format(" and {} more places", warning.count - 1) : "",
                              warning.rule->name)
                      .c_str());
-        ImGui::TextWrapped("%s", std::string(warning.rule->why).c_str());
+        ImGui::TextWrapped("%s", without_marks(warning.rule->why).c_str());
         ImGui::PushFont(fonts().code);
         colored_text(kGood, warning.fix);
         ImGui::PopFont();

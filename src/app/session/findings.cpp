@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <memory>
 #include <utility>
 
@@ -32,6 +33,32 @@ bool is_silenced(const CommandList& commands, const lint::Allowed& allowed, cons
     return allowed.has(finding.warning.rule->name, commands.commands[finding.command].place.line);
 }
 
+std::string where(const Command& command) {
+    const Place& place = command.place;
+    return place.line > 0 && place.column > 0 ? fmt::format("line {}", place.line) : "inserted here";
+}
+
+// The linter saw the numbers of commands as lines. "(line 12)" becomes the line of command 12.
+std::string with_lines(const std::string& message, const CommandList& commands) {
+    constexpr std::string_view kLine = "line ";
+    std::string text;
+    for (std::size_t at = 0; at < message.size();) {
+        int number = 0;
+        const char* digits = message.data() + at + kLine.size();
+        const char* end = message.data() + message.size();
+        if (message.compare(at, kLine.size(), kLine) == 0) {
+            const auto read = std::from_chars(digits, end, number);
+            if (read.ec == std::errc() && number >= 1 && static_cast<std::size_t>(number) <= commands.commands.size()) {
+                text += where(commands.commands[static_cast<std::size_t>(number) - 1]);
+                at = static_cast<std::size_t>(read.ptr - message.data());
+                continue;
+            }
+        }
+        text += message[at++];
+    }
+    return text;
+}
+
 // As for `twinlight lint --fix`: a statement that is removed in many places is not mended at one of them.
 bool can_mend(const lint::Warning& warning, std::size_t count) {
     if (warning.edits.empty()) return false;
@@ -53,11 +80,9 @@ std::vector<Finding> findings_of(const CommandList& commands, WindowSize size) {
     for (lint::Warning& warning : lint::lint(make_scene(numbered(commands), options))) {
         const auto index = index_of(warning.place, commands.commands.size());
         if (!index) continue;
-        const Place& place = commands.commands[*index].place;
-        const std::string where =
-            place.line > 0 && place.column > 0 ? fmt::format("line {}", place.line) : "inserted here";
         const bool mends = can_mend(warning, commands.commands.size());
-        findings.push_back({std::move(warning), *index, where, mends});
+        warning.message = with_lines(warning.message, commands);
+        findings.push_back({std::move(warning), *index, where(commands.commands[*index]), mends});
     }
     if (commands.text) {
         const lint::Allowed allowed(*commands.text);

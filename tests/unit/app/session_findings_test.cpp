@@ -79,6 +79,17 @@ TEST(SessionFindings, FollowTheCommandsWhenTheyAreEdited) {
     EXPECT_FALSE(black(mended(toggled, *black(toggled))));
 }
 
+TEST(SessionFindings, NameLinesOfTheFile) {
+    const CommandList commands = read(
+        "glMatrixMode(GL_MODELVIEW); glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){2, 3, 4, 1});\n\n\n"
+        "gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0); glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_DEPTH_TEST);\n"
+        "glutSolidSphere(1, 16, 8);\n");
+    const auto findings = findings_of(commands, kSize);
+    ASSERT_FALSE(findings.empty());
+    EXPECT_NE(findings[0].warning.message.find("before gluLookAt (line 4)"), std::string::npos)
+        << findings[0].warning.message;
+}
+
 TEST(SessionFindings, ObeyTheCommentsThatSilenceRules) {
     const std::string scene =
         "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);\n"

@@ -136,7 +136,7 @@ TEST(SessionProbe, ListsTheDrawsThatCoverAPixel) {
     EXPECT_EQ(rows[1].fate, "discarded by a test");  // GL_LESS at equal depth
     EXPECT_EQ(rows[2].fate, "seen");
     EXPECT_EQ(main_fragment(rows), 2u);
-    EXPECT_NE(rows[2].name.find("draw 3, test.gl:6:1, front face"), std::string::npos) << rows[2].name;
+    EXPECT_NE(rows[2].name.find("draw 3, test.gl:8:1, front face"), std::string::npos) << rows[2].name;
 }
 
 TEST(SessionProbe, LightsBothFacesOfAVertex) {

@@ -76,11 +76,16 @@ TEST(SessionSaving, SaysWhatCannotBeSaved) {
 // A scene with pictures stays beside them.
 TEST(SessionSaving, ASceneWithPicturesStaysInItsFolder) {
     const TemporaryFolder folder;
-    Session session = session_of("legacy");
-    session.file = folder / "legacy.gl";
+    const auto one_pixel = [](const std::string&) { return ImageFile{1, 1, std::vector<std::byte>(4)}; };
+    Session session(std::make_shared<CommandList>(
+        read_scene("#pragma twinlight texture(\"wall.png\")\n", "room.gl", "room.gl", one_pixel)));
+    session.file = folder / "room.gl";
+    refresh(session, 64, 48);
     make_folder(folder / "elsewhere");
-    const std::string said = save(session, Form::kScene, {}, folder / "elsewhere");
-    EXPECT_TRUE(std::filesystem::exists(folder / "legacy.gl")) << said;
+    save(session, Form::kScene, {}, folder / "elsewhere");
+    EXPECT_EQ(read_file(folder / "room.gl"), "#pragma twinlight texture(\"wall.png\")\n");
+    save(session, Form::kC, {}, folder / "elsewhere");  // has the pixels in it
+    EXPECT_TRUE(std::filesystem::exists(folder / "elsewhere/room.c"));
 }
 
 }  // namespace

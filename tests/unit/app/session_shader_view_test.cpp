@@ -47,7 +47,7 @@ TEST(SessionShaderView, FollowsCommentsOverLines) {
     EXPECT_EQ(lines[1], (Line{{kComment, "c */"}, {kPlain, " d"}}));
 }
 
-Scene report() { return make_scene(std::make_shared<CommandList>(load_commands("report")), {}); }
+Scene report() { return make_scene(load_commands("report"), {}); }
 
 // No letter of a real shader is lost.
 TEST(SessionShaderView, ShowsEveryLetter) {
