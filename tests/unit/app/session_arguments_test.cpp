@@ -61,7 +61,7 @@ TEST(SessionArguments, InitialValuesAreGls) {
     EXPECT_EQ(print_command(reset), "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, 1, 0});");
 }
 
-// State, started anew, says of each initial value that nothing changes: the table here is State's.
+// A fresh State that gets these values stays as it was, so the table here is that of State.
 TEST(SessionArguments, SettingInitialValuesChangesNothing) {
     const char* const kPnames[] = {"GL_AMBIENT", "GL_DIFFUSE", "GL_SPECULAR", "GL_POSITION"};
     for (const char* pname : kPnames) {
