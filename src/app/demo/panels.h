@@ -24,7 +24,10 @@ class Panels {
     // Brings the probe's tab to the front.
     void show_probe() { shown_ = "Probe"; }
     // Whether a panel works in the background, so that the window must go on drawing frames.
-    bool is_busy() const { return lint_.is_busy() || save_.is_busy() || accuracy_.is_busy(); }
+    bool is_busy() const {
+        return lint_.is_busy() || save_.is_busy() || accuracy_.is_busy() ||
+               (shown_ == "Probe" && probe_.is_waiting()) || (shown_ == "Shaders" && shaders_.is_waiting());
+    }
     SavePanel& saving() { return save_; }
 
   private:
