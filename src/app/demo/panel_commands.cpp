@@ -330,6 +330,8 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
     constexpr int kInsideColumns = 4;
     if (row.is_inside) columns -= kInsideColumns;
     const float indent = row.is_inside ? kInsideColumns * column_width : 0;
+    const Command* const before = opened_command(session, row.command);
+    const bool is_other = !opened_.empty() && (!before || before->id != command.id);
     const ImVec2 text_start = plus(start, {gutter + indent, 0});
     for (const PlacedPiece& placed : placed_pieces(command, row.is_folded ? 1000 : columns)) {
         const ImVec2 at = plus(text_start, {static_cast<float>(placed.column) * column_width,
@@ -340,8 +342,10 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
             show_swatch(session, {row.command, *piece.argument});
         else if (piece.argument)
             show_argument(session, {row.command, *piece.argument}, piece.text);
+        else if (placed.line == 0 && placed.column == 0)
+            draw_code(at, is_other ? kAccent : kFunctionColor, piece.text, is_other);
         else
-            draw_code(at, placed.column == 0 ? kFunctionColor : kSignColor, piece.text, false);
+            draw_code(at, kSignColor, piece.text, false);
     }
     if (row.is_folded) {
         const std::string rest = fmt::format("  ... {} calls, glEnd();", row.count - 2);

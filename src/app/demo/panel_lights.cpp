@@ -4,13 +4,10 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "app/demo/theme.h"
+#include "app/demo/value_rows.h"
 #include "app/session/edits.h"
-#include "app/session/presets.h"
-#include "judge/study/scene_of_choice.h"
 #include "scene/command/text.h"
 
 namespace twinlight::demo {
@@ -18,46 +15,6 @@ namespace {
 
 using session::SetBy;
 using session::Source;
-
-constexpr float kLabelWidth = 114;  // at scale 1
-constexpr ImGuiColorEditFlags kColorFlags =
-    ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoLabel;
-constexpr const char* kNumber = "%.3g";
-
-float at_scale(float pixels) { return pixels * static_cast<float>(scale()); }
-
-// What a widget gives, without the digits that only floats have.
-double readable(float value) { return std::round(static_cast<double>(value) * 1000) / 1000; }
-
-void begin_value() {
-    ImGui::SameLine(at_scale(kLabelWidth));
-    ImGui::SetNextItemWidth(-1);
-}
-
-bool color_edit(const char* id, const glm::dvec4& color, std::vector<double>& edited) {
-    float rgb[3] = {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
-    if (!ImGui::ColorEdit3(id, rgb, kColorFlags)) return false;
-    edited = {readable(rgb[0]), readable(rgb[1]), readable(rgb[2]), color.a};
-    return true;
-}
-
-template <class Vector>
-bool vector_edit(const char* id, const Vector& vector, std::vector<double>& edited, float speed) {
-    constexpr int kCount = static_cast<int>(Vector::length());
-    float numbers[4] = {};
-    for (int i = 0; i < kCount; ++i) numbers[i] = static_cast<float>(vector[i]);
-    if (!ImGui::DragScalarN(id, ImGuiDataType_Float, numbers, kCount, speed, nullptr, nullptr, kNumber)) return false;
-    edited.clear();
-    for (int i = 0; i < kCount; ++i) edited.push_back(readable(numbers[i]));
-    return true;
-}
-
-bool number_edit(const char* id, double number, float smallest, float largest, const char* format, double& edited) {
-    auto value = static_cast<float>(number);
-    if (!ImGui::SliderFloat(id, &value, smallest, largest, format)) return false;
-    edited = readable(value);
-    return true;
-}
 
 std::string text_of(const glm::dvec4& v) { return fmt::format("{:.4g}, {:.4g}, {:.4g}, {:.4g}", v.x, v.y, v.z, v.w); }
 std::string text_of(const glm::dvec3& v) { return fmt::format("{:.4g}, {:.4g}, {:.4g}", v.x, v.y, v.z); }
@@ -78,22 +35,6 @@ bool is_black(const LightSource& light) {
 ImVec4 brightest(const LightSource& light) {
     const glm::dvec4& color = glm::dvec3(light.diffuse) == glm::dvec3(0) ? light.specular : light.diffuse;
     return {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b), 1};
-}
-
-// The badge of a value that no glMaterial rules.
-const char* badge_of(Source source) {
-    switch (source) {
-        case Source::kColor: return "from glColor";
-        case Source::kOldColor: return "from an earlier glColor";
-        case Source::kOther: return "from a list or glPopAttrib";
-        case Source::kInitial:
-        case Source::kCommand: return nullptr;
-    }
-    return nullptr;
-}
-
-void end_group_after_drag(session::Session& session) {
-    if (ImGui::IsItemDeactivatedAfterEdit()) session.history.end_group();
 }
 
 bool header(const char* title, bool is_open = true) {
@@ -267,7 +208,7 @@ void LightsPanel::show_light_details(session::Session& session, int light) {
             if (row.pname != kGL_CONSTANT_ATTENUATION) ImGui::SameLine(0, gap);
             ImGui::SetNextItemWidth(width);
             auto factor = static_cast<float>(row.factor);
-            if (ImGui::DragFloat(row.text, &factor, 0.002f, 0, 1000, kNumber))
+            if (ImGui::DragFloat(row.text, &factor, 0.002f, 0, 1000, kNumberFormat))
                 edit_light(session, light, row.pname, {readable(std::max(factor, 0.0f))});
             end_group_after_drag(session);
             if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
@@ -298,7 +239,7 @@ void LightsPanel::show_spot(session::Session& session, int light) {
     end_group_after_drag(session);
     label(session, "exponent", set_by(light, kGL_SPOT_EXPONENT));
     begin_value();
-    if (number_edit("##exponent", source.spot_exponent, 0, 128, kNumber, number))
+    if (number_edit("##exponent", source.spot_exponent, 0, 128, kNumberFormat, number))
         edit_light(session, light, kGL_SPOT_EXPONENT, {number});
     end_group_after_drag(session);
     label(session, "direction", set_by(light, kGL_SPOT_DIRECTION));
@@ -308,208 +249,6 @@ void LightsPanel::show_spot(session::Session& session, int light) {
     end_group_after_drag(session);
     ImGui::SetCursorPosX(at_scale(kLabelWidth));
     dim_text(fmt::format("stored in eye space: {}", text_of(source.spot_direction_eye)).c_str());
-}
-
-// ---- Material ----
-
-void LightsPanel::show_face(session::Session& session, Enum face) {
-    const session::FaceValues& values = face == kGL_BACK ? values_->back : values_->front;
-    const Enum edited_face =
-        face == kGL_FRONT && !values_->state.light_model.two_side ? static_cast<Enum>(kGL_FRONT_AND_BACK) : face;
-    const SetBy &ambient = values.set_by[0], &diffuse = values.set_by[1];
-    const bool is_joint = ambient.source == Source::kCommand && ambient.command == diffuse.command;
-    struct Row {
-        const char* text;
-        Enum pname;
-        glm::dvec4 color;
-        const SetBy& by;
-    };
-    const Material& material = values.material;
-    std::vector<Row> rows;
-    if (is_joint) {
-        rows.push_back({"ambient, diffuse", kGL_AMBIENT_AND_DIFFUSE, material.diffuse, diffuse});
-    } else {
-        rows.push_back({"ambient", kGL_AMBIENT, material.ambient, ambient});
-        rows.push_back({"diffuse", kGL_DIFFUSE, material.diffuse, diffuse});
-    }
-    rows.push_back({"specular", kGL_SPECULAR, material.specular, values.set_by[2]});
-    rows.push_back({"emission", kGL_EMISSION, material.emission, values.set_by[3]});
-    std::vector<double> edited;
-    for (const Row& row : rows) {
-        label(session, row.text, row.by);
-        begin_value();
-        ImGui::PushID(row.text);
-        const bool is_tracked = row.by.source == Source::kColor;
-        ImGui::BeginDisabled(is_tracked);
-        if (color_edit("##colour", row.color, edited)) edit_material(session, edited_face, row.pname, edited);
-        end_group_after_drag(session);
-        ImGui::EndDisabled();
-        if (const char* badge = badge_of(row.by.source)) {
-            ImGui::SetCursorPosX(at_scale(kLabelWidth));
-            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", badge);
-        }
-        ImGui::PopID();
-    }
-    label(session, "shininess", values.set_by[4]);
-    begin_value();
-    double number = 0;
-    if (number_edit("##shininess", material.shininess, 0, 128, kNumber, number))
-        edit_material(session, edited_face, kGL_SHININESS, {number});
-    end_group_after_drag(session);
-}
-
-void LightsPanel::show_presets(session::Session& session) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, kDim);
-    ImGui::TextUnformatted("preset");
-    ImGui::PopStyleColor();
-    begin_value();
-    if (!ImGui::BeginCombo("##preset", "gold, jade, ruby ...", ImGuiComboFlags_HeightLarge)) return;
-    for (const session::MaterialPreset& preset : session::material_presets()) {
-        const auto part = [&](std::size_t i) {
-            return static_cast<float>(std::min(1.0, preset.ambient[i] + preset.diffuse[i]));
-        };
-        ImGui::PushID(preset.name.data());
-        const float side = ImGui::GetTextLineHeight();
-        ImGui::ColorButton("colour", {part(0), part(1), part(2), 1}, ImGuiColorEditFlags_NoTooltip, {side, side});
-        ImGui::SameLine();
-        if (ImGui::Selectable(std::string(preset.name).c_str())) {
-            edit(session, session::with_preset(commands(session), drawing_[chosen_].command, preset),
-                 "material " + std::string(preset.name));
-            say(session, fmt::format("{} is now {}", drawing_[chosen_].name, preset.name));
-        }
-        ImGui::PopID();
-    }
-    ImGui::EndCombo();
-}
-
-void LightsPanel::show_material(session::Session& session) {
-    show_presets(session);
-    const bool has_two = values_->state.light_model.two_side;
-    if (!has_two) return show_face(session, kGL_FRONT);
-    if (!ImGui::BeginTabBar("faces")) return;
-    for (const auto& [name, face] : {std::pair("Front", kGL_FRONT), {"Back", kGL_BACK}}) {
-        if (!ImGui::BeginTabItem(name)) continue;
-        show_face(session, face);
-        ImGui::EndTabItem();
-    }
-    ImGui::EndTabBar();
-}
-
-// ---- Light model, colour material, mesh ----
-
-void LightsPanel::show_model(session::Session& session) {
-    const LightingState& state = values_->state;
-    const LightModel& model = state.light_model;
-    const auto capability = [&](const char* text, Enum cap, bool on) {
-        if (ImGui::Checkbox(text, &on))
-            edit(session, session::toggle_capability(commands(session), cap), "switch " + enum_name(cap));
-    };
-    const auto of_model = [&](const char* text, Enum pname, bool on, const char* tip) {
-        if (ImGui::Checkbox(text, &on))
-            edit(session, session::toggle_light_model(commands(session), pname), "switch " + enum_name(pname));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
-    };
-    label(session, "ambient", values_->ambient);
-    begin_value();
-    std::vector<double> edited;
-    if (color_edit("##ambient", model.ambient, edited))
-        edit(session, session::with_light_model(commands(session), *values_, kGL_LIGHT_MODEL_AMBIENT, edited),
-             "GL_LIGHT_MODEL_AMBIENT", "light model ambient");
-    end_group_after_drag(session);
-
-    const float half = ImGui::GetContentRegionAvail().x / 2;
-    capability("GL_LIGHTING (l)", kGL_LIGHTING, state.enabled);
-    ImGui::SameLine(half);
-    bool is_flat = state.shade_model == kGL_FLAT;
-    if (ImGui::Checkbox("GL_FLAT (f)", &is_flat))
-        edit(session, session::toggle_shade_model(commands(session)), "switch glShadeModel");
-    of_model("local viewer (v)", kGL_LIGHT_MODEL_LOCAL_VIEWER, model.local_viewer,
-             "highlights use the direction to the eye at each vertex, not (0, 0, 1); 2.14.1");
-    ImGui::SameLine(half);
-    of_model("two-sided (t)", kGL_LIGHT_MODEL_TWO_SIDE, model.two_side,
-             "back faces use the back material and the reversed normal; 2.14.1");
-    capability("GL_NORMALIZE (x)", kGL_NORMALIZE, state.normalize);
-    ImGui::SameLine(half);
-    capability("GL_RESCALE_NORMAL", kGL_RESCALE_NORMAL, state.rescale_normal);
-    bool separate = model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
-    if (ImGui::Checkbox("highlights after the texture", &separate))
-        edit(
-            session,
-            session::with_light_model(commands(session), *values_, kGL_LIGHT_MODEL_COLOR_CONTROL,
-                                      {static_cast<double>(separate ? kGL_SEPARATE_SPECULAR_COLOR : kGL_SINGLE_COLOR)}),
-            "GL_LIGHT_MODEL_COLOR_CONTROL");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("GL_SEPARATE_SPECULAR_COLOR; 2.14.1, 3.9");
-}
-
-void LightsPanel::show_color_material(session::Session& session) {
-    const ColorMaterial& tracking = values_->state.color_material;
-    bool on = tracking.enabled;
-    if (ImGui::Checkbox("GL_COLOR_MATERIAL", &on))
-        edit(session, session::toggle_capability(commands(session), kGL_COLOR_MATERIAL), "switch GL_COLOR_MATERIAL");
-    const std::string words = session::color_material_words(*values_);
-    const bool has_effect = tracking.enabled && values_->state.enabled;
-    ImGui::PushStyleColor(ImGuiCol_Text, has_effect ? kAccent : kDim);
-    ImGui::TextWrapped("%s", words.c_str());
-    ImGui::PopStyleColor();
-
-    label(session, "glColorMaterial", values_->color_material_mode);
-    ImGui::SameLine(at_scale(kLabelWidth));
-    const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    const auto pick = [&](const char* id, Enum current, std::initializer_list<Enum> names, const auto& set) {
-        ImGui::SetNextItemWidth(width);
-        if (!ImGui::BeginCombo(id, enum_name(current).c_str())) return;
-        for (const Enum name : names)
-            if (ImGui::Selectable(enum_name(name).c_str(), name == current)) set(name);
-        ImGui::EndCombo();
-    };
-    const auto set = [&](Enum face, Enum mode) {
-        edit(session, session::with_color_material(commands(session), *values_, face, mode), "glColorMaterial");
-    };
-    pick("##face", tracking.face, {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK}, [&](Enum f) { set(f, tracking.mode); });
-    ImGui::SameLine();
-    pick("##mode", tracking.mode, {kGL_AMBIENT, kGL_DIFFUSE, kGL_AMBIENT_AND_DIFFUSE, kGL_SPECULAR, kGL_EMISSION},
-         [&](Enum m) { set(tracking.face, m); });
-}
-
-void LightsPanel::show_mesh(session::Session& session) {
-    const std::size_t index = drawing_[chosen_].command;
-    const std::shared_ptr<const CommandList> list = session.history.now();
-    const Command& command = list->commands[index];
-    const study::SliceArguments slices = study::slice_arguments(command);
-    if (slices.around == 0) {
-        dim_text("This call has no slices and stacks.");
-    } else {
-        const struct {
-            const char* text;
-            std::size_t argument;
-        } rows[] = {{"around the axis", slices.around}, {"along it", slices.across}};
-        for (const auto& row : rows) {
-            if (row.argument == 0) continue;
-            label(session, row.text, {Source::kCommand, index});
-            begin_value();
-            int count = static_cast<int>(command.number(row.argument));
-            ImGui::PushID(row.text);
-            if (ImGui::DragInt("##count", &count, 0.2f, 3, 500))
-                edit(session, session::with_argument(*list, index, row.argument, std::max(count, 1)),
-                     std::string(command.name()) + ", tessellation", fmt::format("slices {} {}", index, row.argument));
-            end_group_after_drag(session);
-            ImGui::PopID();
-        }
-    }
-    if (mesh_error_.has_surfaces)
-        dim_text(fmt::format("The mesh is at most {:.3g} away from the surface: {:.2g} % of its half width.",
-                             mesh_error_.distance, 100 * mesh_error_.of_size)
-                     .c_str());
-    const std::string all = session::tessellation(*list);
-    if (all.empty()) return;
-    ImGui::AlignTextToFramePadding();
-    ImGui::Text("all shapes: %s", all.c_str());
-    for (const auto& [text, steps] : {std::pair("coarser (-)", -1), {"finer (+)", 1}}) {
-        ImGui::SameLine();
-        if (ImGui::Button(text))
-            edit(session, session::change_tessellation(*list, steps), steps > 0 ? "finer meshes" : "coarser meshes");
-    }
 }
 
 void LightsPanel::show(session::Session& session) {

@@ -110,6 +110,7 @@ class Window {
     void write_times() const;
     void make_menu();
     void open_menu(int x, int y);
+    void settle();
     void wake(int frames = kFramesAfterEvent);  // draws so many frames
     void set_timers();
     void quit();
@@ -141,6 +142,7 @@ class Window {
     bool busy_timer_ = false, animation_timer_ = false, file_timer_ = false, message_timer_ = false;
     Drag drag_ = Drag::kNone;
     session::DragStart drag_start_;
+    int shown_x_ = -1, shown_y_ = -1;  // the mouse in the last frame
     int pressed_x_ = 0, pressed_y_ = 0;
     bool moved_ = false;  // since the button was pressed
     int messages_seen_ = 0;
@@ -223,9 +225,14 @@ int Window::run() {
             });
         },
         this);
-    glutKeyboardUpFuncUcall([](unsigned char code, int x, int y,
-                               void* w) { guarded(w, [=](Window&) { ImGui_ImplGLUT_KeyboardUpFunc(code, x, y); }); },
-                            this);
+    glutKeyboardUpFuncUcall(
+        [](unsigned char code, int x, int y, void* w) {
+            guarded(w, [=](Window& self) {
+                self.settle();
+                if (self.imgui_runs_) ImGui_ImplGLUT_KeyboardUpFunc(code, x, y);
+            });
+        },
+        this);
     glutSpecialFuncUcall(
         [](int code, int x, int y, void* w) {
             guarded(w, [=](Window& self) {
@@ -235,7 +242,12 @@ int Window::run() {
         },
         this);
     glutSpecialUpFuncUcall(
-        [](int code, int x, int y, void* w) { guarded(w, [=](Window&) { ImGui_ImplGLUT_SpecialUpFunc(code, x, y); }); },
+        [](int code, int x, int y, void* w) {
+            guarded(w, [=](Window& self) {
+                self.settle();
+                if (self.imgui_runs_) ImGui_ImplGLUT_SpecialUpFunc(code, x, y);
+            });
+        },
         this);
     glutMouseFuncUcall([](int button, int state, int x, int y,
                           void* w) { guarded(w, [=](Window& self) { self.mouse(button, state, x, y); }); },
@@ -344,6 +356,8 @@ void Window::frame() {
     session::refresh(session_, layout_.picture.width, layout_.picture.height);
     panes_->update(session_, layout_);
 
+    shown_x_ = static_cast<int>(ImGui::GetIO().MousePos.x);
+    shown_y_ = static_cast<int>(ImGui::GetIO().MousePos.y);
     const fixed::InitialState initial(width_, height_);
     ImGui_ImplOpenGL2_NewFrame();
     ImGui_ImplGLUT_NewFrame();
@@ -493,9 +507,16 @@ void Window::reload_if_saved() {
     wake();
 }
 
+// ImGui looks at the mouse and the keys once a frame. A press and a release without a frame between them, or a press where
+// the mouse has only just arrived, would be lost.
+void Window::settle() { display(); }
+
 void Window::mouse(int button, int state, int x, int y) {
     const bool down = state == GLUT_DOWN;
     const bool wheel = button == kWheelUp || button == kWheelDown;
+    ImGui_ImplGLUT_MotionFunc(x, y);
+    if (!wheel || x != shown_x_ || y != shown_y_) settle();
+    if (!imgui_runs_) return;
     if (wheel) {
         if (down) ImGui_ImplGLUT_MouseWheelFunc(button, button == kWheelUp ? 1 : -1, x, y);
     } else {
