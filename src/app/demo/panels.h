@@ -20,9 +20,10 @@ class Panels {
     void update(session::Session& session);
     void show(session::Session& session, const session::Box& box, const Panes& panes);
     // Whether a panel works in the background, so that the window must go on drawing frames.
-    bool is_busy() const {
+    bool is_busy(const session::Session& session) const {
         return lint_.is_busy() || save_.is_busy() || accuracy_.is_busy() ||
-               (shown_ == "Probe" && probe_.is_waiting()) || (shown_ == "Shaders" && shaders_.is_waiting());
+               (session.panel == session::Panel::kProbe && probe_.is_waiting()) ||
+               (session.panel == session::Panel::kShaders && shaders_.is_waiting());
     }
     SavePanel& saving() { return save_; }
 

@@ -297,7 +297,7 @@ void Window::set_timers() {
         });
     // A cursor that blinks in a field, a message that goes, and a panel's own work.
     const bool wants_frames =
-        ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy());
+        ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy(session_));
     if (wants_frames) after(200, message_timer_, [this] { wake(1); });
 }
 
@@ -407,7 +407,8 @@ void Window::show_status(const session::Layout& layout) {
 void Window::show_keys() const {
     ImGui::SetNextWindowPos({static_cast<float>(width_) / 2, static_cast<float>(height_) / 2}, ImGuiCond_Always,
                             {0.5F, 0.5F});
-    ImGui::SetNextWindowBgAlpha(0.94F);
+    ImGui::SetNextWindowBgAlpha(0.97F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24, 18});
     ImGui::Begin("keys", nullptr,
@@ -429,7 +430,7 @@ void Window::show_keys() const {
         ImGui::EndTable();
     }
     ImGui::End();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
 }
 
 // If the file cannot be written, says so and goes on.
@@ -537,6 +538,7 @@ void Window::mouse(int button, int state, int x, int y) {
         pressed_y_ = y;
         moved_ = false;
         drag_start_ = session::start_drag(session_);
+        drag_start_.may_go_under = (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0;
         session_.history.end_group();
         const auto where = hit(layout_, x, y);
         if (!where) return;
