@@ -270,7 +270,7 @@ void ProbePanel::show(Session& session, const std::array<std::optional<Rgba>, se
     }
     show_choice(session);
     if (!update(session)) {
-        dim_text("The numbers come when the scene stands still.");
+        dim_text("The numbers follow when nothing moves.");
         return;
     }
     if (!answer_->trouble.empty()) {
