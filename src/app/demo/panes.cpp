@@ -452,11 +452,11 @@ void Panes::show_footer(Session& session, const Cell& cell) {
     std::string text = "Equal everywhere, to the last of 255 steps";
     bool is_fine = true;
     if (region.differing > 0) {
-        const std::string pixels = fmt::format("{} pixel{} ({:.2f} %)", region.differing,
-                                               region.differing == 1 ? "" : "s", 100 * region.differing_share());
+        const std::string pixels = fmt::format("{} pixel{}", region.differing, region.differing == 1 ? "" : "s");
         is_fine = region.max * 255 < 1.5 && region.differing_share() < 0.001;  // the bar of twinlight compare
-        text = is_fine ? "Equal to 1/255 everywhere; off by that: " + pixels
-                       : fmt::format("Up to {:.0f}/255, in {}", region.max * 255, pixels);
+        text = is_fine ? fmt::format("Equal to 1/255 everywhere ({} off)", pixels)
+                       : fmt::format("Up to {:.0f}/255; {}, {:.2f} %, differ", region.max * 255, pixels,
+                                     100 * region.differing_share());
     }
     draw.AddText(at, is_fine ? kGood : kAccent, text.c_str());
     const int width = static_cast<int>(130 * scale());

@@ -392,6 +392,14 @@ void Window::show_status(const session::Layout& layout) {
     const std::string& scene = commands(session_).name;
     draw.AddText(fonts().bold, fonts().bold->FontSize, {12, y}, kText, scene.c_str());
     const float after_name = 12 + fonts().bold->CalcTextSizeA(fonts().bold->FontSize, 1e4F, 0, scene.c_str()).x + 18;
+    const char* help = "? keys   right click: menu";
+    const float help_x = to.x - ImGui::CalcTextSize(help).x - 12;
+    if (session_.error.empty()) {
+        draw.AddText({help_x, y}, kDim, help);
+        draw.PushClipRect(from, {help_x - 12, to.y});
+    } else {
+        draw.PushClipRect(from, to);
+    }
     if (!session_.error.empty()) {
         draw.AddText({after_name, y}, kText, session_.error.c_str());
     } else if (!session_.message.empty()) {
@@ -399,9 +407,7 @@ void Window::show_status(const session::Layout& layout) {
     } else {
         draw.AddText({after_name, y}, kDim, session::lights_summary(session_.scene.frame).c_str());
     }
-    const char* help = "? keys   right click: menu";
-    const float width = ImGui::CalcTextSize(help).x;
-    if (session_.error.empty()) draw.AddText({to.x - width - 12, y}, kDim, help);
+    draw.PopClipRect();
 }
 
 void Window::show_keys() const {
