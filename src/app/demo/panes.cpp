@@ -111,6 +111,25 @@ void end_bar() {
     ImGui::PopStyleVar(2);
 }
 
+// What the greys of the difference mean, at the picture's lower left corner.
+void show_color_scale(const Box& picture, int amplification) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const float size = static_cast<float>(scale()),
+                width = std::min(120 * size, static_cast<float>(picture.width) / 2 - 20), height = 8 * size,
+                margin = 10 * size;
+    const ImVec2 from{static_cast<float>(picture.x) + margin,
+                      static_cast<float>(picture.y + picture.height) - margin - height};
+    const auto zero = static_cast<int>(std::lround(255 * kZeroGrey));
+    const ImU32 grey = IM_COL32(zero, zero, zero, 255);
+    draw.AddRectFilledMultiColor(from, {from.x + width, from.y + height}, grey, IM_COL32_WHITE, IM_COL32_WHITE, grey);
+    draw.AddRect(from, {from.x + width, from.y + height}, kDim);
+    const float line = from.y - ImGui::GetFontSize() - 2;
+    const std::string most = fmt::format("{:.3g}/255", 255.0 / amplification);
+    const float most_width = ImGui::CalcTextSize(most.c_str()).x;
+    if (ImGui::CalcTextSize("equal ").x + most_width <= width) draw.AddText({from.x, line}, kDim, "equal");
+    draw.AddText({from.x + width - most_width, line}, kDim, most.c_str());
+}
+
 // The text at the right end of a bar.
 void right_text(const Box& bar, ImU32 color, const std::string& text) {
     const float width = ImGui::CalcTextSize(text.c_str()).x;
@@ -337,6 +356,14 @@ std::string Panes::time_of(const Session& session, std::size_t number) const {
     return ms ? ms_text(*ms) : "";
 }
 
+// The time is beside the title, or in the footer where there is no room.
+const Box& Panes::time_bar(const Session& session, const Cell& cell) const {
+    const std::string title = title_of(session, session.panes[cell.pane]);
+    const float needed = fonts().bold->CalcTextSizeA(fonts().bold->FontSize, 1e4F, 0, title.c_str()).x +
+                         ImGui::CalcTextSize(time_of(session, cell.pane).c_str()).x + 30;
+    return needed < static_cast<float>(cell.header.width) ? cell.header : cell.footer;
+}
+
 void Panes::show_header(Session& session, const Cell& cell) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const bool is_active = session.active == cell.pane;
@@ -355,7 +382,7 @@ void Panes::show_header(Session& session, const Cell& cell) {
             ImGui::OpenPopup("pair");
     } else {
         const std::string title = title_of(session, session.panes[cell.pane]);
-        if (ImGui::Selectable(title.c_str(), false, 0, {static_cast<float>(cell.header.width) - 170, 0})) {
+        if (ImGui::Selectable(title.c_str(), false, 0, {static_cast<float>(cell.header.width) - 20, 0})) {
             session.active = cell.pane;
             ImGui::OpenPopup("choose");
         }
@@ -397,54 +424,58 @@ void Panes::show_header(Session& session, const Cell& cell) {
     }
     ImGui::PopStyleVar();
     end_bar();
-    if (cell.pane != kDifferencePane) right_text(cell.header, kDim, time_of(session, cell.pane));
+}
+
+// The sentence in a pane's footer.
+std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::size_t number) const {
+    if (number == kDifferencePane) {
+        if (difference_.revision != session.revision) return {"waiting for both pictures ...", kDim};
+        const RegionDifference& region = difference_.numbers.interior;
+        if (region.differing == 0) return {"Equal everywhere, to the last of 255 steps", kGood};
+        const std::string pixels = fmt::format("{} pixel{}", region.differing, region.differing == 1 ? "" : "s");
+        if (region.max * 255 < 1.5 && region.differing_share() < 0.001)  // the bar of twinlight compare
+            return {fmt::format("Equal to 1/255 everywhere ({} off)", pixels), kGood};
+        return {fmt::format("Up to {:.0f}/255; {} differ ({:.2f} %)", region.max * 255, pixels,
+                            100 * region.differing_share()),
+                kAccent};
+    }
+    const Drawn& drawn = drawn_[number];
+    const session::Pane& pane = session.panes[number];
+    if (!drawn.error.empty()) return {drawn.error.substr(0, drawn.error.find('\n')), kBad};
+    const auto lacks_here = [&](const Unsupported& item) { return lacks(pane.renderer, item); };
+    const auto missing = std::ranges::find_if(session.scene.frame.unsupported, lacks_here);
+    if (missing != session.scene.frame.unsupported.end()) return {"not drawn: " + missing->name, kAccent};
+    if (pane.renderer == Path::kReference) return {"double precision, without a driver", kDim};
+    if (pane.renderer == Path::kFixed) return {"the driver executes glLight, glMaterial, ...", kDim};
+    const auto shading = look_of(session, pane).shading;
+    const bool per_pixel = shading == Shading::kPhong || shading == Shading::kExact;
+    return {per_pixel ? "GLSL that lights every pixel" : "GLSL that lights every vertex", kDim};
 }
 
 void Panes::show_footer(Session& session, const Cell& cell) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    draw.AddRectFilled(corner(cell.footer), far_corner(cell.footer), kBar, 4, ImDrawFlags_RoundCornersBottom);
-    const ImVec2 at{static_cast<float>(cell.footer.x) + 10, text_y(cell.footer)};
-    if (cell.pane != kDifferencePane) {
-        const Drawn& drawn = drawn_[cell.pane];
-        const session::Pane& pane = session.panes[cell.pane];
-        if (!drawn.error.empty()) {
-            draw.AddText(at, kBad, drawn.error.substr(0, drawn.error.find('\n')).c_str());
-            return;
-        }
-        const auto lacks_here = [&](const Unsupported& item) { return lacks(pane.renderer, item); };
-        const auto missing = std::ranges::find_if(session.scene.frame.unsupported, lacks_here);
-        if (missing != session.scene.frame.unsupported.end()) {
-            draw.AddText(at, kAccent, fmt::format("not drawn: {}", missing->name).c_str());
-        } else if (pane.renderer == Path::kFixed) {
-            draw.AddText(at, kDim, "glLight, glMaterial, glShadeModel, executed by the driver");
-        } else if (pane.renderer == Path::kProgrammable) {
-            draw.AddText(
-                at, kDim,
-                look_of(session, pane).shading == Shading::kPhong || look_of(session, pane).shading == Shading::kExact
-                    ? "GLSL that lights every pixel"
-                    : "GLSL that lights every vertex");
-        } else {
-            draw.AddText(at, kDim, "double precision, without a driver");
-        }
-        return;
-    }
-    if (difference_.revision != session.revision) {
-        draw.AddText(at, kDim, "waiting for both pictures ...");
-        return;
-    }
-    const RegionDifference& region = difference_.numbers.interior;
-    if (region.differing == 0) {
-        draw.AddText(at, kGood, "Equal everywhere, to the last of 255 steps");
-    } else {
-        const std::string text =
-            fmt::format("Up to {:.0f}/255 in {} pixel{} ({:.2f} %)", region.max * 255, region.differing,
-                        region.differing == 1 ? "" : "s", 100 * region.differing_share());
-        draw.AddText(at, region.max * 255 <= 1.5 && region.differing_share() < 0.001 ? kGood : kAccent, text.c_str());
-    }
-    const int width = static_cast<int>(130 * scale());
-    begin_bar("amplification", {cell.footer.x + cell.footer.width - width, cell.footer.y, width, cell.footer.height});
-    ImGui::SetCursorPos({4, 2});
-    ImGui::SetNextItemWidth(static_cast<float>(width) - 8);
+    const Box& bar = cell.footer;
+    draw.AddRectFilled(corner(bar), far_corner(bar), kBar, 4, ImDrawFlags_RoundCornersBottom);
+    float right = far_corner(bar).x - 6;
+    if (cell.pane != kDifferencePane && &time_bar(session, cell) == &bar)
+        right -= ImGui::CalcTextSize(time_of(session, cell.pane).c_str()).x + 12;
+    const auto [text, color] = footer_of(session, cell.pane);
+    draw.PushClipRect(corner(bar), {right, far_corner(bar).y});
+    draw.AddText({static_cast<float>(bar.x) + 10, text_y(bar)}, color, text.c_str());
+    draw.PopClipRect();
+    if (cell.pane != kDifferencePane) right_text(time_bar(session, cell), kDim, time_of(session, cell.pane));
+    if (cell.pane == kDifferencePane && difference_.revision == session.revision)
+        show_amplification(session, cell.picture);
+}
+
+// The factor, at the picture's lower right corner.
+void Panes::show_amplification(Session& session, const Box& picture) {
+    const int width = std::min(static_cast<int>(130 * scale()), picture.width / 2 - 20);
+    const int height = static_cast<int>(26 * scale());
+    begin_bar("amplification",
+              {picture.x + picture.width - width - 6, picture.y + picture.height - height - 6, width, height});
+    ImGui::SetCursorPos({0, 2});
+    ImGui::SetNextItemWidth(static_cast<float>(width));
     constexpr std::array<int, 8> kFactors = {0, 1, 2, 4, 8, 16, 32, 64};
     int chosen = static_cast<int>(std::ranges::find(kFactors, session.amplification) - kFactors.begin());
     const std::string shown = session.amplification == 0 ? fmt::format("x {} (auto)", difference_.amplification)
@@ -505,6 +536,8 @@ void Panes::show(Session& session, const session::Layout& layout) {
             show_labels(drawn_[cell.pane].overlaid.overlays(), cell.picture);
         show_header(session, cell);
         show_footer(session, cell);
+        if (cell.pane == kDifferencePane && difference_.revision == session.revision)
+            show_color_scale(cell.picture, difference_.amplification);
         if (cell.pane == kDifferencePane && difference_.revision == session.revision &&
             difference_.numbers.interior.differing > 0) {
             const RegionDifference& region = difference_.numbers.interior;
