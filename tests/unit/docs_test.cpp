@@ -1,5 +1,6 @@
 // docs/scene-language.md names every command of the table, and no other; docs/lighting.md names only symbols that exist; README names
 // the systems that docs/testing.md lists.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/keys.h"
 #include "base/image/file.h"
 #include "render/programmable/programmable.h"
 #include "scene/command/command.h"
@@ -163,6 +165,13 @@ std::set<std::string> tried_systems() {
         EXPECT_NE(script.find("    " + cells.str(2) + ") name=\"" + cells.str(1) + "\""), std::string::npos) << line;
     }
     return systems;
+}
+
+TEST(Docs, ListTheKeysOfTheWindow) {
+    std::string rows = "| key | what it does |\n|---|---|\n";
+    for (const session::Key& key : session::keys())
+        if (!key.label.empty()) rows += fmt::format("| {} | {} |\n", key.label, key.what);
+    EXPECT_NE(read_file("docs/demo.md").find("\n\n" + rows + "\n"), std::string::npos) << rows;
 }
 
 TEST(Docs, NameTheSystemsThatWereTried) {

@@ -1,5 +1,6 @@
 // twinlight-demo [SCENE]: the options, the scene, the window.
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -15,10 +16,23 @@ using namespace twinlight;
 constexpr int kMaxFrames = 1'000'000;
 constexpr double kMaxScale = 4;
 
-session::View view_of(const std::string& name) {
-    for (const session::ViewName& view : session::kViews)
-        if (view.key == name) return view.value;
-    throw CLI::ValidationError("--view", "'" + name + "' is not one of slider, grid, single, world");
+// The value of the row of `table` with this key.
+template <class Row, std::size_t size>
+auto value_of(const Row (&table)[size], const std::string& key, const std::string& option) {
+    std::string keys;
+    for (const Row& row : table) {
+        if (row.key == key) return row.value;
+        keys += (keys.empty() ? "" : ", ") + std::string(row.key);
+    }
+    throw CLI::ValidationError(option, "'" + key + "' is not one of " + keys);
+}
+
+session::Probe probe_at(const std::string& text) {
+    session::Probe probe;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%d,%d%c", &probe.x, &probe.y, &rest) != 2 || probe.x < 0 || probe.y < 0)
+        throw CLI::ValidationError("--probe", "'" + text + "' is not X,Y, such as 320,240");
+    return probe;
 }
 
 int run(int argc, char** argv) {
@@ -35,9 +49,21 @@ int run(int argc, char** argv) {
         ->type_name("")
         ->check(not_empty());
     app.add_option_function<std::string>(
-           "--view", [&](const std::string& name) { options.view = view_of(name); },
+           "--view", [&](const std::string& name) { options.view = value_of(session::kViews, name, "--view"); },
            "what to show first: slider (default), grid, single or world")
         ->option_text("VIEW");
+    app.add_option_function<std::string>(
+           "--panel", [&](const std::string& name) { options.panel = value_of(session::kPanels, name, "--panel"); },
+           "the tab to open: commands (default), lights, probe, shaders, overlays, lint, accuracy or save")
+        ->option_text("TAB");
+    app.add_option_function<std::string>(
+           "--probe",
+           [&](const std::string& text) {
+               options.probe = probe_at(text);
+               options.panel = session::Panel::kProbe;
+           },
+           "explain the pixel at X,Y of the picture, from its top left")
+        ->option_text("X,Y");
     add_size_option(app, size);
     app.add_option("--scale", options.scale, "the size of letters: 1 for 96 dots per inch (default: the screen's)")
         ->check(number_from(0.5, kMaxScale))

@@ -262,7 +262,7 @@ void OverlaidPicture::update(const session::Session& session, const Look& look, 
 void overlays_panel(session::Session& session) {
     session::Overlays& overlays = session.overlays;
     bold_text("Wireframe");
-    constexpr std::array<const char*, 3> kWireframes = {"Off", "Over the picture", "Alone"};
+    constexpr std::array<const char*, 3> kWireframes = {"Off", "Over the picture", "Lines only"};
     for (std::size_t i = 0; i < kWireframes.size(); ++i) {
         if (i > 0) ImGui::SameLine();
         if (ImGui::RadioButton(kWireframes[i], overlays.wireframe == static_cast<Wireframe>(i)))

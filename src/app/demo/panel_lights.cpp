@@ -188,7 +188,7 @@ void LightsPanel::show_light_details(session::Session& session, int light) {
         edit_light(session, light, kGL_POSITION, edited);
     end_group_after_drag(session);
     ImGui::SetCursorPosX(at_scale(kLabelWidth));
-    dim_text(fmt::format("stored in eye space: {}", text_of(source.position_eye)).c_str());
+    dim_text(fmt::format("in eye space: {}", text_of(source.position_eye)).c_str());
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("the modelview matrix at the call, times what was typed (2.14.1); w = 0: a direction");
 
@@ -248,7 +248,7 @@ void LightsPanel::show_spot(session::Session& session, int light) {
         edit_light(session, light, kGL_SPOT_DIRECTION, edited);
     end_group_after_drag(session);
     ImGui::SetCursorPosX(at_scale(kLabelWidth));
-    dim_text(fmt::format("stored in eye space: {}", text_of(source.spot_direction_eye)).c_str());
+    dim_text(fmt::format("in eye space: {}", text_of(source.spot_direction_eye)).c_str());
 }
 
 void LightsPanel::show(session::Session& session) {

@@ -89,6 +89,7 @@ void show_lines(const char* name, const std::vector<explain::Line>& lines) {
         ImGui::TextUnformatted(line.what.c_str());
         ImGui::PopFont();
         ImGui::TableNextColumn();
+        if (line.kind == Kind::kHeadingOfColors) continue;
         if (line.kind == Kind::kNote) {
             colored_text(kAccent, line.value);
             continue;
@@ -111,21 +112,23 @@ void show_lines(const char* name, const std::vector<explain::Line>& lines) {
 
 }  // namespace
 
-void ProbePanel::update(const Session& session) {
+bool ProbePanel::update(const Session& session) {
     const std::size_t pane = std::min(session.active, session::kPanes - 1);
     const Look look = look_of(session, session.panes[pane]);
     if (answer_ && answer_->probe == *session.probe && revision_ == session.revision && is_same_look(look_, look))
-        return;
+        return true;
     const bool is_same_probe = answer_ && answer_->probe == *session.probe;
-    answer_ = session::answer_probe(session.scene, look, *session.probe);
+    if (is_same_probe && !patience_.may_work(session.revision)) return false;
+    patience_.work([&] { answer_ = session::answer_probe(session.scene, look, *session.probe); });
     revision_ = session.revision;
     look_ = look;
     fragments_ = session::fragments_of(session.scene, *answer_);
-    if (is_same_probe && fragment_ < fragments_.size()) return;
+    if (is_same_probe && fragment_ < fragments_.size()) return true;
     fragment_ = session::main_fragment(fragments_);
     const auto points = session::points_of(session.scene, *answer_, fragment_);
     const auto heaviest = std::ranges::max_element(points, {}, &ProbePoint::weight);
     point_ = static_cast<std::size_t>(heaviest - points.begin());
+    return true;
 }
 
 void ProbePanel::show_choice(Session& session) {
@@ -250,6 +253,7 @@ void ProbePanel::show_fragment(Session& session) {
     const std::vector<SumRow> after = session::fragment_rows(session.scene, *answer_, fragment_);
     if (!after.empty()) {
         heading("After lighting");
+        show_lines("steps", session::after_lighting(session.scene, *answer_, fragment_));
         sum_table("after", after);
     }
     const std::string rulings = session::rulings_of(*answer_, fragment_);
@@ -265,7 +269,10 @@ void ProbePanel::show(Session& session, const std::array<std::optional<Rgba>, se
         if (!session.probe) return;
     }
     show_choice(session);
-    update(session);
+    if (!update(session)) {
+        dim_text("The numbers follow when nothing moves.");
+        return;
+    }
     if (!answer_->trouble.empty()) {
         colored_text(kAccent, answer_->trouble);
         return;

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "app/demo/patience.h"
 #include "app/session/probe.h"
 #include "app/session/session.h"
 #include "base/image/image.h"
@@ -15,8 +16,11 @@ class ProbePanel {
     // `colors`: what each pane shows at the probed pixel, where that is known.
     void show(session::Session& session, const std::array<std::optional<Rgba>, session::kPanes>& colors);
 
+    bool is_waiting() const { return patience_.is_waiting(); }
+
   private:
-    void update(const session::Session& session);
+    // Returns whether there is an answer for the scene as it is now.
+    bool update(const session::Session& session);
     void show_choice(session::Session& session);
     void show_colors(const session::Session& session, const std::array<std::optional<Rgba>, session::kPanes>& colors);
     void show_fragment(session::Session& session);
@@ -26,6 +30,7 @@ class ProbePanel {
     std::optional<session::ProbeAnswer> answer_;
     int revision_ = -1;
     Look look_{};
+    Patience patience_;
 
     std::vector<session::ProbeFragment> fragments_;
     std::size_t fragment_ = 0, point_ = 0;

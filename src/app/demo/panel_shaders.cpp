@@ -58,14 +58,28 @@ void ShadersPanel::update(const Session& session) {
     const Look look = look_of_shaders(session);
     const bool is_same = look.shading == look_.shading && look.lecture_variants == look_.lecture_variants;
     if (revision_ == session.revision && is_same && to_keep_ == made_to_keep_) return;
+    // Until then the shaders of before are shown.
+    const bool is_shown = revision_ >= 0 && is_same && to_keep_ == made_to_keep_;
+    if (!patience_.may_work(session.revision) && is_shown) return;
     revision_ = session.revision;
     look_ = look;
     made_to_keep_ = to_keep_;
+    patience_.work([&] { make_shaders(session); });
+    // At first the longest program, which does the most.
+    const bool is_new_scene = opened_ != session.opened;
+    opened_ = session.opened;
+    if (is_new_scene || shown_ >= shaders_.size()) {
+        const auto length = [](const ShownShader& shader) { return shader.glsl.size(); };
+        shown_ = static_cast<std::size_t>(std::ranges::max_element(shaders_, {}, length) - shaders_.begin());
+    }
+}
+
+void ShadersPanel::make_shaders(const Session& session) {
     trouble_.clear();
     shaders_.clear();
     lines_.clear();
     programmable::Options options;
-    static_cast<Look&>(options) = look;
+    static_cast<Look&>(options) = look_;
     plans_ = explain_draws(session.scene.frame, options);
     try {
         if (to_keep_ && options.shading == Shading::kExact)
@@ -76,13 +90,6 @@ void ShadersPanel::update(const Session& session) {
         if (shaders_.empty()) trouble_ = "The scene draws nothing, so it has no shaders.";
     } catch (const std::runtime_error& error) {
         trouble_ = error.what();
-    }
-    // At first the longest program, which does the most.
-    const bool is_new_scene = opened_ != session.opened;
-    opened_ = session.opened;
-    if (is_new_scene || shown_ >= shaders_.size()) {
-        const auto length = [](const ShownShader& shader) { return shader.glsl.size(); };
-        shown_ = static_cast<std::size_t>(std::ranges::max_element(shaders_, {}, length) - shaders_.begin());
     }
 }
 

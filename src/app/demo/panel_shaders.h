@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/demo/patience.h"
 #include "app/session/session.h"
 #include "app/session/shader_view.h"
 
@@ -13,15 +14,18 @@ namespace twinlight::demo {
 class ShadersPanel {
   public:
     void show(session::Session& session);
+    bool is_waiting() const { return patience_.is_waiting(); }
 
   private:
     void update(const session::Session& session);
+    void make_shaders(const session::Session& session);
     void show_reasons(const session::ShownShader& shader) const;
     void show_glsl(session::Session& session);
 
     // The shaders are for this scene, look and kind.
     int revision_ = -1;
     Look look_{};
+    Patience patience_;
     bool to_keep_ = false, made_to_keep_ = false;
 
     std::vector<session::ShownShader> shaders_;

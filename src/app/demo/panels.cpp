@@ -4,13 +4,14 @@
 #include <imgui.h>
 
 #include <string>
-#include <utility>
 
 #include "app/demo/overlays.h"
 #include "app/demo/theme.h"
 
 namespace twinlight::demo {
 namespace {
+
+using session::Panel;
 
 // Tabs are in as many rows as they need. Returns whether this one was clicked.
 bool tab_button(const char* name, const std::string& title, bool is_shown) {
@@ -43,29 +44,32 @@ void Panels::show(session::Session& session, const session::Box& box, const Pane
     ImGui::SetNextWindowSize({static_cast<float>(box.width), static_cast<float>(box.height)});
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    const std::string lint = lint_.count() == 0 ? "Lint" : fmt::format("Lint ({})", lint_.count());
-    const std::pair<const char*, std::string> tabs[] = {
-        {"Commands", "Commands"}, {"Lights", "Lights"}, {"Probe", "Probe"},       {"Shaders", "Shaders"},
-        {"Overlays", "Overlays"}, {"Lint", lint},       {"Accuracy", "Accuracy"}, {"Save", "Save"}};
-    for (const auto& [name, title] : tabs)
-        if (tab_button(name, title, shown_ == name)) shown_ = name;
+    for (const session::PanelName& panel : session::kPanels) {
+        std::string title = panel.title;
+        if (panel.value == Panel::kLint && lint_.count() > 0) title += fmt::format(" ({})", lint_.count());
+        if (tab_button(panel.key, title, session.panel == panel.value)) session.panel = panel.value;
+    }
     ImGui::Separator();
 
     // A tab's content scrolls by itself.
-    ImGui::BeginChild(shown_.c_str());
-    if (shown_ == "Commands") commands_.show(session);
-    if (shown_ == "Lights") lights_.show(session);
-    if (shown_ == "Probe") {
-        const session::Probe probe = session.probe.value_or(session::Probe{});
-        probe_.show(session, panes.colors_at(probe.x, probe.y));
+    ImGui::BeginChild(static_cast<ImGuiID>(session.panel) + 1);
+    switch (session.panel) {
+        case Panel::kCommands: commands_.show(session); break;
+        case Panel::kLights: lights_.show(session); break;
+        case Panel::kProbe: {
+            const session::Probe probe = session.probe.value_or(session::Probe{});
+            probe_.show(session, panes.colors_at(probe.x, probe.y));
+            break;
+        }
+        case Panel::kShaders: shaders_.show(session); break;
+        case Panel::kOverlays: overlays_panel(session); break;
+        case Panel::kLint:
+            if (lint_.show(session)) session.panel = Panel::kCommands;
+            break;
+        case Panel::kAccuracy: accuracy_.show(session); break;
+        case Panel::kSave: save_.show(session); break;
     }
-    if (shown_ == "Shaders") shaders_.show(session);
-    if (shown_ == "Overlays") overlays_panel(session);
-    const bool shows_command = shown_ == "Lint" && lint_.show(session);
-    if (shown_ == "Accuracy") accuracy_.show(session);
-    if (shown_ == "Save") save_.show(session);
     ImGui::EndChild();
-    if (shows_command) shown_ = "Commands";
     ImGui::End();
 }
 

@@ -1,8 +1,6 @@
 // Panels: the tabs at the window's left.
 #pragma once
 
-#include <string>
-
 #include "app/demo/panel_accuracy.h"
 #include "app/demo/panel_commands.h"
 #include "app/demo/panel_lights.h"
@@ -21,10 +19,12 @@ class Panels {
     // To be called in every frame, also when the panels are hidden.
     void update(session::Session& session);
     void show(session::Session& session, const session::Box& box, const Panes& panes);
-    // Brings the probe's tab to the front.
-    void show_probe() { shown_ = "Probe"; }
     // Whether a panel works in the background, so that the window must go on drawing frames.
-    bool is_busy() const { return lint_.is_busy() || save_.is_busy() || accuracy_.is_busy(); }
+    bool is_busy(const session::Session& session) const {
+        return lint_.is_busy() || save_.is_busy() || accuracy_.is_busy() ||
+               (session.panel == session::Panel::kProbe && probe_.is_waiting()) ||
+               (session.panel == session::Panel::kShaders && shaders_.is_waiting());
+    }
     SavePanel& saving() { return save_; }
 
   private:
@@ -35,7 +35,6 @@ class Panels {
     ProbePanel probe_;
     SavePanel save_;
     ShadersPanel shaders_;
-    std::string shown_ = "Commands";  // the name of the tab at the front
 };
 
 }  // namespace twinlight::demo

@@ -111,6 +111,22 @@ void end_bar() {
     ImGui::PopStyleVar(2);
 }
 
+// What the greys of the difference mean, at the picture's lower left corner.
+void show_color_scale(const Box& picture, int amplification) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const float size = static_cast<float>(scale()), width = 120 * size, height = 8 * size, margin = 10 * size;
+    const ImVec2 from{static_cast<float>(picture.x) + margin,
+                      static_cast<float>(picture.y + picture.height) - margin - height};
+    const auto zero = static_cast<int>(std::lround(255 * kZeroGrey));
+    const ImU32 grey = IM_COL32(zero, zero, zero, 255);
+    draw.AddRectFilledMultiColor(from, {from.x + width, from.y + height}, grey, IM_COL32_WHITE, IM_COL32_WHITE, grey);
+    draw.AddRect(from, {from.x + width, from.y + height}, kDim);
+    const float line = from.y - ImGui::GetFontSize() - 2;
+    draw.AddText({from.x, line}, kDim, "equal");
+    const std::string most = fmt::format("{:.3g}/255", 255.0 / amplification);
+    draw.AddText({from.x + width - ImGui::CalcTextSize(most.c_str()).x, line}, kDim, most.c_str());
+}
+
 // The text at the right end of a bar.
 void right_text(const Box& bar, ImU32 color, const std::string& text) {
     const float width = ImGui::CalcTextSize(text.c_str()).x;
@@ -433,14 +449,16 @@ void Panes::show_footer(Session& session, const Cell& cell) {
         return;
     }
     const RegionDifference& region = difference_.numbers.interior;
-    if (region.differing == 0) {
-        draw.AddText(at, kGood, "Equal everywhere, to the last of 255 steps");
-    } else {
-        const std::string text =
-            fmt::format("Up to {:.0f}/255 in {} pixel{} ({:.2f} %)", region.max * 255, region.differing,
-                        region.differing == 1 ? "" : "s", 100 * region.differing_share());
-        draw.AddText(at, region.max * 255 <= 1.5 && region.differing_share() < 0.001 ? kGood : kAccent, text.c_str());
+    std::string text = "Equal everywhere, to the last of 255 steps";
+    bool is_fine = true;
+    if (region.differing > 0) {
+        const std::string pixels = fmt::format("{} pixel{}", region.differing, region.differing == 1 ? "" : "s");
+        is_fine = region.max * 255 < 1.5 && region.differing_share() < 0.001;  // the bar of twinlight compare
+        text = is_fine ? fmt::format("Equal to 1/255 everywhere ({} off)", pixels)
+                       : fmt::format("Up to {:.0f}/255; {}, {:.2f} %, differ", region.max * 255, pixels,
+                                     100 * region.differing_share());
     }
+    draw.AddText(at, is_fine ? kGood : kAccent, text.c_str());
     const int width = static_cast<int>(130 * scale());
     begin_bar("amplification", {cell.footer.x + cell.footer.width - width, cell.footer.y, width, cell.footer.height});
     ImGui::SetCursorPos({4, 2});
@@ -505,6 +523,8 @@ void Panes::show(Session& session, const session::Layout& layout) {
             show_labels(drawn_[cell.pane].overlaid.overlays(), cell.picture);
         show_header(session, cell);
         show_footer(session, cell);
+        if (cell.pane == kDifferencePane && difference_.revision == session.revision)
+            show_color_scale(cell.picture, difference_.amplification);
         if (cell.pane == kDifferencePane && difference_.revision == session.revision &&
             difference_.numbers.interior.differing > 0) {
             const RegionDifference& region = difference_.numbers.interior;

@@ -85,6 +85,8 @@ class Window {
         : options_(options), session_(std::move(scene)) {
         session_.file = options.file;
         session_.view = options.view;
+        session_.panel = options.panel;
+        session_.probe = options.probe;
         const WindowSize size = session::natural_size(commands(session_));
         refresh(session_, size.width, size.height);
     }
@@ -295,7 +297,7 @@ void Window::set_timers() {
         });
     // A cursor that blinks in a field, a message that goes, and a panel's own work.
     const bool wants_frames =
-        ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy());
+        ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy(session_));
     if (wants_frames) after(200, message_timer_, [this] { wake(1); });
 }
 
@@ -390,6 +392,14 @@ void Window::show_status(const session::Layout& layout) {
     const std::string& scene = commands(session_).name;
     draw.AddText(fonts().bold, fonts().bold->FontSize, {12, y}, kText, scene.c_str());
     const float after_name = 12 + fonts().bold->CalcTextSizeA(fonts().bold->FontSize, 1e4F, 0, scene.c_str()).x + 18;
+    const char* help = "? keys   right click: menu";
+    const float help_x = to.x - ImGui::CalcTextSize(help).x - 12;
+    if (session_.error.empty()) {
+        draw.AddText({help_x, y}, kDim, help);
+        draw.PushClipRect(from, {help_x - 12, to.y});
+    } else {
+        draw.PushClipRect(from, to);
+    }
     if (!session_.error.empty()) {
         draw.AddText({after_name, y}, kText, session_.error.c_str());
     } else if (!session_.message.empty()) {
@@ -397,15 +407,14 @@ void Window::show_status(const session::Layout& layout) {
     } else {
         draw.AddText({after_name, y}, kDim, session::lights_summary(session_.scene.frame).c_str());
     }
-    const char* help = "? keys   right click: menu";
-    const float width = ImGui::CalcTextSize(help).x;
-    if (session_.error.empty()) draw.AddText({to.x - width - 12, y}, kDim, help);
+    draw.PopClipRect();
 }
 
 void Window::show_keys() const {
     ImGui::SetNextWindowPos({static_cast<float>(width_) / 2, static_cast<float>(height_) / 2}, ImGuiCond_Always,
                             {0.5F, 0.5F});
-    ImGui::SetNextWindowBgAlpha(0.94F);
+    ImGui::SetNextWindowBgAlpha(0.97F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24, 18});
     ImGui::Begin("keys", nullptr,
@@ -427,7 +436,7 @@ void Window::show_keys() const {
         ImGui::EndTable();
     }
     ImGui::End();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
 }
 
 // If the file cannot be written, says so and goes on.
@@ -535,6 +544,7 @@ void Window::mouse(int button, int state, int x, int y) {
         pressed_y_ = y;
         moved_ = false;
         drag_start_ = session::start_drag(session_);
+        drag_start_.may_go_under = (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0;
         session_.history.end_group();
         const auto where = hit(layout_, x, y);
         if (!where) return;
@@ -559,7 +569,7 @@ void Window::mouse(int button, int state, int x, int y) {
                               ? (x < box.x + session_.slider_at * box.width ? session_.slider.a : session_.slider.b)
                               : where->pane;
         session_.probe = session::Probe{false, where->x, where->y};
-        panels_->show_probe();
+        session_.panel = session::Panel::kProbe;
     }
 }
 

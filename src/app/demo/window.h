@@ -13,6 +13,8 @@ namespace twinlight::demo {
 struct WindowOptions {
     int width = 1280, height = 800;  // of the window
     session::View view = session::View::kSlider;
+    session::Panel panel = session::Panel::kCommands;
+    std::optional<session::Probe> probe{};
     std::optional<double> scale{};      // of letters and lines; empty: from the screen's dots per inch
     std::optional<std::string> file{};  // the scene's file, which is read again when it is saved
     std::string keys;                   // pressed before the first frame

@@ -303,14 +303,14 @@ bool is_color(const Command& command, std::size_t argument) {
     return kColors.contains(command.id);
 }
 
-// "red" for an element of a colour, "x" for one of a vector; "m[4]" for other arrays.
+// "red" for an element of a colour, "x" for one of a vector, "GL_SPOT_CUTOFF" for its only value; "m[4]" for other arrays.
 std::string name_of_element(const Command& command, const Parameter& parameter, std::size_t element, bool color,
                             bool is_value) {
     constexpr std::string_view kColor[] = {"red", "green", "blue", "alpha"}, kVector[] = {"x", "y", "z", "w"};
+    const ParameterInfo* const set = is_value ? parameter_set(command) : nullptr;
+    if (set && set->count == 1) return enum_name(set->pname);
     if (!parameter.is_array() && parameter.extent != Extent::kRest) return std::string(parameter.name);
     if (color && element < std::size(kColor)) return std::string(kColor[element]);
-    const ParameterInfo* const set = is_value ? parameter_set(command) : nullptr;
-    if (set && set->count == 1) return std::string(parameter.name);
     const bool is_vector = set ? set->meaning != Meaning::kScalar : parameter.extent == Extent::kArray;
     if (is_vector && parameter.count <= 4 && element < std::size(kVector)) return std::string(kVector[element]);
     return fmt::format("{}[{}]", parameter.name, element);

@@ -24,7 +24,8 @@ struct Choice {
 enum class Editing : std::uint8_t { kNumber, kFlag, kName, kBits, kFixed };
 
 struct ArgumentInfo {
-    std::string name;           // "pname"; "red" and "x" for the elements of colours and vectors
+    // "pname"; "red" and "x" for the elements of colours and vectors; "GL_SHININESS" for the only value of a parameter
+    std::string name;
     std::size_t parameter = 0;  // index into Signature::parameters
     Kind kind = Kind::kInt;
     Editing editing = Editing::kNumber;

@@ -129,7 +129,8 @@ constexpr Key kKeys[] = {
     {'a', 'a', "", "", [](Session& s, int) { walk(s, 0, -1); }},
     {'s', 's', "", "", [](Session& s, int) { walk(s, -1, 0); }},
     {'d', 'd', "", "", [](Session& s, int) { walk(s, 0, 1); }},
-    {kLeft, kLeft + 3, "drag, arrows", "orbit; drag with the right button: look around; wheel: zoom",
+    {kLeft, kLeft + 3, "drag, arrows",
+     "orbit (with Shift: also under the floor); right button: look around; wheel: zoom",
      [](Session& s, int nth) {
          constexpr std::array<std::array<int, 2>, 4> kDirections = {{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}};
          const auto [x, y] = kDirections[static_cast<std::size_t>(nth)];
@@ -188,12 +189,13 @@ std::string keys_help() {
     return help;
 }
 
-DragStart start_drag(const Session& session) { return {session.history.now(), middle_of(session.scene.frame)}; }
+DragStart start_drag(const Session& session) { return {session.history.now(), middle_of(session.scene.frame), false}; }
 
 void orbit(Session& session, const DragStart& start, int dx, int dy) {
     CameraMove move;
     move.yaw_deg = kOrbitDegreesPerPixel * dx;
     move.pitch_deg = kOrbitDegreesPerPixel * dy;
+    move.may_go_under = start.may_go_under;
     move_camera(session, start, move, "turn the camera");
 }
 

@@ -33,6 +33,7 @@ std::string keys_help();                 // one line for each key
 struct DragStart {
     std::shared_ptr<const CommandList> commands;
     glm::dvec3 pivot_eye;
+    bool may_go_under = false;  // the floor; with the key Shift
 };
 DragStart start_drag(const Session& session);
 

@@ -166,6 +166,12 @@ std::vector<SumRow> fragment_rows(const Scene& scene, const ProbeAnswer& answer,
             {"", "picture", "after it", vec3_cast<Vec>(at.after), true}};
 }
 
+std::vector<Line> after_lighting(const Scene& scene, const ProbeAnswer& answer, std::size_t fragment) {
+    if (answer.probe.is_vertex || fragment >= answer.pixel.history.fragments.size()) return {};
+    const PixelFragment& at = answer.pixel.history.fragments[fragment];
+    return explain::after_lighting_lines(at.steps, *scene.frame.draws()[at.draw], at.corners.empty());
+}
+
 std::string rulings_of(const ProbeAnswer& answer, std::size_t fragment) {
     if (answer.probe.is_vertex)
         return fragment < answer.vertex.faces.size()

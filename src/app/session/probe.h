@@ -56,6 +56,8 @@ struct SumRow {
 std::vector<SumRow> sum_rows(const explain::Derivation& at, std::optional<int> light);
 // A smooth fragment as the mean of its vertices' clamped colours; empty with one point.
 std::vector<SumRow> mean_rows(const std::vector<ProbePoint>& points);
+// Texture, colour sum and fog of a fragment, if they are used. Empty for a vertex.
+std::vector<explain::Line> after_lighting(const Scene& scene, const ProbeAnswer& answer, std::size_t fragment);
 // What follows after lighting: the fragment's colour. Empty for a vertex.
 std::vector<SumRow> fragment_rows(const Scene& scene, const ProbeAnswer& answer, std::size_t fragment);
 // "the specification is silent (...); our choice: ...": a line for each of our choices that affected the colour.

@@ -28,6 +28,19 @@ struct ViewName {
 inline constexpr ViewName kViews[] = {
     {View::kSlider, "slider"}, {View::kGrid, "grid"}, {View::kSingle, "single"}, {View::kWorld, "world"}};
 
+// The tabs beside the pictures.
+enum class Panel : std::uint8_t { kCommands, kLights, kProbe, kShaders, kOverlays, kLint, kAccuracy, kSave };
+struct PanelName {
+    Panel value;
+    const char* key;
+    const char* title;
+};
+inline constexpr PanelName kPanels[] = {
+    {Panel::kCommands, "commands", "Commands"}, {Panel::kLights, "lights", "Lights"},
+    {Panel::kProbe, "probe", "Probe"},          {Panel::kShaders, "shaders", "Shaders"},
+    {Panel::kOverlays, "overlays", "Overlays"}, {Panel::kLint, "lint", "Lint"},
+    {Panel::kAccuracy, "accuracy", "Accuracy"}, {Panel::kSave, "save", "Save"}};
+
 // One picture of the window.
 struct Pane {
     Path renderer = Path::kFixed;
@@ -96,6 +109,7 @@ struct Session {
 
     bool keys_shown = false;
     bool panel_shown = true;
+    Panel panel = Panel::kCommands;
     bool animating = false;
     // What moves does so from here, so that rounding does not add up. Begins again after any other edit.
     struct Animation {

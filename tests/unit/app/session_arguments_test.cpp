@@ -32,7 +32,8 @@ TEST(SessionArguments, NamesTheElementsOfColoursAndVectors) {
     EXPECT_EQ(name(diffuse, 2), "red");
     EXPECT_EQ(name(diffuse, 5), "alpha");
     EXPECT_EQ(name("glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){1, 1, 1, 1});", 5), "w");
-    EXPECT_EQ(name("glLightfv(GL_LIGHT0, GL_SPOT_CUTOFF, (GLfloat[]){20});", 2), "params");
+    EXPECT_EQ(name("glLightfv(GL_LIGHT0, GL_SPOT_CUTOFF, (GLfloat[]){20});", 2), "GL_SPOT_CUTOFF");
+    EXPECT_EQ(name("glMaterialf(GL_FRONT, GL_SHININESS, 20);", 2), "GL_SHININESS");
     EXPECT_EQ(name("glColor3fv((GLfloat[]){1, 1, 1});", 2), "blue");
     EXPECT_EQ(name("glVertex3fv((GLfloat[]){1, 1, 1});", 2), "z");
     EXPECT_EQ(name("glMultMatrixd((GLdouble[]){1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});", 4), "m[4]");
@@ -60,7 +61,7 @@ TEST(SessionArguments, InitialValuesAreGls) {
     EXPECT_EQ(print_command(reset), "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, 1, 0});");
 }
 
-// State, started anew, says of each initial value that nothing changes: the table here is State's.
+// A fresh State that gets these values stays as it was, so the table here is that of State.
 TEST(SessionArguments, SettingInitialValuesChangesNothing) {
     const char* const kPnames[] = {"GL_AMBIENT", "GL_DIFFUSE", "GL_SPECULAR", "GL_POSITION"};
     for (const char* pname : kPnames) {
