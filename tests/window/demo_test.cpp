@@ -126,7 +126,8 @@ class RunningDemo {
         ::setenv("DISPLAY", display.c_str(), 1);
         ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // Xvfb has no GPU; the host may
         ::setenv("ASAN_OPTIONS", kSanitizer, 1);
-        const std::string path = program();
+        const std::string path = std::filesystem::absolute(program()).string();
+        std::filesystem::current_path(folder());  // where it saves files
         std::vector<char*> arguments{const_cast<char*>(path.c_str())};
         for (const std::string& option : options) arguments.push_back(const_cast<char*>(option.c_str()));
         arguments.push_back(nullptr);
@@ -471,6 +472,67 @@ TEST_F(DemoWindow, FollowsTheWindowsSize) {
     expect_panes(image, session_after(""), 1100, 700);
     xdotool("key Escape");
     EXPECT_EQ(demo.ended(), 0);
+}
+
+// Drags the first number of the calls, gluPerspective's angle, by its colour in the panel.
+TEST_F(DemoWindow, ADraggedNumberChangesTheCallThePictureAndTheSavedFile) {
+    if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
+    const std::string exported = (folder() / "scene.c").string();
+    std::filesystem::remove(exported);
+    RunningDemo demo(server_->display(), {scene_file_, "--view", "single", "--scale", "1", "--size", "800x600",
+                                          "--screenshot", picture_file_});
+    ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight").status, 0);
+    xdotool("mousemove 600 300 key p");
+    const Image before = picture();
+    const Rgba number = {231 / 255.0F, 214 / 255.0F, 180 / 255.0F, 1};
+    const auto found = std::ranges::find(before.pixels, number);
+    ASSERT_NE(found, before.pixels.end()) << "no number in the panel";
+    const auto at = static_cast<int>(found - before.pixels.begin());
+    // ImGui sees the mouse once a frame.
+    for (const std::string& step :
+         {std::string("mousemove ") + std::to_string(at % kWidth) + " " + std::to_string(at / kWidth + 3),
+          std::string("mousedown 1"), std::string("mousemove_relative 15 0"), std::string("mousemove_relative 15 0"),
+          std::string("mouseup 1")}) {
+        xdotool(step);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    xdotool("mousemove 600 300 key e key p");
+    const Image after = picture();
+    ASSERT_TRUE(wait_for([&] { return std::filesystem::exists(exported); }));
+    const auto saved = load_commands(exported);
+    const auto call = std::ranges::find(saved->commands, CommandId::gluPerspective, &Command::id);
+    ASSERT_NE(call, saved->commands.end());
+    EXPECT_GT(call->number(0), 46);
+    scene_ = *saved;
+    expect_panes(after, session_after(""));
+    // One step of undo.
+    xdotool("key z key p");
+    scene_ = read_scene(kScene, scene_file_, "scene.gl");
+    expect_panes(picture(), session_after(""));
+}
+
+// Valgrind sees each block that is not freed; those that only the driver, X or freeglut asked for are theirs.
+TEST_F(DemoWindow, FreesEverythingWhenItCloses) {
+    if (run("command -v valgrind").status != 0) GTEST_SKIP() << "valgrind is not installed";
+    const std::string log = (folder() / "valgrind.log").string();
+    const Ran ran = run(
+        on_display("valgrind --leak-check=full --show-leak-kinds=definite,possible --num-callers=40 --log-file=" + log +
+                   " " + program() + " " + scene_file_ +
+                   " --view grid --panel probe --keys 'm1w' --scale 1 --size 800x600 --quit-after 3"));
+    ASSERT_EQ(ran.status, 0) << ran.output;
+    // The reports are separated by empty lines. The innermost function that is not the allocator's says whose a block is.
+    std::istringstream lines(read_file(log));
+    std::string line;
+    bool is_leak = false, is_innermost = false;
+    while (std::getline(lines, line)) {
+        if (line.find(" lost in loss record") != std::string::npos) {
+            is_leak = is_innermost = true;
+        } else if (is_leak && is_innermost && line.find("vgpreload_memcheck") == std::string::npos) {
+            is_innermost = false;
+            EXPECT_EQ(line.find("twinlight"), std::string::npos) << line;
+        }
+        if (line.find("==    ") == std::string::npos && line.find(" lost in") == std::string::npos) is_leak = false;
+    }
 }
 
 // When nothing moves, the window waits for events. Measured: 0 of the system's ticks (1/100 s) in 4 s.

@@ -54,6 +54,7 @@ constexpr int kWheelUp = 3, kWheelDown = 4;  // how freeglut reports the wheel a
 constexpr int kFramesAfterEvent = 3;         // ImGui settles sizes and highlights in so many frames
 constexpr unsigned kFrameMs = 16;            // between frames while something moves
 constexpr unsigned kBusyMs = 30;             // between looks at the reference's work
+constexpr unsigned kMessageMs = 200;         // between looks at a message's age
 constexpr unsigned kFileMs = 500;            // between looks at the scene's file
 constexpr int kClickPixels = 4;              // a drag that is shorter is a click
 constexpr double kMessageSeconds = 6;
@@ -130,8 +131,12 @@ class Window {
             self.quit();
         }
     }
-    template <class Action>
-    void after(unsigned ms, bool& is_pending, Action action);
+    struct Timer {
+        void (*action)(Window&);
+        Window* window = nullptr;
+        bool is_pending = false;
+    };
+    void after(unsigned ms, Timer& timer);
 
     WindowOptions options_;
     Session session_;
@@ -141,7 +146,11 @@ class Window {
     int width_ = 0, height_ = 0;
     int frames_shown_ = 0, frames_wanted_ = 0;
     bool imgui_runs_ = false;
-    bool busy_timer_ = false, animation_timer_ = false, file_timer_ = false, message_timer_ = false;
+    Timer busy_timer_{[](Window&self) { self.wake(1); }}, animation_timer_{[](Window&self) { self.wake(1); }},
+        message_timer_{[](Window&self) { self.wake(1); }}, file_timer_{[](Window&self) {
+            self.reload_if_saved();
+            self.set_timers();
+        }};
     Drag drag_ = Drag::kNone;
     session::DragStart drag_start_;
     int shown_x_ = -1, shown_y_ = -1;  // the mouse in the last frame
@@ -157,24 +166,19 @@ class Window {
     int status_ = EXIT_SUCCESS;
 };
 
-// Calls action in so many milliseconds, unless such a call is pending.
-template <class Action>
-void Window::after(unsigned ms, bool& is_pending, Action action) {
-    if (is_pending) return;
-    is_pending = true;
-    struct Call {
-        Window* window;
-        bool* is_pending;
-        Action action;
-    };
+// Calls the timer's action in so many milliseconds, unless such a call is pending.
+void Window::after(unsigned ms, Timer& timer) {
+    if (timer.is_pending) return;
+    timer.is_pending = true;
+    timer.window = this;
     glutTimerFuncUcall(
         ms,
         [](int, void* data) {
-            const std::unique_ptr<Call> call(static_cast<Call*>(data));
-            *call->is_pending = false;
-            guarded(call->window, [&](Window&) { call->action(); });
+            Timer& due = *static_cast<Timer*>(data);
+            due.is_pending = false;
+            guarded(due.window, due.action);
         },
-        0, new Call{this, &is_pending, action});
+        0, &timer);
 }
 
 void Window::start_imgui() {
@@ -288,17 +292,13 @@ void Window::wake(int frames) {
 }
 
 void Window::set_timers() {
-    if (panes_ && panes_->is_busy(session_)) after(kBusyMs, busy_timer_, [this] { wake(1); });
-    if (session_.animating) after(kFrameMs, animation_timer_, [this] { wake(1); });
-    if (session_.file)
-        after(kFileMs, file_timer_, [this] {
-            reload_if_saved();
-            set_timers();
-        });
+    if (panes_ && panes_->is_busy(session_)) after(kBusyMs, busy_timer_);
+    if (session_.animating) after(kFrameMs, animation_timer_);
+    if (session_.file) after(kFileMs, file_timer_);
     // A cursor that blinks in a field, a message that goes, and a panel's own work.
     const bool wants_frames =
         ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy(session_));
-    if (wants_frames) after(200, message_timer_, [this] { wake(1); });
+    if (wants_frames) after(kMessageMs, message_timer_);
 }
 
 void Window::reshape(int width, int height) {
