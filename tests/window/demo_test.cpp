@@ -1,6 +1,7 @@
 // twinlight-demo as a user meets it: the real program on libGL under Xvfb, with keys and mouse from xdotool. Its screenshots
 // are cut into the panes' pictures, which must be those of OSMesa for the commands that a Session has after the same keys.
 // The program is a process of its own, so the two GL libraries never meet.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -474,7 +475,7 @@ TEST_F(DemoWindow, FollowsTheWindowsSize) {
     EXPECT_EQ(demo.ended(), 0);
 }
 
-// Drags the first number of the calls, gluPerspective's angle, by its colour in the panel.
+// Finds the first line of the calls with numbers, gluPerspective's, by the numbers' colour, and drags its first one.
 TEST_F(DemoWindow, ADraggedNumberChangesTheCallThePictureAndTheSavedFile) {
     if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
     const std::string exported = (folder() / "scene.c").string();
@@ -484,15 +485,23 @@ TEST_F(DemoWindow, ADraggedNumberChangesTheCallThePictureAndTheSavedFile) {
     ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight").status, 0);
     xdotool("mousemove 600 300 key p");
     const Image before = picture();
-    const Rgba number = {231 / 255.0F, 214 / 255.0F, 180 / 255.0F, 1};
-    const auto found = std::ranges::find(before.pixels, number);
-    ASSERT_NE(found, before.pixels.end()) << "no number in the panel";
-    const auto at = static_cast<int>(found - before.pixels.begin());
+    // Numbers are sand, names blue, signs grey; the tab's line is orange.
+    const auto is_of_number = [](const Rgba& pixel) {
+        return pixel[0] > 0.5F && pixel[0] - pixel[2] > 0.1F && pixel[0] - pixel[1] < 0.1F;
+    };
+    int x = kWidth, y = 0;
+    for (int row = 0; row < kHeight && (y == 0 || row < y + 12); ++row) {
+        for (int column = 0; column < kWidth; ++column) {
+            if (!is_of_number(before.at(column, row))) continue;
+            if (y == 0) y = row;
+            x = std::min(x, column);
+        }
+    }
+    ASSERT_LT(x, kWidth) << "no number in the panel";
     // ImGui sees the mouse once a frame.
     for (const std::string& step :
-         {std::string("mousemove ") + std::to_string(at % kWidth) + " " + std::to_string(at / kWidth + 3),
-          std::string("mousedown 1"), std::string("mousemove_relative 15 0"), std::string("mousemove_relative 15 0"),
-          std::string("mouseup 1")}) {
+         {fmt::format("mousemove {} {}", x + 2, y), std::string("mousedown 1"), std::string("mousemove_relative 15 0"),
+          std::string("mousemove_relative 15 0"), std::string("mouseup 1")}) {
         xdotool(step);
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
