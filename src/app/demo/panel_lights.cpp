@@ -27,11 +27,6 @@ std::string kind_of(const LightSource& light) {
     return kind;
 }
 
-bool is_black(const LightSource& light) {
-    const glm::dvec3 sum = glm::dvec3(light.ambient) + glm::dvec3(light.diffuse) + glm::dvec3(light.specular);
-    return sum == glm::dvec3(0);
-}
-
 ImVec4 brightest(const LightSource& light) {
     const glm::dvec4& color = glm::dvec3(light.diffuse) == glm::dvec3(0) ? light.specular : light.diffuse;
     return {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b), 1};
@@ -146,7 +141,7 @@ void LightsPanel::show_light(session::Session& session, int light) {
         ImGui::SetNextItemOpen(true);
         ImGui::SetScrollHereY(0.2f);
     }
-    const std::string kind = !source.enabled ? "off" : is_black(source) ? "on, but black" : kind_of(source);
+    const std::string kind = !source.enabled ? "off" : session::is_black(source) ? "on, but black" : kind_of(source);
     const ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding |
                                      ImGuiTreeNodeFlags_NoTreePushOnOpen |
                                      (session.selected_light == light ? ImGuiTreeNodeFlags_Selected : 0);

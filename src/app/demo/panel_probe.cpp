@@ -17,10 +17,6 @@ using session::ProbePoint;
 using session::Session;
 using session::SumRow;
 
-bool is_same_look(const Look& a, const Look& b) {
-    return a.shading == b.shading && a.lecture_variants == b.lecture_variants;
-}
-
 // A table whose last three columns are red, green and blue.
 bool begin_sum(const char* name, const char* red = "red", const char* green = "green", const char* blue = "blue") {
     if (!ImGui::BeginTable(name, 6, ImGuiTableFlags_SizingFixedFit)) return false;
@@ -113,9 +109,8 @@ void show_lines(const char* name, const std::vector<explain::Line>& lines) {
 }  // namespace
 
 bool ProbePanel::update(const Session& session) {
-    const std::size_t pane = std::min(session.active, session::kPanes - 1);
-    const Look look = look_of(session, session.panes[pane]);
-    if (answer_ && answer_->probe == *session.probe && revision_ == session.revision && is_same_look(look_, look))
+    const Look look = look_of(session, active_pane(session));
+    if (answer_ && answer_->probe == *session.probe && revision_ == session.revision && session::is_same(look_, look))
         return true;
     const bool is_same_probe = answer_ && answer_->probe == *session.probe;
     if (is_same_probe && !patience_.may_work(session.revision)) return false;

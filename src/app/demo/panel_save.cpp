@@ -28,10 +28,9 @@ std::string SavePanel::screenshot_path(const Session& session) const {
 }
 
 void SavePanel::save(Session& session, session::Form form) {
-    const std::size_t pane = std::min(session.active, session::kPanes - 1);
     last_failed_ = false;
     try {
-        last_ = session::save(session, form, look_of(session, session.panes[pane]), folder_.data());
+        last_ = session::save(session, form, look_of(session, active_pane(session)), folder_.data());
     } catch (const std::runtime_error& error) {
         last_ = error.what();
         last_failed_ = true;

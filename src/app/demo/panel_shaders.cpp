@@ -34,11 +34,11 @@ ImU32 color_of(Ink ink) {
 
 // The shading of the active pane, or of the first one with shaders.
 Look look_of_shaders(const Session& session) {
-    const std::size_t active = std::min(session.active, session::kPanes - 1);
-    if (session.panes[active].renderer == Path::kProgrammable) return look_of(session, session.panes[active]);
+    const session::Pane& active = active_pane(session);
+    if (active.renderer == Path::kProgrammable) return look_of(session, active);
     for (const session::Pane& pane : session.panes)
         if (pane.renderer == Path::kProgrammable) return look_of(session, pane);
-    return look_of(session, session.panes[active]);
+    return look_of(session, active);
 }
 
 std::vector<ShownShader> shaders_to_keep(const Scene& scene, const programmable::Options& options) {
@@ -56,7 +56,7 @@ std::vector<ShownShader> shaders_to_keep(const Scene& scene, const programmable:
 
 void ShadersPanel::update(const Session& session) {
     const Look look = look_of_shaders(session);
-    const bool is_same = look.shading == look_.shading && look.lecture_variants == look_.lecture_variants;
+    const bool is_same = session::is_same(look, look_);
     if (revision_ == session.revision && is_same && to_keep_ == made_to_keep_) return;
     // Until then the shaders of before are shown.
     const bool is_shown = revision_ >= 0 && is_same && to_keep_ == made_to_keep_;

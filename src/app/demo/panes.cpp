@@ -28,8 +28,6 @@ constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
                                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
-bool same(const Look& a, const Look& b) { return a.shading == b.shading && a.lecture_variants == b.lecture_variants; }
-
 ImVec2 corner(const Box& box) { return {static_cast<float>(box.x), static_cast<float>(box.y)}; }
 ImVec2 far_corner(const Box& box) {
     return {static_cast<float>(box.x + box.width), static_cast<float>(box.y + box.height)};
@@ -181,14 +179,15 @@ void Panes::draw_pane(const Session& session, std::size_t number) {
     const session::Pane& pane = session.panes[number];
     Drawn& drawn = drawn_[number];
     const Look look = look_of(session, pane);
-    const bool is_new = drawn.revision != session.revision || drawn.pane != pane || !same(drawn.look, look) ||
-                        drawn.width != session.width || drawn.height != session.height;
+    const bool is_new = drawn.revision != session.revision || drawn.pane != pane ||
+                        !session::is_same(drawn.look, look) || drawn.width != session.width ||
+                        drawn.height != session.height;
     // While the scene changes in every frame, only pictures that are compared with each other at once are read back.
     const bool reads = wants_image(session, number) && (!is_new || compares_live(session));
     if (!is_new && !(reads && drawn.image.pixels.empty())) return;
     drawn.error.clear();
     // The first picture of a renderer includes compiling, so it is drawn twice and the second is timed.
-    const bool compiles = drawn.pane != pane || !same(drawn.look, look);
+    const bool compiles = drawn.pane != pane || !session::is_same(drawn.look, look);
     double ms = 0;
     for (int times = compiles ? 2 : 1; times > 0 && drawn.error.empty(); --times) {
         const Clock::time_point start = Clock::now();
@@ -226,7 +225,7 @@ void Panes::request_reference(const Session& session, const std::array<bool, kPa
     for (std::size_t i = 0; i < kPanes; ++i) {
         const Look look = look_of(session, session.panes[i]);
         if (shown[i] && session.panes[i].renderer == Path::kReference &&
-            std::ranges::none_of(job.looks, [&](const Look& other) { return same(look, other); }))
+            std::ranges::none_of(job.looks, [&](const Look& other) { return session::is_same(look, other); }))
             job.looks.push_back(look);
     }
     job.wants_allowed = wants_image(session, session.difference.a) && !session.probe;
@@ -238,7 +237,7 @@ void Panes::request_reference(const Session& session, const std::array<bool, kPa
 
 void Panes::take_reference(const Session& session) {
     for (auto& picture : worker_.take_pictures()) {
-        std::erase_if(references_, [&](const auto& old) { return same(old->look, picture->look); });
+        std::erase_if(references_, [&](const auto& old) { return session::is_same(old->look, picture->look); });
         references_.push_back(std::move(picture));
     }
     if (auto allowed = worker_.take_allowed()) allowed_ = std::move(allowed);
@@ -247,8 +246,8 @@ void Panes::take_reference(const Session& session) {
         if (pane.renderer != Path::kReference) continue;
         Drawn& drawn = drawn_[i];
         const Look look = look_of(session, pane);
-        const auto found =
-            std::ranges::find_if(references_, [&](const auto& picture) { return same(picture->look, look); });
+        const auto found = std::ranges::find_if(
+            references_, [&](const auto& picture) { return session::is_same(picture->look, look); });
         if (found == references_.end() || drawn.reference == *found) continue;
         if ((*found)->revision != drawn.revision) drawn.since = Clock::now();
         drawn.reference = *found;
@@ -397,9 +396,8 @@ void Panes::show_header(Session& session, const Cell& cell) {
         ImGui::Separator();
         if (ImGui::MenuItem("As glShadeModel says", nullptr, !pane.shading)) pane.shading.reset();
         for (const ShadingName& shading : kShadings) {
-            const bool per_pixel = shading.value == Shading::kPhong || shading.value == Shading::kExact;
             constexpr std::array<const char*, 4> kWords = {"Flat", "Gouraud", "Phong", "Exact surfaces"};
-            const bool can = !(per_pixel && pane.renderer == Path::kFixed);
+            const bool can = pane.renderer != Path::kFixed || !session::lights_every_pixel(shading.value);
             if (ImGui::MenuItem(kWords[static_cast<std::size_t>(shading.value)], can ? nullptr : "shaders only",
                                 pane.shading == shading.value, can))
                 pane.shading = shading.value;
@@ -447,8 +445,7 @@ std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::s
     if (missing != session.scene.frame.unsupported.end()) return {"not drawn: " + missing->name, kAccent};
     if (pane.renderer == Path::kReference) return {"double precision, without a driver", kDim};
     if (pane.renderer == Path::kFixed) return {"the driver executes glLight, glMaterial, ...", kDim};
-    const auto shading = look_of(session, pane).shading;
-    const bool per_pixel = shading == Shading::kPhong || shading == Shading::kExact;
+    const bool per_pixel = session::lights_every_pixel(look_of(session, pane).shading);
     return {per_pixel ? "GLSL that lights every pixel" : "GLSL that lights every vertex", kDim};
 }
 

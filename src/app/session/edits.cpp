@@ -48,11 +48,6 @@ int scaled_count(int count, int steps) {
     return std::max(scaled, std::min(count, kFewest));
 }
 
-bool is_black(const LightSource& light) {
-    const auto black = [](const glm::dvec4& color) { return glm::dvec3(color) == glm::dvec3(0); };
-    return black(light.ambient) && black(light.diffuse) && black(light.specular);
-}
-
 bool is_lit_by(const Draw& draw, std::size_t light) {
     const std::vector<LightSource>& lights = draw.lighting.lights;
     return light < lights.size() && lights[light].enabled;
@@ -278,6 +273,11 @@ std::vector<std::size_t> commands_of_draws(const CommandList& commands) {
 }
 
 // ---- What the user sees of it ----
+
+bool is_black(const LightSource& light) {
+    const auto black = [](const glm::dvec4& color) { return glm::dvec3(color) == glm::dvec3(0); };
+    return black(light.ambient) && black(light.diffuse) && black(light.specular);
+}
 
 std::string what_light_shows(const Frame& frame, int light) {
     const std::string name = light_name(light);

@@ -65,6 +65,8 @@ std::vector<std::size_t> commands_of_draws(const CommandList& commands);
 
 // ---- What the user sees of it ----
 
+// Whether the light adds nothing: its three colours are 0.
+bool is_black(const LightSource& light);
 // "GL_LIGHT1 is on, but its colours are black". A sentence for the status line after a light was switched.
 std::string what_light_shows(const Frame& frame, int light);
 // The same for GL_LIGHTING, GL_NORMALIZE and other capabilities; `commands` made the frame.

@@ -144,7 +144,7 @@ class OverlayWriter {
     void above_one(const Look& look) {
         reference::Options options;
         static_cast<Look&>(options) = look;
-        const bool per_pixel = look.shading == Shading::kPhong || look.shading == Shading::kExact;
+        const bool per_pixel = lights_every_pixel(look.shading);
         const Draw fine = per_pixel ? subdivided() : Draw{};
         const Draw& draw = per_pixel ? fine : draw_;
         const std::vector<reference::LitVertex> lit = reference::light_vertices(draw, options, false);

@@ -16,8 +16,6 @@ namespace {
 constexpr int kCoarse = 4;  // the first picture is 1/4 of the size in each direction
 constexpr int kNicer = 10;  // the interface goes first
 
-bool same(const Look& a, const Look& b) { return a.shading == b.shading && a.lecture_variants == b.lecture_variants; }
-
 Frame frame_of(const ReferenceJob& job, int divisor) {
     const WindowSize size{std::max(job.size.width / divisor, 1), std::max(job.size.height / divisor, 1)};
     StateOptions options;
@@ -36,7 +34,7 @@ reference::Options options_of(const Look& look) {
 
 bool ReferenceJob::is_same_work(const ReferenceJob& other) const {
     return revision == other.revision && size == other.size && wants_allowed == other.wants_allowed &&
-           std::ranges::equal(looks, other.looks, same);
+           std::ranges::equal(looks, other.looks, is_same);
 }
 
 ReferenceWorker::ReferenceWorker() : thread_([this] { run(); }) {}

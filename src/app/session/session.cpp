@@ -105,17 +105,25 @@ std::string lights_summary(const Frame& frame) {
 
 std::optional<Shading> shading_of(const Session& session, const Pane& pane) {
     if (!pane.shading) return {};
-    const bool per_pixel = *pane.shading == Shading::kPhong || *pane.shading == Shading::kExact;
-    if (pane.renderer == Path::kFixed && per_pixel) return {};
+    if (pane.renderer == Path::kFixed && lights_every_pixel(pane.shading)) return {};
     if (is_flat(session.scene.frame)) return {};
     return pane.shading;
 }
 
 Look look_of(const Session& session, const Pane& pane) {
     const std::optional<Shading> shading = shading_of(session, pane);
-    const bool per_pixel = shading == Shading::kPhong || shading == Shading::kExact;
-    return {shading, pane.lecture_variants.value_or(per_pixel)};
+    return {shading, pane.lecture_variants.value_or(lights_every_pixel(shading))};
 }
+
+bool is_same(const Look& a, const Look& b) {
+    return a.shading == b.shading && a.lecture_variants == b.lecture_variants;
+}
+
+bool lights_every_pixel(std::optional<Shading> shading) {
+    return shading == Shading::kPhong || shading == Shading::kExact;
+}
+
+const Pane& active_pane(const Session& session) { return session.panes[std::min(session.active, kPanes - 1)]; }
 
 std::string title_of(const Session& session, const Pane& pane) {
     constexpr std::array<const char*, kPaths> kRenderers = {"Fixed function", "Shaders", "Reference"};
