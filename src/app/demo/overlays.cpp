@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/demo/theme.h"
+#include "app/demo/widgets.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 
@@ -217,7 +218,7 @@ void draw_lines(const std::vector<OverlayVertex>& lines, int width, int height) 
 
 void show_labels(const OverlayPicture& overlays, const session::Box& picture) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const ImVec2 from{static_cast<float>(picture.x), static_cast<float>(picture.y)};
+    const ImVec2 from = corner(picture);
     draw.PushClipRect(from, {from.x + static_cast<float>(picture.width), from.y + static_cast<float>(picture.height)},
                       true);
     for (const session::Label& label : overlays.labels) {
@@ -228,10 +229,6 @@ void show_labels(const OverlayPicture& overlays, const session::Box& picture) {
         draw.AddText(at, label.is_warning ? kBad : kText, label.text.c_str());
     }
     draw.PopClipRect();
-}
-
-OverlaidPicture::~OverlaidPicture() {
-    if (texture_ != 0) glDeleteTextures(1, &texture_);
 }
 
 void OverlaidPicture::update(const session::Session& session, const Look& look, unsigned texture, int version) {
@@ -246,17 +243,7 @@ void OverlaidPicture::update(const session::Session& session, const Look& look, 
     }
     made_ = wanted;
     draw_overlays(overlays_, texture, session.width, session.height);
-    if (texture_ == 0) {
-        glGenTextures(1, &texture_);
-        glBindTexture(GL_TEXTURE_2D, texture_);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    }
-    glBindTexture(GL_TEXTURE_2D, texture_);
-    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, session.width, session.height, 0);
-    glBindTexture(GL_TEXTURE_2D, 0);
+    texture_.copy_back_buffer(session.width, session.height);
 }
 
 void overlays_panel(session::Session& session) {

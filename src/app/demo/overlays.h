@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "app/demo/texture.h"
 #include "app/session/layout.h"
 #include "app/session/overlays.h"
 #include "app/session/session.h"
@@ -22,14 +23,9 @@ void show_labels(const session::OverlayPicture& overlays, const session::Box& pi
 // A texture that keeps a picture with its overlays, made again when either changed.
 class OverlaidPicture {
   public:
-    OverlaidPicture() = default;
-    ~OverlaidPicture();  // needs the context
-    OverlaidPicture(const OverlaidPicture&) = delete;
-    OverlaidPicture& operator=(const OverlaidPicture&) = delete;
-
     // `texture` holds a picture of session.scene; `version` changes whenever its content does. `look` is the pane's.
     void update(const session::Session& session, const Look& look, unsigned texture, int version);
-    unsigned texture() const { return texture_; }
+    unsigned texture() const { return texture_.name(); }
     // Whether it was made from this version of the picture.
     bool shows(int version) const { return made_.version == version; }
     const session::OverlayPicture& overlays() const { return overlays_; }
@@ -45,7 +41,7 @@ class OverlaidPicture {
     };
     Made made_{};
     session::OverlayPicture overlays_{};
-    unsigned texture_ = 0;
+    Texture texture_{GL_LINEAR};
 };
 
 // The check boxes of all overlays, with a line of help for each. Emits widgets only.

@@ -160,12 +160,11 @@ void AccuracyPanel::show(session::Session& session) {
     const double target = kTargets[static_cast<std::size_t>(target_)].error;
     const std::string sentence = session::accuracy_sentence(session::accuracy_rows(study_, target), target);
     ImGui::Dummy({0, 2});
-    bold_text(sentence.empty() ? "Nothing was timed; measure again." : sentence.c_str());
+    bold_text(sentence.empty() ? "Nothing was timed; measure again." : sentence);
     ImGui::Dummy({0, 2});
     show_rows(target);
     dim_text(fmt::format("{} x {} pixels, shaders with uniforms, on this machine. For the rest: twinlight study.",
-                         study_.width, study_.height)
-                 .c_str());
+                         study_.width, study_.height));
 }
 
 }  // namespace twinlight::demo

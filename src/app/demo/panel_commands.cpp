@@ -13,6 +13,7 @@
 
 #include "app/demo/command_text.h"
 #include "app/demo/theme.h"
+#include "app/demo/widgets.h"
 #include "app/session/edits.h"
 #include "scene/command/memory.h"
 #include "scene/command/print_parts.h"
@@ -37,10 +38,6 @@ constexpr ImU32 kRowHovered = IM_COL32(255, 255, 255, 9);
 constexpr ImU32 kRowSelected = IM_COL32(240, 178, 72, 34);
 constexpr ImU32 kArgumentHovered = IM_COL32(255, 255, 255, 28);
 constexpr ImU32 kErrorLine = IM_COL32(240, 110, 96, 200);
-
-ImVec2 plus(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
-
-float scaled_pixels(float pixels) { return pixels * static_cast<float>(scale()); }
 
 // The width of a letter; CalcTextSize rounds up to whole pixels.
 float width_of_column() {
@@ -195,7 +192,7 @@ void CommandsPanel::show_argument(Session& session, ArgumentAt at, const std::st
 
 void CommandsPanel::show_input(Session& session) {
     const ArgumentAt at = *typed_;
-    const float width = std::max(ImGui::CalcTextSize(typed_text_).x, scaled_pixels(48)) + scaled_pixels(12);
+    const float width = std::max(ImGui::CalcTextSize(typed_text_).x, at_scale(48)) + at_scale(12);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {3, 0});
     ImGui::SetNextItemWidth(width);
     const bool focus = std::exchange(typed_needs_focus_, false);
@@ -230,10 +227,9 @@ void CommandsPanel::show_swatch(Session& session, ArgumentAt at) {
     const bool clicked = ImGui::InvisibleButton("swatch", {side + 2, ImGui::GetTextLineHeight()});
     const bool is_hovered = ImGui::IsItemHovered();
     ImGui::PopID();
-    const auto byte = [](float c) { return static_cast<int>(std::lround(255 * std::clamp(c, 0.0f, 1.0f))); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 to = plus(from, {side, side});
-    list.AddRectFilled(from, to, IM_COL32(byte(color[0]), byte(color[1]), byte(color[2]), 255), 2);
+    list.AddRectFilled(from, to, color_of({color[0], color[1], color[2]}), 2);
     list.AddRect(from, to, is_hovered ? kAccent : kSignColor, 2);
     if (is_hovered) {
         is_over_part_ = true;
@@ -287,7 +283,7 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float line_height = ImGui::GetTextLineHeightWithSpacing();
     const float width = ImGui::GetContentRegionAvail().x, height = line_height * static_cast<float>(row.lines);
-    const float gutter = scaled_pixels(kGutter), column_width = width_of_column();
+    const float gutter = at_scale(kGutter), column_width = width_of_column();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     ImGui::PushID(static_cast<int>(row.command));
 
@@ -310,7 +306,7 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     }
     const ImVec2 middle = plus(start, {gutter / 2, line_height / 2});
-    const float r = scaled_pixels(4);
+    const float r = at_scale(4);
     if (row.is_fold && row.is_folded)
         draw.AddTriangleFilled({middle.x - r / 2, middle.y - r}, {middle.x - r / 2, middle.y + r},
                                {middle.x + r, middle.y}, kSignColor);
@@ -382,7 +378,7 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
 
 void CommandsPanel::show_list(Session& session) {
     const float column_width = width_of_column(), line_height = ImGui::GetTextLineHeightWithSpacing();
-    const float room = ImGui::GetContentRegionAvail().x - scaled_pixels(kGutter);
+    const float room = ImGui::GetContentRegionAvail().x - at_scale(kGutter);
     const int columns = std::max(20, static_cast<int>(room / column_width));
     refresh_rows(session, columns, static_cast<double>(line_height));
     if (session.selected_command != last_selected_) {
@@ -459,12 +455,10 @@ void CommandsPanel::show_tools(Session& session) {
 void CommandsPanel::show_help(const Session& session) {
     ImGui::Separator();
     if (!session.error.empty() && help_.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, kBad);
-        ImGui::TextWrapped("%s", session.error.c_str());
-        ImGui::PopStyleColor();
+        colored_text(kBad, session.error);
     } else {
         dim_text(help_.empty() ? "Drag a number, or click it to type. Click a name to choose. Changed values are bold."
-                               : help_.c_str());
+                               : help_);
     }
 }
 
@@ -473,7 +467,7 @@ void CommandsPanel::show(Session& session) {
     show_tools(session);
     const float help_height = ImGui::GetTextLineHeightWithSpacing() * kHelpLines;
     ImGui::PushFont(fonts().code);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, scaled_pixels(4)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, at_scale(4)});
     ImGui::BeginChild("calls", {0, -help_height}, false);
     show_list(session);
     if (to_open_) ImGui::OpenPopup(std::exchange(to_open_, nullptr));

@@ -11,6 +11,7 @@
 #include "app/demo/command_text.h"
 #include "app/demo/panel_commands.h"
 #include "app/demo/theme.h"
+#include "app/demo/widgets.h"
 #include "app/session/edits.h"
 #include "scene/command/print_parts.h"
 #include "scene/command/text.h"
@@ -137,7 +138,7 @@ void CommandsPanel::show_choices(Session& session) {
     const float height = std::min(static_cast<float>(choices_.size()), 16.0f) * line;
     float width = 0;
     for (const session::Choice& choice : choices_) width = std::max(width, ImGui::CalcTextSize(choice.name.c_str()).x);
-    ImGui::BeginChild("names", {width + static_cast<float>(scale()) * (is_bits ? 60 : 30), height}, false);
+    ImGui::BeginChild("names", {width + at_scale(is_bits ? 60 : 30), height}, false);
     for (const session::Choice& choice : choices_) {
         const auto bit = static_cast<std::uint32_t>(choice.value);
         if (is_bits) {
@@ -164,20 +165,16 @@ void CommandsPanel::show_choices(Session& session) {
 
 // A call typed as C, or picked from common ones. It takes the place of `replaced_`, or goes after the selected call.
 void CommandsPanel::show_insert(Session& session) {
-    ImGui::SetNextWindowSize({static_cast<float>(scale()) * (560), 0});
+    ImGui::SetNextWindowSize({at_scale(560), 0});
     if (!ImGui::BeginPopup("type a call")) return;
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::PushFont(fonts().code);
     ImGui::SetNextItemWidth(-1);
     bool done = ImGui::InputTextWithHint("##call", "type a call, such as glEnable(GL_FOG);", inserted_text_,
                                          sizeof inserted_text_, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (!insert_error_.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, kBad);
-        ImGui::TextWrapped("%s", insert_error_.c_str());
-        ImGui::PopStyleColor();
-    }
+    if (!insert_error_.empty()) colored_text(kBad, insert_error_);
     if (!replaced_) {
-        ImGui::BeginChild("templates", {0, static_cast<float>(scale()) * (260)}, false);
+        ImGui::BeginChild("templates", {0, at_scale(260)}, false);
         for (const char* text : kTemplates) {
             if (!has_text(text, inserted_text_)) continue;
             if (ImGui::Selectable(text)) {

@@ -70,9 +70,7 @@ void LightsPanel::refresh(const session::Session& session) {
 
 void LightsPanel::label(session::Session& session, const char* text, const SetBy& by) const {
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, kDim);
-    ImGui::TextUnformatted(text);
-    ImGui::PopStyleColor();
+    colored_text_line(kDim, text);
     if (!ImGui::IsItemHovered()) return;
     const std::vector<Command>& list = commands(session).commands;
     if (!by.command || *by.command >= list.size()) {
@@ -183,7 +181,7 @@ void LightsPanel::show_light_details(session::Session& session, int light) {
         edit_light(session, light, kGL_POSITION, edited);
     end_group_after_drag(session);
     ImGui::SetCursorPosX(at_scale(kLabelWidth));
-    dim_text(fmt::format("in eye space: {}", text_of(source.position_eye)).c_str());
+    dim_text(fmt::format("in eye space: {}", text_of(source.position_eye)));
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("the modelview matrix at the call, times what was typed (2.14.1); w = 0: a direction");
 
@@ -243,7 +241,7 @@ void LightsPanel::show_spot(session::Session& session, int light) {
         edit_light(session, light, kGL_SPOT_DIRECTION, edited);
     end_group_after_drag(session);
     ImGui::SetCursorPosX(at_scale(kLabelWidth));
-    dim_text(fmt::format("in eye space: {}", text_of(source.spot_direction_eye)).c_str());
+    dim_text(fmt::format("in eye space: {}", text_of(source.spot_direction_eye)));
 }
 
 void LightsPanel::show(session::Session& session) {

@@ -67,7 +67,7 @@ void LightsPanel::show_face(session::Session& session, Enum face) {
         ImGui::EndDisabled();
         if (const char* badge = badge_of(row.by.source)) {
             ImGui::SetCursorPosX(at_scale(kLabelWidth));
-            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", badge);
+            colored_text_line(kAccent, badge);
         }
         ImGui::PopID();
     }
@@ -81,9 +81,7 @@ void LightsPanel::show_face(session::Session& session, Enum face) {
 
 void LightsPanel::show_presets(session::Session& session) {
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, kDim);
-    ImGui::TextUnformatted("preset");
-    ImGui::PopStyleColor();
+    colored_text_line(kDim, "preset");
     begin_value();
     if (!ImGui::BeginCombo("##preset", "gold, jade, ruby ...", ImGuiComboFlags_HeightLarge)) return;
     for (const session::MaterialPreset& preset : session::material_presets()) {
@@ -168,11 +166,8 @@ void LightsPanel::show_color_material(session::Session& session) {
     bool on = tracking.enabled;
     if (ImGui::Checkbox("GL_COLOR_MATERIAL", &on))
         edit(session, session::toggle_capability(commands(session), kGL_COLOR_MATERIAL), "switch GL_COLOR_MATERIAL");
-    const std::string words = session::color_material_words(*values_);
     const bool has_effect = tracking.enabled && values_->state.enabled;
-    ImGui::PushStyleColor(ImGuiCol_Text, has_effect ? kAccent : kDim);
-    ImGui::TextWrapped("%s", words.c_str());
-    ImGui::PopStyleColor();
+    colored_text(has_effect ? kAccent : kDim, session::color_material_words(*values_));
 
     const auto pick = [&](const char* text, Enum current, std::initializer_list<Enum> names, const auto& set) {
         label(session, text, values_->color_material_mode);
@@ -217,8 +212,7 @@ void LightsPanel::show_mesh(session::Session& session) {
     }
     if (mesh_error_.has_surfaces)
         dim_text(fmt::format("The mesh is at most {:.3g} away from the surface: {:.2g} % of its half width.",
-                             mesh_error_.distance, 100 * mesh_error_.of_size)
-                     .c_str());
+                             mesh_error_.distance, 100 * mesh_error_.of_size));
     const std::string all = session::tessellation(*list);
     if (all.empty()) return;
     ImGui::AlignTextToFramePadding();

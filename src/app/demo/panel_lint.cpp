@@ -82,7 +82,7 @@ bool LintPanel::show(session::Session& session) {
         ImGui::Dummy({0, ImGui::GetFontSize() / 4});
         ImGui::Separator();
         ImGui::Dummy({0, ImGui::GetFontSize() / 4});
-        bold_text(as_sentence(warning.message).c_str());
+        bold_text(as_sentence(warning.message));
         ImGui::PushFont(fonts().code);
         colored_text(kAccent, print_command(commands(session).commands[finding.command]));
         ImGui::PopFont();

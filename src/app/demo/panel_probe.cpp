@@ -53,7 +53,7 @@ void sum_row(const SumRow& row) {
     if (!row.how.empty()) {
         ImGui::SameLine();
         if (ImGui::CalcTextSize(row.how.c_str()).x > ImGui::GetContentRegionAvail().x) ImGui::NewLine();
-        dim_text(row.how.c_str());
+        dim_text(row.how);
     }
     ImGui::PushFont(row.is_result ? fonts().code_bold : fonts().code);
     for (const double channel : {c.x, c.y, c.z}) {
@@ -99,9 +99,9 @@ void show_lines(const char* name, const std::vector<explain::Line>& lines) {
         } else {
             ImGui::TextWrapped("%s", line.value.c_str());
         }
-        if (!line.how.empty() && line.kind == Kind::kColor) dim_text(line.how.c_str());
+        if (!line.how.empty() && line.kind == Kind::kColor) dim_text(line.how);
         ImGui::PopFont();
-        if (!line.how.empty() && line.kind != Kind::kColor) dim_text(line.how.c_str());
+        if (!line.how.empty() && line.kind != Kind::kColor) dim_text(line.how);
     }
     ImGui::EndTable();
 }
@@ -226,7 +226,7 @@ void ProbePanel::show_fragment(Session& session) {
         }
         if (!fragments_[fragment_].is_seen) colored_text(kAccent, fragments_[fragment_].fate);
     } else {
-        dim_text(fragments_[fragment_].name.c_str());
+        dim_text(fragments_[fragment_].name);
     }
     const std::vector<ProbePoint> points = session::points_of(session.scene, *answer_, fragment_);
     if (!fragments_[fragment_].is_lit || points.empty()) {
@@ -242,7 +242,7 @@ void ProbePanel::show_fragment(Session& session) {
                 if (ImGui::RadioButton(points[i].name.c_str(), i == point_)) point_ = i;
             }
         }
-        heading(fmt::format("The equation at {}", points[point_].name).c_str());
+        heading(fmt::format("The equation at {}", points[point_].name));
         show_equation(points[point_]);
     }
     const std::vector<SumRow> after = session::fragment_rows(session.scene, *answer_, fragment_);

@@ -19,7 +19,7 @@ using session::Ink;
 using session::Session;
 using session::ShownShader;
 
-ImU32 color_of(Ink ink) {
+ImU32 ink_color(Ink ink) {
     switch (ink) {
         case Ink::kPlain: return kText;
         case Ink::kKeyword: return IM_COL32(206, 156, 232, 255);
@@ -107,15 +107,12 @@ void ShadersPanel::show_reasons(const ShownShader& shader) const {
         ImGui::TableNextColumn();
         colored_text_line(row.in ? kGood : kDim, row.in ? "used" : "skipped");
         ImGui::TableNextColumn();
-        ImGui::PushStyleColor(ImGuiCol_Text, row.in ? kText : kDim);
-        ImGui::TextWrapped("%s", row.what.c_str());
-        ImGui::PopStyleColor();
-        dim_text(row.why.c_str());
+        colored_text(row.in ? kText : kDim, row.what);
+        dim_text(row.why);
     }
     ImGui::EndTable();
     dim_text(
-        fmt::format("All skipped lights together change a channel by at most {}.", in_codes(draw->plan.error_bound))
-            .c_str());
+        fmt::format("All skipped lights together change a channel by at most {}.", in_codes(draw->plan.error_bound)));
 }
 
 void ShadersPanel::show_glsl(Session& session) {
@@ -143,7 +140,7 @@ void ShadersPanel::show_glsl(Session& session) {
             ImGui::TextDisabled("%4d  ", i + 1);
             for (const session::InkedText& piece : lines_[static_cast<std::size_t>(i)]) {
                 ImGui::SameLine(0, 0);
-                ImGui::PushStyleColor(ImGuiCol_Text, color_of(piece.ink));
+                ImGui::PushStyleColor(ImGuiCol_Text, ink_color(piece.ink));
                 ImGui::TextUnformatted(piece.text.data(), piece.text.data() + piece.text.size());
                 ImGui::PopStyleColor();
             }

@@ -7,6 +7,7 @@
 
 #include "app/demo/overlays.h"
 #include "app/demo/theme.h"
+#include "app/demo/widgets.h"
 
 namespace twinlight::demo {
 namespace {
@@ -40,8 +41,8 @@ void Panels::update(session::Session& session) {
 }
 
 void Panels::show(session::Session& session, const session::Box& box, const Panes& panes) {
-    ImGui::SetNextWindowPos({static_cast<float>(box.x), static_cast<float>(box.y)});
-    ImGui::SetNextWindowSize({static_cast<float>(box.width), static_cast<float>(box.height)});
+    ImGui::SetNextWindowPos(corner(box));
+    ImGui::SetNextWindowSize(size_of(box));
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     for (const session::PanelName& panel : session::kPanels) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/demo/theme.h"
+#include "app/demo/widgets.h"
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
@@ -23,53 +24,6 @@ using session::kPanes;
 using session::Session;
 
 using Clock = std::chrono::steady_clock;
-
-constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
-                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-
-ImVec2 corner(const Box& box) { return {static_cast<float>(box.x), static_cast<float>(box.y)}; }
-ImVec2 far_corner(const Box& box) {
-    return {static_cast<float>(box.x + box.width), static_cast<float>(box.y + box.height)};
-}
-ImTextureID texture_id(unsigned name) {
-    return (ImTextureID)(std::intptr_t)name;
-}  // an integer or a pointer, by release
-
-unsigned make_texture() {
-    unsigned name = 0;
-    glGenTextures(1, &name);
-    glBindTexture(GL_TEXTURE_2D, name);
-    // Pictures are shown pixel for pixel; linear filters would round.
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindTexture(GL_TEXTURE_2D, 0);
-    return name;
-}
-
-// Row 0 of a texture is at the bottom of the picture, as in GL.
-void upload(unsigned texture, const Image& image, bool is_coarse = false) {
-    std::vector<std::uint8_t> codes;
-    codes.reserve(image.pixels.size() * 3);
-    for (int y = image.height - 1; y >= 0; --y)
-        for (int x = 0; x < image.width; ++x)
-            for (std::size_t channel = 0; channel < 3; ++channel)
-                codes.push_back(channel_code(image.at(x, y)[channel]));
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, image.width, image.height, 0, GL_RGB, GL_UNSIGNED_BYTE, codes.data());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, is_coarse ? GL_LINEAR : GL_NEAREST);
-    glBindTexture(GL_TEXTURE_2D, 0);
-}
-
-void copy_back_buffer(unsigned texture, int width, int height) {
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, width, height, 0);
-    glBindTexture(GL_TEXTURE_2D, 0);
-}
 
 std::string ms_text(double ms) {
     return ms < 10    ? fmt::format("{:.2f} ms", ms)
@@ -92,16 +46,12 @@ std::string difference_title(const Session& session) {
            kNames[static_cast<std::size_t>(b.renderer)];
 }
 
-float text_y(const Box& bar) {
-    return static_cast<float>(bar.y) + (static_cast<float>(bar.height) - ImGui::GetFontSize()) / 2;
-}
-
 void begin_bar(const char* name, const Box& bar) {
     ImGui::SetNextWindowPos(corner(bar));
-    ImGui::SetNextWindowSize({static_cast<float>(bar.width), static_cast<float>(bar.height)});
+    ImGui::SetNextWindowSize(size_of(bar));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::Begin(name, nullptr, kPlain);
+    ImGui::Begin(name, nullptr, kPlainWindow);
 }
 
 void end_bar() {
@@ -158,15 +108,7 @@ std::optional<double> FrameTimes::median_ms() const {
     return *middle;
 }
 
-Panes::Panes() : programmable_(std::make_unique<programmable::Renderer>()) {
-    for (Drawn& drawn : drawn_) drawn.texture = make_texture();
-    difference_.texture = make_texture();
-}
-
-Panes::~Panes() {
-    for (const Drawn& drawn : drawn_) glDeleteTextures(1, &drawn.texture);
-    glDeleteTextures(1, &difference_.texture);
-}
+Panes::Panes() : programmable_(std::make_unique<programmable::Renderer>()) {}
 
 bool Panes::wants_image(const Session& session, std::size_t pane) const {
     const bool in_difference = pane == session.difference.a || pane == session.difference.b;
@@ -208,7 +150,7 @@ void Panes::draw_pane(const Session& session, std::size_t number) {
     if (compiles) drawn.times = {};
     if (is_new) drawn.times.add(ms);
     drawn.image = reads ? read_pixels(session.width, session.height) : Image{};
-    copy_back_buffer(drawn.texture, session.width, session.height);
+    drawn.texture.copy_back_buffer(session.width, session.height);
     ++drawn.version;
     drawn.pane = pane;
     drawn.look = look;
@@ -257,7 +199,8 @@ void Panes::take_reference(const Session& session) {
         drawn.error.clear();
         if ((*found)->divisor == 1) drawn.times.add((*found)->ms);
         drawn.image = (*found)->divisor == 1 ? (*found)->image : Image{};
-        upload(drawn.texture, (*found)->image, (*found)->divisor > 1);
+        drawn.texture.upload((*found)->image);
+        drawn.texture.set_magnification((*found)->divisor > 1 ? GL_LINEAR : GL_NEAREST);
         ++drawn.version;
     }
 }
@@ -290,7 +233,7 @@ void Panes::update_difference(const Session& session) {
     difference_.numbers = difference(first, second, allowed);
     difference_.amplification =
         session.amplification != 0 ? session.amplification : amplification_for(difference_.numbers.interior.max);
-    upload(difference_.texture, difference_picture(first, second, difference_.amplification));
+    difference_.texture.upload(difference_picture(first, second, difference_.amplification));
 }
 
 bool Panes::lacks_images(const Session& session) const {
@@ -319,7 +262,7 @@ void Panes::update(const Session& session, const session::Layout& layout) {
     for (std::size_t i = 0; i < kPanes; ++i) {
         Drawn& drawn = drawn_[i];
         if (shown[i] && any(session.overlays) && drawn.revision == session.revision)
-            drawn.overlaid.update(session, drawn.look, drawn.texture, drawn.version);
+            drawn.overlaid.update(session, drawn.look, drawn.texture.name(), drawn.version);
     }
     if (session.view == session::View::kWorld) world_.update(session, *programmable_);
 }
@@ -329,7 +272,7 @@ bool Panes::shows_overlays(const Session& session, std::size_t pane) const {
 }
 
 unsigned Panes::shown_texture(const Session& session, std::size_t pane) const {
-    return shows_overlays(session, pane) ? drawn_[pane].overlaid.texture() : drawn_[pane].texture;
+    return shows_overlays(session, pane) ? drawn_[pane].overlaid.texture() : drawn_[pane].texture.name();
 }
 
 std::array<std::optional<Rgba>, kPanes> Panes::colors_at(int x, int y) const {
@@ -492,7 +435,7 @@ void Panes::show_slider(Session& session, const Cell& cell) {
     const float x = static_cast<float>(box.x) + static_cast<float>(session.slider_at) * static_cast<float>(box.width);
     const auto half = [&](std::size_t pane, float from, float to) {
         draw.PushClipRect({from, static_cast<float>(box.y)}, {to, far_corner(box).y}, true);
-        draw.AddImage(texture_id(shown_texture(session, pane)), corner(box), far_corner(box), {0, 1}, {1, 0});
+        add_picture(draw, shown_texture(session, pane), corner(box), far_corner(box));
         if (shows_overlays(session, pane)) show_labels(drawn_[pane].overlaid.overlays(), box);
         draw.PopClipRect();
     };
@@ -508,7 +451,8 @@ void Panes::show_slider(Session& session, const Cell& cell) {
 void Panes::show(Session& session, const session::Layout& layout) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     for (const Cell& cell : layout.cells) {
-        const unsigned texture = cell.pane == kDifferencePane ? difference_.texture : shown_texture(session, cell.pane);
+        const unsigned texture =
+            cell.pane == kDifferencePane ? difference_.texture.name() : shown_texture(session, cell.pane);
         if (session.view == session::View::kWorld) {
             world_.show(session, cell, texture);
             continue;
@@ -528,7 +472,7 @@ void Panes::show(Session& session, const session::Layout& layout) {
             }
             continue;
         }
-        draw.AddImage(texture_id(texture), corner(cell.picture), far_corner(cell.picture), {0, 1}, {1, 0});
+        add_picture(draw, texture, corner(cell.picture), far_corner(cell.picture));
         if (cell.pane != kDifferencePane && shows_overlays(session, cell.pane))
             show_labels(drawn_[cell.pane].overlaid.overlays(), cell.picture);
         show_header(session, cell);

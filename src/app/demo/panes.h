@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/demo/overlays.h"
+#include "app/demo/texture.h"
 #include "app/demo/world_view.h"
 #include "app/session/layout.h"
 #include "app/session/reference_worker.h"
@@ -34,7 +35,6 @@ class Panes {
   public:
     // Needs the window's context to be current, here and until the end.
     Panes();
-    ~Panes();
     Panes(const Panes&) = delete;
     Panes& operator=(const Panes&) = delete;
 
@@ -59,7 +59,7 @@ class Panes {
         Look look{};
         int revision = -1;
         int width = 0, height = 0;
-        unsigned texture = 0;
+        Texture texture{GL_NEAREST};
         int version = 0;             // counts the texture's pictures
         OverlaidPicture overlaid{};  // the texture with the overlays
         Image image{};               // empty unless it was needed
@@ -75,7 +75,7 @@ class Panes {
         bool has_allowed = false;
         std::array<const void*, 2> images{};  // what it was made from
         ImageDifference numbers{};
-        unsigned texture = 0;
+        Texture texture{GL_NEAREST};
     };
 
     bool lacks_images(const session::Session& session) const;

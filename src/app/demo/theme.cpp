@@ -25,12 +25,6 @@ ImFont* load(const char* name, float size) {
     return atlas.AddFontFromFileTTF(file.c_str(), pixels, nullptr, kRanges);
 }
 
-void colored_text(ImU32 color, const char* text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextWrapped("%s", text);
-    ImGui::PopStyleColor();
-}
-
 }  // namespace
 
 const Fonts& fonts() { return loaded; }
@@ -81,14 +75,6 @@ void set_theme(double scale) {
     set(ImGuiCol_Separator, 58, 63, 73);
     set(ImGuiCol_TextSelectedBg, 240, 178, 72, 90);
     set(ImGuiCol_NavHighlight, 240, 178, 72);
-}
-
-void dim_text(const char* text) { colored_text(kDim, text); }
-
-void bold_text(const char* text) {
-    ImGui::PushFont(loaded.bold);
-    ImGui::TextWrapped("%s", text);
-    ImGui::PopFont();
 }
 
 }  // namespace twinlight::demo

@@ -26,7 +26,4 @@ inline constexpr ImU32 kAccent = IM_COL32(240, 178, 72, 255);  // the light of a
 inline constexpr ImU32 kGood = IM_COL32(126, 200, 130, 255);
 inline constexpr ImU32 kBad = IM_COL32(240, 110, 96, 255);
 
-void dim_text(const char* text);  // one line in kDim, wrapped at the window's edge
-void bold_text(const char* text);
-
 }  // namespace twinlight::demo

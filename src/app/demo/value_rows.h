@@ -8,15 +8,13 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "app/demo/theme.h"
+#include "app/demo/widgets.h"
 #include "app/session/session.h"
 
 namespace twinlight::demo {
 
 constexpr float kLabelWidth = 114;  // at scale 1
 constexpr const char* kNumberFormat = "%.3g";
-
-inline float at_scale(float pixels) { return pixels * static_cast<float>(scale()); }
 
 // What a widget gives, without the digits that only floats have.
 inline double readable(float value) { return std::round(static_cast<double>(value) * 1000) / 1000; }

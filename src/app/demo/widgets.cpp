@@ -1,26 +1,17 @@
 #include "app/demo/widgets.h"
 
 #include <algorithm>
-
-#include "app/demo/theme.h"
+#include <cmath>
 
 namespace twinlight::demo {
 
-void swatch(const Vec3<double>& color) {
-    const auto channel = [](double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); };
-    const ImVec4 shown(channel(color.x), channel(color.y), channel(color.z), 1);
-    const float side = ImGui::GetFontSize();
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    ImGui::Dummy({side, side});
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled({from.x, from.y + 1}, {from.x + side, from.y + side + 1}, ImGui::ColorConvertFloat4ToU32(shown),
-                       3);
-    draw.AddRect({from.x, from.y + 1}, {from.x + side, from.y + side + 1}, IM_COL32(255, 255, 255, 50), 3);
+float text_y(const session::Box& bar) {
+    return static_cast<float>(bar.y) + (static_cast<float>(bar.height) - ImGui::GetFontSize()) / 2;
 }
 
-void heading(const char* text) {
-    ImGui::Dummy({0, ImGui::GetFontSize() / 3});
-    bold_text(text);
+ImU32 color_of(const glm::dvec3& color, int alpha) {
+    const auto code = [](double channel) { return static_cast<int>(std::lround(255 * std::clamp(channel, 0.0, 1.0))); };
+    return IM_COL32(code(color.r), code(color.g), code(color.b), alpha);
 }
 
 void colored_text(ImU32 color, const std::string& text) {
@@ -33,6 +24,28 @@ void colored_text_line(ImU32 color, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
+}
+
+void dim_text(const std::string& text) { colored_text(kDim, text); }
+
+void bold_text(const std::string& text) {
+    ImGui::PushFont(fonts().bold);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopFont();
+}
+
+void heading(const std::string& text) {
+    ImGui::Dummy({0, ImGui::GetFontSize() / 3});
+    bold_text(text);
+}
+
+void swatch(const Vec3<double>& color) {
+    const float side = ImGui::GetFontSize();
+    const ImVec2 from = plus(ImGui::GetCursorScreenPos(), {0, 1}), to = plus(from, {side, side});
+    ImGui::Dummy({side, side});
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(from, to, color_of({color.x, color.y, color.z}), 3);
+    draw.AddRect(from, to, IM_COL32(255, 255, 255, 50), 3);
 }
 
 }  // namespace twinlight::demo

@@ -1,21 +1,50 @@
-// Small widgets that several panels use.
+// Small widgets that several panels use, and the window's measures as ImGui has them.
 #pragma once
 
 #include <imgui.h>
 
+#include <glm/vec3.hpp>
 #include <string>
 
+#include "app/demo/theme.h"
+#include "app/session/layout.h"
 #include "base/math/vec3.h"
 
 namespace twinlight::demo {
 
 inline constexpr ImU32 kResultRow = IM_COL32(44, 48, 57, 255);  // behind the row of a result
 
-// A square of this colour, as high as a line of text. Channels are clamped to [0, 1].
-void swatch(const Vec3<double>& color);
-// The title of a part of a panel.
-void heading(const char* text);
+// A window that shows nothing but what is put into it.
+inline constexpr ImGuiWindowFlags kPlainWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
+                                                 ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+// ---- Measures ----
+
+inline float at_scale(float pixels) { return pixels * static_cast<float>(scale()); }
+inline ImVec2 plus(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
+inline ImVec2 corner(const session::Box& box) { return {static_cast<float>(box.x), static_cast<float>(box.y)}; }
+inline ImVec2 far_corner(const session::Box& box) {
+    return {static_cast<float>(box.x + box.width), static_cast<float>(box.y + box.height)};
+}
+inline ImVec2 size_of(const session::Box& box) {
+    return {static_cast<float>(box.width), static_cast<float>(box.height)};
+}
+// Where a line of text starts that is in the middle of a bar's height.
+float text_y(const session::Box& bar);
+// Channels are clamped to [0, 1].
+ImU32 color_of(const glm::dvec3& color, int alpha = 255);
+
+// ---- Text ----
+
+void dim_text(const std::string& text);  // wrapped
+void bold_text(const std::string& text);
 void colored_text(ImU32 color, const std::string& text);       // wrapped
 void colored_text_line(ImU32 color, const std::string& text);  // as wide as it is
+// The title of a part of a panel.
+void heading(const std::string& text);
+
+// A square of this colour, as high as a line of text. Channels are clamped to [0, 1].
+void swatch(const Vec3<double>& color);
 
 }  // namespace twinlight::demo

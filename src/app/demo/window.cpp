@@ -21,6 +21,7 @@
 #include "app/demo/panels.h"
 #include "app/demo/panes.h"
 #include "app/demo/theme.h"
+#include "app/demo/widgets.h"
 #include "app/session/clip.h"
 #include "app/session/keys.h"
 #include "app/session/layout.h"

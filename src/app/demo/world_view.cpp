@@ -11,6 +11,7 @@
 
 #include "app/demo/overlays.h"
 #include "app/demo/theme.h"
+#include "app/demo/widgets.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 
@@ -24,11 +25,6 @@ using session::LightMarker;
 constexpr double kInsideShare = 0.25;  // of the picture's width, for the scene's own picture in its corner
 constexpr float kBulb = 7, kDragPixels = 3;
 constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 150);
-
-ImU32 color_of(const glm::dvec3& color, int alpha = 255) {
-    const auto code = [](double channel) { return static_cast<int>(std::lround(255 * std::clamp(channel, 0.0, 1.0))); };
-    return IM_COL32(code(color.r), code(color.g), code(color.b), alpha);
-}
 
 std::string point_text(const glm::dvec3& point) {
     std::string text;
@@ -46,7 +42,7 @@ std::optional<ImVec2> window_place(const session::WorldProjection& projection, c
 }
 
 void draw_bulb(ImDrawList& draw, const ImVec2& at, const LightMarker& light, bool bright) {
-    const float size = kBulb * static_cast<float>(scale());
+    const float size = at_scale(kBulb);
     if (!light.is_black)
         for (const auto& [radius, alpha] : {std::pair{2.6F, 28}, {1.9F, 45}})
             draw.AddCircleFilled(at, radius * size, color_of(light.color, alpha), 32);
@@ -61,7 +57,7 @@ void draw_arrow(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 co
     const ImVec2 along{to.x - from.x, to.y - from.y};
     const float length = std::sqrt(along.x * along.x + along.y * along.y);
     if (length < 1) return;
-    const float head = std::min(11 * static_cast<float>(scale()), length);
+    const float head = std::min(at_scale(11), length);
     const ImVec2 dir{along.x / length, along.y / length};
     const ImVec2 neck{to.x - head * dir.x, to.y - head * dir.y};
     for (const auto& [ink, width] : {std::pair{kShadow, 5.0F}, {color, 2.5F}}) draw.AddLine(from, neck, ink, width);
@@ -70,10 +66,6 @@ void draw_arrow(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 co
 }
 
 }  // namespace
-
-WorldView::~WorldView() {
-    if (texture_ != 0) glDeleteTextures(1, &texture_);
-}
 
 void WorldView::update(const session::Session& session, programmable::Renderer& renderer) {
     const Made wanted{session.revision, camera_, session.width, session.height};
@@ -98,26 +90,15 @@ void WorldView::update(const session::Session& session, programmable::Renderer& 
     }
     draw_lines(world_lines(world_, projection_), session.width, session.height);
     const fixed::InitialState initial(session.width, session.height);
-    if (texture_ == 0) {
-        glGenTextures(1, &texture_);
-        glBindTexture(GL_TEXTURE_2D, texture_);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    }
-    glBindTexture(GL_TEXTURE_2D, texture_);
-    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, session.width, session.height, 0);
-    glBindTexture(GL_TEXTURE_2D, 0);
+    texture_.copy_back_buffer(session.width, session.height);
 }
 
 void WorldView::carry_out_mouse(session::Session& session, const Box& box) {
-    ImGui::SetNextWindowPos({static_cast<float>(box.x), static_cast<float>(box.y)});
-    ImGui::SetNextWindowSize({static_cast<float>(box.width), static_cast<float>(box.height)});
+    ImGui::SetNextWindowPos(corner(box));
+    ImGui::SetNextWindowSize(size_of(box));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::Begin("world", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::InvisibleButton("mouse", {static_cast<float>(box.width), static_cast<float>(box.height)});
+    ImGui::Begin("world", nullptr, kPlainWindow | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::InvisibleButton("mouse", size_of(box));
     const ImGuiIO& io = ImGui::GetIO();
     const glm::dvec2 place(io.MousePos.x - static_cast<float>(box.x), io.MousePos.y - static_cast<float>(box.y));
     if (ImGui::IsItemHovered()) {
@@ -231,7 +212,7 @@ void WorldView::show_markers(const session::Session& session, const Box& box) co
         }
     }
     for (const Name& name : names) {
-        const float beside = (kBulb + 6) * static_cast<float>(scale());
+        const float beside = at_scale(kBulb + 6);
         text({name.at.x + beside, name.at.y - ImGui::GetFontSize() - 2}, name.bright ? kText : kDim, name.text);
     }
 }
@@ -241,10 +222,10 @@ void WorldView::show_inside(const Box& box, unsigned inside) const {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const float width = static_cast<float>(kInsideShare * box.width),
                 height = static_cast<float>(kInsideShare * box.height);
-    const ImVec2 to{static_cast<float>(box.x + box.width) - 10, static_cast<float>(box.y + box.height) - 10};
+    const ImVec2 to{far_corner(box).x - 10, far_corner(box).y - 10};
     const ImVec2 from{to.x - width, to.y - height};
     draw.AddRectFilled({from.x - 4, from.y - 4}, {to.x + 5, to.y + 5}, kShadow, 4);
-    draw.AddImage((ImTextureID)(std::intptr_t)inside, from, to, {0, 1}, {1, 0});
+    add_picture(draw, inside, from, to);
     draw.AddRect({from.x - 1, from.y - 1}, {to.x + 1, to.y + 1}, kAccent, 0, ImDrawFlags_None, 1.5F);
 }
 
@@ -265,17 +246,15 @@ std::string WorldView::described(const session::Session& session, const LightMar
 void WorldView::show(session::Session& session, const session::Cell& cell, unsigned inside) {
     const Box& box = cell.picture;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const auto corner = [](int x, int y) { return ImVec2{static_cast<float>(x), static_cast<float>(y)}; };
     const auto bar = [&](const Box& at, ImDrawFlags corners, ImU32 color, const std::string& words, ImFont* font) {
-        draw.AddRectFilled(corner(at.x, at.y), corner(at.x + at.width, at.y + at.height), kBar, 4, corners);
+        draw.AddRectFilled(corner(at), far_corner(at), kBar, 4, corners);
         const float y = static_cast<float>(at.y) + (static_cast<float>(at.height) - font->FontSize) / 2;
         draw.AddText(font, font->FontSize, {static_cast<float>(at.x) + 10, y}, color, words.c_str());
     };
     carry_out_mouse(session, box);
 
-    draw.AddImage((ImTextureID)(std::intptr_t)texture_, corner(box.x, box.y),
-                  corner(box.x + box.width, box.y + box.height), {0, 1}, {1, 0});
-    draw.PushClipRect(corner(box.x, box.y), corner(box.x + box.width, box.y + box.height), true);
+    add_picture(draw, texture_.name(), corner(box), far_corner(box));
+    draw.PushClipRect(corner(box), far_corner(box), true);
     show_inside(box, inside);
     show_markers(session, box);
     draw.PopClipRect();

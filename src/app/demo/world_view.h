@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/demo/texture.h"
 #include "app/session/layout.h"
 #include "app/session/session.h"
 #include "app/session/world.h"
@@ -14,11 +15,6 @@ namespace twinlight::demo {
 
 class WorldView {
   public:
-    WorldView() = default;
-    ~WorldView();  // needs the context
-    WorldView(const WorldView&) = delete;
-    WorldView& operator=(const WorldView&) = delete;
-
     // Draws the scene at the session's size, if something changed, at the back buffer's lower left corner.
     void update(const session::Session& session, programmable::Renderer& renderer);
     // Puts the picture on ImGui's background, with markers and bars, and carries out what the mouse does: a drag turns the
@@ -55,7 +51,7 @@ class WorldView {
     std::optional<Drag> drag_;
     std::optional<session::Handle> under_mouse_;
     bool orbits_ = false, dragged_ = false;  // since the button was pressed
-    unsigned texture_ = 0;
+    Texture texture_{GL_LINEAR};
 };
 
 }  // namespace twinlight::demo
