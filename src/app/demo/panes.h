@@ -90,6 +90,9 @@ class Panes {
     std::pair<std::string, unsigned> footer_of(const session::Session& session, std::size_t pane) const;
     void show_amplification(session::Session& session, const session::Box& picture);
     void show_slider(session::Session& session, const session::Cell& cell);
+    void show_slider_bars(session::Session& session, const session::Cell& cell);
+    void show_picture(session::Session& session, const session::Cell& cell);
+    bool has_difference(const session::Session& session) const { return difference_.revision == session.revision; }
     std::string time_of(const session::Session& session, std::size_t pane) const;
     bool shows_overlays(const session::Session& session, std::size_t pane) const;
     unsigned shown_texture(const session::Session& session, std::size_t pane) const;

@@ -126,8 +126,7 @@ bool lights_every_pixel(std::optional<Shading> shading) {
 const Pane& active_pane(const Session& session) { return session.panes[std::min(session.active, kPanes - 1)]; }
 
 std::string title_of(const Session& session, const Pane& pane) {
-    constexpr std::array<const char*, kPaths> kRenderers = {"Fixed function", "Shaders", "Reference"};
-    std::string title = kRenderers[static_cast<std::size_t>(pane.renderer)];
+    std::string title = kRendererTitles[static_cast<std::size_t>(pane.renderer)];
     const std::optional<Shading> shading = shading_of(session, pane);
     if (!shading) return title + (is_flat(session.scene.frame) ? ", flat" : ", Gouraud");
     switch (*shading) {

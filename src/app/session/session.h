@@ -152,7 +152,8 @@ bool is_same(const Look& a, const Look& b);
 bool lights_every_pixel(std::optional<Shading> shading);
 // The pane that the panels follow: the active one, or the last if the difference is active.
 const Pane& active_pane(const Session& session);
-// "fixed function, Gouraud"
+inline constexpr std::array<const char*, kPaths> kRendererTitles = {"Fixed function", "Shaders", "Reference"};
+// "Fixed function, Gouraud"
 std::string title_of(const Session& session, const Pane& pane);
 // "GL_SMOOTH, GL_LIGHT0, GL_LIGHT3 on": the shade models and lights of the frame.
 std::string lights_summary(const Frame& frame);
