@@ -116,7 +116,7 @@ void redo(Session& session, int) {
     say(session, what.empty() ? "nothing to redo" : "done again: " + what);
 }
 
-// GLUT's numbers (freeglut_std.h; window.cpp checks them).
+// GLUT's numbers (freeglut_std.h; src/app/demo/window_events.cpp checks them).
 constexpr int kF1 = kSpecialKey + 1, kLeft = kSpecialKey + 100;
 
 constexpr Key kKeys[] = {

@@ -1,0 +1,109 @@
+// The window itself: GLUT's events change the session, and frames show it. window.cpp has its life and its frames,
+// window_events.cpp what events do.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/demo/panels.h"
+#include "app/demo/panes.h"
+#include "app/demo/status_line.h"
+#include "app/demo/window.h"
+#include "app/demo/window_menu.h"
+#include "app/session/keys.h"
+#include "app/session/layout.h"
+#include "app/session/session.h"
+
+namespace twinlight::demo {
+
+class Window {
+  public:
+    Window(std::shared_ptr<const CommandList> scene, const WindowOptions& options);
+
+    // Until the user quits; returns the exit status.
+    int run();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr int kFramesAfterEvent = 3;  // ImGui settles sizes and highlights in so many frames
+
+    void start_imgui();
+    void end_imgui();
+    void reshape(int width, int height);
+    void display();
+    void frame();
+    void key(int code);
+    void mouse(int button, int state, int x, int y);
+    void motion(int x, int y);
+    void passive_motion(int x, int y);
+    void carry_out_requests();
+    void open_neighbour(int step);
+    void reload_if_saved();
+    void save_screenshot();
+    void write_times() const;
+    void register_callbacks();
+    void press(int button, int x, int y);
+    void release(int x, int y);
+    void settle();
+    void wake(int frames = kFramesAfterEvent);  // draws so many frames
+    void set_timers();
+    void quit();
+
+    // An exception must not pass through GLUT's C code, so this ends the main loop.
+    template <class Action>
+    static void guarded(void* window, Action action) {
+        Window& self = *static_cast<Window*>(window);
+        if (!self.imgui_runs_) return;  // the window is closing
+        try {
+            action(self);
+        } catch (const std::exception& e) {
+            std::fprintf(stderr, "twinlight-demo: %s\n", e.what());
+            self.status_ = EXIT_FAILURE;
+            self.quit();
+        }
+    }
+    enum class Drag { kNone, kOrbit, kLook, kSlider };
+    struct Timer {
+        void (*action)(Window&);
+        Window* window = nullptr;
+        bool is_pending = false;
+    };
+    void after(unsigned ms, Timer& timer);
+
+    WindowOptions options_;
+    session::Session session_;
+    std::unique_ptr<Panes> panes_;
+    std::unique_ptr<Panels> panels_;
+    session::Layout layout_;
+    int width_ = 0, height_ = 0;
+    int frames_shown_ = 0, frames_wanted_ = 0;
+    bool imgui_runs_ = false;
+    Timer busy_timer_{[](Window&self) { self.wake(1); }}, animation_timer_{[](Window&self) { self.wake(1); }},
+        message_timer_{[](Window&self) { self.wake(1); }}, file_timer_{[](Window&self) {
+            self.reload_if_saved();
+            self.set_timers();
+        }};
+    Drag drag_ = Drag::kNone;
+    session::DragStart drag_start_;
+    int shown_x_ = -1, shown_y_ = -1;  // the mouse in the last frame
+    int pressed_x_ = 0, pressed_y_ = 0;
+    bool moved_ = false;  // since the button was pressed
+    StatusLine status_line_;
+    Clock::time_point animated_since_{};
+    std::optional<std::filesystem::file_time_type> file_time_;
+    std::vector<double> frame_ms_;  // for options_.times
+    std::array<std::vector<double>, session::kPanes> pane_ms_;
+    WindowMenu menu_;
+    std::string title_;
+    int status_ = EXIT_SUCCESS;
+};
+
+}  // namespace twinlight::demo

@@ -1,0 +1,80 @@
+#include "app/demo/status_line.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "app/demo/theme.h"
+#include "app/demo/widgets.h"
+#include "app/session/keys.h"
+
+namespace twinlight::demo {
+namespace {
+
+constexpr std::chrono::seconds kMessageTime(6);
+
+}  // namespace
+
+void StatusLine::show(session::Session& session, const session::Box& bar, bool keeps_messages) {
+    if (session.messages != messages_seen_) {
+        messages_seen_ = session.messages;
+        message_since_ = std::chrono::steady_clock::now();
+    }
+    const auto age = std::chrono::steady_clock::now() - message_since_;
+    if (age > kMessageTime && !keeps_messages) session.message.clear();
+
+    ImDrawList& draw = *ImGui::GetForegroundDrawList();
+    const ImVec2 from = corner(bar), to = far_corner(bar);
+    draw.AddRectFilled(from, to, session.error.empty() ? kBar : IM_COL32(96, 34, 28, 255));
+    const float y = text_y(bar);
+    const std::string& scene = commands(session).name;
+    draw.AddText(fonts().bold, fonts().bold->FontSize, {12, y}, kText, scene.c_str());
+    const float after_name = 12 + fonts().bold->CalcTextSizeA(fonts().bold->FontSize, 1e4F, 0, scene.c_str()).x + 18;
+    const char* help = "? keys   right click: menu";
+    const float help_x = to.x - ImGui::CalcTextSize(help).x - 12;
+    if (session.error.empty()) {
+        draw.AddText({help_x, y}, kDim, help);
+        draw.PushClipRect(from, {help_x - 12, to.y});
+    } else {
+        draw.PushClipRect(from, to);
+    }
+    if (!session.error.empty()) {
+        draw.AddText({after_name, y}, kText, session.error.c_str());
+    } else if (!session.message.empty()) {
+        draw.AddText({after_name, y}, kAccent, session.message.c_str());
+    } else {
+        draw.AddText({after_name, y}, kDim, session::lights_summary(session.scene.frame).c_str());
+    }
+    draw.PopClipRect();
+}
+
+void show_keys(int width, int height) {
+    ImGui::SetNextWindowPos({static_cast<float>(width) / 2, static_cast<float>(height) / 2}, ImGuiCond_Always,
+                            {0.5F, 0.5F});
+    ImGui::SetNextWindowBgAlpha(0.97F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24, 18});
+    ImGui::Begin("keys", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs);
+    ImGui::SetWindowFocus();
+    bold_text("Keys");
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const session::Key& row : session::keys()) {
+            if (row.label.empty()) continue;
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::PushFont(fonts().code_bold);
+            ImGui::TextUnformatted(row.label.data(), row.label.data() + row.label.size());
+            ImGui::PopFont();
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(row.what.data(), row.what.data() + row.what.size());
+        }
+        ImGui::EndTable();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+}
+
+}  // namespace twinlight::demo
