@@ -28,6 +28,8 @@ class CommandsPanel {
         bool is_inside = false;  // of a glBegin that is not folded
         std::size_t fold = 0;    // the number of the glBegin
     };
+    static constexpr float kDragThreshold = 3;  // pixels; less is a click
+
     struct ArgumentAt {
         std::size_t command = 0, argument = 0;
         friend bool operator==(const ArgumentAt&, const ArgumentAt&) = default;

@@ -26,4 +26,10 @@ inline constexpr ImU32 kAccent = IM_COL32(240, 178, 72, 255);  // the light of a
 inline constexpr ImU32 kGood = IM_COL32(126, 200, 130, 255);
 inline constexpr ImU32 kBad = IM_COL32(240, 110, 96, 255);
 
+// The parts of a call in C text.
+inline constexpr ImU32 kFunctionColor = IM_COL32(206, 211, 220, 255);
+inline constexpr ImU32 kSignColor = IM_COL32(126, 132, 145, 255);
+inline constexpr ImU32 kNameColor = IM_COL32(140, 184, 222, 255);
+inline constexpr ImU32 kNumberColor = IM_COL32(231, 214, 180, 255);
+
 }  // namespace twinlight::demo

@@ -34,6 +34,12 @@ void bold_text(const std::string& text) {
     ImGui::PopFont();
 }
 
+void draw_code(ImVec2 at, ImU32 color, const std::string& text, bool is_bold) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImFont* const font = is_bold ? fonts().code_bold : fonts().code;
+    list.AddText(font, ImGui::GetFontSize(), at, color, text.c_str());
+}
+
 void heading(const std::string& text) {
     ImGui::Dummy({0, ImGui::GetFontSize() / 3});
     bold_text(text);

@@ -41,6 +41,8 @@ void dim_text(const std::string& text);  // wrapped
 void bold_text(const std::string& text);
 void colored_text(ImU32 color, const std::string& text);       // wrapped
 void colored_text_line(ImU32 color, const std::string& text);  // as wide as it is
+// Draws a line of code into the window, at a place on the screen. Emits no widget.
+void draw_code(ImVec2 at, ImU32 color, const std::string& text, bool is_bold);
 // The title of a part of a panel.
 void heading(const std::string& text);
 
