@@ -116,9 +116,8 @@ void CommandsPanel::show_argument_menu(Session& session) {
     if (ImGui::MenuItem("Move up", nullptr, false, index > 0)) move_call(session, index, false);
     if (ImGui::MenuItem("Move down", nullptr, false, index + count < list->commands.size()))
         move_call(session, index, true);
-    if (ImGui::MenuItem("Duplicate") && count == 1)
-        edit(session, session::with_inserted(*list, index + 1, session::new_command(command.id, command.arguments)),
-             "duplicate " + std::string(command.name()));
+    if (ImGui::MenuItem(count > 1 ? "Duplicate all up to glEnd" : "Duplicate"))
+        edit(session, session::with_duplicate(*list, index), "duplicate " + std::string(command.name()));
     if (ImGui::MenuItem(count > 1 ? "Delete all up to glEnd" : "Delete"))
         edit(session, session::without_command(*list, index, count), "delete " + std::string(command.name()));
     ImGui::EndPopup();
@@ -153,7 +152,7 @@ void CommandsPanel::show_choices(Session& session) {
             set_argument(session, asked_->command, asked_->argument, choice.value);
             ImGui::CloseCurrentPopup();
         }
-        // The picture and the help follow the mouse only after a click; the help tells what a name means.
+        // The help shows what a name means before it is clicked.
         if (ImGui::IsItemHovered())
             help_ = session::argument_help(session::changed_argument(command, asked_->argument, choice.value),
                                            asked_->argument);

@@ -242,6 +242,19 @@ std::size_t end_of_group(const CommandList& commands, std::size_t index) {
     return index;
 }
 
+CommandList with_duplicate(const CommandList& commands, std::size_t index) {
+    CommandList result = commands;
+    if (index >= commands.commands.size()) return result;
+    const std::size_t after = end_of_group(commands, index) + 1;
+    for (std::size_t i = index; i < after; ++i) {
+        const Command& command = commands.commands[i];
+        Command copy = new_command(command.id, command.arguments);
+        copy.memory = command.memory;
+        result = with_inserted(result, after + (i - index), std::move(copy));
+    }
+    return result;
+}
+
 std::size_t index_above(const CommandList& commands, std::size_t index) {
     if (index == 0 || index >= commands.commands.size()) return index;
     if (commands.commands[index - 1].id == CommandId::glEnd)

@@ -56,6 +56,9 @@ CommandList with_moved(const CommandList& commands, std::size_t from, std::size_
 // the command itself.
 std::size_t end_of_group(const CommandList& commands, std::size_t index);
 
+// With a copy of the command and its group after it.
+CommandList with_duplicate(const CommandList& commands, std::size_t index);
+
 // Where with_moved() takes a command past the one above or below it; past a whole group, never into one.
 std::size_t index_above(const CommandList& commands, std::size_t index);
 std::size_t index_below(const CommandList& commands, std::size_t index);

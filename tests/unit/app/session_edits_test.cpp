@@ -162,6 +162,27 @@ TEST(SessionEdits, InsertsDeletesAndMoves) {
     EXPECT_EQ(order(with_inserted(commands, 4, new_command(CommandId::glEnable, {kGL_LIGHT7}))), "01237");
 }
 
+TEST(SessionEdits, DuplicatesACallOrAGroupWithItsMemory) {
+    const CommandList commands = scene("glEnable(GL_LIGHT0);" + kTriangle + "glEnable(GL_LIGHT1);");
+    const CommandList call = with_duplicate(commands, 0);
+    ASSERT_EQ(call.commands.size(), 8u);
+    EXPECT_EQ(call.commands[1], commands.commands[0]);
+    EXPECT_EQ(call.commands[2], commands.commands[1]);
+    // glBegin, three vertices and glEnd, then the same again, then the rest.
+    const CommandList group = with_duplicate(commands, 1);
+    ASSERT_EQ(group.commands.size(), 12u);
+    for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(group.commands[1 + i], commands.commands[1 + i % 5]) << i;
+    EXPECT_EQ(group.commands[11], commands.commands[6]);
+    EXPECT_EQ(with_duplicate(commands, 7).commands, commands.commands);
+
+    const CommandList image = scene(
+        "GLubyte texel[] = {255, 0, 0, 255};"
+        "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);\n" +
+        kTriangle);
+    ASSERT_TRUE(image.commands[0].memory);
+    EXPECT_EQ(with_duplicate(image, 0).commands[1].memory, image.commands[0].memory);
+}
+
 TEST(SessionEdits, FindsTheGroupAndTheCommandOfEachDraw) {
     const CommandList commands = scene("glEnable(GL_LIGHT0);" + kTriangle + "glutSolidCube(1);");
     EXPECT_EQ(end_of_group(commands, 0), 0u);
