@@ -16,7 +16,7 @@ constexpr int kForgetFrames = 60;
 
 }  // namespace
 
-ShaderProgram& KeptPrograms::find_or_make(const Key& key) {
+KeptPrograms::Entry& KeptPrograms::find_or_make(const Key& key) {
     const auto [found, is_new] = entries_.try_emplace(key);
     if (is_new) {
         const ShaderSource source = with_constants(assemble(key.kind.effects, key.kind.form), key.constants);
@@ -29,9 +29,8 @@ ShaderProgram& KeptPrograms::find_or_make(const Key& key) {
         ++(key.constants.empty() ? counters_.made : counters_.baked);
     }
     found->second.last_used = ++uses_;
-    ShaderProgram& program = *found->second.program;
     if (is_new) evict();  // never this one: it was used last
-    return program;
+    return found->second;
 }
 
 void KeptPrograms::evict() {
@@ -39,6 +38,7 @@ void KeptPrograms::evict() {
         entries_.erase(std::ranges::min_element(
             entries_, {}, [](const auto& key_and_entry) { return key_and_entry.second.last_used; }));
         ++counters_.evicted;
+        for (auto& [kind, history] : histories_) history.entry = nullptr;
     }
 }
 
@@ -52,54 +52,68 @@ Uniforms KeptPrograms::used_uniforms(const Kind& kind, const Uniforms& numbers) 
     return result;
 }
 
-// Which numbers are constants, judging by the same Draw of earlier frames.
-const Uniforms& KeptPrograms::constants_for(const Kind& kind, const Uniforms& numbers) {
+KeptPrograms::History& KeptPrograms::history_of(const Kind& kind, const Uniforms& numbers) {
     History& history = histories_[{kind, counts_[kind]++}];
     history.seen = true;
-    ++history.frame;
-    const auto frames_since = [&](int frame) { return history.frame - frame; };
-    for (const auto& [name, value] : history.numbers) {
-        if (numbers.at(name) == value) continue;
+    if (++history.frame == 1) history.numbers = used_uniforms(kind, numbers);
+    // Both are sorted by name, and `numbers` has all names.
+    auto given = numbers.begin();
+    for (auto& [name, value] : history.numbers) {
+        while (given->first != name) ++given;
+        if (given->second == value) continue;
+        value = given->second;
         const bool is_new = history.moved.insert_or_assign(name, history.frame).second;
         if (!is_new) continue;
         history.settled_at = history.frame;
         history.constants.clear();
+        history.entry = nullptr;
         history.is_current = false;
     }
-    history.numbers = numbers;
+    choose_constants(kind, history);
+    return history;
+}
+
+// Which numbers are constants, judging by the same Draw of earlier frames.
+void KeptPrograms::choose_constants(const Kind& kind, History& history) {
+    const auto frames_since = [&](int frame) { return history.frame - frame; };
     const auto forgotten = [&](const auto& name_and_frame) {
         return frames_since(name_and_frame.second) > kForgetFrames;
     };
     if (std::erase_if(history.moved, forgotten) > 0) history.is_current = false;
-    if (history.is_current || frames_since(history.settled_at) < kStillFrames) return history.constants;
+    if (history.is_current || frames_since(history.settled_at) < kStillFrames) return;
 
     Uniforms still;
-    for (const auto& [name, value] : numbers)
+    for (const auto& [name, value] : history.numbers)
         if (!history.moved.contains(name)) still.emplace(name, value);
     // At most one program is baked per frame, because compiling delays the frame.
     const bool is_there = still.empty() || entries_.contains(Key{kind, still});
-    if (!is_there && std::exchange(has_baked_, true)) return history.constants;
+    if (!is_there && std::exchange(has_baked_, true)) return;
     history.is_current = true;
-    return history.constants = std::move(still);
+    history.constants = std::move(still);
+    history.entry = nullptr;
 }
 
 void KeptPrograms::use(const EffectSet& effects, const Form& form, const Uniforms& numbers, Tier tier) {
     const Kind kind{effects, form};
     const std::uint64_t made_before = counters_.made + counters_.baked;
-    ShaderProgram* program = nullptr;
+    Entry* entry = nullptr;
     switch (tier) {
-        case Tier::kUniform: program = &find_or_make({kind, {}}); break;
-        case Tier::kBaked: program = &find_or_make({kind, used_uniforms(kind, numbers)}); break;
+        case Tier::kUniform: entry = &find_or_make({kind, {}}); break;
+        case Tier::kBaked: entry = &find_or_make({kind, used_uniforms(kind, numbers)}); break;
         case Tier::kAuto: {
-            const Uniforms& constants = constants_for(kind, used_uniforms(kind, numbers));
-            program = &find_or_make({kind, constants});
+            History& history = history_of(kind, numbers);
+            if (history.entry)
+                history.entry->last_used = ++uses_;
+            else
+                history.entry = &find_or_make({kind, history.constants});
+            entry = history.entry;
             // While the driver compiles it on its own threads, the program with uniforms draws.
-            if (!constants.empty() && !program->is_ready()) program = &find_or_make({kind, {}});
+            if (!history.constants.empty() && !entry->program->is_ready()) entry = &find_or_make({kind, {}});
             break;
         }
     }
     if (counters_.made + counters_.baked == made_before) ++counters_.hits;
-    program->use(numbers);
+    entry->program->use(numbers);
 }
 
 void KeptPrograms::end_frame() {

@@ -50,12 +50,15 @@ class KeptPrograms {
         int frame = 0;
         int settled_at = 1;       // since this frame only the numbers in `moved` have changed
         Uniforms constants;       // the constants of the program in use
+        Entry* entry = nullptr;   // that program; null if it is to be looked up
         bool is_current = false;  // `constants` has all numbers except those in `moved`
         bool seen = true;         // drawn in this frame
     };
 
-    ShaderProgram& find_or_make(const Key& key);
-    const Uniforms& constants_for(const Kind& kind, const Uniforms& numbers);
+    Entry& find_or_make(const Key& key);
+    // The n-th Draw of this Kind in the frame, with its present constants.
+    History& history_of(const Kind& kind, const Uniforms& numbers);
+    void choose_constants(const Kind& kind, History& history);
     Uniforms used_uniforms(const Kind& kind, const Uniforms& numbers);
     void evict();
 
