@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/demo.md anew: tests/window/demo_pictures.sh, after make programs. Needs a display (or xvfb-run).
+# Makes the pictures of docs/demo.md again: tests/window/demo_pictures.sh, after make programs. Needs a display (or xvfb-run).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 shoot() { # NAME SCENE OPTIONS...
