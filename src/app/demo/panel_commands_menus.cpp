@@ -13,7 +13,6 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/edits.h"
-#include "scene/command/print_parts.h"
 #include "scene/command/text.h"
 
 namespace twinlight::demo {
@@ -86,13 +85,7 @@ void CommandsPanel::show_argument_menu(Session& session) {
     const std::size_t index = asked_->command, argument = asked_->argument;
     const Command& command = list->commands[index];
     const Command* const opened = opened_command(session, index);
-    const auto printed = [&](double value) {
-        Command with = command;
-        with.arguments[argument] = value;
-        for (const PrintedPart& part : print_parts(with))
-            if (part.argument == argument) return part.text;
-        return std::string();
-    };
+    const auto printed = [&](double value) { return session::printed_argument(command, argument, value); };
     if (argument < command.arguments.size()) {
         const session::ArgumentInfo info = session::argument_info(command, argument);
         if (info.initial) {

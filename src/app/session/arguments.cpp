@@ -181,15 +181,6 @@ const HelpRow* help_row(const Command& command, std::size_t argument) {
     return nullptr;
 }
 
-// The argument as print_command() writes it.
-std::string printed(const Command& command, std::size_t argument, double value) {
-    Command with = command;
-    with.arguments[argument] = value;
-    for (const PrintedPart& part : print_parts(with, std::numeric_limits<std::size_t>::max()))
-        if (part.argument == argument) return part.text;
-    return fmt::format("{}", value);
-}
-
 // ---- Legal values ----
 
 // A State in which any command may be tried: it has a quadric.
@@ -274,9 +265,17 @@ std::string argument_help(const Command& command, std::size_t argument) {
     const HelpRow* const row = help_row(command, argument);
     std::string text = row ? std::string(row->words) : command.sig().usage();
     if (const auto initial = initial_value(command, argument))
-        text += "; initially " + printed(command, argument, *initial);
+        text += "; initially " + printed_argument(command, argument, *initial);
     if (row) text += fmt::format("; {}", row->section);
     return text;
+}
+
+std::string printed_argument(const Command& command, std::size_t argument, double value) {
+    Command with = command;
+    with.arguments[argument] = value;
+    for (const PrintedPart& part : print_parts(with, std::numeric_limits<std::size_t>::max()))
+        if (part.argument == argument) return part.text;
+    return fmt::format("{}", value);
 }
 
 std::vector<Choice> legal_choices(const Command& command, std::size_t argument) {

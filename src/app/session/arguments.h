@@ -1,5 +1,5 @@
 // Arguments: what the window needs to show and edit one argument of a command: its name, its legal values, GL's initial
-// value and a line of help. Legal values come from State, which is asked.
+// value and a line of help. State says which values are legal.
 //
 // An argument is an element of Command::arguments; an array is several.
 #pragma once
@@ -37,10 +37,12 @@ struct ArgumentInfo {
     std::optional<double> initial{};  // GL's initial value
 };
 ArgumentInfo argument_info(const Command& command, std::size_t argument);
+// The argument as print_command() writes it, if it had this value.
+std::string printed_argument(const Command& command, std::size_t argument, double value);
 // One line: what it is, its initial value, and the section of GL 2.1.
 std::string argument_help(const Command& command, std::size_t argument);
 
-// The legal values of a name, a flag or bits. State is asked for each name of GL, so this takes milliseconds. Empty for
+// The legal values of a name, a flag or bits. State tries each name of GL, so this takes milliseconds. Empty for
 // numbers, and for names that State does not check because only the driver supports them.
 std::vector<Choice> legal_choices(const Command& command, std::size_t argument);
 

@@ -111,4 +111,7 @@ CommandList with_handle_moved(const CommandList& commands, const Frame& frame, c
 CommandList with_light_turned(const CommandList& commands, const Frame& frame, const World& world, std::size_t light,
                               double degrees);
 
+// Whether all three are finite.
+bool has_numbers(const glm::dvec3& v);
+
 }  // namespace twinlight::session
