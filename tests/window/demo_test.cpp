@@ -422,6 +422,16 @@ TEST_F(DemoWindow, AnswersKeysAndMouse) {
     check("undo", "key z");
     pressed("r");
     check("reset", "key r");
+    // From the single picture to the world, to the line between two pictures, to the grid. Its reference may not be there yet.
+    xdotool("key shift+Tab key shift+Tab key shift+Tab key p");
+    const Image grid = picture();
+    const Session four = session_after("\t\t", View::kGrid);
+    const Layout places = layout(four, kWidth, kHeight, 1);
+    Session small = four;
+    refresh(small, places.picture.width, places.picture.height);
+    const auto context = make_offscreen_context(kWidth, kHeight);
+    expect_near(part_of(grid, places.cells[0].picture), picture_of(small, small.panes[0]),
+                reference::allowed_difference(small.scene.frame, {}).edge, 0);
 
     xdotool("key Escape");
     EXPECT_EQ(demo.ended(), 0);

@@ -17,6 +17,10 @@
 // freeglut's headers come after render/context/gl.h, which declares GL.
 #include <GL/freeglut.h>
 #include <GL/freeglut_ucall.h>
+#include <GL/glx.h>
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+#include <X11/keysym.h>
 #include <backends/imgui_impl_glut.h>
 
 namespace twinlight::demo {
@@ -32,6 +36,8 @@ constexpr int kLinePixels = 14;              // how near to the slider's line a 
 }  // namespace
 
 void Window::register_callbacks() {
+    // X has a name of its own for Shift+Tab, which freeglut does not know.
+    XRebindKeysym(glXGetCurrentDisplay(), XK_ISO_Left_Tab, nullptr, 0, reinterpret_cast<const unsigned char*>("\t"), 1);
     glutDisplayFuncUcall([](void* w) { guarded(w, [](Window& self) { self.display(); }); }, this);
     glutReshapeFuncUcall(
         [](int width, int height, void* w) { guarded(w, [=](Window& self) { self.reshape(width, height); }); }, this);
