@@ -125,13 +125,15 @@ TEST(Layers, IncludeOnlyWhatTheyMay) {
     EXPECT_GT(includes, 100);  // the test does read files
 }
 
-// Only the window knows GLUT; elsewhere GL's headers come through render/context/gl.h.
-TEST(Layers, IncludeGlInOnePlace) {
+// Only the window knows GLUT and ImGui; elsewhere GL's headers come through render/context/gl.h.
+TEST(Layers, IncludeGlAndImguiInOnePlace) {
     for (const std::string& path : sources()) {
         if (path.starts_with("src/render/programmable/kept/")) continue;  // what an exported scene is drawn with
         const bool is_demo = path.starts_with("src/app/demo/");
         std::ifstream file(path);
         for (std::string line; std::getline(file, line);) {
+            const bool is_imgui = line.starts_with("#include <imgui") || line.starts_with("#include <backends/imgui");
+            EXPECT_TRUE(is_demo || !is_imgui) << path << ": " << line;
             if (!line.starts_with("#include <GL/")) continue;
             EXPECT_TRUE(is_demo || path.starts_with("src/render/context/")) << path << ": " << line;
             EXPECT_TRUE(is_demo || line.find("glut") == std::string::npos) << path << ": " << line;
