@@ -32,10 +32,9 @@ void walk(Session& session, double forward, double right) {
 }
 
 // The scene as the edit leaves it, for the message about what a key did.
-Frame frame_now(const Session& session) {
-    Session copy = session;
-    refresh(copy, copy.width, copy.height);
-    return copy.scene.frame;
+const Frame& frame_now(Session& session) {
+    refresh(session, session.width, session.height);
+    return session.scene.frame;
 }
 
 void press_light(Session& session, int light) {
