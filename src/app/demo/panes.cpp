@@ -21,6 +21,11 @@ using session::Session;
 
 using Clock = std::chrono::steady_clock;
 
+bool shows_difference(const Session& session) {
+    return session.view == session::View::kGrid ||
+           (session.view == session::View::kSingle && session.active == kDifferencePane);
+}
+
 // Whether the difference needs no picture of the reference, which comes later.
 bool compares_live(const Session& session) {
     return session.panes[session.difference.a].renderer != Path::kReference &&
@@ -52,9 +57,7 @@ Panes::Panes() : programmable_(std::make_unique<programmable::Renderer>()) {}
 
 bool Panes::wants_image(const Session& session, std::size_t pane) const {
     const bool in_difference = pane == session.difference.a || pane == session.difference.b;
-    const bool difference_shown = session.view == session::View::kGrid ||
-                                  (session.view == session::View::kSingle && session.active == kDifferencePane);
-    return session.probe || (in_difference && difference_shown);
+    return session.probe || (in_difference && shows_difference(session));
 }
 
 void Panes::draw_pane(const Session& session, std::size_t number) {
@@ -110,8 +113,7 @@ void Panes::request_reference(const Session& session, const std::array<bool, kPa
             std::ranges::none_of(job.looks, [&](const Look& other) { return session::is_same(look, other); }))
             job.looks.push_back(look);
     }
-    job.wants_allowed = wants_image(session, session.difference.a) && !session.probe;
-    if (session.view == session::View::kGrid) job.wants_allowed = true;
+    job.wants_allowed = shows_difference(session);
     if (job.looks.empty() && !job.wants_allowed) return;
     job.commands = session.history.now();
     worker_.request(std::move(job));
@@ -198,7 +200,7 @@ void Panes::update(const Session& session, const session::Layout& layout) {
         if (shown[i] && session.panes[i].renderer != Path::kReference) draw_pane(session, i);
     request_reference(session, shown);
     take_reference(session);
-    if (wants_image(session, session.difference.a)) update_difference(session);
+    if (shows_difference(session)) update_difference(session);
     for (std::size_t i = 0; i < kPanes; ++i) {
         Drawn& drawn = drawn_[i];
         if (shown[i] && any(session.overlays) && drawn.revision == session.revision)
