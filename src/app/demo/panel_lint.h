@@ -20,7 +20,7 @@ class LintPanel {
     bool show(session::Session& session);
     // Whether the linter is to run or runs.
     bool is_busy() const { return running_.valid() || made_for_ != seen_; }
-    // Of the present commands; empty while the linter runs.
+    // The findings about the present commands; empty while the linter runs.
     std::size_t count() const { return made_for_ == seen_ ? findings_.size() : 0; }
 
   private:

@@ -22,7 +22,7 @@ const char* words_of(Shading shading) {
 std::string in_codes(double error) { return fmt::format("{:.2g}/255", 255 * error); }
 std::string in_ms(double ms) { return fmt::format("{:.2f} ms", ms); }
 
-// Of the rows of a shading that are accurate enough, the one with the fewest slices; null if there is none.
+// The row of a shading with the fewest slices that is accurate enough; null if no row is.
 const AccuracyRow* cheapest(const std::vector<AccuracyRow>& rows, const std::string& shading) {
     const AccuracyRow* best = nullptr;
     for (const AccuracyRow& row : rows)

@@ -13,8 +13,8 @@ struct MeshError {
     double of_size = 0;         // the same as a share of the mesh's largest half width
 };
 
-// Of the Draws `first` to `first + count - 1` of the frame, which are one shape. Measured at the middles of edges and
-// triangles, where a mesh is farthest from its surface.
+// The error of the Draws `first` to `first + count - 1` of the frame, which are one shape. Measured at the middles of edges
+// and triangles, where a mesh is farthest from its surface.
 MeshError mesh_error(const Frame& frame, std::size_t first, std::size_t count);
 
 }  // namespace twinlight::session

@@ -34,7 +34,7 @@ std::vector<ShownShader> shown_shaders(std::string_view source);
 // A program without the comments at its start that list effects and reasons. The values of the uniforms stay.
 std::string_view without_reasons(std::string_view glsl);
 
-// The plan of the Draw with this number, counted from 1; null if there is none.
+// The plan of the Draw with this number, counted from 1; null if no Draw has it.
 const ExplainedDraw* plan_of(const std::vector<ExplainedDraw>& draws, int number);
 
 }  // namespace twinlight::session

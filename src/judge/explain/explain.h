@@ -53,7 +53,7 @@ VertexExplanation explain_vertex(const Frame& frame, const Look& look, const Ver
 // to the middle, and only lighting is left of the state. Points show the front, so the back face becomes the front.
 Frame picture_of(const Draw& draw, std::uint32_t vertex, reference::Face face);
 
-// The index of the last fragment that hides all earlier ones; 0 if there is none.
+// The index of the last fragment that hides all earlier ones; 0 if no fragment does.
 std::size_t first_seen(const Frame& frame, const std::vector<reference::PixelFragment>& fragments);
 // What happens to the lit colour before blending: "after clamping, texture (3.8), fog (3.10)".
 std::string steps_after_lighting(const reference::PixelFragment& fragment, const Draw& draw, bool lecture_variants);

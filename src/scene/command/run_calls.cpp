@@ -129,7 +129,7 @@ constexpr TwoArguments kTwoArguments[] = {ROW(pow), ROW(atan2), ROW(fmod), ROW(f
 
 }  // namespace
 
-// sin(x), sinf(x), abs(i): nullopt if the name is none of them.
+// sin(x), sinf(x), abs(i): nullopt for another name.
 std::optional<Value> Reader::call_of_mathematics(const Token& name) {
     const auto given = [&](std::size_t count) {
         std::vector<Value> values = values_in_parentheses();
@@ -161,7 +161,7 @@ std::optional<Value> Reader::call_of_mathematics(const Token& name) {
     return std::nullopt;
 }
 
-// GLUT's functions and C's output: nullopt if the name is none of them.
+// GLUT's functions and C's output: nullopt for another name.
 std::optional<Value> Reader::call_of_glut(const Token& name) {
     Program& p = *program_;
     const std::size_t after = p.partners[p.at] + 1;
