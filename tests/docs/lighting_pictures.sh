@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
-# Draws the pictures of docs/lighting.md again: tests/docs/lighting_pictures.sh, after make programs.
+# Draws the pictures of docs/lighting.md again: tests/docs/lighting_pictures.sh [FOLDER], after make programs.
 # Each picture is the same ball under one lamp, with some calls added or replaced; pictures of the lamp's factors have a floor.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 twinlight=${TWINLIGHT_BUILD:-build}/twinlight
-mkdir -p docs/lighting
+folder=${1:-docs/lighting}
+mkdir -p "$folder"
 
 # picture NAME [SHADING]: draws the scene of standard input.
 picture() {
-    "$twinlight" render - --with reference --size 400x300 --shading "${2:-phong}" -o "docs/lighting/$1.png"
+    "$twinlight" render - --with reference --size 400x300 --shading "${2:-phong}" -o "$folder/$1.png"
 }
 
 # The terms of the equation: 0 switches a term off.

@@ -164,7 +164,7 @@ std::string numbers_table() {
         for (const check::Expectation& expected : hard_case.expectations) {
             if (expected.spot != differs.spot) continue;
             int channel = 0;
-            if (const auto* right = std::get_if<glm::dvec4>(&expected.value))
+            if (std::holds_alternative<glm::dvec4>(expected.value))
                 while (channel < 3 && number(expected.value, channel) == number(differs.value, channel)) ++channel;
             table += fmt::format("| `{}` | {} | {} | {} | {} |\n", hard_case.name, cell(hard_case.what),
                                  number(expected.value, channel), number(differs.value, channel), cell(differs.name));
@@ -204,6 +204,18 @@ TEST(DocsTables, AreCurrent) {
         else
             EXPECT_EQ(page.substr(from, end - from), text);
     }
+}
+
+// The pages that say how many hard cases and known bugs there are.
+TEST(DocsTables, AreCountedRight) {
+    const auto expect = [](const char* page, const std::string& words) {
+        EXPECT_NE(read_file(page).find(words), std::string::npos) << page << " should say: " << words;
+    };
+    const std::size_t count = cases().size();
+    for (const char* page : {"README.md", "docs/driver.md", "docs/hard-cases.md", "docs/figures.md"})
+        expect(page, fmt::format("{} hard cases", count));
+    expect("README.zh-CN.md", fmt::format("{} 个疑难情形", count));
+    expect("docs/figures.md", fmt::format("| known bugs of Mesa's fixed function | {} |", bugs().size()));
 }
 
 }  // namespace
