@@ -408,6 +408,35 @@ TEST(StudyFiles, HoldEveryPoint) {
     EXPECT_EQ(count(page, "{{"), 0u);
 }
 
+TEST(StudyPage, OpensOnThreeFindingsAndTheChartWithTheTableFolded) {
+    const Study study = known_study();
+    const std::vector<std::string> sentences = headlines(study, 0);
+    ASSERT_EQ(sentences.size(), 3u);
+    EXPECT_TRUE(sentences[0].starts_with("The fastest choice within 1/255 of the exact picture at every pixel: "));
+    const std::string page = study_page(study);
+    const std::size_t first = page.find("<li>" + sentences[0]), chart = page.find("<canvas id=\"chart\""),
+                      folded = page.find("<details id=\"all-choices\">"), table = page.find("<table id=\"points\"");
+    EXPECT_NE(table, std::string::npos);
+    EXPECT_LT(first, chart);
+    EXPECT_LT(chart, folded);
+    EXPECT_LT(folded, table);
+    EXPECT_EQ(page.substr(folded, table - folded).find("</details>"), std::string::npos);
+    EXPECT_TRUE(headlines(Study{.series = std::vector<Series>(1)}, 0).empty());
+}
+
+// Each has a mark for every point that it shows; a study without the choices has no plot.
+TEST(StudyFiles, PlotOneFindingEach) {
+    const Study study = known_study();
+    const std::string shading = shading_svg(study), outlines = outlines_svg(study), changes = changes_svg(study);
+    EXPECT_EQ(count(shading, "class=\"dot\""), 3u * 4 + 1);
+    EXPECT_EQ(count(outlines, "class=\"dot\""), 3u * 4);
+    EXPECT_NE(changes.find(">all of the lighting<"), std::string::npos);
+    EXPECT_GT(count(changes, "<rect "), 2u);
+    for (const std::string& svg : {shading, outlines, changes}) EXPECT_EQ(svg.find("nan"), std::string::npos);
+    const Study nothing{.series = std::vector<Series>(1)};
+    EXPECT_EQ(shading_svg(nothing) + outlines_svg(nothing) + changes_svg(nothing), "");
+}
+
 TEST(StudyFiles, AreReadBack) {
     const Study study = known_study(), read = read_study(study_json(study), "study.json");
     EXPECT_EQ(study_json(Study(study)), [&] {
