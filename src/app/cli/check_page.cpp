@@ -296,8 +296,8 @@ std::string check_page(const std::string& driver, const std::vector<Case>& cases
     html += verdict(cases, results, groups) + totals(groups);
     html += fmt::format(
         "<p class=\"hint\">A hard case is a small scene whose right colours are known. Open a case to see its results, "
-        "pictures and commands. A total above shows only its cases.</p>\n"
-        "<p class=\"search scripted\"><label>Search <input type=\"search\" placeholder=\"light, 1e-30, GL_NORMALIZE "
+        "pictures and commands. Click a total to see only its cases.</p>\n"
+        "<p class=\"search scripted\"><label>Search <input type=\"search\" placeholder=\"spot, GL_NORMALIZE "
         "...\"></label> <output></output></p>\n</header>\n<main>\n");
     for (std::size_t i = 0; i < groups.size(); ++i) {
         if (groups[i].cases.empty()) continue;

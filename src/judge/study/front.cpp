@@ -177,10 +177,13 @@ std::vector<std::string> headlines(const Study& study, std::size_t series) {
         return found == points.end() ? nullptr : *found;
     };
     std::vector<std::string> sentences;
-    const Point* right = first([](const Point* point) { return point->errors.whole.max <= kCode * (1 + 1e-6); });
+    // The reference draws the exact picture itself, so it is no answer.
+    const Point* right = first([](const Point* point) {
+        return point->choice.method != Method::kReference && point->errors.whole.max <= kCode * (1 + 1e-6);
+    });
     sentences.push_back(right ? fmt::format("The fastest choice within 1/255 of the exact picture at every pixel: {}.",
                                             with_time(*right))
-                              : "No choice is within 1/255 of the exact picture at every pixel.");
+                              : "On this driver, no choice is within 1/255 of the exact picture at every pixel.");
     const Point* close = first([](const Point* point) { return point->errors.whole.delta_e <= kVisible; });
     if (close && close != right)
         sentences.push_back(fmt::format(

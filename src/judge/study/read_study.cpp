@@ -97,8 +97,7 @@ SpectralStudy read_spectral(const Node& node) {
                                   .shader_seconds = read_median(picture["shader_seconds"]),
                                   .off = {.mean = picture["mean"].number(0, kMany),
                                           .percentile_95 = picture["percentile_95"].number(0, kMany),
-                                          .max = picture["max"].number(0, kMany)},
-                                  .png = {}});
+                                          .max = picture["max"].number(0, kMany)}});
     const auto is_more = [](const SampledPicture& a, const SampledPicture& b) { return a.samples >= b.samples; };
     if (std::ranges::adjacent_find(study.pictures, is_more) != study.pictures.end())
         node["pictures"].fail("it must go from few samples to many");

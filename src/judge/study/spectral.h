@@ -1,4 +1,4 @@
-// How accurate samples of the spectrum are, and what they cost (docs/accuracy.md, "Spectra"): Delta E 2000 of the
+// How accurate samples of the spectrum are, and what they cost (docs/spectra.md): Delta E 2000 of the
 // ColorChecker under each light against the number of samples, and the time of the scene's picture.
 //
 // Errors are differences from 81 samples, all lines of the tables. 0 samples: red, green and blue, multiplied as in GL.
@@ -36,7 +36,7 @@ struct SampledPicture {
     // The difference from 81 samples, drawn by the reference and lit at every pixel (read from a file: without its
     // pixels).
     PerceivedDifference off;
-    std::string png;  // drawn by the reference; empty: missing
+    std::string png{};  // drawn by the reference; empty: missing
 
     friend bool operator==(const SampledPicture&, const SampledPicture&) = default;
 };

@@ -187,7 +187,7 @@ std::string spectral_section(const SpectralStudy& study, const std::string& of) 
         (i < kShown ? shown : folded) += fmt::format("<li>{}</li>\n", report::escaped(study.findings[i]));
     return fmt::format(
         "<section>\n<h2>Samples of the spectrum{}</h2>\n{}<ul class=\"findings\">\n{}</ul>\n"
-        "<div class=\"scroll plot\">{}</div>\n"
+        "<div class=\"scroll\">{}</div>\n"
         "<details>\n<summary>For each light, in numbers</summary>\n<ul>\n{}</ul>\n"
         "<p>Delta E 2000 of the ColorChecker's 24 patches, mean / worst.</p>\n"
         "<div class=\"scroll\"><table class=\"study\"><thead><tr><th "
