@@ -158,7 +158,7 @@ TEST(SceneSpectral, ShowsBordersOnlyUnderTheLamp) {
     for (int rod = 0; rod < 3; ++rod) {
         for (int part = 0; part < 3; ++part) EXPECT_LT(difference(false, rod, part), 0.5) << rod << " " << part;
         EXPECT_LT(difference(true, rod, 2), 1) << rod;
-        EXPECT_GT(difference(true, rod, 0), 4) << rod;
+        EXPECT_GT(difference(true, rod, 0), 3) << rod;
     }
     EXPECT_GT(difference(true, 0, 0), difference(true, 1, 0));
     EXPECT_GT(difference(true, 0, 0), difference(true, 2, 0));
