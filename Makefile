@@ -127,8 +127,10 @@ SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorde
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
-EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes shaders pages cases)
+EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders pages cases)
 FILES_scenes := $(wildcard src/scene/scenes/*.gl)
+# What the scenes load: pictures, and meshes with their materials.
+FILES_scene_assets := $(wildcard $(addprefix src/scene/scenes/*.,png obj mtl))
 FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl precise/*.glsl kept/*.glsl kept/loader.* kept/page.html))
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
@@ -293,7 +295,7 @@ $(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) 
 $(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
 
-OBJECTS_fuzz := $(call object,$(SOURCES_fuzz_common) $(SOURCES_fuzz_library)) $(BUILD)/embedded/scenes.o
+OBJECTS_fuzz := $(call object,$(SOURCES_fuzz_common) $(SOURCES_fuzz_library)) $(patsubst %,$(BUILD)/embedded/%.o,scenes scene_assets)
 $(fuzz_targets:%=$(BUILD)/%-fuzzer): $(BUILD)/%-fuzzer: $(BUILD)/objects/tests/fuzz/%_fuzzer.o $(OBJECTS_fuzz)
 	$(link) -fsanitize=fuzzer $(LIBS_fuzz)
 
@@ -309,6 +311,8 @@ embed = @mkdir -p $(@D); tools/embed.sh $(1) $(2) $(3) >$@
 
 $(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files tools/embed.sh
 	$(call embed,scene/scenes/load.h,kSceneFiles,$(sort $(FILES_scenes)))
+$(BUILD)/embedded/scene_assets.cpp: $(FILES_scene_assets) $(BUILD)/files tools/embed.sh
+	$(call embed,scene/scenes/load.h,kSceneAssets,$(sort $(FILES_scene_assets)))
 $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files tools/embed.sh
 	$(call embed,render/programmable/shader_assembly.h,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files tools/embed.sh

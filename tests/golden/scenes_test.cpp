@@ -33,7 +33,7 @@ std::vector<std::string> scene_names() {
 Scene scene_of(const std::string& name) {
     const auto file = std::find_if(kSceneFiles.begin(), kSceneFiles.end(),
                                    [&](const EmbeddedFile& f) { return f.name == name + ".gl"; });
-    const auto scene = std::make_shared<const CommandList>(read_scene(file->text, name + ".gl", name));
+    const auto scene = std::make_shared<const CommandList>(read_built_in(*file));
     return make_scene(scene, {.width = kWidth, .height = kHeight});
 }
 

@@ -53,7 +53,7 @@ TEST(Scrubbed, DrawsTheBuiltInScenesAsLiterally) {
     constexpr int kSide = 256;
     for (const EmbeddedFile& file : kSceneFiles) {
         const auto scene =
-            std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), std::string(file.name)));
+            std::make_shared<const CommandList>(read_built_in(file));
         const Scene made = make_scene(scene, {.width = kSide, .height = kSide});
         const auto context = make_offscreen_context(kSide, kSide);
         for (const double budget : {0.0, PlanOptions{}.budget}) {
@@ -75,7 +75,7 @@ TEST(Scrubbed, IsTheSameToTheReference) {
     for (const EmbeddedFile& file : kSceneFiles) {
         SCOPED_TRACE(file.name);
         const auto scene =
-            std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), std::string(file.name)));
+            std::make_shared<const CommandList>(read_built_in(file));
         const Frame frame = make_frame(*scene, {.width = kSide, .height = kSide});
         for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)}) {
             const PlanOptions options{{.shading = shading}, 0};

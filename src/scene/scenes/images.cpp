@@ -1,12 +1,15 @@
 #include "scene/scenes/images.h"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "scene/scenes/load.h"
 
 namespace twinlight {
 
@@ -32,12 +35,7 @@ fs::path place_of(const fs::path& folder, const std::string& name) {
     return file;
 }
 
-ImageFile read_image(const fs::path& file) {
-    const std::string bytes = read_file(file.string(), kMaxImageFileBytes + 1);
-    if (bytes.size() > kMaxImageFileBytes) {
-        throw std::runtime_error("the file has more than " + std::to_string(kMaxImageFileBytes >> 20) +
-                                 " MiB; make the picture smaller");
-    }
+ImageFile image_of(std::string_view bytes) {
     const PngPixels pixels = decode_png_pixels(bytes, kMaxImageSide);
     // The first row of a PNG is the top one, the first row of a GL image the bottom one.
     ImageFile image{pixels.width, pixels.height, std::vector<std::byte>(pixels.rgba.size())};
@@ -48,10 +46,25 @@ ImageFile read_image(const fs::path& file) {
     return image;
 }
 
+ImageFile read_image(const fs::path& file) {
+    const std::string bytes = read_file(file.string(), kMaxImageFileBytes + 1);
+    if (bytes.size() > kMaxImageFileBytes) {
+        throw std::runtime_error("the file has more than " + std::to_string(kMaxImageFileBytes >> 20) +
+                                 " MiB; make the picture smaller");
+    }
+    return image_of(bytes);
+}
+
 }  // namespace
 
 ImageLoader images_beside(const fs::path& scene) {
     return [folder = scene.parent_path()](const std::string& name) { return read_image(place_of(folder, name)); };
+}
+
+ImageFile images_built_in(const std::string& name) {
+    const auto file = std::ranges::find(kSceneAssets, name, &EmbeddedFile::name);
+    if (file == kSceneAssets.end()) throw std::runtime_error("no built-in scene has a picture of this name");
+    return image_of(file->text);
 }
 
 }  // namespace twinlight

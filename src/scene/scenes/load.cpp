@@ -49,14 +49,17 @@ std::shared_ptr<const Recording> load_standard_input(std::optional<WindowSize> w
 
 }  // namespace
 
+CommandList read_built_in(const EmbeddedFile& file) {
+    const std::string name(file.name);
+    return read_scene(file.text, name, name.substr(0, name.rfind(".gl")), images_built_in);
+}
+
 std::shared_ptr<const Recording> load_recording(const std::string& scene, std::optional<WindowSize> window) {
     if (scene == "-") return load_standard_input(window);
     std::vector<std::string_view> names;
     for (const EmbeddedFile& file : kSceneFiles) {
         names.push_back(file.name.substr(0, file.name.rfind(".gl")));
-        if (names.back() == scene) {
-            return std::make_shared<CommandList>(read_scene(file.text, std::string(file.name), scene));
-        }
+        if (names.back() == scene) return std::make_shared<CommandList>(read_built_in(file));
     }
     const std::filesystem::path path = scene;
     // A plain word that is not a file was meant as the name of a built-in scene.

@@ -13,6 +13,11 @@ namespace twinlight {
 
 // The built-in scenes, NAME.gl.
 extern const std::vector<EmbeddedFile> kSceneFiles;
+// The pictures and meshes that they load.
+extern const std::vector<EmbeddedFile> kSceneAssets;
+
+// Reads a file of kSceneFiles. The scene's name is the file's, without .gl.
+CommandList read_built_in(const EmbeddedFile& file);
 
 // `scene` is the name of a built-in scene, a file, or - for standard input. The content decides how it is read: a scene
 // in C gives a CommandList; an apitrace .trace or the text of its dump gives a recording that is read each time it is

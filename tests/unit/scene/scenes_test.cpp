@@ -21,18 +21,12 @@ namespace {
 
 std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
 
-CommandList read(const EmbeddedFile& file) { return read_scene(file.text, std::string(file.name), name_of(file)); }
-
-std::string_view text_of(std::string_view name) {
+CommandList read(std::string_view name) {
     for (const EmbeddedFile& file : kSceneFiles) {
-        if (name_of(file) == name) return file.text;
+        if (name_of(file) == name) return read_built_in(file);
     }
     ADD_FAILURE() << "there is no scene " << name;
-    return "";
-}
-
-CommandList read(std::string_view name) {
-    return read_scene(text_of(name), std::string(name) + ".gl", std::string(name));
+    return {};
 }
 
 Frame frame_of(CommandList scene) { return make_frame(std::move(scene), StateOptions{}); }
@@ -54,7 +48,7 @@ TEST(Scenes, BeginWithACommentThatSaysWhatTheyAre) {
 
 TEST(Scenes, RaiseNoErrorAndAreDrawnWhole) {
     for (const EmbeddedFile& file : kSceneFiles) {
-        const Frame frame = frame_of(read(file));
+        const Frame frame = frame_of(read_built_in(file));
         EXPECT_FALSE(draws(frame).empty()) << file.name;
         for (const Unsupported& missing : frame.unsupported) {
             ADD_FAILURE() << missing.first.str() << ": " << missing.name << " is not drawn by every renderer";
@@ -64,7 +58,7 @@ TEST(Scenes, RaiseNoErrorAndAreDrawnWhole) {
 
 TEST(Scenes, ReadAlikeAfterPrinting) {
     for (const EmbeddedFile& file : kSceneFiles) {
-        const CommandList scene = read(file);
+        const CommandList scene = read_built_in(file);
         const CommandList again = read_scene(print_scene(scene), "printed.gl", scene.name);
         EXPECT_EQ(again.commands, scene.commands) << file.name;
     }
