@@ -8,6 +8,7 @@
 
 #include "base/image/file.h"
 #include "scene/command/command.h"
+#include "scene/command/text.h"
 
 namespace twinlight {
 
@@ -17,15 +18,16 @@ extern const std::vector<EmbeddedFile> kSceneFiles;
 extern const std::vector<EmbeddedFile> kSceneAssets;
 
 // Reads a file of kSceneFiles. The scene's name is the file's, without .gl.
-CommandList read_built_in(const EmbeddedFile& file);
+CommandList read_built_in(const EmbeddedFile& file, const ReadOptions& options = {});
 
 // `scene` is the name of a built-in scene, a file, or - for standard input. The content decides how it is read: a scene
 // in C gives a CommandList; an apitrace .trace or the text of its dump gives a recording that is read each time it is
-// visited. A whole C program runs with `window` instead of its own size. Throws SceneError, and FileError if a file cannot
-// be read.
+// visited. A whole C program runs with `window` instead of its own size. `step` is ReadOptions::step. Throws SceneError, and
+// FileError if a file cannot be read.
 std::shared_ptr<const Recording> load_recording(const std::string& scene,
-                                                std::optional<WindowSize> window = std::nullopt);
+                                                std::optional<WindowSize> window = std::nullopt,
+                                                const std::string& step = {});
 // The same, but refuses recorded programs.
-std::shared_ptr<const CommandList> load_commands(const std::string& scene);
+std::shared_ptr<const CommandList> load_commands(const std::string& scene, const std::string& step = {});
 
 }  // namespace twinlight
