@@ -128,7 +128,9 @@ SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOUR
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
 EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders pages cases)
-FILES_scenes := $(wildcard src/scene/scenes/*.gl)
+# The scenes that only tests need come last.
+SCENES_of_tests := $(patsubst %,src/scene/scenes/%.gl,commands legacy)
+FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scenes/*.gl))) $(SCENES_of_tests)
 # What the scenes load: pictures, and meshes with their materials.
 FILES_scene_assets := $(wildcard $(addprefix src/scene/scenes/*.,png obj mtl))
 FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl precise/*.glsl kept/*.glsl kept/loader.* kept/page.html))
@@ -241,7 +243,7 @@ help:  ## show this list
 
 # Two files that are rewritten when their content changes: the compiler's flags, and the list of files.
 flags := $(CXX) $(CXXFLAGS_all) $(LDFLAGS_all)
-files := $(SOURCES_all) $(FILES_scenes) $(FILES_shaders) $(FILES_pages) $(FILES_cases)
+files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_pages) $(FILES_cases)
 changed = $(if $(subst |$($(1))|,,|$(file <$(BUILD)/$(1))|),force)
 $(BUILD)/flags: $(call changed,flags)
 $(BUILD)/files: $(call changed,files)
@@ -310,7 +312,7 @@ $(PROGRAMS)/shape-recorder: $(call object,$(SOURCES_recorder))
 embed = @mkdir -p $(@D); tools/embed.sh $(1) $(2) $(3) >$@
 
 $(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files tools/embed.sh
-	$(call embed,scene/scenes/load.h,kSceneFiles,$(sort $(FILES_scenes)))
+	$(call embed,scene/scenes/load.h,kSceneFiles,$(FILES_scenes))
 $(BUILD)/embedded/scene_assets.cpp: $(FILES_scene_assets) $(BUILD)/files tools/embed.sh
 	$(call embed,scene/scenes/load.h,kSceneAssets,$(sort $(FILES_scene_assets)))
 $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files tools/embed.sh
