@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/lecture.md again: tests/lecture_pictures.sh, after make programs. Needs ImageMagick, which scales
-# them down, so that edges are smooth.
+# Draws the pictures of docs/lecture.md again: tests/docs/lecture_pictures.sh, after make programs. Needs ImageMagick, which
+# scales them down, so that edges are smooth.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
+twinlight=${TWINLIGHT_BUILD:-build}/twinlight
 out=docs/lecture
 mkdir -p "$out"
 draw() { # NAME SCENE OPTIONS...
-    build/twinlight render "${@:2}" --size 1200x900 -o "$out/$1.png" 2>/dev/null
+    "$twinlight" render "${@:2}" --size 1200x900 -o "$out/$1.png" 2>/dev/null
     convert "$out/$1.png" -resize 400x300 -strip -define png:exclude-chunks=date,time "$out/$1.png"
 }
 gl() { draw "$1" "${@:2}" --with fixed; }
