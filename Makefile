@@ -46,6 +46,7 @@ nlohmann-json3-dev  pkg-config --exists nlohmann_json
 libfmt-dev          pkg-config --exists fmt
 libstb-dev          pkg-config --exists stb
 libxsimd-dev        pkg-config --exists xsimd
+libtinyobjloader-dev pkg-config --exists tinyobjloader
 libimgui-dev        pkg-config --exists imgui
 fonts-dejavu-core   ls /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 libjs-chart.js      ls /usr/share/javascript/chart.js
@@ -68,7 +69,7 @@ export DEPENDENCIES
 
 # ---- Flags ------------------------------------------------------------------------------------------------------
 
-MODULES := glm fmt CLI11 nlohmann_json stb imgui
+MODULES := glm fmt CLI11 nlohmann_json stb tinyobjloader imgui
 GCC := $(shell $(CXX) -dumpversion 2>/dev/null)
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(if $(CI),-Werror)
 # False alarms of g++ 13 and 14 about the standard library's own copies.
@@ -197,7 +198,7 @@ bench: deps  ## measure speed: print medians, write ratios to build/bench.json (
 # (warnings are errors) is not passed on.
 TIME ?= 60
 fuzz_targets := $(patsubst tests/fuzz/%_fuzzer.cpp,%,$(SOURCES_fuzzers))
-fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET=scene|dump|png|state|picture for one)
+fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET=scene|dump|png|obj|state|picture for one)
 	@if ! { $(try_fuzzer); } 2>/dev/null; then \
 	    echo "fuzz: skipped, because clang++ or its fuzzer runtime is not installed (Debian packages clang and libclang-rt-dev)"; exit 0; fi; \
 	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \

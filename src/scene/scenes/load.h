@@ -29,5 +29,8 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene,
                                                 const std::string& step = {});
 // The same, but refuses recorded programs.
 std::shared_ptr<const CommandList> load_commands(const std::string& scene, const std::string& step = {});
+// Another step of a scene that was loaded under this name. Standard input is not read again.
+std::shared_ptr<const CommandList> load_step(const std::string& scene, const CommandList& loaded,
+                                             const std::string& step);
 
 }  // namespace twinlight

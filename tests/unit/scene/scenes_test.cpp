@@ -14,6 +14,7 @@
 #include "scene/command/text.h"
 #include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
+#include "scene/scenes/meshes.h"
 #include "scene/spectrum/spectrum.h"
 #include "scene/state/state.h"
 
@@ -74,7 +75,8 @@ TEST(Scenes, RaiseNoErrorAndAreDrawnWhole) {
 
 TEST(Scenes, ReadAlikeAfterPrinting) {
     for (const CommandList& scene : all_steps()) {
-        const CommandList again = read_scene(print_scene(scene), "printed.gl", scene.name, images_built_in);
+        const CommandList again =
+            read_scene(print_scene(scene), "printed.gl", scene.name, images_built_in, {.load_mesh = meshes_built_in});
         EXPECT_EQ(again.commands, scene.commands) << scene.title();
     }
 }
@@ -110,7 +112,7 @@ constexpr bool kDrawnByAll[] = {
 
 TEST(BuiltInScenes, UseEveryCommandThatAllRenderersCarryOut) {
     std::set<CommandId> used;
-    for (const char* scene : {"commands", "legacy", "spectral", "report"}) {
+    for (const char* scene : {"commands", "legacy", "spectral", "report", "tutorial"}) {
         for (const Command& command : read(scene).commands) used.insert(command.id);
     }
     for (std::size_t i = 0; i < signatures().size(); ++i) {
