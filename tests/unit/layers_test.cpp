@@ -56,6 +56,7 @@ const std::map<std::string, Table>& rooms() {
           {"fuzz", {"compare"}},
           {"check", {"compare"}},
           {"lint", {}},
+          {"lesson", {}},
           {"explain", {}}}},
         {"app", {{"cli", {}}, {"session", {}}, {"demo", {"session"}}}},
     };
