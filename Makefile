@@ -163,7 +163,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check includes each-file tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz programs golden tables instructions format check includes each-file tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -207,6 +207,10 @@ deps:  ## install missing packages with apt; build nothing
 golden: deps  ## rewrite the golden pictures (CASE=scene for one); look at each before you commit it
 	@$(MAKE) test-binary
 	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(PROGRAMS)/twinlight-tests --gtest_filter='*GoldenScenes*:*GoldenHomework*'
+
+tables: deps  ## rewrite the tables of docs/hard-cases.md and docs/driver.md after a change of cases, rulings or known differences
+	@$(MAKE) test-binary
+	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_TABLES=1 $(PROGRAMS)/twinlight-tests --gtest_brief=1 --gtest_filter='DocsTables*'
 
 instructions: deps  ## recount the instructions in tests/instructions after an intended change
 	@$(MAKE) test-binary
