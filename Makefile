@@ -133,7 +133,7 @@ SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorde
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
-EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders pages cases)
+EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders pages cases lessons lessons-zh)
 # The scenes that only tests need come last.
 SCENES_of_tests := $(patsubst %,src/scene/scenes/%.gl,commands legacy)
 FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scenes/*.gl))) $(SCENES_of_tests)
@@ -143,6 +143,8 @@ FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.gls
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)
+FILES_lessons := $(filter-out %/README.md,$(wildcard docs/lessons/*.md))
+FILES_lessons_zh := $(filter-out %/README.md,$(wildcard docs/zh-CN/lessons/*.md))
 FILES_pages := $(wildcard src/judge/report/pages/*) $(BUILD)/embedded/chart.js
 
 # With units=rooms, each folder of src/ (a room) is one translation unit, which reads its headers once. ALONE lists the files that
@@ -261,7 +263,7 @@ include tools/install/install.mk
 
 # Two files that are rewritten when their content changes: the compiler's flags, and the list of files.
 flags := $(CXX) $(CXXFLAGS_all) $(LDFLAGS_all)
-files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_pages) $(FILES_cases)
+files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_pages) $(FILES_cases) $(FILES_lessons) $(FILES_lessons_zh)
 changed = $(if $(subst |$($(1))|,,|$(file <$(BUILD)/$(1))|),force)
 $(BUILD)/flags: $(call changed,flags)
 $(BUILD)/files: $(call changed,files)
@@ -339,6 +341,10 @@ $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files tools/embed.sh
 	$(call embed,judge/report/html.h,kPageFiles,$(sort $(FILES_pages)))
 $(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files tools/embed.sh
 	$(call embed,judge/check/case.h,kCaseFiles,$(sort $(FILES_cases)))
+$(BUILD)/embedded/lessons.cpp: $(FILES_lessons) $(BUILD)/files tools/embed.sh
+	$(call embed,judge/lesson/lesson.h,kLessonFiles,$(sort $(FILES_lessons)))
+$(BUILD)/embedded/lessons-zh.cpp: $(FILES_lessons_zh) $(BUILD)/files tools/embed.sh
+	$(call embed,judge/lesson/lesson.h,kChineseLessonFiles,$(sort $(FILES_lessons_zh)))
 
 $(BUILD)/embedded/chart.js: $(CHART)
 	@mkdir -p $(@D); cp $< $@

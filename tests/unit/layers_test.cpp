@@ -57,6 +57,7 @@ const std::map<std::string, Table>& rooms() {
           {"fuzz", {"compare"}},
           {"check", {"compare"}},
           {"lint", {}},
+          {"lesson", {}},
           {"explain", {}},
           {"oracle", {}}}},
         {"app", {{"cli", {}}, {"session", {}}, {"demo", {"session"}}}},

@@ -34,6 +34,7 @@ Subcommand add_study(CLI::App& app);
 Subcommand add_fuzz(CLI::App& app);
 Subcommand add_check(CLI::App& app);
 Subcommand add_lint(CLI::App& app);
+Subcommand add_lesson(CLI::App& app);
 
 // Accepts the keys of a map.
 template <class Map>

@@ -79,7 +79,8 @@ TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
                                                                                          {"study"},
                                                                                          {"fuzz"},
                                                                                          {"check"},
-                                                                                         {"lint"}}) {
+                                                                                         {"lint"},
+                                                                                         {"lesson"}}) {
         for (const char* flag : {"--help", "-h", "--version"}) {
             std::vector<std::string> arguments = command;
             arguments.emplace_back(flag);
@@ -95,7 +96,8 @@ TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
 TEST_F(Cli, RefusesBadUse) {
     const std::string file = scene(kScene);
     expect_refused(
-        run({}), "a command is missing: render, compare, explain, export, record, scenes, study, fuzz, check or lint");
+        run({}),
+        "a command is missing: render, compare, explain, export, record, scenes, study, fuzz, check, lint or lesson");
     expect_refused(run({"rendr"}), "there is no command 'rendr'; did you mean 'render'?");
     expect_refused(run({"--bogus"}), "'--bogus'");
     expect_refused(run({"render"}), "SCENE is required; see 'twinlight render --help'");
