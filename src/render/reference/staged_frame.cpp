@@ -26,7 +26,7 @@ StagedFrame run_stages(const Frame& frame, const Options& options) {
         const auto index = static_cast<std::uint32_t>(stages.draws.size() - 1);
         std::vector<Piece> pieces;
         if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
-            pieces = make_pieces(draw, index, stages.draws.back().vertices, options.quad_cut);
+            pieces = make_pieces(draw, index, stages.draws.back().vertices, options);
         else if (!last || !are_one_shape(*last, draw))  // drawing the first part draws the whole shape
             pieces = make_surface_pieces(draw, index);
         last = &draw;
