@@ -31,7 +31,7 @@ constexpr int kPictureWidth = 160, kPictureHeight = 120;
 std::string picture_of(const std::string& text, const std::string& name) {
     const auto list = std::make_shared<CommandList>(read_scene(text, name, name));
     const Scene scene = make_scene(list, {.width = kPictureWidth, .height = kPictureHeight});
-    return encode_png(reference::render(scene.frame, {}));
+    return encode_png(reference::render(lint::shown_frame(scene), {}));
 }
 
 // lint.md, and lint/NAME-wrong.png and lint/NAME-mended.png for each rule.

@@ -24,8 +24,8 @@ enum class InClipPlane : std::uint8_t {
 
 struct Options : Look {
     QuadCut quad_cut = QuadCut::kFirstToThird;
-    InClipPlane in_clip_plane = InClipPlane::kAsComputed;
     Arithmetic arithmetic{};  // used for lighting
+    InClipPlane in_clip_plane = InClipPlane::kAsComputed;
 };
 
 }  // namespace twinlight::reference

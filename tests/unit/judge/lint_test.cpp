@@ -56,8 +56,8 @@ TEST(Lint, HasNoWarningsOfMendedScenes) {
 
 TEST(Lint, MendedScenesHaveAnotherPicture) {
     for (const lint::Rule& rule : lint::rules()) {
-        const Image wrong = reference::render(scene_of(lint::wrong_scene(rule)).frame, {});
-        const Image mended = reference::render(scene_of(lint::mended_scene(rule)).frame, {});
+        const Image wrong = reference::render(lint::shown_frame(scene_of(lint::wrong_scene(rule))), {});
+        const Image mended = reference::render(lint::shown_frame(scene_of(lint::mended_scene(rule))), {});
         std::size_t differing = 0;
         for (std::size_t i = 0; i < wrong.pixels.size(); ++i) {
             float difference = 0;
@@ -102,7 +102,8 @@ TEST(Lint, PageAndPicturesMatchTheTable) {
             const std::string text = is_mended ? lint::mended_scene(rule) : lint::wrong_scene(rule);
             const std::string file = std::string(rule.name) + (is_mended ? "-mended.png" : "-wrong.png");
             expected.insert(file);
-            EXPECT_EQ(read_file("docs/lint/" + file), encode_png(reference::render(scene_of(text).frame, {})))
+            EXPECT_EQ(read_file("docs/lint/" + file),
+                      encode_png(reference::render(lint::shown_frame(scene_of(text)), {})))
                 << file << ": build/twinlight lint --rules -o docs writes it again";
         }
     }
