@@ -48,6 +48,10 @@ int run(int argc, char** argv) {
         ->capture_default_str()
         ->type_name("")
         ->check(not_empty());
+    std::string step;
+    app.add_option("--step", step, "the step of a scene with steps to show first: its number, from 1, or its title")
+        ->option_text("N")
+        ->check(not_empty());
     app.add_option_function<std::string>(
            "--view", [&](const std::string& name) { options.view = value_of(session::kViews, name, "--view"); },
            "what to show first: slider (default), grid, single or world")
@@ -85,7 +89,7 @@ int run(int argc, char** argv) {
     options.height = size.height;
     std::error_code ignored;
     if (std::filesystem::is_regular_file(scene, ignored)) options.file = scene;
-    return demo::show(load_commands(scene), options);
+    return demo::show(load_commands(scene, step), options);
 }
 
 }  // namespace

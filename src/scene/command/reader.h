@@ -73,10 +73,11 @@ enum class Flow : std::uint8_t;
 
 class Reader {
   public:
-    Reader(std::string_view text, const std::string& file, const ImageLoader& load_image);
+    // Of a scene with steps, reads the lines of all steps and those of the step with this number (from 1).
+    Reader(std::string_view text, const std::string& file, const ImageLoader& load_image, std::size_t step);
     // A whole program, from preprocess().
     Reader(std::vector<Token> tokens, const std::string& file, const ImageLoader& load_image,
-           const ProgramOptions& options);
+           const ReadOptions& options);
     ~Reader();
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
@@ -87,6 +88,8 @@ class Reader {
     CommandList run(const std::string& name);
     // At most kMaxErrorsShown; reading ends there.
     const std::vector<TextError>& errors() const { return errors_; }
+    // The titles of the scene's steps.
+    const std::vector<std::string>& steps() const { return steps_; }
 
   private:
     // The object or part of an object that a name with subscripts denotes. Without dimensions it is a single value.
@@ -124,6 +127,7 @@ class Reader {
     void program();
     void pragma();
     void returns_pragma();
+    void step_pragma();
     // Reads name(arguments), adds the command to commands_ and returns it.
     const Command& call();
     // Reads the call on the right of "=" and stores its result.
@@ -292,6 +296,8 @@ class Reader {
     std::optional<double> returns_;  // the result of the next call, if a pragma gives it
     Place returns_place_;
     std::vector<Command> commands_;
+    std::size_t step_ = 1;
+    std::vector<std::string> steps_;
     double quadrics_ = 0;  // number created so far
     // What glGetIntegerv(GL_VIEWPORT) returns in a whole program; nullopt where that is not known.
     std::optional<std::array<double, 4>> viewport_{};
