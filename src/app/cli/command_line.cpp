@@ -74,15 +74,36 @@ void add_step_option(CLI::App& app, std::string& step) {
         ->check(not_empty());
 }
 
+void add_memory_option(CLI::App& app, Memory& memory) {
+    app.add_option_function<double>(
+           "--memory", [&memory](double gigabytes) { memory.bytes = static_cast<std::size_t>(gigabytes * 1e9); },
+           "how much memory a picture may need, in GB")
+        ->type_name("G")
+        ->check(number_from(0.001, 1000.0))
+        ->default_str("2");
+}
+
 namespace {
+
+// What is left for the scene after the pictures.
+std::size_t without_pixels(const Memory& memory, int width, int height) {
+    const std::size_t pixels =
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * memory.bytes_of_pixel;
+    if (pixels < memory.bytes) return memory.bytes - pixels;
+    throw UsageError(fmt::format(
+        "pictures of {} x {} need {:.2g} GB of memory, but {:.4g} are allowed; choose a smaller --size, or a larger "
+        "--memory",
+        width, height, static_cast<double>(pixels) / 1e9, static_cast<double>(memory.bytes) / 1e9));
+}
 
 // Reading up to a late frame may take long, so this shows its progress.
 Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
-                          std::optional<int> number) {
-    FrameChoice choice{.number = number};
+                          std::optional<int> number, const Memory& memory) {
+    FrameChoice choice{.number = number, .memory = memory.bytes};
     if (size) {
         choice.width = size->width;
         choice.height = size->height;
+        choice.memory = without_pixels(memory, size->width, size->height);
     }
     ProgressBar bar;
     choice.progress = [&](int frames, std::size_t commands) {
@@ -99,7 +120,7 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
         fmt::print(
             stderr,
             "twinlight: note: up to this frame, {} of the program's commands {} a GL error; the first: {}: {} ({})\n",
-            recorded.error_count, recorded.error_count == 1 ? "causes" : "cause", first.place.str(),
+            recorded.error_count, recorded.error_count == 1 ? "causes" : "cause", one_line(first.place.str()),
             one_line(first.message), enum_name(first.code));
     }
     return std::move(recorded.scene);
@@ -107,7 +128,8 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
 
 }  // namespace
 
-Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame, const std::string& step) {
+Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame, const std::string& step,
+                 const Memory& memory) {
     std::shared_ptr<const Recording> recording;
     try {
         recording =
@@ -116,13 +138,14 @@ Scene load_scene(const std::string& name, std::optional<Size> size, std::optiona
         throw with_gl_errors(error, {});
     }
     const CommandList* commands = recording->command_list();
-    if (!commands) return load_recorded_frame(recording, size, frame);
+    if (!commands) return load_recorded_frame(recording, size, frame, memory);
     if (frame) {
         throw UsageError(fmt::format("--frame applies only to recorded programs; '{}' is a scene", name));
     }
     if (!size && commands->window) size = Size{commands->window->width, commands->window->height};
     const auto [width, height] = size.value_or(Size{});
-    Frame made = make_frame(*commands, {.width = width, .height = height});
+    Frame made =
+        make_frame(*commands, {.width = width, .height = height, .memory = without_pixels(memory, width, height)});
     return {std::move(recording), std::move(made)};
 }
 

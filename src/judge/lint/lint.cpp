@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -35,7 +36,8 @@ constexpr CommandSet kOnlyInDraws = CommandSet::of({"vertex", "tex_coord", "mult
 
 class Walk {
   public:
-    Walk(const Frame& frame, const CommandList* list) : state_({.width = frame.width, .height = frame.height}) {
+    Walk(const Frame& frame, const CommandList* list)
+        : state_({.width = frame.width, .height = frame.height, .memory = std::numeric_limits<std::size_t>::max()}) {
         for (const Rule& rule : rules()) watches_.push_back(rule.make());
         for (const auto& watch : watches_) watch->start(list);
         state_.watch_lists([this](const Command& command, bool is_done) { show(command, is_done); });

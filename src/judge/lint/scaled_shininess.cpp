@@ -23,7 +23,7 @@ class ScaledShininess : public Watch {
   public:
     void start(const CommandList* list) override { text_ = list ? list->text : nullptr; }
     void after(const Command& command, const State&) override {
-        if (is_effect(command, "material") && pname_of(command) == kGL_SHININESS && command.array()[0] > 0)
+        if (is_effect(command, "material") && pname_of(command) == kGL_SHININESS && command.arguments.back() > 0)
             commands_.push_back(command);
     }
     void drawn(const Draw& draw, const State&) override {
@@ -38,7 +38,7 @@ class ScaledShininess : public Watch {
                 scaling, [&](const Statement& statement) { return statement.holds(command.place); });
             const std::string call =
                 fmt::format("glMaterialf({}, GL_SHININESS, {:.4g});", enum_name(command.enumerant(0)),
-                            std::min(128.0, command.array()[0] * 1000 / 128));
+                            std::min(128.0, command.arguments.back() * 1000 / 128));
             Warning warning{.place = command.place,
                             .message =
                                 "this shininess is scaled from 0..1000 to 0..128, but Ns of an OBJ file is the "

@@ -86,6 +86,7 @@ std::vector<Triangle> triangles_of(const Draw& draw) {
 
 std::vector<EyeVertex> eye_vertices(const Draw& draw) {
     std::vector<EyeVertex> vertices;
+    vertices.reserve(draw.vertices.size());
     for (const reference::StageVertex& vertex : reference::vertex_stage(draw)) {
         const double w = vertex.position_eye.w;
         vertices.push_back({glm::dvec3(vertex.position_eye) / (w == 0 ? 1 : w), vertex.normal_eye});

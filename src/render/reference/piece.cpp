@@ -112,6 +112,7 @@ class PieceMaker {
         for (std::size_t i = first; i < pieces_.size(); ++i) pieces_[i].is_perhaps_clipped = true;
     }
     std::vector<Piece> take() { return std::move(pieces_); }
+    void reserve(std::size_t primitives) { pieces_.reserve(primitives); }
 
   private:
     static std::size_t count_of(Shape shape) {
@@ -251,7 +252,9 @@ std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const
                                const Options& options) {
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return {};
     PieceMaker maker(draw, draw_index, vertices, options.in_clip_plane);
-    for (const Primitive& primitive : assemble(draw, options.quad_cut)) maker.add(primitive);
+    const std::vector<Primitive> primitives = assemble(draw, options.quad_cut);
+    maker.reserve(primitives.size());
+    for (const Primitive& primitive : primitives) maker.add(primitive);
     return maker.take();
 }
 

@@ -30,7 +30,10 @@ StagedFrame run_stages(const Frame& frame, const Options& options) {
         else if (!last || !are_one_shape(*last, draw))  // drawing the first part draws the whole shape
             pieces = make_surface_pieces(draw, index);
         last = &draw;
-        std::move(pieces.begin(), pieces.end(), std::back_inserter(stages.pieces));
+        if (stages.pieces.empty())
+            stages.pieces = std::move(pieces);  // large meshes are often one Draw
+        else
+            std::move(pieces.begin(), pieces.end(), std::back_inserter(stages.pieces));
         stages.steps.push_back({.first_piece = first, .end_piece = stages.pieces.size()});
     }
     return stages;

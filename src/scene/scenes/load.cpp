@@ -94,7 +94,9 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
         throw SceneError(scene + ": this is a program, not a scene; " + how_to_record(scene));
     const std::string text = again ? read_file(scene, kReadAtMost) : front;
     try {
-        return std::make_shared<CommandList>(read_limited(text, scene, path.filename().string(), options,
+        // Both names are printed and written into pages, so control characters are escaped.
+        return std::make_shared<CommandList>(read_limited(text, one_line(scene), one_line(path.filename().string()),
+                                                          options,
                                                           again ? images_beside(path) : ImageLoader(no_images)));
     } catch (SceneError& error) {
         const bool names_record = std::string_view(error.what()).find("twinlight record") != std::string_view::npos;
