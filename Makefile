@@ -59,6 +59,10 @@ $(if $(CI),clang               command -v clang++)
 $(if $(CI),libclang-rt-dev     $(try_fuzzer))
 $(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-release)
 $(if $(CI),debootstrap         command -v debootstrap || ls /usr/sbin/debootstrap)
+$(if $(CI),man-db              command -v man)
+$(if $(CI),zsh                 command -v zsh)
+$(if $(CI),fish                command -v fish)
+$(if $(CI)$(filter deb,$(MAKECMDGOALS)),dpkg-dev            command -v dpkg-shlibdeps)
 endef
 export DEPENDENCIES
 
@@ -157,7 +161,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check includes each-file tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz programs golden tables instructions format check includes each-file tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -202,6 +206,10 @@ golden: deps  ## rewrite the golden pictures (CASE=scene for one); look at each 
 	@$(MAKE) test-binary
 	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(PROGRAMS)/twinlight-tests --gtest_filter='*GoldenScenes*:*GoldenHomework*'
 
+tables: deps  ## rewrite the tables of docs/hard-cases.md and docs/driver.md after a change of cases, rulings or known differences
+	@$(MAKE) test-binary
+	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_TABLES=1 $(PROGRAMS)/twinlight-tests --gtest_brief=1 --gtest_filter='DocsTables*'
+
 instructions: deps  ## recount the instructions in tests/instructions after an intended change
 	@$(MAKE) test-binary
 	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_INSTRUCTIONS=1 $(PROGRAMS)/twinlight-tests --gtest_brief=1 --gtest_filter='Instructions*'
@@ -233,7 +241,11 @@ clean:  ## remove build/
 	rm -rf build
 
 help:  ## show this list
-	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
+	@grep -hE '^[a-z-]+:.*##' Makefile tools/install/install.mk | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
+
+# ---- Installing: make install, uninstall, dist, deb; make gallery ------------------------------------------------
+
+include tools/install/install.mk
 
 # ---- Rules ------------------------------------------------------------------------------------------------------
 

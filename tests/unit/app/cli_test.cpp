@@ -385,7 +385,7 @@ TEST_F(Cli, ComparesAndPrintsATable) {
     const ProgramResult result = run({"compare", scene(kScene), "--size", "64x48", "-o", folder});
     EXPECT_EQ(result.status, 0) << result.out;
     EXPECT_EQ(result.err, "");
-    EXPECT_NE(result.out.find("Yes: the renderers agree."), std::string::npos);
+    EXPECT_NE(result.out.find("All three agree: "), std::string::npos);
     EXPECT_NE(result.out.find(folder + "/index.html"), std::string::npos);
     EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << "no colours where it is no terminal";
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 12);
