@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -78,17 +80,21 @@ void check(const std::vector<Row>& rows, std::size_t at_least, Read read) {
     }
 }
 
-void read_and_run(const std::string& text, const std::string& file) {
-    static_cast<void>(
-        make_frame(read_scene(text, file, file, no_images, {.most_steps = 100'000}), {.width = 16, .height = 16}));
-}
-
 TEST(BadInput, Scenes) {
-    check(rows_of("scenes"), 300, [](const std::string& text) { read_and_run(text, "bad.gl"); });
+    const TemporaryFolder folder;
+    check(rows_of("scenes"), 300, [&](const std::string& text) {
+        write_file_atomically(folder / "bad.gl", text);
+        const std::shared_ptr<const Recording> scene = load_recording(folder / "bad.gl");
+        static_cast<void>(make_frame(*scene->command_list(), {.width = 16, .height = 16}));
+    });
 }
 
 TEST(BadInput, Programs) {
-    check(rows_of("programs"), 80, [](const std::string& text) { read_and_run(text, "bad.c"); });
+    check(rows_of("programs"), 80, [](const std::string& text) {
+        const ReadOptions options{.step = {}, .window = std::nullopt, .most_steps = 100'000};
+        static_cast<void>(
+            make_frame(read_scene(text, "bad.c", "bad.c", no_images, options), {.width = 16, .height = 16}));
+    });
 }
 
 TEST(BadInput, Dumps) {

@@ -14,7 +14,7 @@ bool scales_shininess(const std::string& statement) {
     constexpr std::size_t kLongest = 1000;  // regular expressions need stack for long texts, such as tables of numbers
     if (statement.size() > kLongest) return false;
     static const std::regex scale(
-        R"(\*0?\.128f?(?![0-9.])|(^|[^0-9.])0?\.128f?\*|/1000(\.0*)?f?\)*\*128(\.0*)?f?(?![0-9.])|(^|[^0-9.])128(\.0*)?f?(\*[A-Za-z_0-9.>\[\]-]+)?\)*/1000(\.0*)?f?(?![0-9.]))");
+        R"(\*0?\.128f?(?![0-9.])|(^|[^0-9.])0?\.128f?\*|/1000(\.0*)?f?\)*\*128(\.0*)?f?(?![0-9.])|(^|[^0-9.])128(\.0*)?f?(\*\(*[A-Za-z_0-9.>\[\]-]+)?\)*/1000(\.0*)?f?(?![0-9.]))");
     static const std::regex name(R"((^|[^A-Za-z])(Ns|ns|NS)([^A-Za-z]|$)|[Ss]hin|SHIN)");
     return std::regex_search(statement, scale) && std::regex_search(statement, name);
 }

@@ -62,7 +62,8 @@ TEST(UntrustedNames, DoNotReachTheTerminalRaw) {
         }());
         EXPECT_FALSE(has_control_characters(result.out)) << command[0] << ": " << quoted(result.out);
         EXPECT_FALSE(has_control_characters(result.err)) << command[0] << ": " << quoted(result.err);
-        EXPECT_NE(result.out + result.err, "") << command[0];
+        const bool is_quiet = command[0] == "export" && command.back() == report;
+        EXPECT_EQ(result.out + result.err == "", is_quiet) << command[0];
     }
 }
 
