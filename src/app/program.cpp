@@ -139,7 +139,10 @@ int run_reporting_errors(std::string_view program, const std::function<int()>& r
     } catch (const FileError& error) {
         return fail(fmt::format("{}: {}", program, one_line(error.what())));
     } catch (const std::exception& error) {  // errors of the driver, whose log may have several lines
-        return fail(fmt::format("{}: {}", program, error.what()));
+        std::string lines;
+        std::istringstream text(error.what());
+        for (std::string line; std::getline(text, line);) lines += (lines.empty() ? "" : "\n") + one_line(line);
+        return fail(fmt::format("{}: {}", program, lines));
     }
 }
 

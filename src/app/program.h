@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -39,11 +40,15 @@ void add_size_option(CLI::App& app, Size& size);
 void add_size_option(CLI::App& app, std::optional<Size>& size,
                      const std::string& default_size = "640x480; for a program, its window's size");
 
-// Accepts numbers from `low` to `high`. Unlike CLI::Range, adds nothing to --help, and its message is plain.
+// Accepts numbers from `low` to `high`. Unlike CLI::Range, adds nothing to --help, its message is plain, and it accepts
+// neither nan nor a negative number for an unsigned one.
 template <class Number>
 CLI::Validator number_from(Number low, Number high) {
     const auto check = [low, high](const std::string& text) {
-        if (CLI::Range(low, high)(text).empty()) return std::string();
+        Number number{};
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        const bool is_number = error == std::errc() && end == text.data() + text.size();
+        if (is_number && low <= number && number <= high) return std::string();
         return fmt::format("'{}' is not a {}number from {} to {}", text, std::is_integral_v<Number> ? "whole " : "",
                            low, high);
     };

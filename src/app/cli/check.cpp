@@ -134,14 +134,16 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
            "\n";  // file names may hold any bytes
 }
 
-// NAME.c for each case that the fixed function gets wrong.
+// NAME.c for each case that the fixed function gets wrong: all of them, or none if the disk is full.
 void write_reproducers(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
                        const std::vector<Result>& results) {
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        const std::string program = reproducer(driver, cases[i], results[i]);
-        if (!program.empty())
-            write_file_atomically((std::filesystem::path(folder) / (cases[i].name + ".c")).string(), program);
-    }
+    std::vector<std::string> programs;
+    for (std::size_t i = 0; i < cases.size(); ++i) programs.push_back(reproducer(driver, cases[i], results[i]));
+    std::vector<FileToWrite> files;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        if (!programs[i].empty())
+            files.push_back({(std::filesystem::path(folder) / (cases[i].name + ".c")).string(), programs[i]});
+    write_files_atomically(files);
 }
 
 int run_check(const CheckArguments& arguments) {

@@ -75,15 +75,36 @@ void add_step_option(CLI::App& app, std::string& step, const std::string& defaul
         ->check(not_empty());
 }
 
+void add_memory_option(CLI::App& app, Memory& memory) {
+    app.add_option_function<double>(
+           "--memory", [&memory](double gigabytes) { memory.bytes = static_cast<std::size_t>(gigabytes * 1e9); },
+           "how much memory a picture may need, in GB")
+        ->type_name("G")
+        ->check(number_from(0.001, 1000.0))
+        ->default_str("2");
+}
+
 namespace {
+
+// What is left for the scene after the pictures.
+std::size_t without_pixels(const Memory& memory, int width, int height) {
+    const std::size_t pixels =
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * memory.bytes_of_pixel;
+    if (pixels < memory.bytes) return memory.bytes - pixels;
+    throw UsageError(fmt::format(
+        "pictures of {} x {} need {:.2g} GB of memory, but {:.4g} are allowed; choose a smaller --size, or a larger "
+        "--memory",
+        width, height, static_cast<double>(pixels) / 1e9, static_cast<double>(memory.bytes) / 1e9));
+}
 
 // Reading up to a late frame may take long, so this shows its progress.
 Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
-                          std::optional<int> number) {
-    FrameChoice choice{.number = number};
+                          std::optional<int> number, const Memory& memory) {
+    FrameChoice choice{.number = number, .memory = memory.bytes};
     if (size) {
         choice.width = size->width;
         choice.height = size->height;
+        choice.memory = without_pixels(memory, size->width, size->height);
     }
     ProgressBar bar;
     choice.progress = [&](int frames, std::size_t commands) {
@@ -100,21 +121,23 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
         fmt::print(
             stderr,
             "twinlight: note: up to this frame, {} of the program's commands {} a GL error; the first: {}: {} ({})\n",
-            recorded.error_count, recorded.error_count == 1 ? "causes" : "cause", first.place.str(),
+            recorded.error_count, recorded.error_count == 1 ? "causes" : "cause", one_line(first.place.str()),
             one_line(first.message), enum_name(first.code));
     }
     return std::move(recorded.scene);
 }
 
-Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> size) {
+Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> size, const Memory& memory) {
     const auto [width, height] = size.value_or(Size{});
-    Frame made = make_frame(*commands->command_list(), {.width = width, .height = height});
+    Frame made = make_frame(*commands->command_list(),
+                            {.width = width, .height = height, .memory = without_pixels(memory, width, height)});
     return {std::move(commands), std::move(made)};
 }
 
 }  // namespace
 
-Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame, const std::string& step) {
+Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame, const std::string& step,
+                 const Memory& memory) {
     std::shared_ptr<const Recording> recording;
     try {
         recording =
@@ -123,22 +146,22 @@ Scene load_scene(const std::string& name, std::optional<Size> size, std::optiona
         throw with_gl_errors(error, {});
     }
     const CommandList* commands = recording->command_list();
-    if (!commands) return load_recorded_frame(recording, size, frame);
+    if (!commands) return load_recorded_frame(recording, size, frame, memory);
     if (frame) {
         throw UsageError(fmt::format("--frame applies only to recorded programs; '{}' is a scene", name));
     }
     if (!size && commands->window) size = Size{commands->window->width, commands->window->height};
-    return scene_of(std::move(recording), size);
+    return scene_of(std::move(recording), size, memory);
 }
 
 std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, std::optional<int> frame,
-                              const std::string& step) {
+                              const std::string& step, const Memory& memory) {
     std::vector<Scene> scenes;
-    scenes.push_back(load_scene(name, size, frame, step));
+    scenes.push_back(load_scene(name, size, frame, step, memory));
     const CommandList* first = scenes.front().recording->command_list();
     if (!first || !step.empty()) return scenes;
     for (std::size_t i = 2; i <= first->steps.size(); ++i)
-        scenes.push_back(scene_of(load_step(name, *first, std::to_string(i)), size));
+        scenes.push_back(scene_of(load_step(name, *first, std::to_string(i)), size, memory));
     return scenes;
 }
 

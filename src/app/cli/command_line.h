@@ -15,6 +15,7 @@
 #include "render/look.h"
 #include "scene/command/command.h"
 #include "scene/state/scene.h"
+#include "scene/state/state.h"
 
 namespace twinlight::cli {
 
@@ -59,16 +60,24 @@ void add_precise_flag(CLI::App& app, bool& precise);
 // The frame of a recorded program.
 void add_frame_option(CLI::App& app, std::optional<int>& frame);
 
+// How much memory a picture may need; see load_scene().
+struct Memory {
+    std::size_t bytes = kDefaultMemory;
+    std::size_t bytes_of_pixel = 40;  // what the command holds for each pixel, all pictures together
+};
+void add_memory_option(CLI::App& app, Memory& memory);
+
 // The step of a scene with steps; see ReadOptions::step.
 void add_step_option(CLI::App& app, std::string& step, const std::string& default_step = "the first");
 
-// Loads a scene, or a frame of a recorded program. Notes about a recording (cut short, GL errors) go to standard error.
+// Loads a scene, or a frame of a recorded program. Throws UsageError or SceneError if drawing it needs more memory than
+// is allowed. Notes about a recording (cut short, GL errors) go to standard error.
 Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame = std::nullopt,
-                 const std::string& step = {});
+                 const std::string& step = {}, const Memory& memory = {});
 
 // All steps of a scene with steps, without `step`; otherwise what load_scene() loads.
 std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, std::optional<int> frame,
-                              const std::string& step);
+                              const std::string& step, const Memory& memory = {});
 
 // The default of -o: "lab-report" for the scene lab or dir/lab.gl with the suffix "-report", in the working folder.
 std::string name_after_scene(const std::string& scene, std::string_view suffix);

@@ -12,6 +12,7 @@
 #include "judge/report/report.h"
 #include "judge/report/words.h"
 #include "render/context/driver_name.h"
+#include "scene/command/text.h"
 
 namespace twinlight::cli {
 
@@ -22,6 +23,7 @@ struct CompareArguments {
     std::optional<Size> size;
     std::optional<int> frame;
     std::string step;
+    Memory memory{.bytes_of_pixel = 180};
     std::string folder;
     double budget = PlanOptions{}.budget;
     bool precise = false, json = false;
@@ -69,13 +71,13 @@ std::string summary(const compare::Comparison& comparison, const std::string& fo
     std::string text =
         fmt::format("{}, {} x {}, {}\n\n", comparison.scene, comparison.width, comparison.height, comparison.driver);
     for (const std::string& sentence : report::answer(comparison).sentences()) text += sentence + "\n";
-    for (const Unsupported& item : comparison.unsupported) text += report::sentence_of(item) + "\n";
-    for (const compare::Query& query : comparison.queries) text += compare::sentence_of(query) + "\n";
+    for (const Unsupported& item : comparison.unsupported) text += one_line(report::sentence_of(item)) + "\n";
+    for (const compare::Query& query : comparison.queries) text += one_line(compare::sentence_of(query)) + "\n";
     text += "\n" + table(comparison) + "\nTime:";
     for (const compare::Render& render : comparison.renders) {
         text += fmt::format("{} {} {:.1f} ms", text.back() == ':' ? "" : ",", render.name, render.ms);
     }
-    return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
+    return text + "\nReport: " + one_line((std::filesystem::path(folder) / "index.html").string()) + "\n";
 }
 
 compare::Comparison comparison_of(const Scene& scene, const CompareArguments& arguments, ProgressBar& bar) {
@@ -137,7 +139,8 @@ int compare_steps(const std::vector<Scene>& scenes, const CompareArguments& argu
 
 int run_compare(CompareArguments arguments) {
     if (arguments.folder.empty()) arguments.folder = name_after_scene(arguments.scene, "-report");
-    const std::vector<Scene> scenes = load_steps(arguments.scene, arguments.size, arguments.frame, arguments.step);
+    const std::vector<Scene> scenes =
+        load_steps(arguments.scene, arguments.size, arguments.frame, arguments.step, arguments.memory);
     if (scenes.size() > 1) return compare_steps(scenes, arguments);
     compare::Comparison comparison;
     {
@@ -164,6 +167,7 @@ Subcommand add_compare(CLI::App& app) {
     add_size_option(*compare, arguments->size);
     add_frame_option(*compare, arguments->frame);
     add_step_option(*compare, arguments->step, "all, on one page");
+    add_memory_option(*compare, arguments->memory);
     add_budget_option(*compare, arguments->budget);
     add_precise_flag(*compare, arguments->precise);
     compare

@@ -12,6 +12,7 @@
 #include "app/cli/explain_pixel.h"
 #include "judge/explain/derivation.h"
 #include "render/effect/explanation.h"
+#include "scene/command/text.h"
 
 namespace twinlight::cli {
 
@@ -25,6 +26,7 @@ struct ExplainArguments {
     std::optional<Size> size;
     std::optional<int> frame;
     std::string step;
+    Memory memory;
     std::string pixel, vertex;
     double budget = PlanOptions{}.budget;
     bool json = false, all = false;
@@ -45,7 +47,7 @@ std::string table(const Plan& plan, bool all) {
     std::string text;
     for (const ExplainedEffect& row : rows)
         text += "  " + colored(fmt::format("{:<{}}  {:<7}", row.what, width, row.in ? "used" : "skipped"), row.in) +
-                "  " + row.why + "\n";
+                "  " + one_line(row.why) + "\n";
     return text;
 }
 
@@ -151,7 +153,7 @@ int run_explain(const ExplainArguments& arguments) {
         throw UsageError("--pixel and --vertex are two questions; give one of them");
     if (!arguments.vertex.empty() && arguments.shading)
         throw UsageError("--shading does not change how a vertex is lit; leave it out, or use --pixel X,Y");
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step, arguments.memory);
     const PlanOptions options{{.shading = arguments.shading}, arguments.budget};
     const ExplainOptions of_point{options, arguments.json, arguments.all};
     if (!arguments.pixel.empty()) {
@@ -179,6 +181,7 @@ Subcommand add_explain(CLI::App& app) {
     add_size_option(*command, arguments->size);
     add_frame_option(*command, arguments->frame);
     add_step_option(*command, arguments->step);
+    add_memory_option(*command, arguments->memory);
     add_budget_option(*command, arguments->budget);
     command
         ->add_option("--pixel", arguments->pixel,

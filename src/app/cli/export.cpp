@@ -22,6 +22,7 @@ struct ExportArguments {
     std::optional<Shading> shading;
     std::optional<int> frame;
     std::string step;
+    Memory memory;
     bool precise = false;
     std::string output;  // a folder for shaders to keep, a file for a page; empty: standard output
     std::string glsl;    // the version of shaders to keep; empty: 330
@@ -95,7 +96,7 @@ void check_usage(const ExportArguments& arguments) {
 int run_export(const ExportArguments& arguments) {
     check_usage(arguments);
     // Loading runs the whole scene, so that a scene with an error is not exported.
-    const Scene scene = load_scene(arguments.scene, {}, arguments.frame, arguments.step);
+    const Scene scene = load_scene(arguments.scene, {}, arguments.frame, arguments.step, arguments.memory);
     programmable::Options options{{{.shading = arguments.shading}}};
     options.precise = arguments.precise;
     const bool to_file = !arguments.output.empty();
@@ -127,6 +128,7 @@ Subcommand add_export(CLI::App& app) {
     add_shading_option(*exporting, arguments->shading);
     add_frame_option(*exporting, arguments->frame);
     add_step_option(*exporting, arguments->step);
+    add_memory_option(*exporting, arguments->memory);
     add_precise_flag(*exporting, arguments->precise);
     exporting
         ->add_option(

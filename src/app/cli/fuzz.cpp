@@ -1,5 +1,6 @@
 // twinlight fuzz: compares random scenes across the three renderers.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "judge/fuzz/fuzzer.h"
 #include "judge/report/words.h"
 #include "scene/command/names.h"
+#include "scene/command/text.h"
 
 namespace twinlight::cli {
 
@@ -83,9 +85,10 @@ std::string summary_text(const FuzzArguments& arguments, const Summary& summary,
     }
     text += "\n";
     for (const fuzz::Failure& failure : summary.failures) {
-        text += fmt::format("scene {}: {}: {}\n  reduced to {} of {} commands: {}\n", failure.state,
-                            failure.pair < fuzz::kPairs ? fuzz::kPairNames.at(failure.pair) : "rejected", failure.what,
-                            failure.scene.commands.size(), failure.commands_before, file_of(arguments, failure));
+        text +=
+            fmt::format("scene {}: {}: {}\n  reduced to {} of {} commands: {}\n", failure.state,
+                        failure.pair < fuzz::kPairs ? fuzz::kPairNames.at(failure.pair) : "rejected", failure.what,
+                        failure.scene.commands.size(), failure.commands_before, one_line(file_of(arguments, failure)));
     }
     if (summary.failures.empty())
         text += summary.fails() ? "Too many pixels differ by 1/255.\n" : "No unexplained difference.\n";
@@ -125,10 +128,33 @@ std::string summary_json(const FuzzArguments& arguments, const Summary& summary,
                             {"what", failure.what},
                             {"file", file_of(arguments, failure)}});
     }
-    return json.dump(2) + "\n";
+    // File names may hold any bytes.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+// Throws FileError if a failure could not be written later. A folder that this makes is removed again: most runs find nothing.
+void check_folder(const std::string& folder) {
+    std::string made = folder;  // the outermost folder that does not exist
+    std::error_code ignored;
+    const bool exists = std::filesystem::exists(folder, ignored);
+    for (std::filesystem::path above = std::filesystem::path(folder).parent_path();
+         !exists && !above.empty() && !std::filesystem::exists(above, ignored); above = above.parent_path())
+        made = above.string();
+    make_folder(folder);
+    const std::string probe = (std::filesystem::path(folder) / fmt::format("probe.{}", ::getpid())).string();
+    try {
+        write_file_atomically(probe, "");
+    } catch (const FileError& error) {
+        if (!exists) std::filesystem::remove_all(made, ignored);
+        const std::string_view reason = error.what();
+        throw FileError(folder + ": cannot be written" + std::string(reason.substr(reason.rfind(": "))));
+    }
+    std::filesystem::remove(probe, ignored);
+    if (!exists) std::filesystem::remove_all(made, ignored);
 }
 
 int run_fuzz(const FuzzArguments& arguments) {
+    check_folder(arguments.folder);
     const Interrupt interrupt;
     const auto start = std::chrono::steady_clock::now();
     Summary summary;
@@ -175,6 +201,7 @@ Subcommand add_fuzz(CLI::App& app) {
         ->check(number_from(std::uint64_t{1}, most - 1));
     fuzz->add_option("--seed", options.seed, "random seed; a seed gives the same scenes on every machine")
         ->type_name("S")
+        ->check(number_from(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
     fuzz->add_option("--first", options.first,
                      "number of the first scene, to repeat a failure or to continue an earlier run")

@@ -24,6 +24,7 @@ struct LintArguments {
     std::optional<Size> size;
     std::optional<int> frame;
     std::string step;
+    Memory memory;
     bool json = false, rules = false;
 };
 
@@ -32,7 +33,7 @@ constexpr int kPictureWidth = 160, kPictureHeight = 120;
 std::string picture_of(const std::string& text, const std::string& name) {
     const auto list = std::make_shared<CommandList>(read_scene(text, name, name));
     const Scene scene = make_scene(list, {.width = kPictureWidth, .height = kPictureHeight});
-    return encode_png(reference::render(scene.frame, {}));
+    return encode_png(reference::render(lint::shown_frame(scene), {}));
 }
 
 // lint.md, and lint/NAME-wrong.png and lint/NAME-mended.png for each rule.
@@ -92,7 +93,7 @@ int run_lint(const LintArguments& arguments) {
     if (arguments.scene.empty()) throw UsageError("SCENE is required; see 'twinlight lint --help'");
     if (arguments.fix.empty() != arguments.output.empty())
         throw UsageError("--fix NAME and -o FILE belong together; give both or neither");
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step, arguments.memory);
     const std::vector<lint::Warning> warnings = lint::lint(scene);
     if (!arguments.fix.empty()) return write_mended(arguments, scene, warnings);
     if (arguments.json) {
@@ -123,6 +124,7 @@ Subcommand add_lint(CLI::App& app) {
     add_size_option(*lint, arguments->size);
     add_frame_option(*lint, arguments->frame);
     add_step_option(*lint, arguments->step);
+    add_memory_option(*lint, arguments->memory);
     lint->add_flag("--json", arguments->json, "print one JSON object instead of the text");
     lint->add_option("--fix", arguments->fix, "write the scene with the first warning of this name mended; needs -o")
         ->type_name("NAME")

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "scene/command/text.h"
+
 namespace twinlight::cli {
 
 namespace {
@@ -41,7 +43,7 @@ void ProgressBar::print(std::string_view line) {
     const auto now = std::chrono::steady_clock::now();
     if (!terminal_ || (printed_ && now - *printed_ < kTooSoon)) return;
     printed_ = now;
-    fmt::print(stderr, "\r{:{}}", line.substr(0, kWidth), kWidth);
+    fmt::print(stderr, "\r{:{}}", one_line(line).substr(0, kWidth), kWidth);
     std::fflush(stderr);
 }
 

@@ -30,6 +30,7 @@ struct RenderArguments {
     std::optional<Size> size;
     std::optional<int> frame;
     std::string step;
+    Memory memory;
     bool scrubbed = false, baked = false, precise = false;
     double budget = PlanOptions{}.budget;
     std::string output;
@@ -44,7 +45,8 @@ const std::map<std::string, Path> kRenderers = {
 // Commands that the renderer cannot draw.
 void warn_unsupported(const Frame& frame, Path path) {
     for (const Unsupported& item : frame.unsupported)
-        if (lacks(path, item)) fmt::print(stderr, "twinlight: note: {}\n", report::sentence_of(item, std::array{path}));
+        if (lacks(path, item))
+            fmt::print(stderr, "twinlight: note: {}\n", one_line(report::sentence_of(item, std::array{path})));
 }
 
 Image drawn(const RenderArguments& arguments, const Scene& scene, const RendererSet& renderers) {
@@ -106,7 +108,7 @@ int run_render(RenderArguments arguments) {
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
         throw UsageError("-o - would write a PNG to the terminal; redirect standard output or give a file name");
     }
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step, arguments.memory);
     const RendererSet renderers(scene.frame.width, scene.frame.height);
     const std::string png = encode_png(drawn(arguments, scene, renderers));
     if (to_stdout) {
@@ -138,6 +140,7 @@ Subcommand add_render(CLI::App& app) {
     add_size_option(*render, arguments->size);
     add_frame_option(*render, arguments->frame);
     add_step_option(*render, arguments->step);
+    add_memory_option(*render, arguments->memory);
     add_budget_option(*render, arguments->budget);
     render->add_flag("--scrubbed", arguments->scrubbed,
                      "with fixed or reference: drop lights and other lighting state that a draw does not need");

@@ -71,7 +71,7 @@ std::string summary(const study::Study& study, const std::string& folder) {
         for (const std::string& sentence : one.findings) text += sentence + "\n";
         if (one.spectral) text += "\n" + study::spectral_text(*one.spectral);
     }
-    return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
+    return text + "\nReport: " + one_line((std::filesystem::path(folder) / "index.html").string()) + "\n";
 }
 
 int write(const StudyArguments& arguments, const study::Study& study) {

@@ -19,6 +19,7 @@ namespace {
 std::shared_ptr<const CommandList> numbered(const CommandList& commands) {
     auto list = std::make_shared<CommandList>(commands);
     list->text = nullptr;
+    list->next_picture = nullptr;
     int line = 0;
     for (Command& command : list->commands) command.place = {nullptr, ++line, 1};
     return list;
@@ -86,7 +87,10 @@ std::vector<Finding> findings_of(const CommandList& commands, WindowSize size) {
     }
     if (commands.text) {
         const lint::Allowed allowed(*commands.text);
-        std::erase_if(findings, [&](const Finding& finding) { return is_silenced(commands, allowed, finding); });
+        const lint::CallsNotRun not_run(commands);
+        std::erase_if(findings, [&](const Finding& finding) {
+            return is_silenced(commands, allowed, finding) || not_run.mend(finding.warning);
+        });
     }
     return findings;
 }

@@ -88,6 +88,9 @@ class PendingFile {
           target_(std::move(other.target_)),
           temporary_(std::exchange(other.temporary_, {})) {}
 
+    void remove_old() const {
+        if (!temporary_.empty()) ::unlink(target_.c_str());
+    }
     void put_in_place() {
         if (temporary_.empty()) return;
         if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
@@ -135,6 +138,9 @@ void write_files_atomically(const std::vector<FileToWrite>& files) {
     std::vector<PendingFile> pending;
     pending.reserve(files.size());
     for (const auto& [path, bytes] : files) pending.emplace_back(path, bytes);
+    // If the process is killed here, files are missing; new ones never lie beside old ones.
+    if (pending.size() > 1)
+        for (const PendingFile& file : pending) file.remove_old();
     for (PendingFile& file : pending) file.put_in_place();
 }
 

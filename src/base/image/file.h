@@ -31,7 +31,8 @@ struct FileToWrite {
 };
 
 // Writes all files under temporary names, each in its own folder, then renames them. Another program sees either the
-// old file or the new one. If a file cannot be written, none is. Ctrl-C waits until all files are in place. A link is
+// old file or the new one; of several files, all old ones, all new ones, or for a moment only some of the new ones. If a
+// file cannot be written, none is. Ctrl-C waits until all files are in place. A link is
 // followed; a device or a pipe (/dev/null) is written to directly. Throws FileError, and then leaves no temporary file
 // behind.
 void write_files_atomically(const std::vector<FileToWrite>& files);

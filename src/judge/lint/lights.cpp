@@ -256,18 +256,24 @@ class LightingOff : public Watch {
         if (is_effect(command, "disable") && command.enumerant(0) == kGL_LIGHTING) is_chosen_ = true;
         const bool enables_light = is_effect(command, "enable") && light_number(command.enumerant(0));
         if (first_.line == 0 && (light_of(command) || enables_light)) first_ = command.place;
+        if (material_.line == 0 && is_effect(command, "material")) material_ = command.place;
     }
     void drawn(const Draw& draw, const State&) override { is_lit_ |= draw.lighting.enabled; }
     void finish(const Frame&, bool) override {
-        if (first_.line == 0 || is_lit_ || is_chosen_) return;
-        warn({.place = first_,
-              .message = "the scene sets lights, but nothing is lit: GL_LIGHTING is never enabled",
-              .fix = "glEnable(GL_LIGHTING);",
-              .edits = {{.place = first_, .insert = "glEnable(GL_LIGHTING);"}}});
+        const bool has_light = first_.line != 0;
+        const Place& place = has_light ? first_ : material_;
+        if (place.line == 0 || is_lit_ || is_chosen_) return;
+        warn({.place = place,
+              .message = fmt::format("the scene sets {}, but nothing is lit: GL_LIGHTING is never enabled",
+                                     has_light ? "lights" : "a material"),
+              .fix = has_light ? "glEnable(GL_LIGHTING);" : "glEnable(GL_LIGHTING); and glEnable(GL_LIGHT0);",
+              .edits = {
+                  {.place = place,
+                   .insert = has_light ? "glEnable(GL_LIGHTING);" : "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);"}}});
     }
 
   private:
-    Place first_;
+    Place first_, material_;
     bool is_lit_ = false, is_chosen_ = false;
 };
 
@@ -369,7 +375,8 @@ class TinyInteger : public Watch {
 
 std::vector<Rule> light_rules() {
     return {
-        {"lighting-off", "Lights are set, but `GL_LIGHTING` is never enabled, so every object has its plain colour.",
+        {"lighting-off",
+         "Lights or materials are set, but `GL_LIGHTING` is never enabled, so every object has its plain colour.",
          "Section 2.14.1: without `GL_LIGHTING` the vertex has the current colour.", "glEnable(GL_LIGHTING);",
          R"(// the view
  glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){3, 4, 5, 1});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -15,7 +16,8 @@ namespace twinlight::lint {
 std::span<const Rule> rules() {
     static const std::vector<Rule> all = [] {
         std::vector<Rule> joined;
-        for (const auto& part : {light_rules(), material_rules(), normal_rules(), view_rules(), picture_rules()})
+        for (const auto& part : {light_rules(), material_rules(), normal_rules(), view_rules(), picture_rules(),
+                                 redraw_rules(), scaled_shininess_rules()})
             joined.insert(joined.end(), part.begin(), part.end());
         return joined;
     }();
@@ -34,9 +36,10 @@ constexpr CommandSet kOnlyInDraws = CommandSet::of({"vertex", "tex_coord", "mult
 
 class Walk {
   public:
-    Walk(const Frame& frame, bool knows_window) : state_({.width = frame.width, .height = frame.height}) {
+    Walk(const Frame& frame, const CommandList* list)
+        : state_({.width = frame.width, .height = frame.height, .memory = std::numeric_limits<std::size_t>::max()}) {
         for (const Rule& rule : rules()) watches_.push_back(rule.make());
-        for (const auto& watch : watches_) watch->start(knows_window);
+        for (const auto& watch : watches_) watch->start(list);
         state_.watch_lists([this](const Command& command, bool is_done) { show(command, is_done); });
     }
 
@@ -47,6 +50,10 @@ class Walk {
         if (!is_stored) show(step.command, false);
         state_.apply(step.command);
         if (!is_stored) show(step.command, true);
+    }
+
+    void redraw(const Redraw& redraw) {
+        for (const auto& watch : watches_) watch->redrawn(redraw);
     }
 
     std::vector<Warning> finish(const Frame& frame, bool is_recorded) {
@@ -104,16 +111,20 @@ std::vector<Warning> joined(std::vector<Warning> warnings) {
 
 std::vector<Warning> lint(const Scene& scene) {
     const CommandList* list = scene.recording->command_list();
-    Walk walk(scene.frame, list && list->window);
+    Walk walk(scene.frame, list);
     scene.recording->for_each([&](const Step& step) {
         walk.take(step);
         return true;
     });
+    if (list)
+        if (const auto redraw = redraw_of(*list, scene.frame.width, scene.frame.height)) walk.redraw(*redraw);
     std::vector<Warning> warnings = walk.finish(scene.frame, list == nullptr);
     if (list && list->text) {
         const Allowed allowed(*list->text);
-        std::erase_if(warnings,
-                      [&](const Warning& warning) { return allowed.has(warning.rule->name, warning.place.line); });
+        const CallsNotRun not_run(*list);
+        std::erase_if(warnings, [&](const Warning& warning) {
+            return allowed.has(warning.rule->name, warning.place.line) || not_run.mend(warning);
+        });
     }
     std::set<std::string_view> found;
     for (const Warning& warning : warnings) found.insert(warning.rule->name);

@@ -32,6 +32,8 @@ const Rule* find_rule(std::string_view name);  // null if there is none
 // The two scenes of a rule, whole: with the mistake, and mended.
 std::string wrong_scene(const Rule& rule);
 std::string mended_scene(const Rule& rule);
+// What a rule's pictures show: the scene, or the second picture of a whole program.
+Frame shown_frame(const Scene& scene);
 
 // One change of a scene's text, at the statement that starts at `place`.
 struct Edit {

@@ -114,28 +114,6 @@ class EverythingCulled : public Watch {
     }
 };
 
-// The frame with smaller sides; it shows the same.
-Frame scaled(const Frame& frame) {
-    constexpr double kSide = 128;
-    const double factor = std::min(1.0, kSide / std::max(frame.width, frame.height));
-    const auto less = [&](Viewport& box) {
-        box = {static_cast<int>(std::lround(box.x * factor)), static_cast<int>(std::lround(box.y * factor)),
-               static_cast<int>(std::lround(box.width * factor)), static_cast<int>(std::lround(box.height * factor))};
-    };
-    Frame small = frame;
-    small.width = std::max(1, static_cast<int>(std::lround(frame.width * factor)));
-    small.height = std::max(1, static_cast<int>(std::lround(frame.height * factor)));
-    for (auto& item : small.items) {
-        if (Draw* draw = std::get_if<Draw>(&item)) {
-            less(draw->raster.viewport);
-            less(draw->fragment.scissor.box);
-        } else {
-            less(std::get<Clear>(item).scissor.box);
-        }
-    }
-    return small;
-}
-
 // Lit solids without depth test, where the test would change the picture.
 class NoDepthTest : public Watch {
     static bool is_solid(const Draw& draw) {
@@ -148,7 +126,7 @@ class NoDepthTest : public Watch {
         if (first == draws.end() ||
             std::ranges::any_of(draws, [](const Draw* draw) { return draw->raster.depth_test; }))
             return;
-        Frame small = scaled(frame);
+        Frame small = smaller(frame);
         const Image without = reference::render(small, {});
         for (Draw* draw : small.draws()) draw->raster.depth_test = is_solid(*draw);
         const Image with = reference::render(small, {});

@@ -89,7 +89,145 @@ Change removal(std::string_view source, Span span) {
     return {span, ""};
 }
 
+// ---- Words of a text ----
+
+// Visits the characters of a text outside comments, strings and preprocessor lines. Columns count characters.
+template <class Visit>
+void for_each_character(std::string_view source, Visit visit) {
+    Place at{.file = nullptr, .line = 1, .column = 1};
+    bool starts_line = true;
+    for (std::size_t i = 0; i < source.size();) {
+        const char c = source[i];
+        std::size_t length = 1;
+        bool is_code = true;
+        if (source.substr(i, 2) == "//" || (c == '#' && starts_line)) {
+            length = std::min(source.find('\n', i), source.size()) - i;
+            is_code = false;
+        } else if (source.substr(i, 2) == "/*") {
+            const std::size_t end = source.find("*/", i + 2);
+            length = (end == source.npos ? source.size() : end + 2) - i;
+            is_code = false;
+        } else if (c == '"' || c == '\'') {
+            std::size_t end = i + 1;
+            while (end < source.size() && source[end] != c && source[end] != '\n') end += source[end] == '\\' ? 2 : 1;
+            length = std::min(end + 1, source.size()) - i;
+            is_code = false;
+        }
+        if (is_code) visit(i, at);
+        for (const char passed : source.substr(i, length)) {
+            if (passed == '\n') {
+                ++at.line;
+                at.column = 1;
+                starts_line = true;
+            } else {
+                if ((static_cast<unsigned char>(passed) & 0xC0) != 0x80) ++at.column;
+                if (passed != ' ' && passed != '\t') starts_line = false;
+            }
+        }
+        i += length;
+    }
+}
+
+bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+// The arguments of a call, from after its "(", without blanks.
+std::vector<std::string> arguments_at(std::string_view text) {
+    std::vector<std::string> arguments(1);
+    int depth = 0;
+    for (const char c : text) {
+        if (c == ')' && depth == 0) break;
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (c == ',' && depth == 0)
+            arguments.emplace_back();
+        else if (!is_blank(c))
+            arguments.back() += c;
+    }
+    return arguments;
+}
+
+// The setting of the call that starts the text; nullopt for other calls.
+std::optional<Setting> setting_of(std::string_view text) {
+    struct Known {
+        std::string_view function;
+        std::size_t first, count;  // the arguments that name what is set
+    };
+    constexpr Known kKnown[] = {{"glEnable", 0, 1},      {"glLight", 0, 2},  {"glLightModel", 0, 1},
+                                {"glMaterial", 1, 1},    {"glTexEnv", 1, 1}, {"glShadeModel", 0, 1},
+                                {"glTexParameter", 1, 1}};
+    std::size_t end = 0;
+    while (end < text.size() && is_word(text[end])) ++end;
+    const std::string_view name = text.substr(0, end);
+    while (end < text.size() && is_blank(text[end])) ++end;
+    if (end >= text.size() || text[end] != '(') return std::nullopt;
+    for (const Known& known : kKnown) {
+        if (!name.starts_with(known.function)) continue;
+        const std::string_view suffix = name.substr(known.function.size());
+        if (suffix != "" && suffix != "f" && suffix != "i" && suffix != "fv" && suffix != "iv") continue;
+        std::vector<std::string> names = arguments_at(text.substr(end + 1));
+        if (names.size() < known.first + known.count) return std::nullopt;
+        names.erase(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(known.first));
+        names.resize(known.count);
+        for (std::string& one : names)
+            if (!one.starts_with("GL_") || !std::ranges::all_of(one, is_word)) one.clear();
+        return Setting{std::string(known.function), std::move(names)};
+    }
+    return std::nullopt;
+}
+
+bool may_be_same(const Setting& a, const Setting& b) {
+    if (a.function != b.function) return false;
+    for (std::size_t i = 0; i < a.names.size(); ++i)
+        if (!a.names[i].empty() && !b.names[i].empty() && a.names[i] != b.names[i]) return false;
+    return true;
+}
+
 }  // namespace
+
+CallsNotRun::CallsNotRun(const CommandList& list) {
+    if (!list.window || !list.text) return;
+    std::set<std::pair<int, int>> run;
+    for (const Command& command : list.commands) run.emplace(command.place.line, command.place.column);
+    const std::string_view source = *list.text;
+    for_each_character(source, [&](std::size_t i, const Place& place) {
+        const bool starts_word = source.substr(i).starts_with("gl") && (i == 0 || !is_word(source[i - 1]));
+        if (!starts_word || run.contains({place.line, place.column})) return;
+        if (std::optional<Setting> setting = setting_of(source.substr(i))) settings_.push_back(std::move(*setting));
+    });
+}
+
+bool CallsNotRun::mend(const Warning& warning) const {
+    const auto is_made = [&](std::string_view call) {
+        const std::optional<Setting> wanted = setting_of(call);
+        return wanted &&
+               std::ranges::any_of(settings_, [&](const Setting& made) { return may_be_same(made, *wanted); });
+    };
+    if (warning.edits.empty()) return is_made(warning.fix);
+    return std::ranges::any_of(warning.edits, [&](const Edit& edit) { return is_made(edit.insert); });
+}
+
+bool Statement::holds(const Place& place) const {
+    const auto position = [](const Place& at) { return std::pair(at.line, at.column); };
+    return position(first) <= position(place) && position(place) <= position(last);
+}
+
+std::vector<Statement> statements_with(std::string_view source, bool (*test)(const std::string& statement)) {
+    std::vector<Statement> found;
+    Statement open;
+    for_each_character(source, [&](std::size_t i, const Place& place) {
+        const char c = source[i];
+        if (is_blank(c)) return;
+        if (open.text.empty()) open.first = place;
+        open.last = place;
+        if (c != ';' && c != '{' && c != '}') {
+            open.text += c;
+            return;
+        }
+        if (test(open.text)) found.push_back(open);
+        open.text.clear();
+    });
+    return found;
+}
 
 std::string mended(std::string_view source, const Warning& warning) {
     std::vector<Change> changes;

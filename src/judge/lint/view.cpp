@@ -61,7 +61,7 @@ class ProjectionNotReset : public Watch {
 // Objects that are squeezed, because the aspect of gluPerspective is not that of the viewport.
 class AspectOfViewport : public Watch {
   public:
-    void start(bool knows_window) override { knows_viewport_ = knows_window; }
+    void start(const CommandList* list) override { knows_viewport_ = list && list->window; }
     void after(const Command& command, const State&) override {
         if (is_effect(command, "viewport")) knows_viewport_ = true;
         if (is_effect(command, "perspective")) perspective_ = command;
@@ -160,6 +160,15 @@ class DepthNotCleared : public Watch {
         } else if ((mask & kGL_COLOR_BUFFER_BIT) && !is_clean_) {
             pending_ = command.place;
             mask_ = mask;
+        }
+    }
+    void redrawn(const Redraw& redraw) override {
+        if (redraw.shows_first(Redraw::Buffer::kDepth)) {
+            Warning warning =
+                not_cleared(redraw, kGL_DEPTH_BUFFER_BIT,
+                            "the depth buffer is not cleared: the first picture hides parts of the second");
+            warning.key = "clear";
+            warn(std::move(warning));
         }
     }
     void drawn(const Draw& draw, const State&) override {
@@ -340,8 +349,8 @@ std::vector<Rule> view_rules() {
 )",
          make_watch<EmptyDepthRange>},
         {"depth-not-cleared",
-         "`glClear` clears the colours, but not the depths, and then objects are drawn with the depth test. They are "
-         "hidden by objects of the picture before.",
+         "The depths are not cleared before objects are drawn with the depth test. Objects of the picture before "
+         "hide them.",
          "Section 4.2.3: `glClear` clears only the buffers that it names.",
          "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
          R"(// the view
@@ -352,7 +361,8 @@ std::vector<Rule> view_rules() {
  glTranslatef(0.6, 0, -1.5);
  glutSolidSphere(1.5, 40, 20);
 )",
-         make_watch<DepthNotCleared>},
+         make_watch<DepthNotCleared>,
+         {"colors-not-cleared"}},
         {"clear-masked",
          "`glClear` should clear the depths, but `glDepthMask(GL_FALSE)` is in force. They stay as they are.",
          "Section 4.2.3: masks apply to clearing, too.", "glDepthMask(GL_TRUE);",

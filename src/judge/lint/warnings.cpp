@@ -40,7 +40,7 @@ std::string headline(const Warning& warning) {
 }
 
 std::string full_text(const Warning& warning, std::string_view source) {
-    std::string text = headline(warning) + "\n";
+    std::string text = one_line(headline(warning)) + "\n";
     if (!is_call(warning.place)) text += line_with_caret(source, warning.place);
     return text + fmt::format("  why: {}\n  fix: {}\n", warning.rule->why, warning.fix);
 }

@@ -55,6 +55,27 @@ bool has_specular_light(const Draw& draw) {
            });
 }
 
+Frame smaller(const Frame& frame) {
+    constexpr double kSide = 128;
+    const double factor = std::min(1.0, kSide / std::max(frame.width, frame.height));
+    const auto less = [&](Viewport& box) {
+        box = {static_cast<int>(std::lround(box.x * factor)), static_cast<int>(std::lround(box.y * factor)),
+               static_cast<int>(std::lround(box.width * factor)), static_cast<int>(std::lround(box.height * factor))};
+    };
+    Frame small = frame;
+    small.width = std::max(1, static_cast<int>(std::lround(frame.width * factor)));
+    small.height = std::max(1, static_cast<int>(std::lround(frame.height * factor)));
+    for (auto& item : small.items) {
+        if (Draw* draw = std::get_if<Draw>(&item)) {
+            less(draw->raster.viewport);
+            less(draw->fragment.scissor.box);
+        } else {
+            less(std::get<Clear>(item).scissor.box);
+        }
+    }
+    return small;
+}
+
 std::vector<Triangle> triangles_of(const Draw& draw) {
     std::vector<Triangle> triangles;
     if (!draws_polygons(draw.mode)) return triangles;
@@ -65,6 +86,7 @@ std::vector<Triangle> triangles_of(const Draw& draw) {
 
 std::vector<EyeVertex> eye_vertices(const Draw& draw) {
     std::vector<EyeVertex> vertices;
+    vertices.reserve(draw.vertices.size());
     for (const reference::StageVertex& vertex : reference::vertex_stage(draw)) {
         const double w = vertex.position_eye.w;
         vertices.push_back({glm::dvec3(vertex.position_eye) / (w == 0 ? 1 : w), vertex.normal_eye});

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "judge/lint/lint.h"
+#include "judge/lint/redraw.h"
 #include "scene/command/command_set.h"
 #include "scene/state/state.h"
 
@@ -24,11 +25,13 @@ namespace twinlight::lint {
 class Watch {
   public:
     virtual ~Watch() = default;
-    // Before the first command. `knows_window`: the text says how large the window is.
-    virtual void start(bool /*knows_window*/) {}
+    // Before the first command; null for a recorded program.
+    virtual void start(const CommandList*) {}
     virtual void before(const Command&, const State&) {}
     virtual void after(const Command&, const State&) {}
     virtual void drawn(const Draw&, const State&) {}
+    // At the end of a whole program, with its next picture.
+    virtual void redrawn(const Redraw&) {}
     // At the end, with the picture.
     virtual void finish(const Frame&, bool /*is_recorded*/) {}
 
@@ -47,7 +50,8 @@ std::unique_ptr<Watch> make_watch() {
 }
 
 // The rules of each file.
-std::vector<Rule> light_rules(), material_rules(), normal_rules(), view_rules(), picture_rules();
+std::vector<Rule> light_rules(), material_rules(), normal_rules(), view_rules(), picture_rules(), redraw_rules(),
+    scaled_shininess_rules();
 
 // Placeholders in the rules' scenes: a camera and a light that many share.
 inline constexpr std::string_view kView = "// the view\n";
@@ -76,6 +80,9 @@ inline bool is_black(const LightSource& light) {
 }
 // Whether any enabled light has a colour of this kind.
 bool has_specular_light(const Draw& draw);
+
+// The frame with smaller sides; it shows the same.
+Frame smaller(const Frame& frame);
 
 // Triangles of a Draw by numbers of vertices; none for points and lines.
 using Triangle = std::array<std::uint32_t, 3>;

@@ -1,5 +1,7 @@
 // The folder of a study: study.json, study.csv, plots, index.html and the pictures.
 #include <filesystem>
+#include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "base/image/file.h"
@@ -8,6 +10,36 @@
 namespace twinlight::study {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+
+// The files that the study in this folder wrote besides those that every study has. Empty if there is none, or if its
+// study.json cannot be read.
+std::set<std::string> files_of_earlier(const std::string& folder) {
+    const std::string file = (fs::path(folder) / "study.json").string();
+    std::set<std::string> names;
+    try {
+        const Study earlier = read_study(read_file(file, kMostBytes), file);
+        for (const Point& point : earlier.points) {
+            names.insert(picture_file(earlier, point));
+            names.insert(difference_file(earlier, point));
+        }
+        for (std::size_t i = 0; i < earlier.series.size(); ++i) {
+            names.insert(spectral_file(earlier, i));
+            if (!earlier.series[i].spectral) continue;
+            for (const SampledPicture& picture : earlier.series[i].spectral->pictures)
+                names.insert(sampled_picture_file(earlier, i, picture.samples));
+        }
+        names.insert(kTruthFile);
+    } catch (const std::runtime_error&) {
+        names.clear();
+    }
+    return names;
+}
+
+}  // namespace
 
 void write_study(const Study& study, const std::string& folder) {
     std::error_code error;
@@ -41,11 +73,13 @@ void write_study(const Study& study, const std::string& folder) {
         for (const SampledPicture& picture : study.series[i].spectral->pictures)
             if (!picture.png.empty()) add(sampled_picture_file(study, i, picture.samples), picture.png);
     }
+    std::set<std::string> stale = files_of_earlier(folder);
     write_files_atomically(files);
+    for (const FileToWrite& file : files) stale.erase(fs::path(file.path).lexically_relative(folder).string());
+    for (const std::string& name : stale) fs::remove(fs::path(folder) / name, error);
 }
 
 Study load_study(const std::string& file) {
-    constexpr std::size_t kMostBytes = std::size_t{256} << 20;
     Study study = read_study(read_file(file, kMostBytes), file);
     const fs::path folder = fs::path(file).parent_path();
     const auto picture = [&](const std::string& name) {

@@ -116,7 +116,8 @@ class OpenPixels {
         const std::vector<Edge> edges = edges_of(piece.corners);
         if (edges.size() < 2) return;
         for_each(box, [&](int x, int y) {
-            const Outcome how = covers(edges, pixel_centre(x, y));
+            Outcome how = covers(edges, pixel_centre(x, y));
+            if (how == Outcome::kPasses && piece.is_perhaps_clipped) how = Outcome::kOpen;
             if (how != Outcome::kFails) visit(id, x, y, how, nullptr);
         });
     }
@@ -149,7 +150,8 @@ class OpenPixels {
             const bool first = !again(id, window_.index(x, y));
             // With another order, blending would have more or less beneath it, whatever the depth test decides.
             if (!first && !overwrites_color(stages_.draw_of(piece).fragment)) open(window_.index(x, y));
-            visit(id, x, y, count == kAll && !nothing && first ? Outcome::kPasses : Outcome::kOpen, nullptr);
+            const bool is_certain = count == kAll && !nothing && first && !piece.is_perhaps_clipped;
+            visit(id, x, y, is_certain ? Outcome::kPasses : Outcome::kOpen, nullptr);
         });
     }
 
@@ -193,7 +195,8 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
     }
 };
 
-AllowedDifference allowed_with_cut(const Frame& frame, const Options& options) {
+AllowedDifference allowed_with_cut(const Frame& frame, Options options) {
+    options.in_clip_plane = InClipPlane::kPerhaps;
     AllowedDifference result{.edge = {}, .channels = Image(frame.width, frame.height)};
     std::vector<char> edge(result.channels.pixels.size());  // bytes, not bits: bands write concurrently
     const StagedFrame stages = run_stages(frame, options);

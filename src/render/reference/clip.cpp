@@ -1,5 +1,7 @@
 #include "render/reference/clip.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace twinlight::reference {
@@ -31,6 +33,22 @@ ClipVolume::ClipVolume(const RasterState& raster) {
 double ClipVolume::Plane::signed_distance(const ClipVertex& v) const {
     return origin == EdgeOrigin::kClipPlane ? glm::dot(normal_eye, v.position_eye)
                                             : glm::dot(normal_clip, v.position_clip);
+}
+
+std::optional<ClipVolume> ClipVolume::without_planes_of(std::span<const ClipVertex> primitive) const {
+    // The eye positions that a driver computes are sums of products of floats; 16 roundings are more than two matrices
+    // and the dot product need.
+    constexpr double kRounding = 16 * 0x1p-24;
+    const auto lies_in = [&](const Plane& plane) {
+        return plane.origin == EdgeOrigin::kClipPlane && std::ranges::all_of(primitive, [&](const ClipVertex& v) {
+                   return std::abs(plane.signed_distance(v)) <=
+                          kRounding * glm::length(plane.normal_eye) * glm::length(v.position_eye);
+               });
+    };
+    if (std::ranges::none_of(planes_, lies_in)) return std::nullopt;
+    ClipVolume others = *this;
+    std::erase_if(others.planes_, lies_in);
+    return others;
 }
 
 bool ClipVolume::contains(const ClipVertex& v) const {

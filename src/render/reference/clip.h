@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,10 @@ struct ClipVertex {
 class ClipVolume {
   public:
     explicit ClipVolume(const RasterState& raster);
+
+    // The volume without the clip planes that the whole primitive lies in, as far as single precision can tell; nullopt
+    // if there are none.
+    std::optional<ClipVolume> without_planes_of(std::span<const ClipVertex> primitive) const;
 
     bool contains(const ClipVertex& v) const;
     // The part inside; fewer than three vertices mean nothing is left. By 2.12 the edges that clipping adds are

@@ -87,10 +87,45 @@ double along(const Piece& line, const glm::dvec2& position_window) {
 
 class PieceMaker {
   public:
-    PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices)
-        : draw_(draw), draw_index_(draw_index), vertices_(vertices), volume_(draw.raster) {}
+    PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
+               InClipPlane in_clip_plane)
+        : draw_(draw),
+          draw_index_(draw_index),
+          vertices_(vertices),
+          keeps_what_lies_in_planes_(
+              in_clip_plane == InClipPlane::kPerhaps &&
+              std::ranges::any_of(draw.raster.clip_planes_eye, [](const auto& plane) { return plane.has_value(); })),
+          whole_volume_(draw.raster),
+          volume_(whole_volume_) {}
 
     void add(const Primitive& primitive) {
+        if (!keeps_what_lies_in_planes_) return add_parts(primitive);
+        std::array<ClipVertex, 3> vertices;
+        const std::size_t count = count_of(primitive.shape);
+        for (std::size_t i = 0; i < count; ++i) vertices[i] = vertex(primitive, static_cast<int>(i));
+        const std::optional<ClipVolume> without = whole_volume_.without_planes_of({vertices.data(), count});
+        if (!without) return add_parts(primitive);
+        const std::size_t first = pieces_.size();
+        volume_ = *without;
+        add_parts(primitive);
+        volume_ = whole_volume_;
+        for (std::size_t i = first; i < pieces_.size(); ++i) pieces_[i].is_perhaps_clipped = true;
+    }
+    std::vector<Piece> take() { return std::move(pieces_); }
+    void reserve(std::size_t primitives) { pieces_.reserve(primitives); }
+
+  private:
+    static std::size_t count_of(Shape shape) {
+        switch (shape) {
+            case Shape::kPoint: return 1;
+            case Shape::kLine: return 2;
+            case Shape::kTriangle: return 3;
+            case Shape::kSurface: break;
+        }
+        return 0;
+    }
+
+    void add_parts(const Primitive& primitive) {
         switch (primitive.shape) {
             case Shape::kPoint: point(primitive, Face::kFront, vertex(primitive, 0)); break;
             case Shape::kLine: line(primitive, Face::kFront, vertex(primitive, 0), vertex(primitive, 1)); break;
@@ -98,9 +133,7 @@ class PieceMaker {
             case Shape::kSurface: break;
         }
     }
-    std::vector<Piece> take() { return std::move(pieces_); }
 
-  private:
     ClipVertex vertex(const Primitive& primitive, int i) const {
         const StageVertex& stage = vertices_[primitive.vertices[i]];
         ClipVertex v{.position_clip = stage.position_clip, .position_eye = stage.position_eye};
@@ -173,7 +206,9 @@ class PieceMaker {
     const Draw& draw_;
     const std::uint32_t draw_index_;
     const std::vector<StageVertex>& vertices_;
-    const ClipVolume volume_;
+    const bool keeps_what_lies_in_planes_;
+    const ClipVolume whole_volume_;
+    ClipVolume volume_;  // what the primitive is clipped to
     std::vector<Piece> pieces_;
 };
 
@@ -214,10 +249,12 @@ std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_inde
 }
 
 std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
-                               QuadCut cut) {
+                               const Options& options) {
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return {};
-    PieceMaker maker(draw, draw_index, vertices);
-    for (const Primitive& primitive : assemble(draw, cut)) maker.add(primitive);
+    PieceMaker maker(draw, draw_index, vertices, options.in_clip_plane);
+    const std::vector<Primitive> primitives = assemble(draw, options.quad_cut);
+    maker.reserve(primitives.size());
+    for (const Primitive& primitive : primitives) maker.add(primitive);
     return maker.take();
 }
 

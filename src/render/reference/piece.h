@@ -38,6 +38,8 @@ struct Piece {
     Face face = Face::kFront;
     std::uint32_t draw = 0;  // index of the Draw in the frame
 
+    bool is_perhaps_clipped = false;  // see InClipPlane
+
     Shape shape = Shape::kPoint;    // how it is drawn: a triangle may be drawn as lines or points
     int size = 1;                   // the width of a line, the side of a point's square; in pixels
     std::vector<Corner> corners{};  // for a polygon: convex, counter-clockwise (y up)
@@ -65,7 +67,7 @@ double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& sl
 
 // The pieces of one Draw, in the order of its primitives.
 std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
-                               QuadCut cut);
+                               const Options& options);
 
 // The pieces of a shape's exact surfaces. Only their rays show which fragments there are.
 std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_index);

@@ -15,9 +15,17 @@ enum class QuadCut : std::uint8_t { kFirstToThird, kSecondToFourth };  // corner
 // Whether the cut matters.
 bool has_quadrilaterals(const Frame& frame);
 
+// What of a primitive that lies in a clip plane is drawn. 2.12 keeps it, but only rounding decides whether its computed
+// positions are in the plane, beside it or beyond it.
+enum class InClipPlane : std::uint8_t {
+    kAsComputed,  // what its positions in double precision say
+    kPerhaps,     // all of it; Piece::is_perhaps_clipped marks it
+};
+
 struct Options : Look {
     QuadCut quad_cut = QuadCut::kFirstToThird;
     Arithmetic arithmetic{};  // used for lighting
+    InClipPlane in_clip_plane = InClipPlane::kAsComputed;
 };
 
 }  // namespace twinlight::reference

@@ -26,11 +26,14 @@ StagedFrame run_stages(const Frame& frame, const Options& options) {
         const auto index = static_cast<std::uint32_t>(stages.draws.size() - 1);
         std::vector<Piece> pieces;
         if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
-            pieces = make_pieces(draw, index, stages.draws.back().vertices, options.quad_cut);
+            pieces = make_pieces(draw, index, stages.draws.back().vertices, options);
         else if (!last || !are_one_shape(*last, draw))  // drawing the first part draws the whole shape
             pieces = make_surface_pieces(draw, index);
         last = &draw;
-        std::move(pieces.begin(), pieces.end(), std::back_inserter(stages.pieces));
+        if (stages.pieces.empty())
+            stages.pieces = std::move(pieces);  // large meshes are often one Draw
+        else
+            std::move(pieces.begin(), pieces.end(), std::back_inserter(stages.pieces));
         stages.steps.push_back({.first_piece = first, .end_piece = stages.pieces.size()});
     }
     return stages;

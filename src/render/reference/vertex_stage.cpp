@@ -71,6 +71,7 @@ std::vector<LitVertex> light_vertices(const Draw& draw, const Options& options, 
     const auto finish = [&](const glm::dvec4& color) { return clamp ? clamped(color) : color; };
     const std::vector<StageVertex> vertices = vertex_stage(draw);
     std::vector<LitVertex> result;
+    result.reserve(vertices.size());
     for (const StageVertex& v : vertices) {
         const Colors front = lighting.colors(v, Face::kFront);
         const Colors back = lighting.two_side() ? lighting.colors(v, Face::kBack) : front;

@@ -200,9 +200,17 @@ struct WindowSize {
     friend bool operator==(const WindowSize&, const WindowSize&) = default;
 };
 
+// What a whole program does when GLUT calls its functions again: its idle or timer function, then its display function.
+struct NextPicture {
+    std::vector<Command> commands;
+    Place start;  // of the first statement of the display function
+};
+
 struct CommandList final : Recording {
     std::vector<Command> commands;
-    std::optional<WindowSize> window{};                 // of a whole program: the size that it was run with
+    std::optional<WindowSize> window{};  // of a whole program: the size that it was run with
+    std::shared_ptr<const NextPicture>
+        next_picture{};  // null where there is no program, or the reader cannot follow it
     std::shared_ptr<const std::string> text = nullptr;  // the C text, for messages; null if there is none
     std::vector<std::string> steps{};                   // the titles of the scene's steps (#pragma twinlight step)
     std::size_t step = 0;                               // the number of the one that `commands` has; 0 without steps

@@ -68,7 +68,9 @@ struct Program {
     bool has_window = false;
     bool reached_main_loop = false;
 
-    std::optional<Token> display{}, reshape{};       // the functions that GLUT calls
+    std::optional<Token> display{}, reshape{};  // the functions that GLUT calls
+    std::optional<Token> idle{}, timer{};
+    Value timer_value{};                             // what the timer function gets
     WindowSize window{.width = 300, .height = 300};  // GLUT's own size
 };
 

@@ -264,6 +264,7 @@ const Command& Reader::call() {
     expect("(", "after {}", name.text);
     arguments(command, signature(*id));
     names_.follow(command);
+    follow_viewport(command);
     commands_.push_back(std::move(command));
     return commands_.back();
 }

@@ -258,6 +258,15 @@ void Reader::array_argument(Command& command, std::size_t i) {
              length, length == 1 ? "" : "s", object.shown, available,
              available == 3 && !is_written ? fourth_value(command, pname) : "");
     }
+    const bool is_get = command.id == CommandId::glGetIntegerv || command.id == CommandId::glGetFloatv ||
+                        command.id == CommandId::glGetDoublev;
+    if (is_get && pname == kGL_VIEWPORT && viewport_) {
+        const std::span<std::byte> written = writable(object).bytes;
+        for (std::size_t n = 0; n < length; ++n)
+            store(written.subspan(static_cast<std::size_t>(given.offset) + n * size), kind, (*viewport_)[n]);
+        object.known = true;
+        return;
+    }
     if (parameter.is_output()) return forget_values(object, command);
     constexpr std::size_t kShort = 16;  // the limit on the text covers shorter arrays
     if (length > kShort) hold(length * sizeof(double), start.place);
@@ -266,6 +275,19 @@ void Reader::array_argument(Command& command, std::size_t i) {
     const std::span<const std::byte> bytes = object.memory->bytes;
     for (std::size_t n = 0; n < length; ++n)
         command.arguments.push_back(load(bytes.subspan(static_cast<std::size_t>(given.offset) + n * size), kind));
+}
+
+void Reader::follow_viewport(const Command& command) {
+    switch (command.id) {
+        case CommandId::glViewport:
+            viewport_ = {command.number(0), command.number(1), command.number(2), command.number(3)};
+            break;
+        case CommandId::glNewList:  // what a list changes is not followed
+        case CommandId::glCallList:
+        case CommandId::glCallLists:
+        case CommandId::glPopAttrib: viewport_.reset(); break;
+        default: break;
+    }
 }
 
 // Records the names of `count` new objects and writes them to the array. A compound literal may give the names:

@@ -413,9 +413,14 @@ Value Reader::size_of_operand() {
         const Token name = token_;
         if (name.kind != TokenKind::kName) fail(name.place, "sizeof takes a type, an array or a variable");
         advance();
-        const std::optional<Lvalue> operand = lvalue(name);
-        if (!operand) unknown_name(name);
-        size = operand->pointer ? sizeof(void*) : size_of(operand->object->kind) * product_of(operand->dimensions);
+        const Object* const whole = find_variable(name.text);
+        if (whole && !whole->pointers.empty() && !token_.is("[")) {
+            size = whole->pointers.size() * sizeof(void*);
+        } else {
+            const std::optional<Lvalue> operand = lvalue(name);
+            if (!operand) unknown_name(name);
+            size = operand->pointer ? sizeof(void*) : size_of(operand->object->kind) * product_of(operand->dimensions);
+        }
     }
     if (in_parentheses) expect(")", "after sizeof");
     return integer(static_cast<std::int64_t>(size));
@@ -425,8 +430,9 @@ Value Reader::size_of_operand() {
 
 // Reads the subscripts after a variable's name. Returns nullopt if `name` is not a variable.
 std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
-    Object* const found = name.kind == TokenKind::kName ? find_variable(name.text) : nullptr;
+    Object* found = name.kind == TokenKind::kName ? find_variable(name.text) : nullptr;
     if (!found) return std::nullopt;
+    if (!found->pointers.empty()) found = &element_of(*found, name);
     if (found->is_text) out_of_reach(name.place, fmt::format("the text {}", in_quotes(name.text)));
     Object& object = found->target ? *found->target : *found;
     Lvalue result{&object, found->offset, found->dimensions, found->is_pointer ? found : nullptr};

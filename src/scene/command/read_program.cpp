@@ -63,7 +63,45 @@ CommandList Reader::run(const std::string& name) {
     call_from_glut(*p.display, {});
     CommandList list{name, std::move(commands_)};
     list.window = p.window;
+    list.next_picture = next_picture();
     return list;
+}
+
+// Ends all functions, after an error.
+void Reader::leave_functions() {
+    Program& p = *program_;
+    forget_literals();
+    forget_locals(0);
+    p.frame = p.block = p.depth = 0;
+    p.in_function = dry_ = false;
+    nesting_ = 0;
+}
+
+// An idle function may use what cannot be read, such as the time. Then only the display function is called again.
+std::shared_ptr<const NextPicture> Reader::next_picture() {
+    const Program& p = *program_;
+    const auto function = p.functions.find(p.display->text);
+    NextPicture next{.commands = {}, .start = p.tokens[function->second.body + 1].place};
+    const auto runs = [&](const std::optional<Token>& name, const std::vector<Value>& given) {
+        const std::size_t kept = commands_.size();
+        try {
+            call_from_glut(*name, given);
+            return true;
+        } catch (const SceneError&) {
+            leave_functions();
+            commands_.resize(kept);
+            return false;
+        }
+    };
+    commands_.clear();
+    if (p.idle) {
+        runs(p.idle, {});
+    } else if (p.timer) {
+        runs(p.timer, {p.timer_value});
+    }
+    if (!runs(p.display, {})) return nullptr;
+    next.commands = std::move(commands_);
+    return std::make_shared<const NextPicture>(std::move(next));
 }
 
 void Reader::call_from_glut(const Token& name, const std::vector<Value>& given) {

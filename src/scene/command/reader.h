@@ -4,6 +4,7 @@
 // round, and what is not executed is skipped.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -38,8 +39,9 @@ struct Object {
     bool is_pointer = false;
     Object* target = nullptr;
     std::size_t offset = 0;
-    bool is_local = false;  // of a block or a function, so it ends before the program does
-    bool is_text = false;   // a char array or pointer of a program; its characters are not kept
+    bool is_local = false;           // of a block or a function, so it ends before the program does
+    std::vector<Object> pointers{};  // of an array of pointers: its elements, which are pointers
+    bool is_text = false;            // a char array or pointer of a program; its characters are not kept
 
     std::size_t length() const;  // number of values
 };
@@ -151,6 +153,7 @@ class Reader {
     void rest_arguments(Command& command, const Parameter& parameter);
     void image_argument(Command& command);
     void mesh_argument(Command& command);
+    void follow_viewport(const Command& command);
     void give_names(Command& command, ObjectType type, const Value& array, std::size_t count);
     double result(const Command& command, const Parameter& parameter);
 
@@ -202,6 +205,8 @@ class Reader {
     void typedef_declaration();
     bool skip_extern();
     void call_from_glut(const Token& name, const std::vector<Value>& given);
+    std::shared_ptr<const NextPicture> next_picture();
+    void leave_functions();
     [[noreturn]] void out_of_reach(const Place& place, std::string_view construct) const;
 
     // -- a whole program: what its statements do (run_program.cpp) --
@@ -229,6 +234,9 @@ class Reader {
 
     // -- a whole program: its pointers (run_pointers.cpp) --
     void declare_pointer(const Token& name, Kind kind, const Dimensions& row, bool is_static);
+    Object& keep_pointer(const Token& name, Object made, bool is_static);
+    void declare_pointers(const Token& name, const Object& element, bool is_static);
+    Object& element_of(Object& pointers, const Token& name);
     void declare_text(const Token& name);
     void point(Object& pointer, const Value& value, const Token& name) const;
     bool outlives(const Object& target, const Object& pointer) const;
@@ -236,6 +244,13 @@ class Reader {
     static Dimensions row_of(const Value& pointer);
     Value subscripted(const Value& pointer, const Token& start);
     Value dereferenced();
+    struct Dereferenced {
+        Token name;  // the word after "*", for messages
+        Kind kind{};
+        std::optional<Lvalue> place{};  // nullopt for a pointer that is read for its type only
+    };
+    Dereferenced behind_star();
+    Value stepped_behind_star(const Token& op);
     std::optional<Value> dereferenced_in_parentheses();
     Value changed_pointer(const Token& name, const Lvalue& place);
 
@@ -257,6 +272,7 @@ class Reader {
     Value call_in_program(const Token& name);
     std::optional<Value> call_of_mathematics(const Token& name);
     std::optional<Value> call_of_glut(const Token& name);
+    void later_function(const Token& name);
 
     Lexer lexer_;
     std::unique_ptr<Program> program_;  // null for scenes
@@ -287,6 +303,8 @@ class Reader {
     std::size_t step_ = 1;
     std::vector<std::string> steps_;
     double quadrics_ = 0;  // number created so far
+    // What glGetIntegerv(GL_VIEWPORT) returns in a whole program; nullopt where that is not known.
+    std::optional<std::array<double, 4>> viewport_{};
     std::vector<TextError> errors_;
     std::set<std::string_view> misdeclared_;  // names whose declarations have errors
     std::size_t tokens_ = 0;                  // number read so far

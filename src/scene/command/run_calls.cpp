@@ -161,6 +161,81 @@ std::optional<Value> Reader::call_of_mathematics(const Token& name) {
     return std::nullopt;
 }
 
+namespace {
+
+// Whether every driver with GL 2.1 has this extension, given in quotes: the versions up to 2.1 took it over.
+bool is_core(std::string_view quoted) {
+    constexpr std::string_view kAll[] = {"GL_ARB_depth_texture",
+                                         "GL_ARB_multisample",
+                                         "GL_ARB_multitexture",
+                                         "GL_ARB_point_parameters",
+                                         "GL_ARB_shadow",
+                                         "GL_ARB_texture_border_clamp",
+                                         "GL_ARB_texture_compression",
+                                         "GL_ARB_texture_cube_map",
+                                         "GL_ARB_texture_env_add",
+                                         "GL_ARB_texture_env_combine",
+                                         "GL_ARB_texture_env_crossbar",
+                                         "GL_ARB_texture_env_dot3",
+                                         "GL_ARB_texture_mirrored_repeat",
+                                         "GL_ARB_texture_non_power_of_two",
+                                         "GL_ARB_transpose_matrix",
+                                         "GL_ARB_vertex_buffer_object",
+                                         "GL_ARB_window_pos",
+                                         "GL_EXT_bgra",
+                                         "GL_EXT_blend_color",
+                                         "GL_EXT_blend_equation_separate",
+                                         "GL_EXT_blend_func_separate",
+                                         "GL_EXT_blend_minmax",
+                                         "GL_EXT_blend_subtract",
+                                         "GL_EXT_draw_range_elements",
+                                         "GL_EXT_fog_coord",
+                                         "GL_EXT_multi_draw_arrays",
+                                         "GL_EXT_packed_pixels",
+                                         "GL_EXT_polygon_offset",
+                                         "GL_EXT_rescale_normal",
+                                         "GL_EXT_secondary_color",
+                                         "GL_EXT_separate_specular_color",
+                                         "GL_EXT_shadow_funcs",
+                                         "GL_EXT_stencil_wrap",
+                                         "GL_EXT_subtexture",
+                                         "GL_EXT_texture",
+                                         "GL_EXT_texture3D",
+                                         "GL_EXT_texture_edge_clamp",
+                                         "GL_EXT_texture_env_add",
+                                         "GL_EXT_texture_lod_bias",
+                                         "GL_EXT_texture_object",
+                                         "GL_EXT_vertex_array",
+                                         "GL_SGIS_generate_mipmap",
+                                         "GL_SGIS_texture_edge_clamp",
+                                         "GL_SGIS_texture_lod"};
+    if (quoted.size() < 2) return false;
+    const std::string_view name = quoted.substr(1, quoted.size() - 2);
+    return std::find(std::begin(kAll), std::end(kAll), name) != std::end(kAll);
+}
+
+}  // namespace
+
+// glutIdleFunc(f) or glutTimerFunc(milliseconds, f, value): what runs before the next picture. Other forms are passed over.
+void Reader::later_function(const Token& name) {
+    Program& p = *program_;
+    const std::size_t last = p.partners[p.at];
+    std::optional<Token>& function = name.is("glutIdleFunc") ? p.idle : p.timer;
+    function.reset();
+    const std::vector<Token>& tokens = p.tokens;
+    for (std::size_t i = p.at + 1; i < last; ++i) {
+        if (tokens[i].is("(")) i = p.partners[i];
+        const bool is_argument = (tokens[i - 1].is("(") || tokens[i - 1].is(",") || tokens[i - 1].is("&")) &&
+                                 (tokens[i + 1].is(")") || tokens[i + 1].is(","));
+        if (!is_argument || !p.functions.contains(tokens[i].text)) continue;
+        function = tokens[i];
+        if (name.is("glutIdleFunc")) return;
+        const bool has_value = i + 3 == last && tokens[i + 2].kind == TokenKind::kNumber;
+        p.timer_value = has_value ? literal(tokens[i + 2]) : integer(0);
+        return;
+    }
+}
+
 // GLUT's functions and C's output: nullopt for another name.
 std::optional<Value> Reader::call_of_glut(const Token& name) {
     Program& p = *program_;
@@ -176,6 +251,11 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
         jump(after);
         return integer(0);
     }
+    if (name.is("glutIdleFunc") || name.is("glutTimerFunc")) {
+        later_function(name);
+        jump(after);
+        return integer(0);
+    }
     if (name.is("glutInitWindowSize")) {
         const std::vector<Value> size = values_in_parentheses();
         if (size.size() != 2) fail(name.place, "glutInitWindowSize takes 2 arguments: width and height");
@@ -184,6 +264,13 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
             fail(name.place, "a window must be from 1 x 1 to {} x {} pixels", kMaxProgramWindow, kMaxProgramWindow);
         if (!p.options.window) p.window = {static_cast<int>(width), static_cast<int>(height)};
         return integer(0);
+    }
+    if (name.is("glutExtensionSupported")) {
+        advance();
+        const Token extension = token_;
+        jump(after);
+        if (is_core(extension.text)) return integer(1);
+        out_of_reach(name.place, fmt::format("glutExtensionSupported({})", extension.text));
     }
     if (name.is("glutGet")) {
         advance();
@@ -199,7 +286,10 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
                 out_of_reach(name.place, "a window with colour indices");
         return integer(0);
     }
-    if (name.is("glutCreateWindow") && std::exchange(p.has_window, true)) out_of_reach(name.place, "a second window");
+    if (name.is("glutCreateWindow")) {
+        if (std::exchange(p.has_window, true)) out_of_reach(name.place, "a second window");
+        viewport_ = {0, 0, static_cast<double>(p.window.width), static_cast<double>(p.window.height)};
+    }
     if (name.is("glutMainLoop")) {
         p.reached_main_loop = true;
         jump(after);
@@ -230,8 +320,6 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
                                                 "glutEntryFunc",
                                                 "glutVisibilityFunc",
                                                 "glutWindowStatusFunc",
-                                                "glutIdleFunc",
-                                                "glutTimerFunc",
                                                 "glutCloseFunc",
                                                 "glutWMCloseFunc",
                                                 "glutCreateMenu",

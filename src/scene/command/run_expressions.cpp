@@ -173,6 +173,7 @@ Value Reader::prefix() {
     if (op.is("*")) return dereferenced();
     if (is_step(op)) {
         advance();
+        if (token_.is("*") || (token_.is("(") && ahead_.is("*"))) return stepped_behind_star(op);
         const Token name = token_;
         advance();
         const std::optional<Lvalue> place = lvalue(name);

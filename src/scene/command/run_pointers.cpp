@@ -11,23 +11,73 @@
 
 namespace twinlight {
 
+namespace {
+
+// What an expression of this type has where only its type matters.
+Value zero_of(Kind kind) { return is_real(kind) ? real(0, kind == Kind::kFloat) : integer(0); }
+
+}  // namespace
+
 // The rest of GLfloat* name = array; after the name. Each element that the pointer can reach is an array of the lengths in
 // `row`, or a number if there are none.
 void Reader::declare_pointer(const Token& name, Kind kind, const Dimensions& row, bool is_static) {
-    const bool is_local = program_->in_function;
     if (is_static && declare_static(name)) return;
-    if (token_.is("[")) out_of_reach(name.place, "an array of pointers");
     Object made{
         .kind = kind, .dimensions = {0}, .shown = in_quotes(name.text), .place = name.place, .is_pointer = true};
     made.dimensions.insert(made.dimensions.end(), row.begin(), row.end());
-    if (!is_local)
+    if (token_.is("[")) return declare_pointers(name, made, is_static);
+    Object& pointer = keep_pointer(name, std::move(made), is_static);
+    if (accept("=")) point(pointer, expression(), name);
+}
+
+// Declares a pointer or an array of pointers.
+Object& Reader::keep_pointer(const Token& name, Object made, bool is_static) {
+    if (!program_->in_function)
         variables_.insert_or_assign(name.text, std::move(made));
     else if (is_static)
         *find_variable(name.text) = std::move(made);
     else
         declare(name, std::move(made));
-    Object& pointer = *find_variable(name.text);
-    if (accept("=")) point(pointer, expression(), name);
+    return *find_variable(name.text);
+}
+
+// The rest of GLfloat* name[] = {first, second}; after the name.
+void Reader::declare_pointers(const Token& name, const Object& element, bool is_static) {
+    const Dimensions length = dimensions_in_brackets();
+    if (length.size() != 1) out_of_reach(name.place, "an array of arrays of pointers");
+    std::size_t count = length[0];
+    if (count > kMaxProgramLocals) out_of_reach(name.place, "an array of so many pointers");
+    Object made{.kind = element.kind, .dimensions = {}, .shown = element.shown, .place = name.place};
+    made.pointers.assign(count == 0 ? kMaxProgramLocals : count, element);
+    Object& array = keep_pointer(name, std::move(made), is_static);
+    for (Object& pointer : array.pointers) pointer.is_local = array.is_local;
+    std::size_t given = 0;
+    if (accept("=")) {
+        expect("{", "before the pointers of {}", array.shown);
+        while (!token_.is("}")) {
+            if (given == array.pointers.size()) fail(token_.place, "{} has only {} pointers", array.shown, given);
+            point(array.pointers[given++], expression(), name);
+            if (!accept(",")) break;
+        }
+        expect("}", "after the pointers of {}", array.shown);
+    }
+    if (count == 0) count = given;
+    if (count == 0) fail(name.place, "{} needs a length or values", array.shown);
+    array.pointers.resize(count, element);
+}
+
+// Reads the [1] after the name of an array of pointers.
+Object& Reader::element_of(Object& array, const Token& name) {
+    if (!accept("[")) out_of_reach(name.place, fmt::format("the array of pointers {}", array.shown));
+    const Place place = token_.place;
+    const Value index = number();
+    expect("]", "after the index");
+    const std::size_t count = array.pointers.size();
+    if (dry_) return array.pointers[0];
+    if (!index.is_integer() || index.integer < 0 || index.integer >= static_cast<std::int64_t>(count))
+        fail(place, "this index is outside {}, which has {} pointer{}; indices start at 0", array.shown, count,
+             count == 1 ? "" : "s");
+    return array.pointers[static_cast<std::size_t>(index.integer)];
 }
 
 // The rest of char name[] = "..."; after the name.
@@ -49,7 +99,9 @@ bool Reader::outlives(const Object& target, const Object& pointer) const {
     for (std::size_t i = program_->frame; i < program_->locals.size(); ++i) {
         const Local& local = program_->locals[i];
         if (local.object == &target) block_of_target = local.block;
-        if (local.object == &pointer) block_of_pointer = local.block;
+        const std::vector<Object>& elements = local.object->pointers;
+        const bool is_element = !elements.empty() && &pointer >= elements.data() && &pointer <= &elements.back();
+        if (local.object == &pointer || is_element) block_of_pointer = local.block;
     }
     return block_of_target <= block_of_pointer;
 }
@@ -106,6 +158,23 @@ Value Reader::subscripted(const Value& pointer, const Token& start) {
 
 // *p, *p++, *(v + 1). What is behind a pointer to rows is a row.
 Value Reader::dereferenced() {
+    const Dereferenced found = behind_star();
+    return found.place ? variable(found.name, *found.place) : zero_of(found.kind);
+}
+
+// ++*p and ++(*p); the "++" was just read.
+Value Reader::stepped_behind_star(const Token& op) {
+    const bool in_parentheses = accept("(");
+    const auto [name, kind, place] = behind_star();
+    if (in_parentheses) expect(")", "to close the parenthesis");
+    if (!place) return zero_of(kind);
+    if (!place->dimensions.empty()) out_of_reach(op.place, fmt::format("'{}' before a row", op.text));
+    const Token sign{TokenKind::kPunctuation, op.text.substr(0, 1), op.place};
+    return assigned(*place, arithmetic(sign, value_of(*place, name.place), integer(1)), name);
+}
+
+// Reads from "*" on.
+Reader::Dereferenced Reader::behind_star() {
     const Token star = token_;
     if (++program_->depth > kMaxProgramDepth) fail(star.place, "this program is nested too deeply");
     advance();
@@ -124,14 +193,13 @@ Value Reader::dereferenced() {
         row = row_of(pointer);
     }
     --program_->depth;
-    if (dry_ && pointer.is_pointer() && pointer.kind && !pointer.object)
-        return is_real(*pointer.kind) ? real(0, *pointer.kind == Kind::kFloat) : integer(0);
+    if (dry_ && pointer.is_pointer() && pointer.kind && !pointer.object) return {name, *pointer.kind};
     Lvalue place = behind(pointer, row, star.place, shown(name));
     if (!dry_ && place.dimensions[0] == 0)
         fail(star.place, "this pointer is outside {}, which has {} values", place.object->shown,
              place.object->length());
     place.dimensions.erase(place.dimensions.begin());
-    return variable(name, place);
+    return {name, place.object->kind, place};
 }
 
 // (*p)++, (*p) = 1 and (*rows)[2]; nullopt for other expressions in parentheses.

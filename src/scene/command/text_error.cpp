@@ -71,12 +71,15 @@ std::string line_with_caret(std::string_view text, const Place& place) {
 
 std::string one_line(std::string_view text) {
     std::string line;
-    for (const char c : text) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-        } else {
-            line += c;
-        }
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        // U+0080 to U+009F are control characters, too; in UTF-8 the first byte is 0xc2.
+        const bool is_c1 = byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xa0;
+        if (is_c1) ++i;
+        if (is_c1 || byte(i) < 0x20 || byte(i) == 0x7f)
+            line += fmt::format("\\x{:02x}", byte(i));
+        else
+            line += text[i];
     }
     return line;
 }

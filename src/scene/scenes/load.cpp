@@ -99,11 +99,14 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
         throw SceneError(scene + ": this is a program, not a scene; " + how_to_record(scene));
     const std::string text = again ? read_file(scene, kReadAtMost) : front;
     try {
-        if (!again) return std::make_shared<CommandList>(read_limited(text, scene, path.filename().string(), options));
+        // Both names are printed and written into pages, so control characters are escaped.
+        if (!again)
+            return std::make_shared<CommandList>(
+                read_limited(text, one_line(scene), one_line(path.filename().string()), options));
         ReadOptions with_meshes = options;
         with_meshes.load_mesh = meshes_beside(path);
         return std::make_shared<CommandList>(
-            read_limited(text, scene, path.filename().string(), with_meshes, images_beside(path)));
+            read_limited(text, one_line(scene), one_line(path.filename().string()), with_meshes, images_beside(path)));
     } catch (SceneError& error) {
         const bool names_record = std::string_view(error.what()).find("twinlight record") != std::string_view::npos;
         if (is_c_program(text) && !names_record) error.note = "this is a C program; " + how_to_record(scene);

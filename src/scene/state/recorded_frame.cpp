@@ -55,7 +55,7 @@ class Player {
           frame_end_(frame_end),
           width_(width),
           height_(height),
-          state_({.width = width, .height = height, .signed_rule = choice.signed_rule}) {}
+          state_({.width = width, .height = height, .signed_rule = choice.signed_rule, .memory = choice.memory}) {}
 
     // Plays the recording up to the end of the chosen frame. Returns false if there is no such frame.
     bool play(const Recording& recording) {

@@ -16,6 +16,7 @@ struct FrameChoice {
     // The picture's size in pixels; nullopt: large enough for all viewports up to the end of the frame.
     std::optional<int> width{}, height{};
     SignedRule signed_rule = SignedRule::kGl21;
+    std::size_t memory = kDefaultMemory;  // see StateOptions
     // Called now and then with the number of frames and commands so far.
     std::function<void(int frames, std::size_t commands)> progress{};
 };

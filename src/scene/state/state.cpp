@@ -84,12 +84,13 @@ void State::raise_inside(const Command& command) {
 }
 
 bool State::has_room(const Command& command, std::size_t bytes) {
-    if (bytes <= kMaxFrameBytes - item_bytes_) {
+    if (bytes <= options_.memory - std::min(item_bytes_, options_.memory)) {
         item_bytes_ += bytes;
         return true;
     }
-    raise(kGL_OUT_OF_MEMORY, command, "the vertices and state of one picture can have at most {} MiB",
-          kMaxFrameBytes >> 20);
+    raise(kGL_OUT_OF_MEMORY, command,
+          "this picture needs more than {:.2g} GB of memory; draw fewer vertices, or allow more with --memory",
+          static_cast<double>(options_.memory) / 1e9);
     return false;
 }
 
@@ -139,7 +140,7 @@ void State::end(const Command& c) {
 
 void State::vertex(const Command& c) {
     if (!open_) return;  // 2.7: undefined outside Begin and End; ignored here, as by the driver
-    if (!has_room(c, sizeof(Vertex))) return;
+    if (!has_room(c, bytes_of_vertices(1))) return;
     a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.position_object[static_cast<int>(i)] = c.number(i);
     sanitize(a_.current);
@@ -239,7 +240,7 @@ void State::show(std::variant<Clear, Draw> item) {
 
 // 2.10: the same as a GL_POLYGON with four vertices.
 void State::rect(const Command& c) {
-    if (!has_room(c, bytes_of_draw() + 4 * sizeof(Vertex))) return;
+    if (!has_room(c, bytes_of_draw() + bytes_of_vertices(4))) return;
     const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
     Draw draw = new_draw(kGL_POLYGON, c.place);
     for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {

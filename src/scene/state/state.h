@@ -20,22 +20,32 @@ namespace twinlight {
 
 struct SceneError;
 
+// The memory that one picture may need, in bytes: its clears and draws, the textures that they used and that have changed
+// since, and what the renderers build from its vertices (bytes_of_vertices). More is GL_OUT_OF_MEMORY.
+inline constexpr std::size_t kDefaultMemory = 2'000'000'000;
+
 struct StateOptions {
     int width = 640;  // the size of the window in pixels
     int height = 480;
     SignedRule signed_rule = SignedRule::kGl21;
+    std::size_t memory = kDefaultMemory;  // in bytes, for one picture: see kDefaultMemory
 };
 
 // Twinlight's own limits. They stop a hostile scene with GL_OUT_OF_MEMORY before it fills the memory or runs for hours.
-// kMaxFrameBytes limits the clears and draws of one picture, with the textures that they used and that have changed
-// since. kMaxFrameWork limits its display lists, images, shapes and evaluators, counted in commands, texels, vertices
+// StateOptions::memory limits what a picture holds. kMaxFrameWork limits its display lists, images, shapes and evaluators, counted in commands, texels, vertices
 // and points (64 lists that each call the next one twice would execute 2^64 commands). Drivers have no such limits, so
 // a recording ends there.
-inline constexpr std::size_t kMaxFrameBytes = std::size_t{1} << 30;
 inline constexpr std::size_t kMaxFrameWork = 50'000'000;
 // The number of errors that are stored; GL itself stores one.
 inline constexpr std::size_t kMaxErrorsKept = 100;
 inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all further ones count as "more commands"
+
+// What `twinlight compare` needs at its peak for the vertices of a Draw: their Vertex and StageVertex, the meshes of two
+// renderers, and the reference's Pieces. Measured with millions of vertices and indices.
+constexpr std::size_t bytes_of_vertices(std::size_t vertices, std::size_t indices = 0) {
+    constexpr std::size_t kVertex = 400, kIndex = 200;
+    return vertices * kVertex + indices * kIndex;
+}
 
 // RULING for a vertex with NaN or infinity: a position with such a component becomes (0, 0, 0, 0), which is clipped
 // away (2.12); a normal becomes (0, 0, 0); in colours and texture coordinates only the component becomes 0.

@@ -133,7 +133,7 @@ bool is_dump(std::string_view front) {
 
 std::shared_ptr<const Recording> open_trace(const std::string& path) {
     const std::filesystem::path file = path;
-    return std::make_shared<TraceRecording>(file.filename().string(), path, path, Descriptor());
+    return std::make_shared<TraceRecording>(one_line(file.filename().string()), one_line(path), path, Descriptor());
 }
 
 std::shared_ptr<const Recording> open_dump(const std::string& path) {
@@ -141,7 +141,8 @@ std::shared_ptr<const Recording> open_dump(const std::string& path) {
     Descriptor text(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!text.valid()) refuse(path);
     const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
-    return std::make_shared<TraceRecording>(file.filename().string(), path, std::move(text), folder);
+    return std::make_shared<TraceRecording>(one_line(file.filename().string()), one_line(path), std::move(text),
+                                            folder);
 }
 
 std::shared_ptr<const Recording> open_standard_input(std::string_view front) {

@@ -56,8 +56,8 @@ TEST(Lint, HasNoWarningsOfMendedScenes) {
 
 TEST(Lint, MendedScenesHaveAnotherPicture) {
     for (const lint::Rule& rule : lint::rules()) {
-        const Image wrong = reference::render(scene_of(lint::wrong_scene(rule)).frame, {});
-        const Image mended = reference::render(scene_of(lint::mended_scene(rule)).frame, {});
+        const Image wrong = reference::render(lint::shown_frame(scene_of(lint::wrong_scene(rule))), {});
+        const Image mended = reference::render(lint::shown_frame(scene_of(lint::mended_scene(rule))), {});
         std::size_t differing = 0;
         for (std::size_t i = 0; i < wrong.pixels.size(); ++i) {
             float difference = 0;
@@ -102,7 +102,8 @@ TEST(Lint, PageAndPicturesMatchTheTable) {
             const std::string text = is_mended ? lint::mended_scene(rule) : lint::wrong_scene(rule);
             const std::string file = std::string(rule.name) + (is_mended ? "-mended.png" : "-wrong.png");
             expected.insert(file);
-            EXPECT_EQ(read_file("docs/lint/" + file), encode_png(reference::render(scene_of(text).frame, {})))
+            EXPECT_EQ(read_file("docs/lint/" + file),
+                      encode_png(reference::render(lint::shown_frame(scene_of(text)), {})))
                 << file << ": build/twinlight lint --rules -o docs writes it again";
         }
     }
@@ -264,6 +265,114 @@ TEST(Lint, FindsAHighlightEverywhereOnlyWhereALocalViewerChangesIt) {
     EXPECT_EQ(names(warnings_of(changed(everywhere, "SHININESS, 100", "SHININESS, 1"))), none);  // no bright place
     EXPECT_EQ(names(warnings_of(changed(everywhere, "gluDisk(floor, 0, 3, 60, 60)", "glutSolidSphere(1.5, 40, 20)"))),
               none);
+}
+
+// ---- Whole programs ----
+
+// A program with these global variables and functions, whose display function and main have these statements.
+std::string program(const std::string& globals, const std::string& display, const std::string& init) {
+    return "#include <GL/glut.h>\n" + globals + "\nvoid display(void) {\n" + display +
+           "\n}\nint main(int argc, char **argv) {\nglutInit(&argc, argv); glutInitWindowSize(160, 120); "
+           "glutCreateWindow(\"w\");\n" +
+           init + "\nglutDisplayFunc(display); glutMainLoop(); return 0; }\n";
+}
+
+const std::string kLit = "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); ";
+const std::string kClears = "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); ";
+
+TEST(Lint, CallsThatOnlyAKeyMakesAreNotMissing) {
+    struct Row {
+        const char *rule, *init, *display, *key;
+    };
+    const std::string ball = "glutSolidSphere(0.5, 20, 20);";
+    for (const Row& row : {
+             Row{"lighting-off", "glEnable(GL_LIGHT0);", "", "glEnable(GL_LIGHTING);"},
+             Row{"light-never-enabled", "glLightf(GL_LIGHT1, GL_CONSTANT_ATTENUATION, 2);", "", "glEnable(GL_LIGHT1);"},
+             Row{"light-never-enabled", "glLightf(GL_LIGHT1, GL_CONSTANT_ATTENUATION, 2);", "",
+                 "glEnable(GL_LIGHT0 + key - '0');"},
+             Row{"color-ignored", "", "glColor3f(1, 0, 0);", "if (key == 'c') glEnable(GL_COLOR_MATERIAL);"},
+             Row{"shininess-without-specular", "glMaterialf(GL_FRONT, GL_SHININESS, 20);", "",
+                 "GLfloat s[] = {1, 1, 1, 1}; glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, s);"},
+             Row{"back-material-one-sided", "GLfloat d[] = {1, 0, 0, 1}; glMaterialfv(GL_BACK, GL_DIFFUSE, d);", "",
+                 "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);"},
+             Row{"spot-without-cutoff", "glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, 3);", "",
+                 "glLightf (GL_LIGHT0,\n GL_SPOT_CUTOFF, 30);"},
+         }) {
+        const bool is_lit = std::string(row.rule) != "lighting-off";
+        const auto text = [&](const std::string& key) {
+            return program("void keys(unsigned char key, int x, int y) { " + key + " }", kClears + row.display + ball,
+                           (is_lit ? kLit : "") + row.init + " glutKeyboardFunc(keys);");
+        };
+        const std::set<std::string> none, one{row.rule};
+        EXPECT_EQ(names(warnings_of(text(""))), one) << row.rule;
+        EXPECT_EQ(names(warnings_of(text(row.key))), none) << row.rule << ": " << row.key;
+        // In a comment, in a text, or for something else, it is no call.
+        EXPECT_EQ(names(warnings_of(text("/* " + std::string(row.key) + " */ puts(\"glEnable(GL_LIGHT1)\");"))), one);
+        EXPECT_EQ(names(warnings_of(text("glEnable(GL_FOG); glShadeModel(GL_FLAT);"))), one) << row.rule;
+    }
+}
+
+TEST(Lint, FindsWhatTheFirstPictureLeavesBehind) {
+    const std::string moves = "double x = -1; void idle(void) { x += 1; }", idle = "glutIdleFunc(idle); ";
+    const std::string depth = "glEnable(GL_DEPTH_TEST); ";
+    const std::string ball = "glLoadIdentity(); glTranslated(x, 0, 0); glutSolidSphere(0.4, 20, 20);";
+    const auto found = [&](const std::string& display, const std::string& init) {
+        return names(warnings_of(program(moves, display, kLit + init)));
+    };
+    const std::set<std::string> none, colors{"colors-not-cleared"}, depths{"depth-not-cleared"};
+    EXPECT_EQ(found(kClears + ball, depth + idle), none);
+    EXPECT_EQ(found(ball, idle), colors);
+    EXPECT_EQ(found("glClear(GL_DEPTH_BUFFER_BIT);" + ball, depth + idle), colors);
+    EXPECT_EQ(found(ball, depth + idle), colors);
+    // Without motion the second picture is the first, unless the background has a colour.
+    EXPECT_EQ(found(ball, ""), none);
+    EXPECT_EQ(found(ball, "glClearColor(1, 1, 1, 1);"), colors);
+    EXPECT_EQ(found("glClear(GL_COLOR_BUFFER_BIT);" + ball, depth), depths);
+    EXPECT_EQ(found("glClear(GL_COLOR_BUFFER_BIT);" + ball, ""), none);  // no depth test
+    // A background that covers everything replaces glClear.
+    EXPECT_EQ(found("glDisable(GL_LIGHTING); glLoadIdentity(); glColor3f(0, 0, 1); glRectf(-1, -1, 1, 1); "
+                    "glEnable(GL_LIGHTING);" +
+                        ball,
+                    idle),
+              none);
+    // A function that draws each picture by itself has no second one that the reader can follow.
+    EXPECT_EQ(names(warnings_of("glEnable(GL_DEPTH_TEST); glutSolidSphere(0.4, 20, 20);")), none);
+}
+
+TEST(Lint, FindsScaledExponentsOfObjFiles) {
+    const std::set<std::string> none, scaled{"shininess-scaled"};
+    const auto found = [&](const std::string& material) {
+        return names(warnings_of(kClears + kLit +
+                                 "GLfloat Ns = 96; glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){1, 1, 1, 1});\n" +
+                                 material + "\nglutSolidSphere(0.5, 20, 20);"));
+    };
+    for (const char* value : {"Ns * 0.128", "0.128f * Ns", ".128 * Ns", "Ns / 1000 * 128", "(Ns / 1000.0f) * 128.0f",
+                              "Ns * 128 / 1000", "128.0 * Ns / 1000.0", "128 * (Ns / 1000)"})
+        EXPECT_EQ(found("glMaterialf(GL_FRONT, GL_SHININESS, " + std::string(value) + ");"), scaled) << value;
+    EXPECT_EQ(found("GLfloat shininess = Ns * 0.128; glMaterialf(GL_FRONT, GL_SHININESS, shininess);"), scaled);
+    // A table of materials in parts of 128, a number that only looks alike, a scale of something else.
+    for (const char* value : {"0.25 * 128", "Ns", "Ns * 0.1285", "10.128 * 2", "Ns / 10000 * 128"})
+        EXPECT_FALSE(
+            found("glMaterialf(GL_FRONT, GL_SHININESS, " + std::string(value) + ");").contains("shininess-scaled"))
+            << value;
+    EXPECT_EQ(found("glTranslatef(0.128 * 2, 0, 0); glMaterialf(GL_FRONT, GL_SHININESS, Ns);"), none);
+    EXPECT_EQ(found("glMaterialf(GL_FRONT, GL_SHININESS, Ns);  // not Ns * 0.128"), none);
+    const std::vector<lint::Warning> warnings =
+        warnings_of(kClears + kLit +
+                    "glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){1, 1, 1, 1});\n"
+                    "glMaterialf(GL_FRONT, GL_SHININESS, 0.128 * 1000);\nglutSolidSphere(0.5, 20, 20);");
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].edits[0].insert, "glMaterialf(GL_FRONT, GL_SHININESS, 128);");  // not 1000
+}
+
+TEST(Lint, FindsMaterialsWithoutLighting) {
+    const std::string red = "glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){1, 0, 0, 1}); ",
+                      ball = "glutSolidSphere(0.5, 20, 20); ";
+    const std::set<std::string> off{"lighting-off"};
+    EXPECT_EQ(names(warnings_of(kClears + red + ball)), off);
+    EXPECT_EQ(names(warnings_of(kClears + ball + red)), off);
+    EXPECT_EQ(names(warnings_of(kClears + kLit + ball + "glDisable(GL_LIGHTING); " + red)),
+              std::set<std::string>{"set-after-drawing"});
 }
 
 TEST(Lint, PrintsLikeACompiler) {

@@ -71,6 +71,28 @@ TEST(EdgePixels, AreAllOfTwoSurfacesThatLieInEachOther) {
     EXPECT_EQ(marked(edges({without_diagonal(deep_quad(kRed, 0.5)), other})), rectangle(0, 0, 16, 16));
 }
 
+TEST(EdgePixels, AreAllOfWhatLiesInAClipPlane) {
+    const auto marked_above = [](double height) {  // a surface at z = -0.5, clipped to z >= height
+        Draw surface = without_diagonal(deep_quad(kRed, 0.5));
+        surface.raster.clip_planes_eye[0] = glm::dvec4(0, 0, 1, -height);
+        return marked(edges({surface})).size();
+    };
+    EXPECT_EQ(marked_above(-0.5), 256u);
+    EXPECT_EQ(marked_above(-0.5 - 1e-9), 256u);  // single precision cannot tell these from -0.5
+    EXPECT_EQ(marked_above(-0.5 + 1e-9), 256u);
+    EXPECT_EQ(marked_above(-0.49), 0u);
+    EXPECT_EQ(marked_above(-0.51), 0u);
+
+    Draw point = without_diagonal(deep_quad(kRed, 0.5));  // 8 pixels wide: only its border is open elsewhere
+    point.mode = kGL_POINTS;
+    point.vertices = {vertex(8, 8, kRed)};
+    point.raster.point_size = 8;
+    point.raster.clip_planes_eye[0] = glm::dvec4(1, 0, 0, -7.9);
+    EXPECT_FALSE(marked(edges({point})).contains({8, 8}));
+    point.raster.clip_planes_eye[0] = glm::dvec4(1, 0, 0, -8 - 1e-9);
+    EXPECT_TRUE(marked(edges({point})).contains({8, 8}));
+}
+
 TEST(EdgePixels, AreNotWhereTheSameTriangleIsDrawnAgain) {
     for (const Enum depth_func : {kGL_LESS, kGL_LEQUAL, kGL_EQUAL}) {
         const Draw first = without_diagonal(deep_quad(kRed, 0.5));

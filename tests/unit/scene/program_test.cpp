@@ -232,6 +232,89 @@ TEST(Programs, HavePointersIntoArrays) {
 }
 
 // In the parameters of macros, names have parentheses around them.
+TEST(Programs, StepWhatIsBehindAPointer) {
+    EXPECT_EQ(values_of("int v[] = {3, 7}; int *p = v; ++*p; --*(p + 1); ++(*p); glLineWidth(v[0]); glLineWidth(v[1]);"
+                        "glLineWidth(++*p);"),
+              (Values{5, 6, 6}));
+    EXPECT_EQ(values_of("GLfloat v[] = {0.5}; GLfloat *p = v; glLineWidth(1 ? ++*p : 2);"), (Values{1.5}));
+}
+
+TEST(Programs, HaveArraysOfPointers) {
+    const std::string tables =
+        "GLfloat red[] = {1, 0, 0, 1}, blue[] = {0, 0, 1, 1};\nGLfloat *colors[] = {red, blue, NULL};\n";
+    EXPECT_EQ(values_of("for (int i = 0; colors[i] != NULL; i++) glColor3fv(colors[i]);", tables),
+              (Values{1, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(values_of("glLineWidth(sizeof(colors) / sizeof(colors[0]) + colors[1][2]);", tables), (Values{4}));
+    EXPECT_EQ(values_of("colors[0] = blue; colors[0][1] = 5; glColor3fv(blue);", tables), (Values{0, 5, 1}));
+}
+
+TEST(Programs, HaveArraysOfPointersInFunctions) {
+    EXPECT_EQ(values_of("GLfloat a[] = {1, 2}; GLfloat *rows[2]; rows[0] = a; rows[1] = rows[0] + 1; "
+                        "glLineWidth(*rows[1]); glLineWidth(rows[1][0] + *rows[0]);"),
+              (Values{2, 3}));
+    EXPECT_NE(error_of(program("GLfloat *rows[2]; { GLfloat a[] = {1, 2}; rows[0] = a; } glLineWidth(rows[0][0]);"))
+                  .find("cannot follow the pointer 'rows'"),
+              std::string::npos);
+    EXPECT_NE(error_of(program("GLfloat a[] = {1}; GLfloat *rows[] = {a}; glLineWidth(rows[1][0]);"))
+                  .find("this index is outside 'rows', which has 1 pointer"),
+              std::string::npos);
+    EXPECT_NE(error_of(program("GLfloat *rows[2]; glLineWidth(rows[0][0]);")).find("is NULL here"), std::string::npos);
+    EXPECT_NE(error_of(program("GLfloat a[] = {1}; GLfloat *rows[1] = {a, a};")).find("'rows' has only 1 pointers"),
+              std::string::npos);
+}
+
+TEST(Programs, KnowTheirViewport) {
+    const std::string ask = "GLint v[4]; glGetIntegerv(GL_VIEWPORT, v); glLineWidth(v[2] + v[3] + v[0]);";
+    const auto width = [&](const std::string& statements) { return values_of(statements + ask).back(); };
+    EXPECT_EQ(width(""), 600);  // GLUT's window is 300 x 300
+    EXPECT_EQ(width("glViewport(10, 20, 30, 40);"), 80);
+    EXPECT_EQ(values_of("GLdouble v[4]; glGetDoublev(GL_VIEWPORT, v); glLineWidth(v[3] / 2);").back(), 150);
+    EXPECT_NE(error_of(program("glPushAttrib(GL_VIEWPORT_BIT); glViewport(1, 2, 3, 4); glPopAttrib();" + ask))
+                  .find("the value of 'v'"),
+              std::string::npos);
+    EXPECT_NE(
+        error_of(program("GLint v[4]; glGetIntegerv(GL_SCISSOR_BOX, v); glLineWidth(v[2]);")).find("the value of 'v'"),
+        std::string::npos);
+}
+
+TEST(Programs, KnowTheExtensionsThatEveryDriverHas) {
+    EXPECT_EQ(values_of("if (!glutExtensionSupported(\"GL_ARB_multitexture\")) exit(1); glLineWidth(2);"), (Values{2}));
+    EXPECT_NE(error_of(program("if (glutExtensionSupported(\"GL_ARB_fragment_program\")) glLineWidth(2);"))
+                  .find("glutExtensionSupported(\"GL_ARB_fragment_program\")"),
+              std::string::npos);
+}
+
+// The arguments of the commands of the next picture; nothing if the reader cannot follow it.
+Values values_of_next(const std::string& text) {
+    Values values;
+    const CommandList scene = read_program(text);
+    if (!scene.next_picture) return values;
+    for (const Command& command : scene.next_picture->commands)
+        values.insert(values.end(), command.arguments.begin(), command.arguments.end());
+    return values;
+}
+
+TEST(Programs, DrawTheirNextPictureAfterIdleOrTimer) {
+    const auto text = [](const std::string& registers) {
+        return "double angle = 1;\nvoid display(void) { glLineWidth(angle); }\n"
+               "void turn(void) { angle = angle + 1; glPointSize(5); }\nvoid tick(int by) { angle += by; }\n"
+               "void clock(void) { angle = glutGet(GLUT_ELAPSED_TIME); }\n"
+               "int main(int argc, char **argv) { glutCreateWindow(\"w\"); glutDisplayFunc(display); " +
+               registers + " glutMainLoop(); return 0; }";
+    };
+    EXPECT_EQ(values_of_next(text("")), (Values{1}));
+    EXPECT_EQ(values_of_next(text("glutIdleFunc(turn);")), (Values{5, 2}));
+    EXPECT_EQ(values_of_next(text("glutIdleFunc(turn); glutIdleFunc(NULL);")), (Values{1}));
+    EXPECT_EQ(values_of_next(text("glutTimerFunc(40, &tick, 7);")), (Values{8}));
+    EXPECT_EQ(values_of_next(text("glutIdleFunc(clock);")), (Values{1}));  // the time cannot be read
+    const CommandList scene = read_program(text("glutIdleFunc(turn);"));
+    EXPECT_EQ(scene.next_picture->start.str(), "homework.c:2:22");
+    EXPECT_EQ(scene.commands.size(), 1u);
+    // The second call of the display function cannot be followed.
+    EXPECT_EQ(read_program(program("static int n = 0; glLineWidth(++n > 1 ? rand() : 1);")).next_picture, nullptr);
+    EXPECT_EQ(read_scene("glLineWidth(2);", "scene.gl", "scene.gl").next_picture, nullptr);
+}
+
 TEST(Programs, KnowNamesInParentheses) {
     EXPECT_EQ(values_of("float a[2]; SET(a, 3, 4); (i) = 5; ((i))++; glScaled((a)[0], ((a))[1], (i));",
                         "#define SET(v, x, y) { (v)[0] = x; (v)[1] = y; }\nint i;"),
@@ -382,7 +465,7 @@ INSTANTIATE_TEST_SUITE_P(
         OutOfReach{"struct point p;", "'struct'"}, OutOfReach{"goto end;", "'goto'"},
         OutOfReach{"float *p = malloc(4);", "the function malloc"},
         OutOfReach{"int v[2]; float *p = v;", "the pointer 'p'"},
-        OutOfReach{"int a[2], *v[2];", "an array of pointers"}, OutOfReach{"int **p;", "a pointer to a pointer"},
+        OutOfReach{"int a[2], *v[2][2];", "an array of arrays of pointers"}, OutOfReach{"int **p;", "a pointer to a pointer"},
         OutOfReach{"float a[4], *p = a; glLightfv(GL_LIGHT0, GL_POSITION, &p);", "a pointer to a pointer"},
         OutOfReach{"void (*f)(void);", "a pointer to an array or a function"},
         OutOfReach{"int a[2], *p = a; if (p > a) ;", "a comparison of two pointers"},

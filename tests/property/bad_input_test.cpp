@@ -1,0 +1,140 @@
+// Bad input, as tables: tests/bad_input/*.txt. Each row has a part of the error and the input. Whatever is wrong ends with exit
+// status 2 and one clear line for each error, without control characters. CI runs this under the sanitizers, too.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "../unit/run_program.h"
+#include "base/image/file.h"
+#include "scene/command/text.h"
+#include "scene/scenes/load.h"
+#include "scene/state/recorded_frame.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+namespace {
+
+struct Row {
+    std::string message, input;
+};
+
+// \n, \t, \\ and \x1b in a row stand for these bytes.
+std::string unescaped(const std::string& text) {
+    std::string bytes;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '\\' || i + 1 == text.size()) {
+            bytes += text[i];
+            continue;
+        }
+        const char c = text[++i];
+        if (c == 'x') {
+            bytes += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
+            i += 2;
+        } else {
+            bytes += c == 'n' ? '\n' : c == 't' ? '\t' : c;
+        }
+    }
+    return bytes;
+}
+
+std::vector<Row> rows_of(const std::string& name) {
+    std::vector<Row> rows;
+    std::istringstream lines(read_file("tests/bad_input/" + name + ".txt"));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty() || line[0] == '#') continue;
+        const std::size_t tab = line.find('\t');
+        EXPECT_NE(tab, std::string::npos) << line;
+        rows.push_back({unescaped(line.substr(0, tab)), unescaped(line.substr(tab + 1))});
+    }
+    return rows;
+}
+
+bool has_control_characters(const std::string& text) {
+    return std::ranges::any_of(text,
+                               [](char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f; });
+}
+
+// Checks that reading a row's input ends with its error.
+template <class Read>
+void check(const std::vector<Row>& rows, std::size_t at_least, Read read) {
+    EXPECT_GE(rows.size(), at_least);
+    for (const Row& row : rows) {
+        std::string printed = "no error";
+        try {
+            read(row.input);
+        } catch (const SceneError& error) {
+            printed = as_compilers_print(error);
+        } catch (const FileError& error) {
+            printed = one_line(error.what());
+        }
+        EXPECT_NE(printed.find(row.message), std::string::npos) << quoted(row.input) << "\ngives " << printed;
+        std::erase(printed, '\t');  // a quoted line of the text keeps its tabs
+        EXPECT_FALSE(has_control_characters(printed)) << quoted(printed);
+    }
+}
+
+TEST(BadInput, Scenes) {
+    const TemporaryFolder folder;
+    check(rows_of("scenes"), 300, [&](const std::string& text) {
+        write_file_atomically(folder / "bad.gl", text);
+        const std::shared_ptr<const Recording> scene = load_recording(folder / "bad.gl");
+        static_cast<void>(make_frame(*scene->command_list(), {.width = 16, .height = 16}));
+    });
+}
+
+TEST(BadInput, Programs) {
+    check(rows_of("programs"), 80, [](const std::string& text) {
+        const ReadOptions options{.step = {}, .window = std::nullopt, .most_steps = 100'000};
+        static_cast<void>(
+            make_frame(read_scene(text, "bad.c", "bad.c", no_images, options), {.width = 16, .height = 16}));
+    });
+}
+
+TEST(BadInput, Dumps) {
+    const TemporaryFolder folder;
+    check(rows_of("dumps"), 40, [&](const std::string& text) {
+        write_file_atomically(folder / "dump.txt", text);
+        static_cast<void>(make_recorded_frame(load_recording(folder / "dump.txt"),
+                                              {.number = std::nullopt, .width = 16, .height = 16}));
+    });
+}
+
+TEST(BadInput, Pictures) {
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "bad.gl", "#pragma twinlight texture(\"brick.png\")\nglutSolidSphere(1, 8, 8);");
+    check(rows_of("pictures"), 30, [&](const std::string& bytes) {
+        write_file_atomically(folder / "brick.png", bytes);
+        static_cast<void>(load_recording(folder / "bad.gl"));
+    });
+}
+
+TEST(BadInput, CommandLines) {
+    const TemporaryFolder folder;
+    const std::vector<Row> rows = rows_of("command_lines");
+    EXPECT_GE(rows.size(), 200u);
+    std::string script = "PROGRAM=$(realpath \"$PROGRAM\"); cd " + quoted(folder.str()) + "; exec 2>&1\n";
+    for (const Row& row : rows) script += "\"$PROGRAM\" " + row.input + "\nprintf '\\001%s\\001' $?\n";
+    const std::string printed = run_shell("twinlight", script).out;
+    std::size_t at = 0;
+    for (const Row& row : rows) {
+        const std::size_t end = printed.find('\1', at), after = printed.find('\1', end + 1);
+        ASSERT_NE(after, std::string::npos);
+        const std::string error = printed.substr(at, end - at), status = printed.substr(end + 1, after - end - 1);
+        at = after + 1;
+        EXPECT_EQ(status, "2") << row.input << ": " << error;
+        EXPECT_NE(error.find(row.message), std::string::npos) << row.input << "\ngives " << error;
+        EXPECT_EQ(std::ranges::count(error, '\n'), 1) << row.input << ": " << error;
+        EXPECT_FALSE(has_control_characters(error)) << row.input;
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{});  // nothing was written
+}
+
+}  // namespace
+}  // namespace twinlight

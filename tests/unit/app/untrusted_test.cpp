@@ -1,0 +1,201 @@
+// What file names, full disks and large scenes must not do: control the terminal, leave half of a result, fill the memory.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "../run_program.h"
+#include "../sanitized.h"
+#include "base/image/file.h"
+
+namespace twinlight {
+namespace {
+
+const std::string kSphere = "glClear(GL_COLOR_BUFFER_BIT); glutSolidSphere(1, 8, 8);\n";
+
+bool has_control_characters(const std::string& text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        if ((c < 0x20 && c != '\n') || c == 0x7f) return true;
+        if (c == 0xc2 && i + 1 < text.size() && (static_cast<unsigned char>(text[i + 1]) & 0xe0) == 0x80) return true;
+    }
+    return false;
+}
+
+TEST(UntrustedNames, DoNotReachTheTerminalRaw) {
+    const TemporaryFolder folder;
+    const std::string odd =
+        "a\x1b[31m\x7f\nb\xc2\x9b"
+        "c";
+    const std::string scene = folder / (odd + ".gl"), report = folder / (odd + "-report");
+    // glBitmap: a note names the place; GL_LIGHT1: a warning of the linter does.
+    write_file_atomically(
+        scene, "glEnable(GL_LIGHTING); glEnable(GL_LIGHT1);\n" + kSphere +
+                   "glBitmap(1, 1, 0, 0, 0, 0, (GLubyte[]){1});\nGLint v[4]; glGetIntegerv(GL_VIEWPORT, v);\n");
+    const std::vector<std::vector<std::string>> commands = {
+        {"compare", scene, "--size", "16x16", "-o", report},
+        {"render", scene, "--with", "reference", "--size", "16x16", "-o", folder / (odd + ".png")},
+        {"render", scene, "--with", "reference", "--size", "16x16"},
+        {"explain", scene, "--size", "16x16"},
+        {"explain", scene, "--size", "16x16", "--pixel", "8,8"},
+        {"explain", scene, "--vertex", "1,1"},
+        {"export", scene, "--as", "c"},
+        {"export", scene, "--as", "scene"},
+        {"export", scene, "--as", "glsl"},
+        {"export", scene, "--as", "glsl", "-o", report},
+        {"lint", scene},
+        {"lint", scene, "--json"},
+        {"study", scene, "--quick", "--size", "8x8", "--seconds", "0", "-o", folder / (odd + "-study")},
+        {"study", scene, "--resume", "-o", folder / odd},
+        {"check", scene},
+        {"fuzz", "--count", "1", "-o", folder / ("no\x1b[1m" + std::string("/\n\x01"))},
+        {"compare", folder / (odd + "missing.gl")},
+        {odd},
+    };
+    for (const std::vector<std::string>& command : commands) {
+        const ProgramResult result = run_shell("twinlight", [&] {
+            std::string line = "PROGRAM=$(realpath \"$PROGRAM\"); cd " + quoted(folder.str()) + "; \"$PROGRAM\"";
+            for (const std::string& word : command) line += " " + quoted(word);
+            return line;
+        }());
+        EXPECT_FALSE(has_control_characters(result.out)) << command[0] << ": " << quoted(result.out);
+        EXPECT_FALSE(has_control_characters(result.err)) << command[0] << ": " << quoted(result.err);
+        const bool is_quiet = command[0] == "export" && command.back() == report;
+        EXPECT_EQ(result.out + result.err == "", is_quiet) << command[0];
+    }
+}
+
+TEST(UntrustedNumbers, AreRefused) {
+    for (const std::vector<std::string>& command :
+         std::vector<std::vector<std::string>>{{"render", "report", "--with", "programmable", "--budget", "nan"},
+                                               {"study", "report", "--seconds", "nan"},
+                                               {"fuzz", "--seed", "-1"},
+                                               {"fuzz", "--seed", "99999999999999999999999"},
+                                               {"fuzz", "--seed", ""},
+                                               {"compare", "report", "--memory", "nan"}}) {
+        const ProgramResult result = run_program("twinlight", command);
+        EXPECT_EQ(result.status, 2) << command[1] << command[2];
+        EXPECT_NE(result.err.find("number from"), std::string::npos) << result.err;
+    }
+    EXPECT_EQ(run_program("twinlight", {"fuzz", "--seed", "18446744073709551615", "--count", "1"}).status, 0);
+}
+
+// ---- Folders ----
+
+TEST(Folders, HoldAllReproducersOrNone) {
+    const TemporaryFolder folder;
+    const std::string own = folder / "case.gl", second = folder / "second.gl", out = folder / "out";
+    std::string text = read_file("golden/hard/light-w-2.gl");
+    text.replace(text.find("// expect:"), 10, "// expect:");
+    write_file_atomically(own, text);
+    const ProgramResult whole = run_program("twinlight", {"check", "--write-reproducers", out});
+    ASSERT_EQ(whole.status, 0) << whole.err;
+    const std::size_t programs = std::distance(std::filesystem::directory_iterator(out), {});
+    ASSERT_GT(programs, 2u);
+    // No file can be larger than a kilobyte, as on a disk that is full: the first programs do not stay alone.
+    const std::string full = folder / "full";
+    const ProgramResult result =
+        run_shell("twinlight",
+                  "trap '' XFSZ; ulimit -f 1; \"$PROGRAM\" check --write-reproducers " + quoted(full) + " >/dev/null");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_TRUE(std::filesystem::is_empty(full));
+}
+
+TEST(Folders, KeepNoPicturesOfAnEarlierStudy) {
+    const TemporaryFolder folder;
+    const std::string sphere = folder / "sphere.gl", square = folder / "square.gl", out = folder / "study";
+    write_file_atomically(sphere, kSphere);
+    write_file_atomically(square,
+                          "glClear(GL_COLOR_BUFFER_BIT); glRectf(-1, -1, 1, 1);\n");  // fewer choices: no slices
+    const auto pictures = [&] {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(out + "/pictures"))
+            names.push_back(entry.path().filename());
+        std::ranges::sort(names);
+        return names;
+    };
+    const auto study = [&](const std::string& scene) {
+        return run_program("twinlight", {"study", scene, "--quick", "--size", "8x8", "--seconds", "0", "-o", out});
+    };
+    ASSERT_EQ(study(square).status, 0);
+    const std::vector<std::string> few = pictures();
+    ASSERT_EQ(study(sphere).status, 0);
+    EXPECT_NE(pictures(), few);
+    write_file_atomically(out + "/pictures/mine.png", "mine");
+    ASSERT_EQ(study(square).status, 0);
+    std::vector<std::string> expected = few;
+    expected.emplace_back("mine.png");  // what the study did not write stays
+    std::ranges::sort(expected);
+    EXPECT_EQ(pictures(), expected);
+}
+
+TEST(Folders, AreTriedBeforeALongFuzzing) {
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "file", "");
+    const std::string under_file = folder / "file/failures";
+    const ProgramResult result = run_program("twinlight", {"fuzz", "--count", "2147483647", "-o", under_file});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(run_program("twinlight", {"fuzz", "--count", "1", "-o", folder / "a/b"}).status, 0);
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"file"});  // nothing was found, so nothing is left
+}
+
+TEST(Files, OfOneResultAreNeverOldAndNew) {
+    const TemporaryFolder folder;
+    const std::string picture = folder / "a.png", page = folder / "index.html";
+    write_files_atomically({{picture, "old"}, {page, "old"}});
+    write_files_atomically({{picture, "new"}, {page, "new"}});
+    EXPECT_EQ(read_file(picture) + read_file(page), "newnew");
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.png", "index.html"}));
+    // Where one cannot be written, the old ones stay.
+    EXPECT_THROW(write_files_atomically({{picture, "newer"}, {folder / "none/index.html", "newer"}}), FileError);
+    EXPECT_EQ(read_file(picture), "new");
+}
+
+// ---- Memory ----
+
+TEST(MemoryLimit, IsOneClearLine) {
+    const TemporaryFolder folder;
+    const std::string scene = folder / "sphere.gl";
+    write_file_atomically(scene, "glClear(GL_COLOR_BUFFER_BIT);\nglutSolidSphere(1, 500, 500);\n");
+    const auto render = [&](const std::string& memory, const std::string& size) {
+        return run_program("twinlight", {"render", scene, "--with", "reference", "--size", size, "--memory", memory,
+                                         "-o", folder / "x.png"});
+    };
+    const ProgramResult small = render("0.1", "16x16");
+    EXPECT_EQ(small.status, 2);
+    EXPECT_EQ(small.err.find(
+                  "/sphere.gl:2:1: error: this picture needs more than 0.1 GB of memory; draw fewer vertices, or allow "
+                  "more with --memory (GL_OUT_OF_MEMORY)\n") == std::string::npos,
+              false)
+        << small.err;
+    EXPECT_EQ(render("1", "16x16").status, 0);
+    const ProgramResult large = render("1", "8192x8192");
+    EXPECT_EQ(large.status, 2);
+    EXPECT_NE(
+        large.err.find("pictures of 8192 x 8192 need 2.7 GB of memory, but 1 are allowed; choose a smaller --size, or "
+                       "a larger --memory\n"),
+        std::string::npos)
+        << large.err;
+}
+
+// The peak stays below what the limit counts, so the limit holds for the process. (Sanitizers need memory of their own.)
+TEST(MemoryLimit, CountsWhatIsBuilt) {
+    if (kSanitized) GTEST_SKIP() << "sanitizers change how much memory is needed";
+    const TemporaryFolder folder;
+    const std::string scene = folder / "sponge.gl";
+    write_file_atomically(scene, "GLdouble at[] = {0, 0, 0};\nglutSolidSierpinskiSponge(7, at, 1);\n");
+    const auto run = [&](const std::string& memory) {
+        return run_shell("twinlight", "ulimit -v 1500000; \"$PROGRAM\" render " + quoted(scene) +
+                                          " --with reference --size 16x16 --memory " + memory + " -o " +
+                                          quoted(folder / "x.png"))
+            .status;
+    };
+    EXPECT_EQ(run("0.05"), 2);
+    EXPECT_EQ(run("0.5"), 0);
+}
+
+}  // namespace
+}  // namespace twinlight
