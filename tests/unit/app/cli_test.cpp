@@ -436,7 +436,7 @@ TEST_F(Cli, ListsScenes) {
     }
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
-    EXPECT_NE(text.find("attributes.\n"), std::string::npos) << "the whole sentence of legacy, which takes three lines";
+    EXPECT_NE(text.find("arrays.\n"), std::string::npos) << "the whole sentence of legacy, which takes several lines";
     const ProgramResult report = run({"scenes", "report"});
     EXPECT_EQ(report.status, 0);
     EXPECT_NE(report.out.find("glEnable(GL_LIGHTING);"), std::string::npos);
@@ -813,7 +813,8 @@ glEnable(GL_LIGHT2);
         SCOPED_TRACE(command[0]);
         expect_refused(run(with_step), missing);
     }
-    expect_refused(run({"explain", "report", "--step", "1"}), "report.gl: this scene has no steps; leave out --step");
+    expect_refused(run({"explain", "cylinders", "--step", "1"}),
+                   "cylinders.gl: this scene has no steps; leave out --step");
     expect_refused(run({"explain", file, "--step", ""}), "--step");
 }
 
