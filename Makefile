@@ -165,7 +165,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz programs golden tables instructions format check includes each-file tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz gallery programs golden tables instructions format check includes each-file tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -202,6 +202,10 @@ fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET
 	    echo "fuzz: skipped, because clang++ or its fuzzer runtime is not installed (Debian packages clang and libclang-rt-dev)"; exit 0; fi; \
 	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
 	printf '%s\n' $(or $(TARGET),$(fuzz_targets)) | xargs -P $$(nproc) -I TARGET tests/fuzz/run.sh TARGET $(TIME)
+
+gallery: deps  ## draw all scenes and their steps with every renderer: build/gallery/index.html (SCENES='lab report' draws some)
+	@$(MAKE) $(PROGRAMS)/twinlight
+	@tools/gallery.sh $(PROGRAMS)/twinlight build/gallery $(SCENES)
 
 deps:  ## install missing packages with apt; build nothing
 	@tools/deps.sh
@@ -247,7 +251,7 @@ clean:  ## remove build/
 help:  ## show this list
 	@grep -hE '^[a-z-]+:.*##' Makefile tools/install/install.mk | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
 
-# ---- Installing: make install, uninstall, dist, deb; make gallery ------------------------------------------------
+# ---- Installing: make install, uninstall, dist, deb ------------------------------------------------------------
 
 include tools/install/install.mk
 

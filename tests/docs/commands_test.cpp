@@ -96,7 +96,7 @@ std::string shortened(std::string line) {
         line = std::regex_replace(line, std::regex("--count \\d{3,}"), fmt::format("--count {}", kScenes));
     // Ctrl-C ends a study, which keeps what it measured.
     if (has(line, "twinlight study ") && !has(line, "--merge"))
-        line = fmt::format("timeout --preserve-status -s INT {} ", tries_all() ? 10 : 1) + line;
+        line = fmt::format("timeout --preserve-status -s INT {} ", tries_all() ? 5 : 1) + line;
     // A window stays open until somebody closes it.
     if (has(line, R"(^(\S+/)?twinlight-demo\b)") && !has(line, "--quit-after"))
         line = "timeout 60 " + line + " --quit-after 2 --screenshot window.png";

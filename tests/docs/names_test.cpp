@@ -286,15 +286,22 @@ TEST(NamesOfDocs, ThatDoNotExistAreFound) {
 
 // ---- Links ----
 
-// The name that GitHub gives a heading's place.
+// The name that GitHub gives a heading's place: letters of any language, digits, - and _ stay; a space becomes -.
 std::string anchor_of(const std::string& heading) {
     std::string anchor;
-    for (const char c : heading) {
-        const bool keeps = is_word_letter(c) || c == '-' || static_cast<unsigned char>(c) >= 0x80;
-        if (c == ' ')
-            anchor += '-';
-        else if (keeps)
-            anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (std::size_t at = 0; at < heading.size();) {
+        const auto first = static_cast<unsigned char>(heading[at]);
+        const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+        const std::string letter = heading.substr(at, length);
+        at += length;
+        if (letter == " ") anchor += '-';
+        // Beyond ASCII: no signs of Latin-1, no general punctuation, no Chinese punctuation (U+2000, U+3000, U+FF00).
+        const bool is_sign = letter.starts_with("\xc2") || letter == "\u00d7" || letter.starts_with("\xe2") ||
+                             letter.starts_with("\xe3\x80") || letter.starts_with("\xef\xbc") ||
+                             letter.starts_with("\xef\xbd");
+        if (length > 1 && !is_sign) anchor += letter;
+        if (length == 1 && (is_word_letter(letter[0]) || letter == "-"))
+            anchor += static_cast<char>(std::tolower(first));
     }
     return anchor;
 }
@@ -331,6 +338,8 @@ TEST(LinksOfDocs, LeadSomewhere) {
         }
     }
     EXPECT_GT(count, 100);
+    EXPECT_EQ(anchor_of("What `check` does, and why-not"), "what-check-does-and-why-not");
+    EXPECT_EQ(anchor_of("\u7b2c\u4e09\u8bb2\uff1a\u5149 (GL_LIGHT0)"), "\u7b2c\u4e09\u8bb2\u5149-gl_light0");
 }
 
 }  // namespace
