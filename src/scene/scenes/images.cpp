@@ -55,16 +55,23 @@ ImageFile read_image(const fs::path& file) {
     return image_of(bytes);
 }
 
+bool is_built_in(const std::string& name) {
+    return std::ranges::find(kSceneAssets, name, &EmbeddedFile::name) != kSceneAssets.end();
+}
+
 }  // namespace
 
 ImageLoader images_beside(const fs::path& scene) {
-    return [folder = scene.parent_path()](const std::string& name) { return read_image(place_of(folder, name)); };
+    return [folder = scene.parent_path()](const std::string& name) {
+        std::error_code ignored;
+        if (is_built_in(name) && !fs::exists(folder / name, ignored)) return images_built_in(name);
+        return read_image(place_of(folder, name));
+    };
 }
 
 ImageFile images_built_in(const std::string& name) {
-    const auto file = std::ranges::find(kSceneAssets, name, &EmbeddedFile::name);
-    if (file == kSceneAssets.end()) throw std::runtime_error("no built-in scene has a picture of this name");
-    return image_of(file->text);
+    if (!is_built_in(name)) return no_images(name);
+    return image_of(std::ranges::find(kSceneAssets, name, &EmbeddedFile::name)->text);
 }
 
 }  // namespace twinlight
