@@ -53,8 +53,8 @@ std::shared_ptr<const Recording> load_standard_input(const ReadOptions& options)
         check_no_step("<stdin>", options.step);
         return trace::open_standard_input(front);
     }
-    return std::make_shared<CommandList>(
-        read_limited(front + read_standard_input(kReadAtMost - front.size()), "<stdin>", "stdin", options));
+    return std::make_shared<CommandList>(read_limited(front + read_standard_input(kReadAtMost - front.size()),
+                                                      "<stdin>", "stdin", options, images_built_in));
 }
 
 }  // namespace
