@@ -436,7 +436,7 @@ TEST_F(Cli, ListsScenes) {
     }
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
-    EXPECT_NE(text.find("attributes.\n"), std::string::npos) << "the whole sentence of legacy, which takes three lines";
+    EXPECT_NE(text.find("arrays.\n"), std::string::npos) << "the whole sentence of legacy, which takes several lines";
     const ProgramResult report = run({"scenes", "report"});
     EXPECT_EQ(report.status, 0);
     EXPECT_NE(report.out.find("glEnable(GL_LIGHTING);"), std::string::npos);
