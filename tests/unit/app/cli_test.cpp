@@ -519,6 +519,13 @@ TEST_F(Cli, CheckTellsOfEachCase) {
     const std::string page = read_file(out_ / "index.html");
     EXPECT_NE(page.find("<section id=\"light-at-vertex\">"), std::string::npos);
     EXPECT_NE(page.find("<img alt=\"programmable baked\" src=\"data:image/png;base64,"), std::string::npos);
+    EXPECT_NE(page.find("<p class=\"headline\">Nothing unexpected: 2 of 2 cases pass, and none shows "),
+              std::string::npos);
+    EXPECT_NE(page.find("data-group=\"3\" aria-pressed=\"false\"><b>2</b>passed</button>"), std::string::npos);
+    // Known bugs come before what passes.
+    EXPECT_EQ(run({"check", "flat-triangle", "light-w-1e-30", "--html", out_.str()}).status, 0);
+    const std::string both = read_file(out_ / "index.html");
+    EXPECT_LT(both.find("<section id=\"light-w-1e-30\">"), both.find("<section id=\"flat-triangle\">"));
 }
 
 TEST_F(Cli, CheckFailsWhereAnAnswerIsUnexpected) {

@@ -1,6 +1,7 @@
 // The built-in scenes: each is a valid scene, compiles as C, and has the numbers of the lecture that it comes from.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -11,6 +12,8 @@
 #include <string_view>
 #include <variant>
 
+#include "base/image/delta_e.h"
+#include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
@@ -130,27 +133,46 @@ TEST(SceneCommands, UsesEveryPrimitiveTypeAndEveryWord) {
     }
     EXPECT_EQ(modes.size(), 10u);
     for (const NamedValue& word : words()) {
-        if (find_illuminant(word.name) || find_reflectance(word.name) || word.name == "srgb") continue;  // below
+        // The scene `spectral` uses some of these.
+        if (find_illuminant(word.name) || find_reflectance(word.name) || word.name == "srgb") continue;
         EXPECT_TRUE(used.contains(static_cast<Word>(word.value))) << word.name;
     }
 }
 
-TEST(SceneSpectral, HasEveryPatchOnceUnderOneKindOfLamp) {
-    std::map<std::string_view, int> patches;
-    std::set<std::string_view> lamps;
-    for (const Command& command : read("spectral").commands) {
-        if (command.id == CommandId::pragma_reflectance) ++patches[word_name(command.word(2))];
-        if (command.id == CommandId::pragma_illuminant) lamps.insert(word_name(command.word(2)));
+// The four parts of a rod are drawn with red, green and blue, with 3, 9 and 81 samples.
+TEST(SceneSpectral, HasFourKindsOfColorUnderDaylightAndALamp) {
+    std::map<std::pair<std::string, std::string_view>, std::set<int>> samples;  // by the light and the material
+    for (const Draw& draw : draws(frame_of(read("spectral")))) {
+        const LightingState& lighting = draw.lighting;
+        const Spectrum* light = lighting.lights[0].diffuse_illuminant.spectrum;
+        const Spectrum* patch = lighting.front.reflectances.diffuse;
+        ASSERT_TRUE(light && patch);
+        samples[{std::string(light->name), patch->name}].insert(
+            lighting.light_model.spectrum ? lighting.light_model.spectrum->count() : 0);
+        const auto color = lighting.lights[0].diffuse * lighting.front.diffuse;
+        EXPECT_LT(std::max({color.r, color.g, color.b}), 1) << "no colour is brighter than a display can show";
     }
-    EXPECT_EQ(patches.size(), 24U);
-    for (const auto& [name, count] : patches) EXPECT_EQ(count, 1) << name;
-    EXPECT_EQ(lamps, std::set<std::string_view>{"A"});
-    // No colour is clamped: white under both lamps together is within the range of a display.
-    const std::vector<Draw> all = draws(frame_of(read("spectral")));
-    double red = 0;
-    for (const LightSource& light : all.front().lighting.lights)
-        if (light.enabled) red += light.diffuse.r;
-    EXPECT_LT(red * rgb_of_reflectance(find_reflectance("white_9_5")->lines).x, 1);
+    EXPECT_EQ(samples.size(), 6U);
+    for (const auto& [what, counts] : samples) EXPECT_EQ(counts, (std::set<int>{0, 3, 9, 81}));
+}
+
+// What its comment asks the reader to notice.
+TEST(SceneSpectral, ShowsBordersOnlyUnderTheLamp) {
+    const Image picture =
+        reference::render(make_frame(read("spectral"), {.width = 320, .height = 240}), {{.shading = Shading::kPhong}});
+    const auto lab = [](const Rgba& code) { return lab_from_srgb_codes({code[0], code[1], code[2]}); };
+    // Delta E 2000 of a rod's part from that with 81 samples; `rod` counts from the top, `part` from the left.
+    const auto difference = [&](bool is_lamp, int rod, int part) {
+        const auto color = [&](int one) { return picture.at(29 + 34 * one + (is_lamp ? 160 : 0), 42 + 78 * rod); };
+        return delta_e_2000(lab(color(part)), lab(color(3)));
+    };
+    for (int rod = 0; rod < 3; ++rod) {
+        for (int part = 0; part < 3; ++part) EXPECT_LT(difference(false, rod, part), 0.5) << rod << " " << part;
+        EXPECT_LT(difference(true, rod, 2), 1) << rod;
+        EXPECT_GT(difference(true, rod, 0), 3) << rod;
+    }
+    EXPECT_GT(difference(true, 0, 0), difference(true, 1, 0));
+    EXPECT_GT(difference(true, 0, 0), difference(true, 2, 0));
 }
 
 void expect_reach_of_50(const LightSource& light) {
