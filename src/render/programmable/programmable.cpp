@@ -23,24 +23,24 @@ struct PreparedDraw {
     template <class MeshOf>
     PreparedDraw(const Draw& draw, const Plan& plan, const Options& options, const MeshOf& mesh_of)
         : program(draw_program(draw, plan, options.precise)),
-          mesh(mesh_of(program.code.effects, program.code.origin_object.value_or(glm::dvec3(0)))) {
-        keep_state(draw);
-    }
+          mesh(mesh_of(program.code.effects, program.code.origin_object.value_or(glm::dvec3(0)))),
+          raster(draw.raster),
+          fragment(draw.fragment),
+          texture(draw.texture) {}
     // One pass of an exact surface.
     PreparedDraw(const SurfaceProgram& surface, const Uniforms& pass, std::shared_ptr<const UploadedMesh> rectangle)
-        : program{surface.code, pass}, mesh(std::move(rectangle)) {
-        keep_state(surface.draw);
-    }
-
-    void keep_state(const Draw& draw) {
-        stages.raster = draw.raster;
-        stages.fragment = draw.fragment;
-        stages.texture = draw.texture;
-    }
+        : program{surface.code, pass},
+          mesh(std::move(rectangle)),
+          raster(surface.draw.raster),
+          fragment(surface.draw.fragment),
+          texture(surface.draw.texture) {}
 
     DrawProgram program;
     std::shared_ptr<const UploadedMesh> mesh;
-    Draw stages;  // without vertices: the state that is set in GL
+    // The state that is set in GL.
+    RasterState raster;
+    FragmentState fragment;
+    TextureUnit texture;
 };
 
 }  // namespace
@@ -56,6 +56,7 @@ struct UploadedFrame::Impl {
         int number = 0;
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
+                end_run(options, kept);
                 items.emplace_back(*clear);
                 continue;
             }
@@ -63,25 +64,42 @@ struct UploadedFrame::Impl {
             ++number;
             if (draw.count() == 0) continue;
             const PlannedDraw place{number, draw.place, !last || !are_one_shape(*last, draw), {}};
-            if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
-                add_mesh(draw, options, kept, place);
-            else if (place.begins_shape)  // drawing the first part draws the whole shape
-                add_surfaces(draw, options, place);
             last = &draw;
+            if (options.shading == Shading::kExact && draw.has_exact_surfaces()) {
+                end_run(options, kept);
+                if (place.begins_shape) add_surfaces(draw, options, place);  // the first part draws the whole shape
+            } else {
+                if (!kept || !continues_run(draw)) end_run(options, kept);
+                if (run.empty()) begins_run = place;
+                run.push_back(&draw);
+                run_vertices += draw.vertices.size();
+            }
         }
+        end_run(options, kept);
         glBindVertexArray(0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
     }
 
-    void add_mesh(const Draw& draw, const Options& options, KeptMeshes* kept, PlannedDraw planned) {
-        const auto known = kept ? kept->known(draw) : nullptr;
-        planned.plan = known ? plan_effects(draw, options, known->facts) : plan_effects(draw, options);
-        items.emplace_back(
-            PreparedDraw(draw, planned.plan, options, [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                return known ? kept->mesh(*known, draw, effects, origin_object)
-                             : std::make_shared<const UploadedMesh>(draw, effects, options.patches, origin_object);
-            }));
-        plans.push_back(std::move(planned));
+    bool continues_run(const Draw& draw) const {
+        return !run.empty() && run_vertices + draw.vertices.size() <= kMostJoinedVertices &&
+               have_one_state(*run.front(), draw);
+    }
+
+    // Adds the Draws of `run`. There is more than one only if meshes are kept.
+    void end_run(const Options& options, KeptMeshes* kept) {
+        if (run.empty()) return;
+        const Draw& draw = *run.front();
+        const auto known = kept ? kept->known(run) : nullptr;
+        begins_run.plan = known ? plan_effects(draw, options, known->facts) : plan_effects(draw, options);
+        items.emplace_back(std::in_place_type<PreparedDraw>, draw, begins_run.plan, options,
+                           [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                               return known ? kept->mesh(*known, run, effects, origin_object)
+                                            : std::make_shared<const UploadedMesh>(draw, effects, options.patches,
+                                                                                   origin_object);
+                           });
+        plans.push_back(std::move(begins_run));
+        run.clear();
+        run_vertices = 0;
     }
 
     void add_surfaces(const Draw& draw, const Options& options, const PlannedDraw& planned) {
@@ -97,6 +115,11 @@ struct UploadedFrame::Impl {
     Tier tier;
     std::vector<PlannedDraw> plans;
     std::list<std::variant<Clear, PreparedDraw>> items;
+
+    // While the frame is prepared: Draws that will be drawn as one.
+    std::vector<const Draw*> run;
+    std::size_t run_vertices = 0;
+    PlannedDraw begins_run;
 };
 
 UploadedFrame::UploadedFrame(const Frame& frame, const Options& options)
@@ -107,10 +130,12 @@ UploadedFrame::~UploadedFrame() = default;
 struct Renderer::Impl {
     explicit Impl(const KeptLimits& limits) : programs(limits.programs), meshes(limits.mesh_bytes) {}
 
-    void draw(const PreparedDraw& prepared, const FixedStages& stages, Tier tier) {
-        stages.set(prepared.stages);
+    // `last`: the Draw that was drawn before, null after a Clear.
+    void draw(const PreparedDraw& prepared, const PreparedDraw* last, Tier tier) {
+        if (!last || last->raster != prepared.raster || last->fragment != prepared.fragment)
+            FixedStages::set(prepared.raster, prepared.fragment);
         const Code& code = prepared.program.code;
-        if (code.effects.has_texture()) textures.bind(prepared.stages.texture);
+        if (code.effects.has_texture()) textures.bind(prepared.texture);
         programs.use(code.effects, code.form, prepared.program.numbers, tier);
         prepared.mesh->draw();
     }
@@ -126,18 +151,25 @@ Renderer::~Renderer() = default;
 void Renderer::draw(const UploadedFrame& frame) {
     const FixedStages stages;
     stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
+    const PreparedDraw* last = nullptr;
     for (const auto& item : frame.impl_->items) {
-        if (const Clear* clear = std::get_if<Clear>(&item))
-            stages.clear(*clear);
+        const auto* prepared = std::get_if<PreparedDraw>(&item);
+        if (prepared)
+            impl_->draw(*prepared, last, frame.impl_->tier);
         else
-            impl_->draw(std::get<PreparedDraw>(item), stages, frame.impl_->tier);
+            stages.clear(std::get<Clear>(item));
+        last = prepared;
     }
     impl_->textures.drop_unused();
     impl_->programs.end_frame();
     impl_->meshes.end_frame();
 }
 
-void Renderer::draw(const Frame& frame, const Options& options) { draw(prepare_once(frame, options)); }
+void Renderer::draw(const Frame& frame, const Options& options) {
+    Options quick = options;
+    quick.reasons = false;
+    draw(prepare_once(frame, quick));
+}
 
 Picture Renderer::render(const Frame& frame, const Options& options) {
     const UploadedFrame prepared = prepare_once(frame, options);

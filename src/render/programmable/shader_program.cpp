@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -120,15 +121,23 @@ void ShaderProgram::link() {
 void ShaderProgram::use(const Uniforms& uniforms) {
     if (vertex_ != 0) link();
     glUseProgram(program_);
-    for (const Slot& slot : slots_) {
-        const auto found = uniforms.find(slot.name);
-        if (found == uniforms.end()) throw std::logic_error(fmt::format("no value for the uniform {}", slot.name));
-        const float* values = found->second.data();
+    for (Slot& slot : slots_) {
+        if (slot.place >= uniforms.size() || uniforms[slot.place].name != slot.name) {
+            const auto found = uniforms.find(slot.name);
+            if (!found) throw std::logic_error(fmt::format("no value for the uniform {}", slot.name));
+            slot.place = *found;
+        }
+        const std::span<const float> floats_given = uniforms[slot.place].values;
+        const float* values = floats_given.data();
         const auto given = [&](int floats) {
-            return std::min(slot.length, static_cast<GLsizei>(found->second.size()) / floats);
+            return std::min(slot.length, static_cast<GLsizei>(floats_given.size()) / floats);
         };
         switch (slot.type) {
             case GL_INT: {
+                if (given(1) == 1) {
+                    glUniform1i(slot.location, static_cast<GLint>(*values));
+                    break;
+                }
                 const std::vector<GLint> whole(values, values + given(1));
                 glUniform1iv(slot.location, given(1), whole.data());
                 break;

@@ -30,7 +30,8 @@ class ShaderProgram {
         std::string name;
         int location = -1;
         unsigned type = 0;
-        int length = 1;  // more than 1 for an array
+        int length = 1;         // more than 1 for an array
+        std::size_t place = 0;  // in the Uniforms of the last use
     };
     ShaderSource source_;  // source and effects are kept for error messages until linking succeeds
     EffectSet effects_;
