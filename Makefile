@@ -59,6 +59,10 @@ $(if $(CI),clang               command -v clang++)
 $(if $(CI),libclang-rt-dev     $(try_fuzzer))
 $(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-release)
 $(if $(CI),debootstrap         command -v debootstrap || ls /usr/sbin/debootstrap)
+$(if $(CI),man-db              command -v man)
+$(if $(CI),zsh                 command -v zsh)
+$(if $(CI),fish                command -v fish)
+$(if $(CI)$(filter deb,$(MAKECMDGOALS)),dpkg-dev            command -v dpkg-shlibdeps)
 endef
 export DEPENDENCIES
 
@@ -233,7 +237,11 @@ clean:  ## remove build/
 	rm -rf build
 
 help:  ## show this list
-	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
+	@grep -hE '^[a-z-]+:.*##' Makefile tools/install/install.mk | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
+
+# ---- Installing: make install, uninstall, dist, deb; make gallery ------------------------------------------------
+
+include tools/install/install.mk
 
 # ---- Rules ------------------------------------------------------------------------------------------------------
 

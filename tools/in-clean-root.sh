@@ -15,6 +15,8 @@ RELEASE      bookworm (Debian 12), trixie (Debian 13) or noble (Ubuntu 24.04)
 --mirror URL take packages from this mirror, not from the release's own
 --fresh      make the bare system again (do this from time to time: it is not upgraded)
 --keep       keep the root after the run, to look at what the command left behind
+--give FILE  copy this file into the root's /srv, beside the clone
+--take FILES after the run, copy these files of the clone ('build/*.deb') here, into build/RELEASE
 --try        run no command: only make the bare system, to see whether this machine can
 
 The bare system, downloaded packages and the last run's log are kept in
@@ -31,7 +33,7 @@ say() { printf 'in-clean-root: %s\n' "$*" >&2; }
 wrong_use() { say "$*"; say "See tools/in-clean-root.sh --help"; exit 2; }
 cannot_run() { say "$*"; exit 77; }
 
-mirror= fresh= keep= try=
+mirror= fresh= keep= try= give= take=
 while [[ ${1-} == -* ]]; do
     case $1 in
         --help | -h) usage; exit 0 ;;
@@ -39,6 +41,8 @@ while [[ ${1-} == -* ]]; do
         --mirror=*) mirror=${1#*=} ;;
         --fresh) fresh=yes ;;
         --keep) keep=yes ;;
+        --give) [ -f "${2-}" ] || wrong_use "--give needs a file"; give=$2; shift ;;
+        --take) [ $# -ge 2 ] || wrong_use "--take needs a file's path in the clone"; take=$2; shift ;;
         --try) try=yes ;;
         *) wrong_use "there is no option $1" ;;
     esac
@@ -117,6 +121,7 @@ apt-config dump 2>/dev/null | grep -E '^Acquire::(https?::Proxy|Check-)' >"$root
 cp -L /etc/resolv.conf "$root/etc/resolv.conf" 2>/dev/null
 [ -z "$(git -C "$source" status --porcelain)" ] || say "uncommitted changes are not part of the run"
 git clone --quiet --no-hardlinks "$source" "$root$clone" || cannot_run "cannot clone $source"
+[ -z "$give" ] || cp "$give" "$root/srv/" || cannot_run "cannot copy $give into the root"
 
 proxies=()
 for variable in http_proxy https_proxy no_proxy HTTP_PROXY HTTPS_PROXY NO_PROXY; do
@@ -139,6 +144,12 @@ unshare --mount --pid --fork --kill-child --propagation private bash -c "$enter"
     env -i --chdir="$clone" HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "TERM=${TERM:-dumb}" "${proxies[@]}" \
     bash -c "$inside$command" 2>&1 | tee -i "$log"
 status=${PIPESTATUS[0]}
+if [ -n "$take" ] && [ "$status" -eq 0 ]; then
+    taken=$source/build/$release
+    rm -rf "$taken" && mkdir -p "$taken"
+    # shellcheck disable=SC2086  # a pattern
+    (cd "$root$clone" && cp --target-directory="$taken" $take) || { say "the command made no $take"; status=1; }
+fi
 
 # ---- One line about the run ----
 

@@ -19,6 +19,7 @@
 
 #include "../unit/pictures.h"
 #include "../unit/run_program.h"
+#include "app/session/camera.h"
 #include "app/session/keys.h"
 #include "app/session/layout.h"
 #include "app/session/session.h"
@@ -331,6 +332,28 @@ TEST_F(DemoWindow, DrawsTheBuiltInScenes) {
         ASSERT_EQ(ran.status, 0) << ran.output;
         expect_panes(picture(), session_after("", View::kGrid));
     }
+}
+
+TEST_F(DemoWindow, ShowsTheNextStepFromTheSameCamera) {
+    const std::string text = std::string(kScene) +
+                             "#pragma twinlight step(\"Both\")\nglutSolidCube(1);\n"
+                             "#pragma twinlight step(\"Only one light\")\nglDisable(GL_LIGHT1);\nglutSolidCube(1.2);\n";
+    const auto read = [&](const char* step) {
+        return read_scene(text, scene_file_, "scene.gl", no_images, {.step = step});
+    };
+    write_file_atomically(scene_file_, text);
+    scene_ = read("1");
+    const CommandList moved = commands(session_after("w"));
+    scene_ = session::with_camera_of(read("2"), read("1"), moved);
+    for (const std::string options : {" --keys 'w.'", " --keys 'w,'", " --keys ',,w.'"}) {
+        SCOPED_TRACE(options);
+        const Ran ran = run_demo(scene_file_ + " --view grid" + options);
+        ASSERT_EQ(ran.status, 0) << ran.output;
+        expect_panes(picture(), session_after("", View::kGrid));
+    }
+    scene_ = read("2");
+    ASSERT_EQ(run_demo(scene_file_ + " --view grid --step 'Only one light'").status, 0);
+    expect_panes(picture(), session_after("", View::kGrid));
 }
 
 TEST_F(DemoWindow, EachOfTheLabsLightsIsVisible) {

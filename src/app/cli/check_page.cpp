@@ -222,7 +222,7 @@ std::string error_of_driver(const std::vector<Case>& cases, const std::vector<Re
     return html;
 }
 
-// Is it right? If not, where? By how much?
+// The totals, where the driver has bugs, and how large its errors are.
 std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& results,
                     const std::vector<Group>& groups) {
     const Group &unexpected = groups[0], &known = groups[1];
@@ -239,15 +239,15 @@ std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& r
     if (!groups[4].cases.empty())
         right += fmt::format(" GL lacks the features of {}.", counted(groups[4].cases.size(), "case", "cases"));
     std::string where;
-    if (!is_expected) where = fmt::format("Unexpected: {}.", links(cases, unexpected));
+    if (!is_expected) where = fmt::format("<p>Unexpected: {}.</p>", links(cases, unexpected));
     if (!known.cases.empty())
         where += fmt::format("<details><summary>The cases with known bugs</summary>{}.</details>", links(cases, known));
     double from_long_double = 0;
     for (const Result& result : results) from_long_double = std::max(from_long_double, result.from_long_double);
     const std::string how_much = fmt::format("{}The shaders are at most {:.1e} away from the reference.",
                                              error_of_driver(cases, results), from_long_double);
-    return fmt::format("<div class=\"verdict {}\">{}</div>\n", is_expected ? "within" : "beyond",
-                       report::three_answers(right, where.empty() ? "Nowhere." : where, how_much));
+    return fmt::format("<div class=\"verdict {}\">\n<p class=\"headline\">{}</p>\n{}<p>{}</p>\n</div>\n",
+                       is_expected ? "within" : "beyond", right, where, how_much);
 }
 
 }  // namespace

@@ -68,6 +68,12 @@ void add_frame_option(CLI::App& app, std::optional<int>& frame) {
         ->check(number_from(0, std::numeric_limits<int>::max()));
 }
 
+void add_step_option(CLI::App& app, std::string& step) {
+    app.add_option("--step", step, "step of a scene with steps: its number, from 1, or its title (default: the first)")
+        ->type_name("N")
+        ->check(not_empty());
+}
+
 namespace {
 
 // Reading up to a late frame may take long, so this shows its progress.
@@ -101,10 +107,11 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
 
 }  // namespace
 
-Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame) {
+Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame, const std::string& step) {
     std::shared_ptr<const Recording> recording;
     try {
-        recording = load_recording(name, size ? std::optional(WindowSize{size->width, size->height}) : std::nullopt);
+        recording =
+            load_recording(name, size ? std::optional(WindowSize{size->width, size->height}) : std::nullopt, step);
     } catch (const SceneError& error) {
         throw with_gl_errors(error, {});
     }

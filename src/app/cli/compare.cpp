@@ -20,6 +20,7 @@ struct CompareArguments {
     std::string scene;
     std::optional<Size> size;
     std::optional<int> frame;
+    std::string step;
     std::string folder;
     double budget = PlanOptions{}.budget;
     bool precise = false, json = false;
@@ -78,7 +79,7 @@ std::string summary(const compare::Comparison& comparison, const std::string& fo
 
 int run_compare(CompareArguments arguments) {
     if (arguments.folder.empty()) arguments.folder = name_after_scene(arguments.scene, "-report");
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step);
     compare::Comparison comparison;
     {
         ProgressBar bar;
@@ -115,6 +116,7 @@ Subcommand add_compare(CLI::App& app) {
         ->check(not_empty());
     add_size_option(*compare, arguments->size);
     add_frame_option(*compare, arguments->frame);
+    add_step_option(*compare, arguments->step);
     add_budget_option(*compare, arguments->budget);
     add_precise_flag(*compare, arguments->precise);
     compare

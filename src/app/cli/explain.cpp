@@ -24,6 +24,7 @@ struct ExplainArguments {
     std::optional<Shading> shading;
     std::optional<Size> size;
     std::optional<int> frame;
+    std::string step;
     std::string pixel, vertex;
     double budget = PlanOptions{}.budget;
     bool json = false, all = false;
@@ -84,7 +85,7 @@ std::string summary(const Scene& scene, const std::vector<ExplainedDraw>& draws,
     for (const auto& [light, why] : reasons)
         if (!matters.contains(light)) skipped.insert(light + " (" + *why.begin() + ")");
     std::string text = fmt::format("{}, {} x {}: {} with {} of effects; allowed change of a channel: {}\n",
-                                   scene.name(), scene.frame.width, scene.frame.height, counted(count, "draw"),
+                                   scene.title(), scene.frame.width, scene.frame.height, counted(count, "draw"),
                                    counted(draws.size(), "different set"), in_codes(budget));
     text += fmt::format("  lit:                    {} of {}{}\n", count - unlit, count,
                         unlit == 0 ? "" : "; GL_LIGHTING is disabled for the rest, which show glColor");
@@ -150,7 +151,7 @@ int run_explain(const ExplainArguments& arguments) {
         throw UsageError("--pixel and --vertex are two questions; give one of them");
     if (!arguments.vertex.empty() && arguments.shading)
         throw UsageError("--shading does not change how a vertex is lit; leave it out, or use --pixel X,Y");
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step);
     const PlanOptions options{{.shading = arguments.shading}, arguments.budget};
     const ExplainOptions of_point{options, arguments.json, arguments.all};
     if (!arguments.pixel.empty()) {
@@ -177,6 +178,7 @@ Subcommand add_explain(CLI::App& app) {
     add_shading_option(*command, arguments->shading);
     add_size_option(*command, arguments->size);
     add_frame_option(*command, arguments->frame);
+    add_step_option(*command, arguments->step);
     add_budget_option(*command, arguments->budget);
     command
         ->add_option("--pixel", arguments->pixel,

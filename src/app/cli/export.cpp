@@ -21,6 +21,7 @@ struct ExportArguments {
     std::string form;
     std::optional<Shading> shading;
     std::optional<int> frame;
+    std::string step;
     bool precise = false;
     std::string output;  // a folder for shaders to keep, a file for a page; empty: standard output
     std::string glsl;    // the version of shaders to keep; empty: 330
@@ -49,7 +50,7 @@ const std::map<std::string, Export> kForms = {
      [](const Scene& scene, const auto&) { return print_c_program(with_pragmas_written_out(commands_of(scene))); }},
     {"glsl", [](const Scene& scene, const auto& options) { return programmable::shader_source(scene.frame, options); }},
     {"html", [](const Scene& scene,
-                const auto& options) { return programmable::kept_page(scene.frame, options, scene.name()); }},
+                const auto& options) { return programmable::kept_page(scene.frame, options, scene.title()); }},
     {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_of(scene)); }},
 };
 
@@ -94,7 +95,7 @@ void check_usage(const ExportArguments& arguments) {
 int run_export(const ExportArguments& arguments) {
     check_usage(arguments);
     // Loading runs the whole scene, so that a scene with an error is not exported.
-    const Scene scene = load_scene(arguments.scene, {}, arguments.frame);
+    const Scene scene = load_scene(arguments.scene, {}, arguments.frame, arguments.step);
     programmable::Options options{{{.shading = arguments.shading}}};
     options.precise = arguments.precise;
     const bool to_file = !arguments.output.empty();
@@ -125,6 +126,7 @@ Subcommand add_export(CLI::App& app) {
         ->check(one_of(kForms));
     add_shading_option(*exporting, arguments->shading);
     add_frame_option(*exporting, arguments->frame);
+    add_step_option(*exporting, arguments->step);
     add_precise_flag(*exporting, arguments->precise);
     exporting
         ->add_option(

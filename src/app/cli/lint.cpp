@@ -23,6 +23,7 @@ struct LintArguments {
     std::string scene, fix, output;
     std::optional<Size> size;
     std::optional<int> frame;
+    std::string step;
     bool json = false, rules = false;
 };
 
@@ -91,7 +92,7 @@ int run_lint(const LintArguments& arguments) {
     if (arguments.scene.empty()) throw UsageError("SCENE is required; see 'twinlight lint --help'");
     if (arguments.fix.empty() != arguments.output.empty())
         throw UsageError("--fix NAME and -o FILE belong together; give both or neither");
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step);
     const std::vector<lint::Warning> warnings = lint::lint(scene);
     if (!arguments.fix.empty()) return write_mended(arguments, scene, warnings);
     if (arguments.json) {
@@ -121,6 +122,7 @@ Subcommand add_lint(CLI::App& app) {
     add_scene_argument(*lint, arguments->scene)->required(false);
     add_size_option(*lint, arguments->size);
     add_frame_option(*lint, arguments->frame);
+    add_step_option(*lint, arguments->step);
     lint->add_flag("--json", arguments->json, "print one JSON object instead of the text");
     lint->add_option("--fix", arguments->fix, "write the scene with the first warning of this name mended; needs -o")
         ->type_name("NAME")

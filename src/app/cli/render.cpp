@@ -29,6 +29,7 @@ struct RenderArguments {
     std::optional<Shading> shading;
     std::optional<Size> size;
     std::optional<int> frame;
+    std::string step;
     bool scrubbed = false, baked = false, precise = false;
     double budget = PlanOptions{}.budget;
     std::string output;
@@ -105,7 +106,7 @@ int run_render(RenderArguments arguments) {
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
         throw UsageError("-o - would write a PNG to the terminal; redirect standard output or give a file name");
     }
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step);
     const RendererSet renderers(scene.frame.width, scene.frame.height);
     const std::string png = encode_png(drawn(arguments, scene, renderers));
     if (to_stdout) {
@@ -136,6 +137,7 @@ Subcommand add_render(CLI::App& app) {
     add_shading_option(*render, arguments->shading);
     add_size_option(*render, arguments->size);
     add_frame_option(*render, arguments->frame);
+    add_step_option(*render, arguments->step);
     add_budget_option(*render, arguments->budget);
     render->add_flag("--scrubbed", arguments->scrubbed,
                      "with fixed or reference: drop lights and other lighting state that a draw does not need");

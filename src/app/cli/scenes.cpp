@@ -56,7 +56,9 @@ int list(const ScenesArguments& arguments) {
     if (arguments.json) {
         Json json = {{"scenes", Json::array()}};
         for (const EmbeddedFile& file : kSceneFiles) {
-            json["scenes"].push_back({{"name", name_of(file)}, {"description", description_of(file)}});
+            const std::string name = name_of(file);
+            json["scenes"].push_back(
+                {{"name", name}, {"description", description_of(file)}, {"steps", load_commands(name)->steps}});
         }
         write_result(json.dump(2) + "\n");
         return kFine;

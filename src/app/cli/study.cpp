@@ -29,6 +29,7 @@ constexpr double kSeconds = 60, kQuickSeconds = 5;
 
 struct StudyArguments {
     std::string scene;
+    std::string step;
     std::optional<Size> size;
     std::string folder;
     std::vector<std::string> merge;
@@ -121,7 +122,7 @@ int run_study(StudyArguments arguments) {
     if (!arguments.merge.empty()) return merge(arguments);
     const std::optional<study::Study> earlier = earlier_study(arguments);
     const Size size = arguments.size.value_or(arguments.quick ? kQuickSize : kSize);
-    const Scene scene = load_scene(arguments.scene, size);
+    const Scene scene = load_scene(arguments.scene, size, std::nullopt, arguments.step);
     const Frame& frame = scene.frame;
     const CommandList* commands = scene.recording->command_list();
     const bool has_slices = commands && study::has_slices(*commands);
@@ -134,7 +135,7 @@ int run_study(StudyArguments arguments) {
     StudyRenderers renderers(frame.width, frame.height);
 
     study::Study about;  // known before measuring
-    about.scene = scene.name();
+    about.scene = scene.title();
     if (commands) {
         std::istringstream text(print_scene(*commands));
         about.fingerprint = fingerprint(text);
@@ -188,6 +189,7 @@ Subcommand add_study(CLI::App& app) {
                      "exist (default: the scene's name and -study)")
         ->type_name("DIR")
         ->check(not_empty());
+    add_step_option(*study, arguments->step);
     add_size_option(*study, arguments->size, "320x240, or 240x180 with --quick");
     study
         ->add_option_function<double>(

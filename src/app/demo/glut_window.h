@@ -46,6 +46,7 @@ class Window {
     void passive_motion(int x, int y);
     void carry_out_requests();
     void open_neighbour(int step);
+    void open_step(int away);
     void reload_if_saved();
     void save_screenshot();
     void write_times() const;

@@ -16,15 +16,19 @@ using namespace twinlight;
 constexpr int kMaxFrames = 1'000'000;
 constexpr double kMaxScale = 4;
 
+template <class Row, std::size_t size>
+std::string keys_of(const Row (&table)[size], const std::string& between) {
+    std::string keys;
+    for (const Row& row : table) keys += (keys.empty() ? "" : between) + std::string(row.key);
+    return keys;
+}
+
 // The value of the row of `table` with this key.
 template <class Row, std::size_t size>
 auto value_of(const Row (&table)[size], const std::string& key, const std::string& option) {
-    std::string keys;
-    for (const Row& row : table) {
+    for (const Row& row : table)
         if (row.key == key) return row.value;
-        keys += (keys.empty() ? "" : ", ") + std::string(row.key);
-    }
-    throw CLI::ValidationError(option, "'" + key + "' is not one of " + keys);
+    throw CLI::ValidationError(option, "'" + key + "' is not one of " + keys_of(table, ", "));
 }
 
 session::Probe probe_at(const std::string& text) {
@@ -48,14 +52,18 @@ int run(int argc, char** argv) {
         ->capture_default_str()
         ->type_name("")
         ->check(not_empty());
+    std::string step;
+    app.add_option("--step", step, "the step of a scene with steps to show first: its number, from 1, or its title")
+        ->option_text("N")
+        ->check(not_empty());
     app.add_option_function<std::string>(
            "--view", [&](const std::string& name) { options.view = value_of(session::kViews, name, "--view"); },
-           "what to show first: slider (default), grid, single or world")
-        ->option_text("VIEW");
+           "what to show first (default: slider)")
+        ->option_text(keys_of(session::kViews, "|"));
     app.add_option_function<std::string>(
            "--panel", [&](const std::string& name) { options.panel = value_of(session::kPanels, name, "--panel"); },
-           "the tab to open: commands (default), lights, probe, shaders, overlays, lint, accuracy or save")
-        ->option_text("TAB");
+           "the tab to open (default: commands)")
+        ->option_text(keys_of(session::kPanels, "|"));
     app.add_option_function<std::string>(
            "--probe",
            [&](const std::string& text) {
@@ -85,7 +93,7 @@ int run(int argc, char** argv) {
     options.height = size.height;
     std::error_code ignored;
     if (std::filesystem::is_regular_file(scene, ignored)) options.file = scene;
-    return demo::show(load_commands(scene), options);
+    return demo::show(load_commands(scene, step), options);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/keys.h"
+#include "app/session/steps.h"
 
 namespace twinlight::demo {
 namespace {
@@ -27,7 +28,8 @@ void StatusLine::show(session::Session& session, const session::Box& bar, bool k
     const ImVec2 from = corner(bar), to = far_corner(bar);
     draw.AddRectFilled(from, to, session.error.empty() ? kBar : IM_COL32(96, 34, 28, 255));
     const float y = text_y(bar);
-    const std::string& scene = commands(session).name;
+    std::string scene = commands(session).name;
+    if (const std::string step = session::step_caption(commands(session)); !step.empty()) scene += ", " + step;
     draw.AddText(fonts().bold, fonts().bold->FontSize, {12, y}, kText, scene.c_str());
     const float after_name = 12 + fonts().bold->CalcTextSizeA(fonts().bold->FontSize, 1e4F, 0, scene.c_str()).x + 18;
     const char* help = "? keys   right click: menu";

@@ -127,9 +127,9 @@ int Window::run() {
     guarded(this, [](Window& self) {
         for (const char code : self.options_.keys) {
             session::press(self.session_, static_cast<unsigned char>(code));
+            self.carry_out_requests();
             refresh(self.session_, self.session_.width, self.session_.height);
         }
-        self.carry_out_requests();
     });
     if (status_ == EXIT_SUCCESS && !session_.quit_requested) {
         set_timers();

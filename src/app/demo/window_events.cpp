@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "app/demo/glut_window.h"
+#include "app/session/steps.h"
 #include "render/context/gl.h"
+#include "scene/command/text.h"
 #include "scene/scenes/load.h"
 
 // freeglut's headers come after render/context/gl.h, which declares GL.
@@ -116,6 +118,7 @@ void Window::carry_out_requests() {
         return;
     }
     if (session_.scene_requested != 0) open_neighbour(std::exchange(session_.scene_requested, 0));
+    if (session_.step_requested != 0) open_step(std::exchange(session_.step_requested, 0));
     if (std::exchange(session_.export_requested, false)) panels_->saving().save(session_, session::Form::kC);
     if (session_.screenshot_requested) wake();
 }
@@ -133,6 +136,24 @@ void Window::open_neighbour(int step) {
     wake();
 }
 
+void Window::open_step(int away) {
+    const CommandList& now = commands(session_);
+    if (now.steps.empty()) {
+        say(session_, "this scene has no steps; [ and ] show other scenes");
+        return;
+    }
+    const std::string step = session::neighbour_step(now, away);
+    const bool from_input = !session_.file && now.name == "stdin";
+    try {
+        session::show_step(session_, from_input ? std::make_shared<const CommandList>(read_scene(
+                                                      *now.text, "<stdin>", now.name, no_images, {.step = step}))
+                                                : load_commands(session_.file.value_or(now.name), step));
+    } catch (const std::exception& problem) {
+        session_.error = problem.what();
+    }
+    wake();
+}
+
 void Window::reload_if_saved() {
     std::error_code error;
     const auto time = std::filesystem::last_write_time(*session_.file, error);
@@ -141,7 +162,10 @@ void Window::reload_if_saved() {
     if (*file_time_ == time) return;
     file_time_ = time;
     try {
-        session::open(session_, load_commands(*session_.file), session_.file);
+        auto scene = load_commands(*session_.file);
+        const std::size_t step = commands(session_).step;
+        if (step > 1 && step <= scene->steps.size()) scene = load_commands(*session_.file, std::to_string(step));
+        session::open(session_, std::move(scene), session_.file);
         say(session_, "read again: " + *session_.file);
     } catch (const std::exception& problem) {
         session_.error = problem.what();

@@ -129,6 +129,12 @@ std::optional<Enum> look_at_mode(const CommandList& commands) {
     return found;
 }
 
+// The file of inserted commands.
+const std::shared_ptr<const std::string>& window_camera() {
+    static const auto kFile = std::make_shared<const std::string>("the window's camera");
+    return kFile;
+}
+
 // Copies commands and moves each camera. Tracks which matrices of the stack already have one.
 class CameraWriter {
   public:
@@ -139,6 +145,12 @@ class CameraWriter {
           inserted_(camera_at(pivot_eye)) {
         inserted_.back() = moved(inserted_.back(), move_);
     }
+
+    // Inserts these commands, into a scene without gluLookAt.
+    CameraWriter(const CommandList& commands, std::vector<Command> inserted)
+        : look_at_mode_(look_at_mode(commands)),
+          camera_mode_(look_at_mode_.value_or(kGL_MODELVIEW)),
+          inserted_(std::move(inserted)) {}
 
     void write(Command command, std::vector<Command>& out) {
         const bool own_mode = mode_ == camera_mode_;
@@ -168,8 +180,7 @@ class CameraWriter {
   private:
     // An inserted command has a place of its own, so that an error in it does not point into the scene's text.
     static Command make(CommandId id, std::vector<double> arguments) {
-        static const auto kFile = std::make_shared<const std::string>("the window's camera");
-        return {id, std::move(arguments), {kFile, 0, 0}};
+        return {id, std::move(arguments), {window_camera(), 0, 0}};
     }
 
     // Commands whose product is 1, with a gluLookAt that has the pivot as its centre.
@@ -249,7 +260,7 @@ class CameraWriter {
         if (command.id == CommandId::glPopMatrix && has_camera_.size() > 1) has_camera_.pop_back();
     }
 
-    const CameraMove& move_;
+    CameraMove move_{};
     const std::optional<Enum> look_at_mode_;
     const Enum camera_mode_;
     std::vector<Command> inserted_;  // into a scene without gluLookAt
@@ -268,6 +279,39 @@ CommandList with_camera_moved(const CommandList& commands, const CameraMove& mov
     result.commands.clear();
     result.commands.reserve(commands.commands.size() + 8);
     CameraWriter writer(commands, move, pivot_eye);
+    for (const Command& command : commands.commands) writer.write(command, result.commands);
+    return result;
+}
+
+CommandList with_camera_of(const CommandList& commands, const CommandList& opened, const CommandList& now) {
+    CommandList result = commands;
+    if (look_at_mode(opened)) {
+        const auto cameras = [](auto& list) {
+            std::vector<decltype(&list.commands.front())> found;
+            for (auto& command : list.commands)
+                if (command.id == CommandId::gluLookAt) found.push_back(&command);
+            return found;
+        };
+        const auto before = cameras(opened), after = cameras(now);
+        const auto written = cameras(result);
+        // Steps with other numbers of cameras have no common ones.
+        if (before.size() != after.size() || before.size() != written.size()) return result;
+        for (std::size_t i = 0; i < before.size(); ++i)
+            if (after[i]->arguments != before[i]->arguments) written[i]->arguments = after[i]->arguments;
+        return result;
+    }
+    // The first camera that the window has inserted, without the changes of the matrix mode around it.
+    std::vector<Command> inserted;
+    for (const Command& command : now.commands) {
+        if (command.place.file != window_camera()) continue;
+        if (command.id == CommandId::glTranslated) inserted.push_back(command);
+        if (command.id != CommandId::gluLookAt) continue;
+        inserted.push_back(command);
+        break;
+    }
+    if (inserted.empty() || look_at_mode(commands)) return result;
+    result.commands.clear();
+    CameraWriter writer(commands, std::move(inserted));
     for (const Command& command : commands.commands) writer.write(command, result.commands);
     return result;
 }

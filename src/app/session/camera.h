@@ -39,6 +39,10 @@ struct CameraMove {
 // A gluLookAt whose eye is its centre, or whose up vector is 0, stays as it is.
 CommandList with_camera_moved(const CommandList& commands, const CameraMove& move, const glm::dvec3& pivot_eye);
 
+// The commands of another step of the scene, seen by the camera of `now`: each gluLookAt that differs from that of `opened`,
+// which is the step that `now` was made from.
+CommandList with_camera_of(const CommandList& commands, const CommandList& opened, const CommandList& now);
+
 // The middle of everything that the frame draws, in eye space: the pivot of a scene without gluLookAt.
 glm::dvec3 middle_of(const Frame& frame);
 

@@ -15,7 +15,7 @@ History::History(std::shared_ptr<const CommandList> opened, int revision) : revi
 }
 
 void History::edit(CommandList commands, std::string what, std::string group) {
-    if (commands.commands == now()->commands) return;
+    if (commands.commands == now()->commands && commands.step == now()->step) return;
     const bool same_step = !group.empty() && group == steps_[at_].group;
     steps_.resize(at_ + 1);
     Step step{std::make_shared<const CommandList>(std::move(commands)), std::move(what), std::move(group)};

@@ -107,11 +107,13 @@ void reset(Session& session, int) {
 
 void undo(Session& session, int) {
     const std::string what = session.history.undo();
+    session.opened = session.opened_steps.at(commands(session).step);
     say(session, what.empty() ? "nothing to undo" : "undone: " + what);
 }
 
 void redo(Session& session, int) {
     const std::string what = session.history.redo();
+    session.opened = session.opened_steps.at(commands(session).step);
     say(session, what.empty() ? "nothing to redo" : "done again: " + what);
 }
 
@@ -153,6 +155,9 @@ constexpr Key kKeys[] = {
      [](Session& s, int) { s.animating = !s.animating; }},
     {'[', '[', "[ ]", "the scene before or after this one", [](Session& s, int) { s.scene_requested = -1; }},
     {']', ']', "", "", [](Session& s, int) { s.scene_requested = 1; }},
+    {',', ',', ", .", "the step before or after this one, in a scene with steps",
+     [](Session& s, int) { s.step_requested = -1; }},
+    {'.', '.', "", "", [](Session& s, int) { s.step_requested = 1; }},
     {'r', 'r', "r", "reset the scene to its file", reset},
     {'z', 'z', "z", "undo", undo},
     {'y', 'y', "y", "redo", redo},

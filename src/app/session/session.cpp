@@ -14,7 +14,7 @@
 namespace twinlight::session {
 
 Session::Session(std::shared_ptr<const CommandList> scene_opened)
-    : history(scene_opened), opened(std::move(scene_opened)) {}
+    : history(scene_opened), opened(std::move(scene_opened)), opened_steps{{opened->step, opened}} {}
 
 const CommandList& commands(const Session& session) { return *session.history.now(); }
 
@@ -29,6 +29,7 @@ void edit(Session& session, CommandList commands, std::string what, std::string 
 
 void open(Session& session, std::shared_ptr<const CommandList> scene, std::optional<std::string> file) {
     session.history = History(scene, session.history.revision() + 1);
+    session.opened_steps = {{scene->step, scene}};
     session.opened = std::move(scene);
     session.file = std::move(file);
     session.error.clear();

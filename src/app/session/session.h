@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -85,8 +86,9 @@ struct Session {
     explicit Session(std::shared_ptr<const CommandList> scene_opened);
 
     History history;
-    std::shared_ptr<const CommandList> opened;  // as the file has it
-    std::optional<std::string> file{};          // the scene's file; empty for a built-in scene and standard input
+    std::shared_ptr<const CommandList> opened;  // as the file has it; of a scene with steps, the step that is shown
+    std::map<std::size_t, std::shared_ptr<const CommandList>> opened_steps{};  // the steps shown so far, by number
+    std::optional<std::string> file{};  // the scene's file; empty for a built-in scene and standard input
 
     // The commands as the panes draw them: those of history, with viewports for this size. Made by refresh().
     Scene scene{};
@@ -122,6 +124,7 @@ struct Session {
     // Requests that the window carries out and clears.
     bool export_requested = false, screenshot_requested = false;
     int scene_requested = 0;  // -1: the built-in scene before this one, 1: the one after it
+    int step_requested = 0;   // -1: the scene's step before this one, 1: the one after it
 
     std::string message{};  // what just happened, for a few seconds
     int messages = 0;       // counts them

@@ -122,7 +122,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     Comparison result;
     const Frame& frame = scene.frame;
     const bool all = !options.per_vertex_only;
-    result.scene = scene.name();
+    result.scene = scene.title();
     result.driver = options.driver;
     result.width = frame.width;
     result.height = frame.height;

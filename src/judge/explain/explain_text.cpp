@@ -141,7 +141,7 @@ std::string text_of(const Scene& scene, const PixelExplanation& explanation, con
     const std::vector<PixelFragment>& fragments = explanation.history.fragments;
     const std::vector<const Draw*> draws = frame.draws();
     std::string text = fmt::format(
-        "{}, pixel {},{} of {} x {}: {}\n", scene.name(), pixel.x, pixel.y, frame.width, frame.height,
+        "{}, pixel {},{} of {} x {}: {}\n", scene.title(), pixel.x, pixel.y, frame.width, frame.height,
         fragments.empty() ? "no draw covers it, so it shows what glClear left"
                           : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
     if (std::ranges::any_of(fragments, &PixelFragment::is_lit)) text += legend();
@@ -165,7 +165,7 @@ std::string text_of(const Scene& scene, const PixelExplanation& explanation, con
 std::string text_of(const Scene& scene, const VertexExplanation& explanation, const TextOptions& options) {
     const auto [number, vertex] = explanation.vertex;
     const Draw& draw = *scene.frame.draws()[number];
-    std::string text = fmt::format("{}, vertex {} of the {} of draw {}, {}\n", scene.name(), vertex + 1,
+    std::string text = fmt::format("{}, vertex {} of the {} of draw {}, {}\n", scene.title(), vertex + 1,
                                    draw.vertices.size(), number + 1, draw.place.str()) +
                        legend();
     for (const FaceExplanation& face : explanation.faces) {

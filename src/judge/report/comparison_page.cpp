@@ -1,9 +1,11 @@
-// The report's page: pages/page.html with each {{name}} filled in.
+// The report's page: pages/page.html, and pages/comparison.html for each comparison, with each {{name}} filled in.
 //
-// Tables and pictures are plain HTML, so that the page is readable without its script, which adds the wipe and the magnifiers.
+// Tables and pictures are plain HTML, so that the page is readable without its script, which adds the wipe and the magnifiers,
+// and shows one step of the scene at a time.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "base/text/page.h"
@@ -16,6 +18,7 @@ namespace twinlight::report {
 using compare::Comparison;
 using compare::Pair;
 using compare::Render;
+using compare::Verdict;
 
 namespace {
 
@@ -56,14 +59,89 @@ std::string pair_rows(const Comparison& comparison) {
     return rows;
 }
 
-// The answers to three questions, with the details folded.
+// The headline, where pictures differ, and the details folded.
 std::string verdict(const Comparison& comparison) {
     const Answer answers = answer(comparison);
-    std::string html = three_answers(escaped(answers.is_right), escaped(answers.where), escaped(answers.how_much));
+    std::string html = fmt::format("<p class=\"headline\">{}</p>\n", escaped(answers.headline));
+    if (!answers.where.empty()) html += fmt::format("<p>{}</p>\n", escaped(answers.where));
     if (answers.details.empty()) return html;
-    html += "\n<details><summary>Details</summary>\n<ul>";
+    html += "<details><summary>Details</summary>\n<ul>";
     for (const std::string& sentence : answers.details) html += "<li>" + escaped(sentence) + "</li>";
-    return html + "</ul></details>";
+    return html + "</ul></details>\n";
+}
+
+// ---- The pairs that the page offers side by side ----
+
+struct ShownPair {
+    std::string left, right;  // names of pictures
+    std::string words;        // of the button
+    std::string says;         // sentences below the buttons, when the pair is shown
+};
+
+std::string differing_pixels(const RegionDifference& region) {
+    if (region.differing == 0) return "away from edges, no pixel differs";
+    return fmt::format("{} of {} pixels away from edges differ, by up to {}", grouped(region.differing),
+                       grouped(region.pixels), in_255ths(region.max));
+}
+
+// Fixed function beside lighting at every pixel: what a shader adds.
+ShownPair taught(const Comparison& comparison, const Pair& pair) {
+    const RegionDifference& region = pair.difference.interior;
+    const bool is_exact = comparison.b(pair).name.ends_with("-exact");
+    const std::string result =
+        region.differing == 0
+            ? "In this scene they show the same."
+            : fmt::format("They are meant to differ: in this scene by up to {}.", in_255ths(region.max));
+    return {comparison.a(pair).name, comparison.b(pair).name,
+            is_exact ? "Triangles, exact surfaces" : "Lit vertices, lit pixels",
+            fmt::format("Left: the fixed function lights only the vertices. Right: shaders {}. {}",
+                        is_exact ? "draw curved shapes exactly and light every pixel" : "light every pixel", result)};
+}
+
+// Two renderers of one model.
+ShownPair compared(const Comparison& comparison, const Pair& pair, const char* words) {
+    return {comparison.a(pair).name, comparison.b(pair).name, words,
+            fmt::format("Both light only the vertices{}: {}.",
+                        pair.verdict == Verdict::kPartial ? ", and one of them lacks a part of the scene"
+                                                          : ", and should agree",
+                        differing_pixels(pair.difference.interior))};
+}
+
+// The first is shown when the page opens.
+std::vector<ShownPair> shown_pairs(const Comparison& comparison) {
+    std::vector<ShownPair> shown;
+    for (const Pair& pair : comparison.pairs)
+        if (pair.verdict == Verdict::kInformative) shown.push_back(taught(comparison, pair));
+    for (const Pair& pair : comparison.pairs) {
+        const Render &a = comparison.a(pair), &b = comparison.b(pair);
+        if (a.path != Path::kFixed || pair.verdict == Verdict::kInformative) continue;
+        const bool is_shaders = b.path == Path::kProgrammable;
+        shown.push_back(
+            compared(comparison, pair, is_shaders ? "Fixed function, shaders" : "Fixed function, reference"));
+        if (!is_shaders)
+            shown.push_back({a.name, name_of(comparison, pair), "Their difference",
+                             fmt::format("Right: how much the fixed function differs from the reference, multiplied by "
+                                         "{}. Grey means equal; brighter means a larger difference.",
+                                         pair.factor)});
+    }
+    return shown;
+}
+
+std::string buttons(const std::vector<ShownPair>& pairs) {
+    std::string html;
+    for (const ShownPair& pair : pairs)
+        html += fmt::format("<button type=\"button\" data-left=\"{}\" data-right=\"{}\" data-says=\"{}\">{}</button>\n",
+                            escaped(pair.left), escaped(pair.right), escaped(pair.says), escaped(pair.words));
+    return html;
+}
+
+// The pixel that the page selects first: where lighting every pixel changes most; else the middle of the picture.
+std::array<int, 2> first_pixel(const Comparison& comparison) {
+    for (const Pair& pair : comparison.pairs) {
+        const RegionDifference& region = pair.difference.interior;
+        if (pair.verdict == Verdict::kInformative && region.differing > 0) return {region.worst_x, region.worst_y};
+    }
+    return {comparison.width / 2, comparison.height / 2};
 }
 
 std::string unsupported(const Comparison& comparison) {
@@ -135,9 +213,9 @@ std::string plans(const Comparison& comparison) {
     return html.empty() ? "<p>The shaders of these pictures skip nothing.</p>" : html;
 }
 
-}  // namespace
-
-std::string comparison_page(const Comparison& comparison, const EncodedPictures& pictures) {
+std::string article(const Compared& compared, std::size_t number) {
+    const Comparison& comparison = compared.comparison;
+    const EncodedPictures& pictures = compared.pictures;
     std::string renders, differences;
     for (std::size_t i = 0; i < comparison.renders.size(); ++i) {
         const Render& render = comparison.renders[i];
@@ -149,18 +227,22 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
         differences += figure(comparison, pictures.differences[i], name_of(comparison, pair), "difference",
                               fmt::format("&times; {}", pair.factor), "");
     }
+    const auto [x, y] = first_pixel(comparison);
     return filled(
-        page_file("page.html"),
-        {{"head", page_head(comparison.scene + ": three renderers compared", std::string(page_file("page.css")))},
-         {"scene", escaped(comparison.scene)},
+        page_file("comparison.html"),
+        {{"number", std::to_string(number)},
+         {"x", std::to_string(x)},
+         {"y", std::to_string(y)},
+         {"title", compared.title.empty() ? "" : fmt::format("<h2>{}. {}</h2>\n", number, escaped(compared.title))},
          {"driver", escaped(comparison.driver)},
          {"size", fmt::format("{} &times; {}", comparison.width, comparison.height)},
          {"state", word_of(comparison.verdict())},
          {"verdict", verdict(comparison)},
+         {"shown_pairs", buttons(shown_pairs(comparison))},
          {"warnings", warnings(comparison)},
          {"renders", renders},
          {"differences", differences},
-         {"edges", image(comparison, pictures.edges, R"(id="edges" alt="" hidden)")},
+         {"edges", image(comparison, pictures.edges, R"(class="edges" alt="" hidden)")},
          {"pair_rows", pair_rows(comparison)},
          {"interior_pixels", grouped(comparison.pairs.front().difference.interior.pixels)},
          {"edge_pixels", grouped(comparison.pairs.front().difference.edge.pixels)},
@@ -168,8 +250,34 @@ std::string comparison_page(const Comparison& comparison, const EncodedPictures&
          {"open_if_unsupported", comparison.unsupported.empty() ? "" : " open"},
          {"unsupported", unsupported(comparison)},
          {"queries", queries(comparison)},
-         {"plans", plans(comparison)},
-         {"script", std::string(page_file("page.js"))}});
+         {"plans", plans(comparison)}});
+}
+
+// A link to each step, with its largest difference; the script adds thumbnails.
+std::string steps(const std::vector<Compared>& comparisons) {
+    if (comparisons.size() == 1) return "";
+    std::string html = "<nav class=\"steps\" aria-label=\"Steps of the scene\">\n";
+    for (std::size_t i = 0; i < comparisons.size(); ++i) {
+        const Comparison& comparison = comparisons[i].comparison;
+        html += fmt::format("<a href=\"#step={0}\">{0}. {1}<span class=\"{2}\">largest difference {3}</span></a>\n",
+                            i + 1, escaped(comparisons[i].title), word_of(comparison.verdict()),
+                            in_255ths(largest_difference(comparison)));
+    }
+    return html + "</nav>\n";
+}
+
+}  // namespace
+
+std::string comparison_page(const std::vector<Compared>& comparisons) {
+    std::string articles;
+    for (std::size_t i = 0; i < comparisons.size(); ++i) articles += article(comparisons[i], i + 1);
+    const std::string& scene = comparisons.front().comparison.scene;
+    return filled(page_file("page.html"),
+                  {{"head", page_head(scene + ": three renderers compared", std::string(page_file("page.css")))},
+                   {"scene", escaped(scene)},
+                   {"steps", steps(comparisons)},
+                   {"comparisons", articles},
+                   {"script", std::string(page_file("page.js"))}});
 }
 
 }  // namespace twinlight::report

@@ -1,7 +1,5 @@
 #include "judge/report/html.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -33,13 +31,6 @@ std::string data_uri(std::string_view png) { return "data:image/png;base64," + b
 
 std::string page_head(std::string_view title, const std::string& style) {
     return filled(page_file("head.html"), {{"title", escaped(title)}, {"style", style}});
-}
-
-std::string three_answers(std::string_view is_right, std::string_view where, std::string_view how_much) {
-    return fmt::format(
-        "<dl>\n<dt>Is it right?</dt><dd>{}</dd>\n<dt>If not, where?</dt><dd>{}</dd>\n<dt>By how much?</dt><dd>{}</dd>\n"
-        "</dl>",
-        is_right, where, how_much);
 }
 
 }  // namespace twinlight::report

@@ -28,7 +28,4 @@ std::string data_uri(std::string_view png);
 // Everything of a page before its body.
 std::string page_head(std::string_view title, const std::string& style);
 
-// The list with which each page answers three questions. The answers are HTML.
-std::string three_answers(std::string_view is_right, std::string_view where, std::string_view how_much);
-
 }  // namespace twinlight::report

@@ -39,8 +39,16 @@ struct EncodedPictures {
 };
 EncodedPictures encode_pictures(const compare::Comparison& comparison);
 
-// A page that contains everything: pictures, style and script.
-std::string comparison_page(const compare::Comparison& comparison, const EncodedPictures& pictures);
+// What one article of the page shows: the comparison of a scene, or of one of its steps.
+struct Compared {
+    std::string title;  // of the step; "" for a scene without steps
+    const compare::Comparison& comparison;
+    const EncodedPictures& pictures;
+};
+
+// A page that contains everything: pictures, style and script. Several comparisons, which are a scene's steps, become
+// articles, of which a row of thumbnails selects one. There must be at least one.
+std::string comparison_page(const std::vector<Compared>& comparisons);
 
 // Writes the pictures, comparison.json and index.html into a folder, which is created if it does not exist: all of them or none.
 // Throws FileError.

@@ -17,7 +17,7 @@ using compare::Verdict;
 
 std::string grouped(std::size_t number) {
     std::string digits = std::to_string(number);
-    for (std::ptrdiff_t i = std::ssize(digits) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
+    for (std::ptrdiff_t i = std::ssize(digits) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), 1, ',');
     return digits;
 }
 
@@ -84,50 +84,46 @@ const Pair* worst_pair(const Comparison& comparison, Verdict verdict, RegionDiff
 
 Answer partial_answer(const Comparison& comparison) {
     const std::size_t kinds = comparison.unsupported.size();
-    return {
-        fmt::format("The comparison is partial: {} not drawn by every renderer.",
-                    kinds == 1 ? "one kind of command is" : fmt::format("{} kinds of commands are", kinds)),
-        fmt::format("The first is {} at {}.", comparison.unsupported.front().name,
-                    comparison.unsupported.front().first.str()),
-        "Pictures that lack the same commands agree; between others, the missing commands may cause any difference.",
-        {}};
+    return {fmt::format("The comparison is partial: {} not drawn by every renderer.",
+                        kinds == 1 ? "one kind of command is" : fmt::format("{} kinds of commands are", kinds)),
+            fmt::format("The first is {} at {}. Pictures that lack the same commands agree; between others, the "
+                        "missing commands may cause any difference.",
+                        comparison.unsupported.front().name, comparison.unsupported.front().first.str()),
+            {}};
 }
 
 Answer agreeing_answer(const Comparison& comparison) {
-    Answer answer{.is_right = "Yes: the renderers agree.", .where = {}, .how_much = {}, .details = {}};
-    const Pair *beyond = worst_pair(comparison, Verdict::kWithin, &ImageDifference::beyond_allowed),
-               *any = worst_pair(comparison, Verdict::kWithin, &ImageDifference::interior);
-    if (beyond && beyond->difference.beyond_allowed.differing > 0) {
-        const RegionDifference& region = beyond->difference.beyond_allowed;
-        answer.where = fmt::format("At a few pixels. Most are in {}, for example at ({}, {}).",
-                                   count_of(comparison, *beyond, region), region.worst_x, region.worst_y);
-        answer.how_much =
-            fmt::format("By up to {}; allowed is {}.", in_255ths(region.max), words_of(comparison.tolerance));
-    } else if (any && any->difference.interior.differing > 0) {
-        const RegionDifference& region = any->difference.interior;
-        answer.where = fmt::format("Nowhere by more than allowed. Most differences are in {}, for example at ({}, {}).",
-                                   count_of(comparison, *any, region), region.worst_x, region.worst_y);
-        answer.how_much =
-            fmt::format("By up to {}, which rounding, filtering or blending explains at each of these pixels.",
-                        in_255ths(region.max));
-    } else {
-        answer.where = "Away from edges, no pixel differs.";
-        answer.how_much = fmt::format("By 0; allowed is {}.", words_of(comparison.tolerance));
+    const Pair* worst = worst_pair(comparison, Verdict::kWithin, &ImageDifference::interior);
+    if (!worst || worst->difference.interior.differing == 0)
+        return {"All three agree: no pixel away from edges differs.", "", {}};
+    const RegionDifference& region = worst->difference.interior;
+    const double largest = largest_difference(comparison);
+    std::string headline =
+        fmt::format("All three agree: the largest difference away from edges is {}", in_255ths(largest));
+    if (largest > comparison.tolerance.max * (1 + 1e-9)) {
+        const Pair* beyond = worst_pair(comparison, Verdict::kWithin, &ImageDifference::beyond_allowed);
+        const bool is_explained = beyond->difference.beyond_allowed.differing == 0;
+        headline += fmt::format(". Filters, blending and rounding explain {}",
+                                is_explained ? "it" : "all but " + in_255ths(beyond->difference.beyond_allowed.max));
     }
-    return answer;
+    return {headline + ".",
+            fmt::format("{} differ most: at {} of {} pixels away from edges ({}), for example ({}, {}).",
+                        name_of(comparison, *worst), grouped(region.differing), grouped(region.pixels),
+                        share_of(region), region.worst_x, region.worst_y),
+            {}};
 }
 
 Answer differing_answer(const Comparison& comparison) {
     const Pair& worst = *worst_pair(comparison, Verdict::kBeyond, &ImageDifference::beyond_allowed);
     const RegionDifference& region = worst.difference.beyond_allowed;
-    Answer answer{.is_right = "No: the renderers differ more than allowed.",
-                  .where = fmt::format("Most in {}; the worst is at ({}, {}).", count_of(comparison, worst, region),
-                                       region.worst_x, region.worst_y),
-                  .how_much = fmt::format(
-                      "By up to {}{}; allowed is {}.", in_255ths(region.max),
-                      has_allowed_difference(worst) ? " more than filters, blending and rounding explain" : "",
-                      words_of(comparison.tolerance)),
-                  .details = {}};
+    Answer answer{
+        .headline =
+            fmt::format("Not all agree: {} and {} differ by up to {} away from edges{}.", comparison.a(worst).name,
+                        comparison.b(worst).name, in_255ths(region.max),
+                        has_allowed_difference(worst) ? ", more than filters, blending and rounding explain" : ""),
+        .where = fmt::format("{}; the worst is at ({}, {}). Allowed: {}.", count_of(comparison, worst, region),
+                             region.worst_x, region.worst_y, words_of(comparison.tolerance)),
+        .details = {}};
     for (const Pair& pair : comparison.pairs) {
         if (pair.verdict != Verdict::kBeyond || &pair == &worst) continue;
         const RegionDifference& other = pair.difference.beyond_allowed;
@@ -146,8 +142,16 @@ Answer differing_answer(const Comparison& comparison) {
 
 }  // namespace
 
+double largest_difference(const Comparison& comparison) {
+    double largest = 0;
+    for (const Pair& pair : comparison.pairs)
+        if (pair.verdict != Verdict::kInformative) largest = std::max(largest, pair.difference.interior.max);
+    return largest;
+}
+
 std::vector<std::string> Answer::sentences() const {
-    std::vector<std::string> all = {is_right, where, how_much};
+    std::vector<std::string> all = {headline};
+    if (!where.empty()) all.push_back(where);
     all.insert(all.end(), details.begin(), details.end());
     return all;
 }
@@ -155,8 +159,7 @@ std::vector<std::string> Answer::sentences() const {
 Answer answer(const Comparison& comparison) {
     if (comparison.pairs.front().difference.interior.pixels == 0)  // all pairs share one mask
         return {"Unknown: every pixel is at an edge, where correct renderers may differ.",
-                "No pixel can be compared.",
-                "Try a larger --size.",
+                "No pixel can be compared; try a larger --size.",
                 {}};
     switch (comparison.verdict()) {
         case Verdict::kPartial: return partial_answer(comparison);

@@ -20,14 +20,18 @@ std::string words_of(compare::Verdict verdict);  // for people: "agree", "differ
 // "up to 1/255, in fewer than 0.1% of the pixels"
 std::string words_of(const compare::Tolerance& tolerance);
 
-// The answers to a reader's three questions, a sentence each.
+// What a comparison shows, a sentence each.
 struct Answer {
-    std::string is_right, where, how_much;
-    std::vector<std::string> details;  // sentences: other pairs that differ, known bugs
+    std::string headline;              // "All three agree: the largest difference away from edges is 1/255."
+    std::string where;                 // where most pixels differ; empty if none do
+    std::vector<std::string> details;  // other pairs that differ, known bugs
 
     std::vector<std::string> sentences() const;  // all of them, in this order
 };
 Answer answer(const compare::Comparison& comparison);
+
+// The largest difference away from edges of the pairs that should agree.
+double largest_difference(const compare::Comparison& comparison);
 
 // Whether a part of the pair's difference is allowed.
 bool has_allowed_difference(const compare::Pair& pair);

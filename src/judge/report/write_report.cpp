@@ -44,7 +44,7 @@ EncodedPictures encode_pictures(const Comparison& comparison) {
 void write_report(const Comparison& comparison, const std::string& folder) {
     const EncodedPictures pictures = encode_pictures(comparison);
     const std::string json = comparison_json(comparison);
-    const std::string page = comparison_page(comparison, pictures);
+    const std::string page = comparison_page({{"", comparison, pictures}});
 
     std::vector<FileToWrite> files;
     const auto add = [&](const std::string& name, std::string_view bytes) {

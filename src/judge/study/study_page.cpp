@@ -93,7 +93,7 @@ std::string words_of(const Point& point) {
 
 std::string errors_of(const Error& error) { return fmt::format("rms {:.2g}, largest {:.2g}", error.rms, error.max); }
 
-// Is it right? If not, where? By how much? The exact picture is what is right.
+// Which choices are right, compared with the exact picture.
 std::string answers(const Study& study, std::size_t series) {
     std::vector<const Point*> points = timed_points(study, series);
     if (points.empty()) return "";
@@ -118,8 +118,8 @@ std::string answers(const Study& study, std::size_t series) {
     const std::string how_much =
         fmt::format("Over all pixels, its error is: {}. The most accurate choice on the driver, {}: {}.",
                     errors_of(fastest.errors.whole), words_of(most_accurate), errors_of(most_accurate.errors.whole));
-    return fmt::format("<div class=\"verdict {}\">{}</div>\n", first_right == points.end() ? "partial" : "within",
-                       report::three_answers(right, where, how_much));
+    return fmt::format("<div class=\"verdict {}\">\n<p class=\"headline\">{}</p>\n<p>{}</p>\n<p>{}</p>\n</div>\n",
+                       first_right == points.end() ? "partial" : "within", right, where, how_much);
 }
 
 std::string findings(const Study& study) {

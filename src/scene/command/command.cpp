@@ -194,6 +194,10 @@ void CommandList::for_each(const std::function<bool(const Step&)>& visit) const 
     }
 }
 
+std::string CommandList::title() const {
+    return step == 0 ? name : fmt::format("{}, step {}: {}", name, step, steps[step - 1]);
+}
+
 std::span<const ParameterInfo> parameter_infos() {
     static const std::vector<ParameterInfo> rows = {
 #define PARAMETER(owner, name, count, meaning, smallest, largest) \

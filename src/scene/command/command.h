@@ -178,6 +178,8 @@ struct Recording {
 
     // Calls `visit` for each step until it returns false. Throws SceneError if the recording cannot be read.
     virtual void for_each(const std::function<bool(const Step&)>& visit) const = 0;
+    // For people: "report", or "terms, step 2: Diffuse only".
+    virtual std::string title() const { return name; }
     // This recording as a CommandList; null for a recorded program.
     virtual const CommandList* command_list() const { return nullptr; }
 
@@ -198,6 +200,8 @@ struct CommandList final : Recording {
     std::vector<Command> commands;
     std::optional<WindowSize> window{};                 // of a whole program: the size that it was run with
     std::shared_ptr<const std::string> text = nullptr;  // the C text, for messages; null if there is none
+    std::vector<std::string> steps{};                   // the titles of the scene's steps (#pragma twinlight step)
+    std::size_t step = 0;                               // the number of the one that `commands` has; 0 without steps
 
     CommandList() = default;
     CommandList(std::string given_name, std::vector<Command> given_commands)
@@ -205,6 +209,7 @@ struct CommandList final : Recording {
 
     void for_each(const std::function<bool(const Step&)>& visit) const override;
     const CommandList* command_list() const override { return this; }
+    std::string title() const override;
 };
 
 // ---- The parameters of lights, materials, the light model, fog, textures and pixel storage (parameters.def) ----

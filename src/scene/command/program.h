@@ -49,7 +49,7 @@ struct Program {
     std::vector<Token> tokens;  // the last is kEnd
     // For each opening bracket, the index of the closing one.
     std::vector<std::size_t> partners{};
-    ProgramOptions options{};
+    ReadOptions options{};
 
     std::map<std::string_view, Function> functions{};
     std::map<std::string_view, TypeName> types{};   // from typedef

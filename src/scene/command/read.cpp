@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "scene/command/memory.h"
-#include "scene/command/preprocess.h"
 #include "scene/command/program.h"
 #include "scene/command/reader.h"
 #include "scene/command/text.h"
@@ -28,8 +27,8 @@ std::string shown(const Token& token) {
     return token.kind == TokenKind::kEnd ? std::string(token.text) : in_quotes(token.text);
 }
 
-Reader::Reader(std::string_view text, const std::string& file, const ImageLoader& load_image)
-    : lexer_(text, file), load_image_(load_image) {}
+Reader::Reader(std::string_view text, const std::string& file, const ImageLoader& load_image, std::size_t step)
+    : lexer_(text, file), load_image_(load_image), step_(step) {}
 
 Reader::~Reader() = default;
 
@@ -273,9 +272,10 @@ void Reader::pragma() {
     advance();
     const Token name = token_;
     if (name.is("returns")) return returns_pragma();
+    if (name.is("step")) return step_pragma();
     const std::optional<CommandId> id = name.kind == TokenKind::kName ? find_pragma(name.text) : std::nullopt;
     if (!id) {
-        std::vector<std::string_view> names{"returns"};
+        std::vector<std::string_view> names{"returns", "step"};
         for (const Signature& sig : signatures())
             if (sig.family == Family::kPragma) names.push_back(sig.name);
         const auto near = nearest(name.text, names);
@@ -403,58 +403,6 @@ void Reader::forget_literals() {
     for (const Object& literal : literals_)
         if (literal.memory.use_count() == 1) bytes_ -= literal.memory->bytes.size();
     literals_.clear();
-}
-
-ImageFile no_images(const std::string&) {
-    throw std::runtime_error(
-        "this scene has no folder to read the picture from; save the scene in a file next to the picture");
-}
-
-namespace {
-
-bool is_program(const std::vector<Token>& tokens) {
-    std::size_t depth = 0;
-    bool has_main = false, has_loop = false;
-    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-        if (tokens[i].is("{")) ++depth;
-        if (tokens[i].is("}") && depth > 0) --depth;
-        has_main |= depth == 0 && tokens[i].is("main") && tokens[i + 1].is("(");
-        has_loop |= tokens[i].is("glutMainLoop");
-    }
-    return has_main && has_loop;
-}
-
-}  // namespace
-
-CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
-                       const ImageLoader& load_image, const ProgramOptions& options) {
-    if (text.size() > kMaxSceneBytes) {
-        throw SceneError(
-            fmt::format("{}: this scene has {} bytes; the limit is {}", file, text.size(), kMaxSceneBytes));
-    }
-    const auto kept = std::make_shared<const std::string>(text);
-    // A whole program has the function main and waits in GLUT's loop. What 'twinlight export --as c' prints has them too,
-    // but only its function draw_scene is the scene.
-    if (text.find("glutMainLoop") != text.npos && text.substr(0, 400).find(kPrintedProgram) == text.npos) {
-        try {
-            std::vector<Token> tokens = preprocess(*kept, file);
-            if (is_program(tokens)) {
-                CommandList commands = Reader(std::move(tokens), file, load_image, options).run(name);
-                commands.text = kept;
-                return commands;
-            }
-        } catch (const SceneError& error) {
-            if (error.errors.empty()) throw;
-            throw SceneError(error.errors, kept);
-        }
-    }
-    Reader reader(*kept, file, load_image);
-    CommandList commands(name, reader.read());
-    commands.text = kept;
-    if (reader.errors().empty()) return commands;
-    SceneError error(reader.errors(), kept);
-    error.readable = std::make_shared<const CommandList>(std::move(commands));
-    throw error;
 }
 
 }  // namespace twinlight

@@ -11,7 +11,7 @@
 namespace twinlight {
 
 Reader::Reader(std::vector<Token> tokens, const std::string& file, const ImageLoader& load_image,
-               const ProgramOptions& options)
+               const ReadOptions& options)
     : lexer_("", file), program_(std::make_unique<Program>()), load_image_(load_image) {
     program_->tokens = std::move(tokens);
     program_->options = options;

@@ -71,10 +71,11 @@ enum class Flow : std::uint8_t;
 
 class Reader {
   public:
-    Reader(std::string_view text, const std::string& file, const ImageLoader& load_image);
+    // Of a scene with steps, reads the lines of all steps and those of the step with this number (from 1).
+    Reader(std::string_view text, const std::string& file, const ImageLoader& load_image, std::size_t step);
     // A whole program, from preprocess().
     Reader(std::vector<Token> tokens, const std::string& file, const ImageLoader& load_image,
-           const ProgramOptions& options);
+           const ReadOptions& options);
     ~Reader();
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
@@ -85,6 +86,8 @@ class Reader {
     CommandList run(const std::string& name);
     // At most kMaxErrorsShown; reading ends there.
     const std::vector<TextError>& errors() const { return errors_; }
+    // The titles of the scene's steps.
+    const std::vector<std::string>& steps() const { return steps_; }
 
   private:
     // The object or part of an object that a name with subscripts denotes. Without dimensions it is a single value.
@@ -122,6 +125,7 @@ class Reader {
     void program();
     void pragma();
     void returns_pragma();
+    void step_pragma();
     // Reads name(arguments), adds the command to commands_ and returns it.
     const Command& call();
     // Reads the call on the right of "=" and stores its result.
@@ -276,6 +280,8 @@ class Reader {
     std::optional<double> returns_;  // the result of the next call, if a pragma gives it
     Place returns_place_;
     std::vector<Command> commands_;
+    std::size_t step_ = 1;
+    std::vector<std::string> steps_;
     double quadrics_ = 0;  // number created so far
     std::vector<TextError> errors_;
     std::set<std::string_view> misdeclared_;  // names whose declarations have errors

@@ -49,6 +49,8 @@ inline constexpr std::size_t kMaxSceneBytes = 64u << 20;
 inline constexpr std::size_t kMaxNesting = 64;  // parentheses in an expression
 inline constexpr std::size_t kMaxArrayLength = 1 << 24;
 inline constexpr std::size_t kMaxMemoryBytes = 256u << 20;  // all arrays together
+inline constexpr std::size_t kMaxSceneSteps = 32;           // step pragmas with different titles
+inline constexpr std::size_t kMaxStepTitleBytes = 80;
 // Limits on whole programs. A step is a word or a sign of the text that is read while the program runs.
 inline constexpr std::size_t kMaxProgramSteps = 50'000'000;
 inline constexpr std::size_t kMaxProgramTokens = 4'000'000;  // words and signs after macros are replaced
@@ -67,15 +69,18 @@ using ImageLoader = std::function<ImageFile(const std::string& name)>;
 // For scenes without a folder, such as those from standard input: refuses every name.
 ImageFile no_images(const std::string& name);
 
-// How a whole GLUT program is run (docs/scene-language.md). Other scenes ignore it.
-struct ProgramOptions {
+struct ReadOptions {
+    // Of a scene with steps (#pragma twinlight step): the number or the title of the step to read. Empty: the first.
+    std::string step{};
+    // How a whole GLUT program is run (docs/scene-language.md). Other scenes ignore these.
     std::optional<WindowSize> window{};  // instead of the size in glutInitWindowSize
     std::size_t most_steps = kMaxProgramSteps;
 };
 
-// Reads the C dialect, or a whole GLUT program. `file` appears in error messages, `name` in reports. Throws SceneError.
+// Reads the C dialect, or a whole GLUT program. `file` appears in error messages, `name` in reports. Throws SceneError, also
+// for errors in the steps that are not chosen.
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
-                       const ImageLoader& load_image = no_images, const ProgramOptions& options = {});
+                       const ImageLoader& load_image = no_images, const ReadOptions& options = {});
 
 std::string print_command(const Command& command);       // "glEnable(GL_LIGHT0);", no newline
 std::string print_scene(const CommandList& scene);       // one line per command

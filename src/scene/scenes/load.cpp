@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t kReadAtMost = kMaxSceneBytes + 1;
 
 CommandList read_limited(const std::string& text, const std::string& file, const std::string& name,
-                         std::optional<WindowSize> window, const ImageLoader& load_image = no_images) {
+                         const ReadOptions& options, const ImageLoader& load_image = no_images) {
     if (text.size() > kMaxSceneBytes) {
         throw SceneError(file + ": is larger than " + std::to_string(kMaxSceneBytes >> 20) +
                          " MiB, the limit for a scene");
     }
-    return read_scene(text, file, name, load_image, {.window = window});
+    return read_scene(text, file, name, load_image, options);
 }
 
 // Whether the front of a file or of standard input looks like a .trace. The newest format of apitrace has no signature.
@@ -40,22 +40,34 @@ bool is_c_program(std::string_view text) {
     return text.find("main(") != std::string_view::npos || text.find("main (") != std::string_view::npos;
 }
 
-std::shared_ptr<const Recording> load_standard_input(std::optional<WindowSize> window) {
+void check_no_step(const std::string& scene, const std::string& step) {
+    if (!step.empty())
+        throw SceneError(one_line(scene) +
+                         ": a recorded program has no steps; leave out --step (--frame chooses a frame)");
+}
+
+std::shared_ptr<const Recording> load_standard_input(const ReadOptions& options) {
     const std::string front = read_standard_input(trace::kFrontBytes);
-    if (trace::is_trace(front) || trace::is_dump(front)) return trace::open_standard_input(front);
+    if (trace::is_trace(front) || trace::is_dump(front)) {
+        check_no_step("<stdin>", options.step);
+        return trace::open_standard_input(front);
+    }
     return std::make_shared<CommandList>(
-        read_limited(front + read_standard_input(kReadAtMost - front.size()), "<stdin>", "stdin", window));
+        read_limited(front + read_standard_input(kReadAtMost - front.size()), "<stdin>", "stdin", options));
 }
 
 }  // namespace
 
-std::shared_ptr<const Recording> load_recording(const std::string& scene, std::optional<WindowSize> window) {
-    if (scene == "-") return load_standard_input(window);
+std::shared_ptr<const Recording> load_recording(const std::string& scene, std::optional<WindowSize> window,
+                                                const std::string& step) {
+    const ReadOptions options{.step = step, .window = window};
+    if (scene == "-") return load_standard_input(options);
     std::vector<std::string_view> names;
     for (const EmbeddedFile& file : kSceneFiles) {
         names.push_back(file.name.substr(0, file.name.rfind(".gl")));
         if (names.back() == scene) {
-            return std::make_shared<CommandList>(read_scene(file.text, std::string(file.name), scene));
+            return std::make_shared<CommandList>(
+                read_scene(file.text, std::string(file.name), scene, no_images, options));
         }
     }
     const std::filesystem::path path = scene;
@@ -70,6 +82,7 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
     const bool again = std::filesystem::is_regular_file(path, ignored);
     const std::string front = read_file(scene, again ? trace::kFrontBytes : kReadAtMost);
     if (holds_trace(front, path) || trace::is_dump(front)) {
+        check_no_step(scene, step);
         if (!again)
             throw SceneError(
                 scene +
@@ -81,7 +94,7 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
         throw SceneError(scene + ": this is a program, not a scene; " + how_to_record(scene));
     const std::string text = again ? read_file(scene, kReadAtMost) : front;
     try {
-        return std::make_shared<CommandList>(read_limited(text, scene, path.filename().string(), window,
+        return std::make_shared<CommandList>(read_limited(text, scene, path.filename().string(), options,
                                                           again ? images_beside(path) : ImageLoader(no_images)));
     } catch (SceneError& error) {
         const bool names_record = std::string_view(error.what()).find("twinlight record") != std::string_view::npos;
@@ -90,8 +103,8 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
     }
 }
 
-std::shared_ptr<const CommandList> load_commands(const std::string& scene) {
-    const std::shared_ptr<const Recording> recording = load_recording(scene);
+std::shared_ptr<const CommandList> load_commands(const std::string& scene, const std::string& step) {
+    const std::shared_ptr<const Recording> recording = load_recording(scene, std::nullopt, step);
     if (!recording->command_list()) {
         throw SceneError(scene +
                          ": a recorded program cannot be used here; use 'twinlight render', 'compare' or 'export'");

@@ -16,11 +16,12 @@ extern const std::vector<EmbeddedFile> kSceneFiles;
 
 // `scene` is the name of a built-in scene, a file, or - for standard input. The content decides how it is read: a scene
 // in C gives a CommandList; an apitrace .trace or the text of its dump gives a recording that is read each time it is
-// visited. A whole C program runs with `window` instead of its own size. Throws SceneError, and FileError if a file cannot
-// be read.
+// visited. A whole C program runs with `window` instead of its own size. `step` is ReadOptions::step. Throws SceneError, and
+// FileError if a file cannot be read.
 std::shared_ptr<const Recording> load_recording(const std::string& scene,
-                                                std::optional<WindowSize> window = std::nullopt);
+                                                std::optional<WindowSize> window = std::nullopt,
+                                                const std::string& step = {});
 // The same, but refuses recorded programs.
-std::shared_ptr<const CommandList> load_commands(const std::string& scene);
+std::shared_ptr<const CommandList> load_commands(const std::string& scene, const std::string& step = {});
 
 }  // namespace twinlight

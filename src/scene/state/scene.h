@@ -14,6 +14,7 @@ struct Scene {
     Frame frame;                                 // shaders and the reference draw this
 
     const std::string& name() const { return recording->name; }
+    std::string title() const { return recording->title(); }  // the name and, if there is one, the step
 };
 
 }  // namespace twinlight

@@ -385,7 +385,7 @@ TEST_F(Cli, ComparesAndPrintsATable) {
     const ProgramResult result = run({"compare", scene(kScene), "--size", "64x48", "-o", folder});
     EXPECT_EQ(result.status, 0) << result.out;
     EXPECT_EQ(result.err, "");
-    EXPECT_NE(result.out.find("Yes: the renderers agree."), std::string::npos);
+    EXPECT_NE(result.out.find("All three agree: "), std::string::npos);
     EXPECT_NE(result.out.find(folder + "/index.html"), std::string::npos);
     EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << "no colours where it is no terminal";
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 12);
@@ -786,6 +786,37 @@ TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
 }
 
 // kLamps with a pragma: explain names the factors that its terms have.
+TEST_F(Cli, ReadsTheStepThatIsChosen) {
+    std::string text = kScene;
+    text += R"(#pragma twinlight step("One light")
+glEnable(GL_LIGHT1);
+#pragma twinlight step("Two lights")
+glEnable(GL_LIGHT2);
+)";
+    const std::string file = scene(text);
+    const std::string two = run({"export", file, "--as", "scene", "--step", "2"}).out;
+    EXPECT_NE(two.find("GL_LIGHT2"), std::string::npos) << two;
+    EXPECT_EQ(two.find("GL_LIGHT1"), std::string::npos) << two;
+    EXPECT_EQ(run({"export", file, "--as", "scene", "--step", "Two lights"}).out, two);
+    EXPECT_NE(run({"explain", file, "--step", "2"}).out.find("scene.gl, step 2: Two lights"), std::string::npos);
+    // Each command that takes a scene reads the step, and refuses one that is not there.
+    const std::string missing = "this scene has no step '3'; its steps are 1 \"One light\", 2 \"Two lights\"";
+    for (const std::vector<std::string>& command :
+         std::vector<std::vector<std::string>>{{"render", file, "--with", "reference", "-o", out_ / "p.png"},
+                                               {"compare", file, "-o", out_ / "report"},
+                                               {"explain", file},
+                                               {"export", file, "--as", "c"},
+                                               {"lint", file},
+                                               {"study", file, "-o", out_ / "study"}}) {
+        std::vector<std::string> with_step = command;
+        with_step.insert(with_step.end(), {"--step", "3"});
+        SCOPED_TRACE(command[0]);
+        expect_refused(run(with_step), missing);
+    }
+    expect_refused(run({"explain", "report", "--step", "1"}), "report.gl: this scene has no steps; leave out --step");
+    expect_refused(run({"explain", file, "--step", ""}), "--step");
+}
+
 TEST_F(Cli, ExplainsAPixelWithTheFormulasOfTheLecturesVariants) {
     struct Formulas {
         const char *pragma, *ambient, *specular, *ambient_rows, *specular_rows;

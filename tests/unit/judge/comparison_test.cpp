@@ -97,6 +97,10 @@ const Pair& pair_named(const Comparison& comparison, const std::string& name) {
     throw std::logic_error("no pair " + name);
 }
 
+std::string page_of(const Comparison& comparison) {
+    return comparison_page({{"", comparison, encode_pictures(comparison)}});
+}
+
 class ReportTest : public testing::Test {
   protected:
     ReportTest() {
@@ -192,16 +196,14 @@ TEST(Verdict, OfEqualPicturesIsWithin) {
     Stub stub;
     const Comparison comparison = stub.compare();
     EXPECT_TRUE(comparison.within_tolerance());
-    EXPECT_EQ(answer(comparison).is_right, "Yes: the renderers agree.");
-    EXPECT_EQ(answer(comparison).where, "Away from edges, no pixel differs.");
-    EXPECT_EQ(answer(comparison).how_much, "By 0; allowed is up to 1/255, in fewer than 0.1% of the pixels.");
-    EXPECT_TRUE(answer(comparison).details.empty());
+    const std::vector<std::string> agreed = {"All three agree: no pixel away from edges differs."};
+    EXPECT_EQ(answer(comparison).sentences(), agreed);
 }
 
 TEST(Verdict, OfEdgesAloneIsToldAsNone) {
     Comparison comparison = Stub().compare();
     comparison.pairs.front().difference.interior.pixels = 0;
-    EXPECT_TRUE(answer(comparison).is_right.starts_with("Unknown: every pixel is at an edge"));
+    EXPECT_TRUE(answer(comparison).headline.starts_with("Unknown: every pixel is at an edge"));
 }
 
 TEST(Verdict, NamesThePairsThatDiffer) {
@@ -215,17 +217,16 @@ TEST(Verdict, NamesThePairsThatDiffer) {
     EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kWithin);
     EXPECT_EQ(pair_named(comparison, "fixed ~ programmable-phong").verdict, Verdict::kInformative);
     const Answer answers = answer(comparison);
-    EXPECT_EQ(answers.is_right, "No: the renderers differ more than allowed.");
+    EXPECT_EQ(answers.headline, "Not all agree: fixed and programmable differ by up to 25/255 away from edges.");
     EXPECT_EQ(answers.where,
-              "Most in fixed ~ programmable: 1,170 of 1,170 pixels away from edges differ (100.00%); the worst is at "
-              "(1, 0).");
-    EXPECT_EQ(answers.how_much, "By up to 25/255; allowed is up to 1/255, in fewer than 0.1% of the pixels.");
+              "fixed ~ programmable: 1,170 of 1,170 pixels away from edges differ (100.00%); the worst is at "
+              "(1, 0). Allowed: up to 1/255, in fewer than 0.1% of the pixels.");
     ASSERT_EQ(answers.details.size(), 2U);
     EXPECT_EQ(
         answers.details[0],
         "fixed ~ reference: 1,170 of 1,170 pixels away from edges differ (100.00%), by up to 25/255; the worst is at "
         "(1, 0).");
-    EXPECT_EQ(answers.sentences().size(), 5U);
+    EXPECT_EQ(answers.sentences().size(), 4U);
 }
 
 // A pixel off by 1/255 is within the tolerance, and the answers still say where it is.
@@ -234,18 +235,31 @@ TEST(Verdict, ShowsWhereAllowedRoundingDiffers) {
     RegionDifference& beyond = comparison.pairs[1].difference.beyond_allowed;
     beyond = {.pixels = 5000, .differing = 2, .max = 1 / 255.0, .rms = 1e-4, .worst_x = 7, .worst_y = 8};
     comparison.pairs[1].difference.interior = beyond;
-    EXPECT_EQ(answer(comparison).is_right, "Yes: the renderers agree.");
+    EXPECT_EQ(answer(comparison).headline, "All three agree: the largest difference away from edges is 1/255.");
     EXPECT_EQ(answer(comparison).where,
-              "At a few pixels. Most are in fixed ~ reference: 2 of 5,000 pixels away from edges differ (0.04%), for "
-              "example at (7, 8).");
-    EXPECT_EQ(answer(comparison).how_much, "By up to 1/255; allowed is up to 1/255, in fewer than 0.1% of the pixels.");
-    beyond = {.pixels = 5000};  // all of it is allowed
-    EXPECT_EQ(
-        answer(comparison).where,
-        "Nowhere by more than allowed. Most differences are in fixed ~ reference: 2 of 5,000 pixels away from edges "
-        "differ (0.04%), for example at (7, 8).");
-    EXPECT_EQ(answer(comparison).how_much,
-              "By up to 1/255, which rounding, filtering or blending explains at each of these pixels.");
+              "fixed ~ reference differ most: at 2 of 5,000 pixels away from edges (0.04%), for example (7, 8).");
+}
+
+TEST(Verdict, SaysWhatExplainsALargerDifference) {
+    Comparison comparison = Stub().compare();
+    ImageDifference& difference = comparison.pairs[1].difference;
+    difference.interior = {.pixels = 5000, .differing = 2, .max = 3 / 255.0, .rms = 1e-4, .worst_x = 7, .worst_y = 8};
+    const std::string largest = "All three agree: the largest difference away from edges is 3/255. ";
+    difference.beyond_allowed = {.pixels = 5000};
+    EXPECT_EQ(answer(comparison).headline, largest + "Filters, blending and rounding explain it.");
+    difference.beyond_allowed = {.pixels = 5000, .differing = 1, .max = 1 / 255.0};
+    EXPECT_EQ(answer(comparison).headline, largest + "Filters, blending and rounding explain all but 1/255.");
+    EXPECT_EQ(largest_difference(comparison), 3 / 255.0);
+}
+
+TEST(Verdict, LeavesPicturesThatAreMeantToDifferOutOfItsLargestDifference) {
+    Comparison comparison = Stub().compare();
+    Pair& meant = comparison.pairs.back();
+    ASSERT_EQ(meant.verdict, Verdict::kInformative);
+    meant.difference.interior.max = 1;
+    EXPECT_EQ(largest_difference(comparison), 0);
+    meant.verdict = Verdict::kWithin;
+    EXPECT_EQ(largest_difference(comparison), 1);
 }
 
 // A wide line, which softpipe draws half a pixel too far along, and no other driver.
@@ -291,9 +305,9 @@ TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
     EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kPartial);
     EXPECT_EQ(comparison.verdict(), Verdict::kPartial);
     EXPECT_TRUE(comparison.within_tolerance());
-    EXPECT_EQ(answer(comparison).is_right,
+    EXPECT_EQ(answer(comparison).headline,
               "The comparison is partial: one kind of command is not drawn by every renderer.");
-    EXPECT_EQ(answer(comparison).where, "The first is glEnable(GL_FOG) at scene.gl:3:1.");
+    EXPECT_TRUE(answer(comparison).where.starts_with("The first is glEnable(GL_FOG) at scene.gl:3:1. "));
     EXPECT_EQ(json::parse(comparison_json(comparison))["verdict"], "partial");
 }
 
@@ -405,7 +419,7 @@ TEST(ComparisonPage, HoldsEverythingAndAsksForNothing) {
     Stub stub;
     Comparison comparison = stub.compare();
     comparison.scene = "<script>alert(1)</script>{{verdict}}";
-    const std::string page = comparison_page(comparison, encode_pictures(comparison));
+    const std::string page = page_of(comparison);
     EXPECT_NE(page.find("<h1>&lt;script&gt;alert(1)&lt;/script&gt;{{verdict}}</h1>"), std::string::npos);
     for (const char* outside : {"http:", "https:", "src=\"/", "@import", "url("}) {
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
@@ -414,19 +428,46 @@ TEST(ComparisonPage, HoldsEverythingAndAsksForNothing) {
         EXPECT_NE(page.find("data-name=\"" + render.name + "\""), std::string::npos);
         EXPECT_NE(render.meaning, "");
     }
-    const std::size_t right = page.find("<dt>Is it right?</dt><dd>Yes: the renderers agree.</dd>");
-    const std::size_t where = page.find("<dt>If not, where?</dt>"), by = page.find("<dt>By how much?</dt>");
-    EXPECT_NE(by, std::string::npos);
-    EXPECT_LT(right, where);
-    EXPECT_LT(where, by);
+    EXPECT_NE(page.find("<p class=\"headline\">All three agree: no pixel away from edges differs.</p>"),
+              std::string::npos);
     EXPECT_NE(page.find("Every renderer draws every command of the scene."), std::string::npos);
+}
+
+// Fixed function beside lighting at every pixel, with the pixel selected where they differ most.
+TEST(ComparisonPage, OpensOnThePairThatTeaches) {
+    Comparison comparison = Stub().compare();
+    comparison.pairs.back().difference.interior = {
+        .pixels = 1170, .differing = 9, .max = 40 / 255.0, .rms = 0.1, .worst_x = 31, .worst_y = 17};
+    const std::string page = page_of(comparison);
+    EXPECT_NE(page.find(" data-x=\"31\" data-y=\"17\">"), std::string::npos);
+    const std::size_t first = page.find("<button type=\"button\" data-left=");
+    EXPECT_EQ(page.find("data-left=\"fixed\" data-right=\"programmable-phong\"", first), first + 22);
+    EXPECT_NE(page.find("They are meant to differ: in this scene by up to 40/255.\">Lit vertices, lit pixels</button>"),
+              std::string::npos);
+    EXPECT_NE(page.find("data-right=\"fixed ~ reference\" "), std::string::npos);
+    EXPECT_EQ(page.find("<nav"), std::string::npos);
+}
+
+TEST(ComparisonPage, HoldsOneArticleForEachStep) {
+    Stub stub;
+    const Comparison first = stub.compare();
+    stub.fixed = 0.6F;
+    const Comparison second = stub.compare();
+    const EncodedPictures pictures = encode_pictures(first);
+    const std::string page = comparison_page({{"Diffuse", first, pictures}, {"<Specular>", second, pictures}});
+    for (const char* text :
+         {"<a href=\"#step=1\">1. Diffuse<span class=\"within\">largest difference 0/255</span></a>",
+          "<a href=\"#step=2\">2. &lt;Specular&gt;<span class=\"beyond\">largest difference 25/255</span></a>",
+          "id=\"step=1\"", "id=\"step=2\"", "<h2>2. &lt;Specular&gt;</h2>"})
+        EXPECT_NE(page.find(text), std::string::npos) << text;
+    EXPECT_EQ(page.find("{{"), std::string::npos);
 }
 
 TEST(ComparisonPage, NamesWhatIsNotDrawn) {
     Stub stub;
     Comparison comparison = stub.compare();
     comparison.unsupported.push_back(fog(1));
-    const std::string page = comparison_page(comparison, encode_pictures(comparison));
+    const std::string page = page_of(comparison);
     EXPECT_NE(page.find("glEnable(GL_FOG) (once, at scene.gl:3:1) is not drawn by programmable and reference."),
               std::string::npos);
 }

@@ -24,11 +24,11 @@ std::string program(const std::string& statements, const std::string& before = "
            "}\n";
 }
 
-CommandList read_program(const std::string& text, const ProgramOptions& options = {}) {
+CommandList read_program(const std::string& text, const ReadOptions& options = {}) {
     return read_scene(text, "homework.c", "homework", no_images, options);
 }
 
-std::string error_of(const std::string& text, const ProgramOptions& options = {}) {
+std::string error_of(const std::string& text, const ReadOptions& options = {}) {
     try {
         read_program(text, options);
     } catch (const SceneError& error) {
