@@ -1,6 +1,9 @@
 #include "render/programmable/programmable.h"
 
+#include <algorithm>
 #include <list>
+#include <optional>
+#include <utility>
 #include <variant>
 
 #include "render/context/context.h"
@@ -21,8 +24,8 @@ namespace {
 struct PreparedDraw {
     // mesh_of(effects, origin_object) returns the mesh.
     template <class MeshOf>
-    PreparedDraw(const Draw& draw, const Plan& plan, const Options& options, const MeshOf& mesh_of)
-        : program(draw_program(draw, plan, options.precise)),
+    PreparedDraw(const Draw& draw, DrawProgram program_of_draw, const MeshOf& mesh_of)
+        : program(std::move(program_of_draw)),
           mesh(mesh_of(program.code.effects, program.code.origin_object.value_or(glm::dvec3(0)))),
           raster(draw.raster),
           fragment(draw.fragment),
@@ -69,10 +72,10 @@ struct UploadedFrame::Impl {
                 end_run(options, kept);
                 if (place.begins_shape) add_surfaces(draw, options, place);  // the first part draws the whole shape
             } else {
-                if (!kept || !continues_run(draw)) end_run(options, kept);
-                if (run.empty()) begins_run = place;
+                if (!continues_run(draw)) end_run(options, kept);
                 run.push_back(&draw);
-                run_vertices += draw.vertices.size();
+                run_places.push_back(place);
+                run_vertices += std::max(draw.vertices.size(), draw.indices.size());
             }
         }
         end_run(options, kept);
@@ -81,25 +84,69 @@ struct UploadedFrame::Impl {
     }
 
     bool continues_run(const Draw& draw) const {
-        return !run.empty() && run_vertices + draw.vertices.size() <= kMostJoinedVertices &&
+        return !run.empty() &&
+               run_vertices + std::max(draw.vertices.size(), draw.indices.size()) <= kMostJoinedVertices &&
                have_one_state(*run.front(), draw);
     }
 
-    // Adds the Draws of `run`. There is more than one only if meshes are kept.
+    // Adds the Draws of `run`.
     void end_run(const Options& options, KeptMeshes* kept) {
         if (run.empty()) return;
-        const Draw& draw = *run.front();
-        const auto known = kept ? kept->known(run) : nullptr;
-        begins_run.plan = known ? plan_effects(draw, options, known->facts) : plan_effects(draw, options);
-        items.emplace_back(std::in_place_type<PreparedDraw>, draw, begins_run.plan, options,
-                           [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                               return known ? kept->mesh(*known, run, effects, origin_object)
-                                            : std::make_shared<const UploadedMesh>(draw, effects, options.patches,
-                                                                                   origin_object);
-                           });
-        plans.push_back(std::move(begins_run));
+        if (kept)
+            add_as_one(options, *kept);
+        else
+            add_one_by_one(options);
         run.clear();
+        run_places.clear();
         run_vertices = 0;
+    }
+
+    // With one plan for all.
+    void add_as_one(const Options& options, KeptMeshes& kept) {
+        const Draw& draw = *run.front();
+        const auto known = kept.known(run);
+        PlannedDraw& planned = run_places.front();
+        planned.plan = plan_effects(draw, options, known->facts);
+        items.emplace_back(std::in_place_type<PreparedDraw>, draw, draw_program(draw, planned.plan, options.precise),
+                           [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                               return kept.mesh(*known, run, effects, origin_object);
+                           });
+        plans.push_back(std::move(planned));
+    }
+
+    // With a plan for each. Those that have the same program and numbers are still uploaded and drawn as one, which
+    // changes no bit of the picture.
+    void add_one_by_one(const Options& options) {
+        std::optional<DrawProgram> program;
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            PlannedDraw& planned = run_places[i];
+            planned.plan = plan_effects(*run[i], options);
+            DrawProgram next = draw_program(*run[i], planned.plan, options.precise);
+            plans.push_back(std::move(planned));
+            if (program && !are_one_program(*program, next)) {
+                add_with_program(DrawRun(run).subspan(first, i - first), std::move(*program), options);
+                first = i;
+            }
+            program = std::move(next);
+        }
+        add_with_program(DrawRun(run).subspan(first), std::move(*program), options);
+    }
+
+    static bool are_one_program(const DrawProgram& a, const DrawProgram& b) {
+        return a.code.effects == b.code.effects && a.code.form == b.code.form &&
+               a.code.origin_object == b.code.origin_object && a.numbers == b.numbers;
+    }
+
+    void add_with_program(DrawRun draws, DrawProgram program, const Options& options) {
+        const Draw& draw = *draws.front();
+        items.emplace_back(std::in_place_type<PreparedDraw>, draw, std::move(program),
+                           [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                               return draws.size() > 1
+                                          ? std::make_shared<const UploadedMesh>(joined(draws), effects, origin_object)
+                                          : std::make_shared<const UploadedMesh>(draw, effects, options.patches,
+                                                                                 origin_object);
+                           });
     }
 
     void add_surfaces(const Draw& draw, const Options& options, const PlannedDraw& planned) {
@@ -117,9 +164,9 @@ struct UploadedFrame::Impl {
     std::list<std::variant<Clear, PreparedDraw>> items;
 
     // While the frame is prepared: Draws that will be drawn as one.
-    std::vector<const Draw*> run;
+    std::vector<const Draw*> run;  // have_one_state()
+    std::vector<PlannedDraw> run_places;
     std::size_t run_vertices = 0;
-    PlannedDraw begins_run;
 };
 
 UploadedFrame::UploadedFrame(const Frame& frame, const Options& options)
