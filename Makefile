@@ -161,7 +161,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz programs golden instructions format check includes each-file tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz gallery programs golden tables instructions format check includes each-file tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -199,12 +199,20 @@ fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET
 	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
 	printf '%s\n' $(or $(TARGET),$(fuzz_targets)) | xargs -P $$(nproc) -I TARGET tests/fuzz/run.sh TARGET $(TIME)
 
+gallery: deps  ## draw all scenes and their steps with every renderer: build/gallery/index.html (SCENES='lab report' draws some)
+	@$(MAKE) $(PROGRAMS)/twinlight
+	@tools/gallery.sh $(PROGRAMS)/twinlight build/gallery $(SCENES)
+
 deps:  ## install missing packages with apt; build nothing
 	@tools/deps.sh
 
 golden: deps  ## rewrite the golden pictures (CASE=scene for one); look at each before you commit it
 	@$(MAKE) test-binary
 	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(PROGRAMS)/twinlight-tests --gtest_filter='*GoldenScenes*:*GoldenHomework*'
+
+tables: deps  ## rewrite the tables of docs/hard-cases.md and docs/driver.md after a change of cases, rulings or known differences
+	@$(MAKE) test-binary
+	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_TABLES=1 $(PROGRAMS)/twinlight-tests --gtest_brief=1 --gtest_filter='DocsTables*'
 
 instructions: deps  ## recount the instructions in tests/instructions after an intended change
 	@$(MAKE) test-binary
@@ -239,7 +247,7 @@ clean:  ## remove build/
 help:  ## show this list
 	@grep -hE '^[a-z-]+:.*##' Makefile tools/install/install.mk | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
 
-# ---- Installing: make install, uninstall, dist, deb; make gallery ------------------------------------------------
+# ---- Installing: make install, uninstall, dist, deb ------------------------------------------------------------
 
 include tools/install/install.mk
 

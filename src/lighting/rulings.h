@@ -1,5 +1,5 @@
 // Rulings: our choices where the specification is silent. These are the ones that can change a colour.
-// docs/hard-cases.md gives the reason for each; a test compares the two lists.
+// docs/hard-cases.md has them as a table: `make tables` writes it.
 #pragma once
 
 #include <cstdint>
@@ -33,40 +33,50 @@ enum class Ruling : std::uint8_t {
 
 struct RulingText {
     Ruling ruling;
-    std::string_view state, answer;  // the first two columns of the document's tables
+    std::string_view state, answer, reason;
 };
 
 inline constexpr RulingText kRulings[] = {
     {Ruling::kLightAtVertex, "a light exactly at the vertex, or whose direction is (0, 0, 0)",
-     "only its ambient term counts; diffuse and specular need a direction and are 0"},
-    {Ruling::kAttenuation, "attenuation whose denominator is 0 or negative (k = 0, 0, 0; k_0 = 0 at the vertex)",
-     "the light contributes 0"},
-    {Ruling::kZeroNormal, "a zero normal", "ambient and emission only"},
-    {Ruling::kSingularModelview, "a singular modelview", "every normal becomes 0"},
-    {Ruling::kAtInfinity, "a vertex with eye w = 0", "lit like a vertex very far away in that direction"},
-    {Ruling::kOppositeHalfVector, "a half vector of length 0 (L = -V)",
-     "no highlight, except for shininess 0: 0^0 = 1"},
-    {Ruling::kEqualCones, "a smooth spot whose cones are equal", "a step that includes its border"},
-    {Ruling::kSquares, "coordinates whose squares overflow or underflow", "scaled by a power of two, which is exact"},
-    {Ruling::kNoNumber, "a colour beyond the largest number", "that term contributes 0"},
+     "the light adds only its ambient term", "0/0 has no limit, and the ambient term needs no direction"},
+    {Ruling::kAttenuation, "attenuation whose denominator is 0 or negative", "the light contributes 0",
+     "1/d grows without bound, so there is no limit"},
+    {Ruling::kZeroNormal, "a zero normal", "ambient and emission only", "a cosine with no direction is 0"},
+    {Ruling::kSingularModelview, "a singular modelview", "every normal becomes 0",
+     "the inverse does not exist, and any normal would be a guess"},
+    {Ruling::kAtInfinity, "a vertex with eye w = 0", "lit like a vertex very far away in that direction",
+     "that is the limit as w goes to 0"},
+    {Ruling::kOppositeHalfVector, "a half vector of length 0 (L = -V)", "no highlight, except for shininess 0: 0^0 = 1",
+     "a zero vector has no cosine; section 2.1.1 requires 0^0 = 1"},
+    {Ruling::kEqualCones, "a smooth spot whose cones are equal", "a step that includes its border",
+     "that is the limit of ever narrower slopes, with the >= of section 2.14.1"},
+    {Ruling::kSquares, "coordinates whose squares overflow or underflow", "scaled by a power of two, which is exact",
+     "a unit vector does not depend on the length"},
+    {Ruling::kNoNumber, "a colour beyond the largest number", "that term contributes 0",
+     "where terms cancel, not even the sign of the sum is known"},
     {Ruling::kSpotBorder, "a cosine that equals the spot's cutoff",
-     "lit (2.14.1 requires >=); the comparison allows 4 epsilon for rounding, so in floats a cone of 0 degrees reaches "
-     "0.056 degrees"},
-    {Ruling::kBehindSpot,
-     "behind a spot of 90 degrees and exponent 0 (2.14.1 compares max(PV . s, 0), which cos 90 never exceeds)", "dark"},
+     "lit; the comparison allows 4 epsilon for rounding, so in floats a cone of 0 degrees reaches 0.056 degrees",
+     "section 2.14.1 requires >=, and rounding must not darken the border"},
+    {Ruling::kBehindSpot, "behind a spot of 90 degrees and exponent 0", "dark",
+     "section 2.14.1 compares max(PV . s, 0) with cos 90, which is never less; narrower cones end at their cutoff"},
     {Ruling::kRescaled, "RESCALE_NORMAL: rescale or normalise",
-     "rescale by the factor of 2.11.3; with NORMALIZE as well, normalise"},
+     "rescale by the factor of 2.11.3; with NORMALIZE as well, normalise",
+     "section 2.11.3 allows both; the factor is what the name says"},
     {Ruling::kZeroSpotDirection, "a spot direction of length 0",
-     "its cosine with every direction is 0, so cones narrower than 90 degrees are dark"},
-    {Ruling::kVertexAtEye, "a vertex at the eye, local viewer", "VP_e is 0, so the half vector is VP"},
-    {Ruling::kFarFromOrigin,
-     "object and camera far from the origin (2.1.1 leaves a driver 1e-5 of their distance from it)",
-     "the distances cancel in double precision, so the result is as exact as near the origin"},
+     "its cosine with every direction is 0, so cones narrower than 90 degrees are dark", "as for a zero normal"},
+    {Ruling::kVertexAtEye, "a vertex at the eye, local viewer", "VP_e is 0, so the half vector is VP",
+     "a direction of length 0 adds nothing"},
+    {Ruling::kFarFromOrigin, "object and camera far from the origin",
+     "as exact as near the origin: the distances cancel in double precision",
+     "section 2.1.1 allows an error of 1e-5 of the distance, but the picture should not depend on the origin"},
     {Ruling::kFogWithoutDepth, "linear fog that ends where it starts",
-     "no fog before that distance, full fog from there on"},
-    {Ruling::kDecal, "DECAL with a format that lacks red, green, blue (3.8.13)", "the fragment keeps its colour"},
-    {Ruling::kZeroQuotient, "q or w of 0 in texture coordinates and fog", "the quotient is 0"},
-    {Ruling::kUncountable, "a texture coordinate beyond 1e15 or not a number", "0"},
+     "no fog before that distance, full fog from there on", "that is the limit of ever shorter ranges"},
+    {Ruling::kDecal, "DECAL with a format that lacks red, green, blue", "the fragment keeps its colour",
+     "section 3.8.13 leaves it undefined, and the texture has no colour to put on"},
+    {Ruling::kZeroQuotient, "q or w of 0 in texture coordinates and fog", "the quotient is 0",
+     "there is no limit; 0 is finite"},
+    {Ruling::kUncountable, "a texture coordinate beyond 1e15 or not a number", "0",
+     "it has no fraction left that could choose a texel"},
 };
 constexpr bool are_in_enum_order() {
     for (std::size_t i = 0; i < std::size(kRulings); ++i)

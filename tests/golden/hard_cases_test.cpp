@@ -101,20 +101,6 @@ TEST(HardCases, NameDeparturesOfTheList) {
             EXPECT_TRUE(listed.contains(differs.name)) << of.name << ": " << differs.name;
 }
 
-// docs/hard-cases.md has a row for each case with a known bug, and no other rows: "| `case` | ...".
-TEST(HardCases, StandInTheDocumentWhereADriverDeparts) {
-    std::set<std::string> told, departing;
-    std::ifstream file("docs/hard-cases.md");
-    bool is_table = false;
-    for (std::string line; std::getline(file, line);) {
-        if (line.starts_with("## ")) is_table = line == "## Departures";
-        if (is_table && line.starts_with("| `")) told.insert(line.substr(3, line.find('`', 3) - 3));
-    }
-    for (const Case& of : load_cases())
-        if (!of.differs.empty()) departing.insert(of.name);
-    EXPECT_EQ(told, departing);
-}
-
 // ---- What the suite reports ----
 
 // A case of a point that emits 0.5; `expectation` follows the first five lines of its head.

@@ -33,7 +33,7 @@ file_of = $(firstword $(subst :, ,$(1)))
 place_of = $(lastword $(subst :, ,$(1)))
 path_of = $(if $(filter %/,$(call place_of,$(1))),$(call place_of,$(1))$(notdir $(call file_of,$(1))),$(call place_of,$(1)))
 
-.PHONY: install install-files uninstall dist deb gallery
+.PHONY: install install-files uninstall dist deb
 
 install: $(if $(wildcard $(PROGRAMS)/twinlight),,deps)  ## install into PREFIX (/usr/local): programs, scenes, manual pages, completion; DESTDIR goes before every path
 	@$(MAKE) install-files

@@ -28,7 +28,7 @@ struct RegionDifference {
 // How much two correct pictures of one scene may differ, pixel by pixel.
 struct AllowedDifference {
     // Edge pixels: a primitive's border passes through the pixel, two surfaces intersect there, or the last bits decide
-    // which texel, level or filter is used (docs/lighting.md, "Edges").
+    // which texel, level or filter is used (docs/edges.md).
     PixelMask edge;
     // Interior pixels: how much a channel may differ because of the precision of filters and blending, in addition to
     // the rounding to 8 bits. 0 where nothing is textured or blended.

@@ -1,4 +1,4 @@
-// The pixels where correct implementations may differ, and by how much (docs/lighting.md, "Edges").
+// The pixels where correct implementations may differ, and by how much (docs/edges.md).
 //
 // Draws the fragments of the picture again, but with all values that they may have anywhere in a pixel's square:
 //   - coverage: a piece fills the square, or its border passes through it;

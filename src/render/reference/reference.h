@@ -16,7 +16,7 @@ Image render(const Frame& frame, const Options& options);
 // their commands, each as one however many Draws it has. -1 if there is no shape or colours were blended.
 std::vector<int> seen_shapes(const Frame& frame, const Options& options);
 
-// How much correct pictures of the frame may differ (docs/lighting.md, "Edges"), with either cut of quadrilaterals. For
+// How much correct pictures of the frame may differ (docs/edges.md), with either cut of quadrilaterals. For
 // exact surfaces: the allowed difference of their meshes, lit per pixel, plus edges where the colour changes within a
 // thousandth of a pixel.
 AllowedDifference allowed_difference(const Frame& frame, Options options = {});

@@ -1,4 +1,4 @@
-// The edge mask: where two correct rasterisers may choose different triangles (docs/lighting.md, "Edges").
+// The edge mask: where two correct rasterisers may choose different triangles (docs/edges.md).
 #include <gtest/gtest.h>
 
 #include "../small_frames.h"

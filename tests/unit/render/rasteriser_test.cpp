@@ -21,7 +21,7 @@ TEST(Coverage, TakesThePixelsWhoseCentresAreInside) {
     EXPECT_EQ(drawn(draw_window({quad(2.6, 3.6, 6.4, 5.4)})), rectangle(3, 4, 6, 5));
 }
 
-TEST(Coverage, GivesCentresOnTheLeftAndBottomEdgesToThePolygon) {  // as in llvmpipe; see docs/lighting.md
+TEST(Coverage, GivesCentresOnTheLeftAndBottomEdgesToThePolygon) {  // as in llvmpipe; see docs/driver.md
     EXPECT_EQ(drawn(draw_window({quad(2.5, 3.5, 6.5, 8.5)})), rectangle(2, 3, 6, 8));
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
 
 #include "judge/check/case.h"
@@ -174,28 +173,6 @@ TEST(DecidingRulings, AreNotOfOrdinaryScenes) {
             EXPECT_TRUE(rulings.empty()) << name << ": " << told(rulings);
         }
     }
-}
-
-// The first two columns of a table in docs/hard-cases.md are each state and its answer. Those "Of lighting" are all
-// tested here, except NaN and infinity, which State handles before drawing.
-TEST(DecidingRulings, StandInTheDocument) {
-    std::set<std::string> of_lighting, all, here;
-    std::ifstream file("docs/hard-cases.md");
-    std::string section;
-    for (std::string line; std::getline(file, line);) {
-        if (line.starts_with("#")) section = line;
-        const bool is_lighting = section == "### Of lighting";
-        if ((!is_lighting && section != "### Of what comes after") || !line.starts_with("| ")) continue;
-        const std::string row = line.substr(2, line.find(" | ", line.find(" | ") + 3) - 2);
-        if (row.starts_with("state | ") || row.starts_with("NaN or infinity")) continue;
-        all.insert(row);
-        if (is_lighting) of_lighting.insert(row);
-    }
-    for (const lighting::RulingText& text : lighting::kRulings)
-        here.insert(fmt::format("{} | {}", text.state, text.answer));
-    for (const std::string& row : here) EXPECT_TRUE(all.contains(row)) << "not in the document: " << row;
-    EXPECT_GE(of_lighting.size(), 14u);
-    for (const std::string& row : of_lighting) EXPECT_TRUE(here.contains(row)) << "only in the document: " << row;
 }
 
 }  // namespace
