@@ -46,6 +46,7 @@ nlohmann-json3-dev  pkg-config --exists nlohmann_json
 libfmt-dev          pkg-config --exists fmt
 libstb-dev          pkg-config --exists stb
 libxsimd-dev        pkg-config --exists xsimd
+libboost-dev        ls /usr/include/boost/multiprecision/cpp_bin_float.hpp
 libimgui-dev        pkg-config --exists imgui
 fonts-dejavu-core   ls /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 libjs-chart.js      ls /usr/share/javascript/chart.js

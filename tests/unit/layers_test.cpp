@@ -56,7 +56,8 @@ const std::map<std::string, Table>& rooms() {
           {"fuzz", {"compare"}},
           {"check", {"compare"}},
           {"lint", {}},
-          {"explain", {}}}},
+          {"explain", {}},
+          {"oracle", {}}}},
         {"app", {{"cli", {}}, {"session", {}}, {"demo", {"session"}}}},
     };
     return table;
@@ -70,6 +71,8 @@ const Table& narrower() {
         {"render/fixed", {"base", "scene"}},
         {"render/programmable", {"base", "scene"}},
         // The renderers come as functions.
+        // It judges everything else that lights, so it shares only the reader of commands.
+        {"judge/oracle", {"scene"}},
         {"judge/report", {"base", "scene", "render"}},
         {"judge/study", {"base", "scene", "render"}},
     };

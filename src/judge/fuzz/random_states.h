@@ -27,6 +27,9 @@ std::string_view departure_of(const Seed& seed, Random& structure);
 // moderate size and no coordinate is 0, unless the scene is meant to show a known bug.
 CommandList lighting_state(const Seed& seed);
 
+// A scene at the limits of the equation: one point, whose numbers have all magnitudes, with one to eight lights. For the oracle.
+CommandList extreme_state(const Seed& seed);
+
 // A scene that varies everything between vertices and pixels: a few batches in a perspective view, with random
 // primitives, textures, environments, fog, blending, tests, masks, clip planes, offsets, widths. All numbers are of
 // moderate size.

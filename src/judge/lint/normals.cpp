@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math/normal_matrix.h"
 #include "judge/lint/watch.h"
 
 namespace twinlight::lint {
@@ -199,7 +200,7 @@ class FlattenedNormals : public Watch {
         if (has_zero) scale_ = command.place;
     }
     void drawn(const Draw& draw, const State&) override {
-        if (scale_.line == 0 || !uses_normals(draw) || glm::determinant(glm::dmat3(draw.eye_from_object)) != 0) return;
+        if (scale_.line == 0 || !uses_normals(draw) || !is_singular(glm::dmat3(draw.eye_from_object))) return;
         warn({.place = scale_,
               .message = "this glScale has a factor of 0, so normals cannot be computed and the object is dark",
               .fix = "use a small factor such as 0.001 and glEnable(GL_NORMALIZE)",

@@ -45,7 +45,8 @@ double largest_power(double base, const Range& exponent) {
 // Bounds on the factors by which a matrix stretches vectors: at most `largest`, at least `smallest`.
 struct Stretch {
     double largest = kInfinity, smallest = 0;
-    bool known() const { return smallest > 0 && largest / smallest < 1e6; }
+    // Far from singular (base/math/normal_matrix.h).
+    bool known() const { return smallest > 0 && largest / smallest < 1e5; }
     double ratio() const { return largest / smallest; }
 };
 

@@ -10,12 +10,15 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "base/math/directions.h"
+#include "base/math/normal_matrix.h"
 #include "render/effect/color_products.h"
 #include "render/programmable/lighting_names.h"
 #include "render/programmable/precise/precise.h"
 #include "render/programmable/vertex_attributes.h"
+#include "render/programmable/wide_range.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -34,6 +37,8 @@ double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std
 // on the unit of length (attenuation does, so its factors are converted), nor on the length of normals that are scaled to 1.
 // So lengths far from 1 are measured in another unit: a power of two, which rounds nothing.
 
+constexpr double kMostDistant = 1e37;
+
 bool needs_no_unit(double size) { return size > 1e-12 && size < 1e12; }
 
 double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, const Plan& plan) {
@@ -50,22 +55,17 @@ double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, cons
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
-// The transposed inverse of the modelview matrix's upper 3x3 (2.11.3). RULING: a singular matrix takes every normal to
-// 0.
-glm::dmat3 normal_matrix(const Draw& draw, const Plan& plan) {
-    glm::dmat3 m(draw.eye_from_object);
+// The matrix for normals (2.11.3). If normals are scaled to length 1 later, its scale does not matter.
+glm::dmat3 normal_matrix_of(const Draw& draw, const Plan& plan) {
+    glm::dmat3 normals = normal_matrix(glm::dmat3(draw.eye_from_object));
+    const bool made_unit = makes_normals_unit(plan.effects);
+    if (!made_unit && !plan.lighting.rescale_normal) return normals;
     double scale = 0;
-    for (int column = 0; column < 3; ++column) scale = std::max(scale, largest_component(m[column]));
-    scale = power_of_two(scale);
-    m /= scale;
-    if (glm::determinant(m) == 0) return glm::dmat3(0);
-    glm::dmat3 normals = glm::transpose(glm::inverse(m));
-    // If normals are scaled to length 1 later, the matrix's scale does not matter.
-    if (makes_normals_unit(plan.effects)) return normals;
-    // RESCALE_NORMAL's factor: 1 / sqrt(m31^2 + m32^2 + m33^2) of the inverse, whose third row is the third column
-    // here.
-    if (plan.lighting.rescale_normal) return normals / glm::length(normals[2]);
-    return normals / scale;
+    for (int column = 0; column < 3; ++column) scale = std::max(scale, largest_component(normals[column]));
+    normals /= power_of_two(scale);
+    // RESCALE_NORMAL's factor: 1 / sqrt(m31^2 + m32^2 + m33^2) of the inverse, whose third row is the third column here.
+    const double third = glm::length(normals[2]);
+    return made_unit || !(third > 0) ? normals : normals / third;
 }
 
 // ---- Uniforms ----
@@ -91,7 +91,9 @@ class DrawUniforms {
         clip_planes();
         fragments();
         if (!effects_.lighting) return std::move(uniforms_);
-        if (form_.object_space)
+        if (form_.wide_range)
+            wide_range();
+        else if (form_.object_space)
             object_space();
         else
             eye_space();
@@ -154,7 +156,7 @@ class DrawUniforms {
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
         matrix("u_eye_from_object", eye_from_object);
-        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix(draw_, plan_));
+        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
     }
 
     // Brings the viewer and the lights to object coordinates.
@@ -165,8 +167,19 @@ class DrawUniforms {
         vector("u_viewer_dir_object", direction(glm::dvec3(0, 0, 1)));
     }
 
+    void wide_range() {
+        const VertexFacts& facts = plan_.vertices;
+        const glm::dvec4 reach = origin_object_ ? glm::dvec4(glm::dvec3(facts.radius_object), 1) : facts.position_reach;
+        const double largest = std::max({reach.x, reach.y, reach.z, reach.w});
+        number("u_object_scale", 1 / power_of_two(largest));
+        matrix("u_eye_from_object_turned", glm::dmat3(eye_from_object_));
+        vector("u_viewer_object", point(glm::dvec3(0)));
+        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
+    }
+
     // From eye coordinates to the coordinates that the shader lights in.
     glm::dvec3 point(const glm::dvec3& eye) const {
+        if (form_.wide_range) return place_object(draw_, eye) - origin_object_.value_or(glm::dvec3(0));
         return form_.object_space ? glm::dvec3(object_from_eye_ * glm::dvec4(eye, 1)) : eye / unit_;
     }
     glm::dvec3 direction(const glm::dvec3& eye) const {
@@ -277,11 +290,20 @@ class DrawUniforms {
                  [&](const LightSource& light) { return direction(unit(vp_dir(light) + glm::dvec3(0, 0, 1))); });
             return;
         }
-        each({"position", space},
-             [&](const LightSource& light) { return point(rgb(light.position_eye) / light.position_eye.w); });
+        // A place that floats cannot hold comes nearer, in the same direction; then its distance has another unit.
+        const auto place_and_unit = [&](const LightSource& light) {
+            glm::dvec3 place = point(rgb(light.position_eye) / light.position_eye.w);
+            const double largest = largest_component(place);
+            const double length_unit = largest > kMostDistant ? largest / kMostDistant : unit_;
+            if (length_unit != unit_) place /= length_unit;
+            return std::pair(place, length_unit);
+        };
+        each({"position", form_.wide_range || form_.object_space ? "_object" : "_eye"},
+             [&](const LightSource& light) { return place_and_unit(light).first; });
         each({"attenuation"}, [&](const LightSource& light) {
-            return glm::dvec3(light.constant_attenuation, light.linear_attenuation * unit_,
-                              light.quadratic_attenuation * unit_ * unit_);
+            const double length_unit = place_and_unit(light).second;
+            return glm::dvec3(light.constant_attenuation, light.linear_attenuation * length_unit,
+                              light.quadratic_attenuation * length_unit * length_unit);
         });
         each({"spot_dir", space}, [&](const LightSource& light) { return direction(unit(light.spot_direction_eye)); });
         each({"cos_cutoff"},

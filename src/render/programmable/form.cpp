@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <map>
 
+#include "render/programmable/wide_range.h"
 #include "scene/state/far_from_origin.h"
 
 namespace twinlight::programmable {
@@ -76,8 +77,10 @@ std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& fac
 
 Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {
     const bool is_surface = surface.kind != SurfaceKind::kNone;
+    const bool wide_range = !is_surface && has_wide_range(draw, plan);
     Code code{.effects = plan.effects,
-              .form = {.object_space = lit_in_object_space(draw, plan, is_surface),
+              .form = {.object_space = !wide_range && lit_in_object_space(draw, plan, is_surface),
+                       .wide_range = wide_range,
                        .position_w = !plan.vertices.w_is_1,
                        .loops = {},
                        .surface = surface},

@@ -49,6 +49,9 @@ struct Form {
     bool object_space = false;
     // Every sum in the order of --precise (precise.h). Then object_space follows the driver's choice.
     bool precise = false;
+    // Vectors from a vertex to lights and viewer are differences of object coordinates, turned to eye coordinates afterwards, and
+    // any length of theirs is squared safely (wide_range.h).
+    bool wide_range = false;
     bool rescale = false;    // precise and kept only: multiplies normals by GL_RESCALE_NORMAL's factor
     bool position_w = true;  // a position's w may differ from 1
     // Each of the last loops.size() lights of the effects represents many lights that differ only in numbers. The

@@ -170,7 +170,8 @@ std::string LightingNames::structs() const {
     std::string text;
     if (has_surface()) {
         text += "struct Surface {\n";
-        if (effects_.needs_position_eye()) text += fmt::format("    vec3 position_{};  // V\n", space());
+        if (effects_.needs_position_eye())
+            text += fmt::format("    {} {};  // V\n", form_.wide_range ? "vec4" : "vec3", position_field());
         if (effects_.needs_normal()) text += fmt::format("    vec3 normal_{};  // n\n", space());
         if (effects_.needs_color()) text += "    vec4 color;  // GL_COLOR_MATERIAL (section 2.14.3)\n";
         for (const VertexProperty& property : vertex_properties(effects_))

@@ -40,7 +40,9 @@ class LightingNames {
     std::string space() const { return form_.object_space ? "object" : "eye"; }
 
     // The position and normal of the vertex, or of the fragment's point in a fragment shader.
-    std::string position() const { return "surface.position_" + space(); }
+    std::string position() const { return "surface." + position_field(); }
+    // In a wide range a homogeneous position of object coordinates, times u_object_scale.
+    std::string position_field() const { return "position_" + (form_.wide_range ? "object" : space()); }
     std::string normal() const { return "surface.normal_" + space(); }
 
     // A value of the i-th light: what = "attenuation" gives u_light0_attenuation, or u_light0_attenuation[i] in a loop.

@@ -16,7 +16,9 @@ class Writer : LightingWriter {
         text.clip_position =
             "    gl_Position = u_clip_from_object[0] * position.x + u_clip_from_object[1] * position.y +\n"
             "        u_clip_from_object[2] * position.z + u_clip_from_object[3] * position.w;\n";
-        text.vertex_position = form_.object_space ? "position" : "u_eye_from_object * position";
+        text.vertex_position = form_.wide_range     ? "u_object_scale * position"
+                               : form_.object_space ? "position"
+                                                    : "u_eye_from_object * position";
         text.vertex_normal = form_.object_space ? "a_normal" : "u_eye_from_object_normal * a_normal";
         if (form_.rescale) text.vertex_normal = fmt::format("u_normal_scale * ({})", text.vertex_normal);
         if (effects_.normalize) text.vertex_normal = fmt::format("unit({})", text.vertex_normal);  // GL_NORMALIZE
@@ -78,11 +80,18 @@ class Writer : LightingWriter {
                (near_light || is_reflection());
     }
     std::string vpe_dir() const {
+        if (effects_.local_viewer && form_.wide_range)
+            return fmt::format("unit_of_any({});  // GL_LIGHT_MODEL_LOCAL_VIEWER", vector_to("u_viewer_object"));
         if (effects_.local_viewer)
             return fmt::format("unit({}{});  // GL_LIGHT_MODEL_LOCAL_VIEWER",
                                form_.object_space ? "u_viewer_object - " : "-", names_.position());
         return form_.object_space ? "u_viewer_dir_object;  // the infinite viewer"
                                   : "vec3(0.0, 0.0, 1.0);  // the infinite viewer";
+    }
+
+    // In a wide range: the vector from the vertex to a place, times the vertex's w.
+    std::string vector_to(const std::string& place_object) const {
+        return fmt::format("vector_to({}, {})", place_object, names_.position());
     }
 
     // ---- A light ----
@@ -93,7 +102,8 @@ class Writer : LightingWriter {
         std::string reach;
         if (light.attenuated)
             reach =
-                fmt::format("attenuation({}, length(vp))", names_.light(i, "vec3", "attenuation", "k_0i, k_1i, k_2i"));
+                fmt::format("attenuation({}, {})", names_.light(i, "vec3", "attenuation", "k_0i, k_1i, k_2i"),
+                            form_.wide_range ? fmt::format("distance_of(vp, {}.w)", names_.position()) : "length(vp)");
         if (!light.spot && !light.smooth_cone) return reach;
         if (!reach.empty()) reach += " *\n            ";
         const std::string spot_dir = names_.light(i, "vec3", "spot_dir_" + names_.space(), "s_dli, of length 1");
@@ -138,13 +148,16 @@ class Writer : LightingWriter {
         text_ += names_.light_block(i);
         const bool cone = light.spot || light.smooth_cone;
         const bool needs_vp_dir = cone || has_n_dot_vp(light) || (light.specular && effects_.shininess != Power::kZero);
-        if (!light.directional)
+        if (!light.directional && form_.wide_range)
+            add("        vec3 vp = {};\n", vector_to(names_.light(i, "vec3", "position_object", "P_pli")));
+        else if (!light.directional)
             add("        vec3 vp = {} - {};\n", names_.light(i, "vec3", "position_" + names_.space(), "P_pli"),
                 names_.position());
         if (needs_vp_dir)
             add("        vec3 vp_dir = {};\n",
-                light.directional ? names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1")
-                                  : "unit(vp)");
+                light.directional  ? names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1")
+                : form_.wide_range ? "unit_of_any(vp)"
+                                   : "unit(vp)");
         if (has_n_dot_vp(light)) add("        float n_dot_vp = positive_dot(n, vp_dir);\n");
         const std::string reach_value = reach(i), reach_times = reach_value.empty() ? "" : "reach * ";
         if (!reach_value.empty()) add("        float reach = {};\n", reach_value);

@@ -14,6 +14,7 @@
 #include "render/programmable/precise/precise.h"
 #include "render/programmable/surface_values.h"
 #include "render/programmable/uploaded_mesh.h"
+#include "render/programmable/wide_range.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
 
@@ -101,17 +102,25 @@ struct UploadedFrame::Impl {
         run_vertices = 0;
     }
 
-    // With one plan for all.
+    // With one plan for all, unless numbers are too large or small for that (wide_range.h).
     void add_as_one(const Options& options, KeptMeshes& kept) {
-        const Draw& draw = *run.front();
-        const auto known = kept.known(run);
-        PlannedDraw& planned = run_places.front();
+        if (add_kept(run, run_places.front(), options, kept)) return;
+        for (std::size_t i = 0; i < run.size(); ++i) add_kept(DrawRun(run).subspan(i, 1), run_places[i], options, kept);
+    }
+
+    bool add_kept(DrawRun draws, PlannedDraw planned, const Options& options, KeptMeshes& kept) {
+        const Draw& draw = *draws.front();
+        const auto known = kept.known(draws);
         planned.plan = plan_effects(draw, options, known->facts);
+        if (draws.size() > 1 &&
+            std::ranges::any_of(draws, [&](const Draw* one) { return has_wide_range(*one, planned.plan); }))
+            return false;
         items.emplace_back(std::in_place_type<PreparedDraw>, draw, draw_program(draw, planned.plan, options.precise),
                            [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                               return kept.mesh(*known, run, effects, origin_object);
+                               return kept.mesh(*known, draws, effects, origin_object);
                            });
         plans.push_back(std::move(planned));
+        return true;
     }
 
     // With a plan for each. Those that have the same program and numbers are still uploaded and drawn as one, which

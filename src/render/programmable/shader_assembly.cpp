@@ -113,7 +113,9 @@ class Assembler {
         std::vector<Varying> list;
         if (is_phong() && effects_.lighting) {
             if (effects_.needs_position_eye() && !has_ray()) {
-                if (effects_.vertex_w)
+                if (form_.wide_range)
+                    list.push_back({"vec4", "v_position_object", lighting_.vertex_position});
+                else if (effects_.vertex_w)
                     list.push_back({"vec4", "v_position_eye", lighting_.vertex_position});
                 else
                     list.push_back({"vec3", "v_position_eye", fmt::format("({}).xyz", lighting_.vertex_position)});
@@ -201,8 +203,10 @@ class Assembler {
 
     // The statements that call light_front() or light_back() with a Surface.
     std::string lit_vertex() const {
-        const std::string surface = names_.surface(
-            form_.object_space ? "position.xyz" : divided(lighting_.vertex_position), lighting_.vertex_normal, "a_");
+        const std::string position = form_.wide_range     ? lighting_.vertex_position
+                                     : form_.object_space ? "position.xyz"
+                                                          : divided(lighting_.vertex_position);
+        const std::string surface = names_.surface(position, lighting_.vertex_normal, "a_");
         const char* argument = names_.has_surface() ? "surface" : "";
         std::string text;
         if (names_.has_surface()) text += fmt::format("    Surface surface = {};\n", surface);
@@ -215,7 +219,9 @@ class Assembler {
         return text + fmt::format("    Lit back = light_back({});\n", argument);
     }
     std::string lit_fragment() const {
-        std::string position = effects_.vertex_w ? "divided_by_w(v_position_eye)" : "v_position_eye";
+        std::string position = form_.wide_range    ? "v_position_object"
+                               : effects_.vertex_w ? "divided_by_w(v_position_eye)"
+                                                   : "v_position_eye";
         std::string normal = "v_normal_eye";
         if (has_ray()) {
             position = form_.object_space ? "position_object" : divided("u_eye_from_object * place");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/math/normal_matrix.h"
 #include "lighting/real_cast.h"
 #include "render/reference/framebuffer.h"
 
@@ -28,7 +29,7 @@ VertexRulings rulings_of_place(const Draw& draw, const Fragment& fragment) {
 }
 
 NormalSteps normal_steps(const Draw& draw, const Vertex& vertex) {
-    const glm::dmat3 normal_eye_from_object = normal_matrix(draw.eye_from_object);
+    const glm::dmat3 normal_eye_from_object = normal_matrix(glm::dmat3(draw.eye_from_object));
     const bool rescales = draw.lighting.rescale_normal && !draw.lighting.normalize;
     return {.object = vec3_cast<Vec>(vertex.normal_object),
             .transformed = vec3_cast<Vec>(normal_eye_from_object * vertex.normal_object),

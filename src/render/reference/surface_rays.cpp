@@ -7,6 +7,7 @@
 #include <glm/mat2x2.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/math/normal_matrix.h"
 #include "render/reference/piece.h"
 #include "render/reference/texture_place.h"
 
@@ -41,7 +42,7 @@ glm::dvec3 ndc_change(const glm::dvec4& clip, const glm::dvec4& step) {
 }  // namespace
 
 SurfaceRays::SurfaceRays(const Draw& draw, const Surface& surface)
-    : draw_(draw), surface_(surface), normal_eye_from_object_(normal_matrix(draw.eye_from_object)) {
+    : draw_(draw), surface_(surface), normal_eye_from_object_(normal_matrix(glm::dmat3(draw.eye_from_object))) {
     clip_from_object_ = draw.clip_from_eye * draw.eye_from_object;
     has_inverse_ = has_inverse(draw.clip_from_eye) && has_inverse(draw.eye_from_object);
     if (!has_inverse_) return;

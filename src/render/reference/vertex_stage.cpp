@@ -5,6 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/math/normal_matrix.h"
 #include "render/reference/draw_lighting.h"
 #include "render/reference/reference.h"
 #include "scene/state/far_from_origin.h"
@@ -24,21 +25,8 @@ double rescale_factor(const glm::dmat3& normal_eye_from_object) {
     return row > 0 ? 1 / row : 0;
 }
 
-glm::dmat3 normal_matrix(const glm::dmat4& eye_from_object) {
-    // Divides by the largest element, so that the determinant does not underflow or overflow with scales of 1e-120 or
-    // 1e120.
-    glm::dmat3 m(eye_from_object);
-    double largest = 0;
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
-    if (!(largest > 0) || !std::isfinite(1 / largest)) return glm::dmat3(0);
-    m /= largest;
-    if (glm::determinant(m) == 0) return glm::dmat3(0);
-    return glm::transpose(glm::inverse(m)) / largest;
-}
-
 std::vector<StageVertex> vertex_stage(const Draw& draw) {
-    const glm::dmat3 normal_eye_from_object = normal_matrix(draw.eye_from_object);
+    const glm::dmat3 normal_eye_from_object = normal_matrix(glm::dmat3(draw.eye_from_object));
     const double rescale = draw.lighting.rescale_normal ? rescale_factor(normal_eye_from_object) : 1;
     std::vector<StageVertex> result;
     result.reserve(draw.vertices.size());
@@ -61,7 +49,7 @@ VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex, bool normal
     VertexRulings rulings;
     if (is_far_from_origin(draw, vertex.position_object)) rulings.position |= {Ruling::kFarFromOrigin};
     const LightingState& state = draw.lighting;
-    const glm::dmat3 normal_eye_from_object = normal_matrix(draw.eye_from_object);
+    const glm::dmat3 normal_eye_from_object = normal_matrix(glm::dmat3(draw.eye_from_object));
     const Vec normal_eye = vec3_cast<Vec>(normal_eye_from_object * vertex.normal_object);
     if (normal_eye_from_object == glm::dmat3(0))
         rulings.normal |= {Ruling::kSingularModelview};

@@ -27,10 +27,6 @@ struct VertexRulings {
 };
 VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex, bool normalize);
 
-// Takes object-space normals (column vectors) to eye space: the transposed inverse of the upper 3x3 (2.11.3). RULING: a
-// singular matrix takes every normal to 0, which no light reaches.
-glm::dmat3 normal_matrix(const glm::dmat4& eye_from_object);
-
 // The factor of GL_RESCALE_NORMAL (2.11.3), from the normal matrix.
 double rescale_factor(const glm::dmat3& normal_eye_from_object);
 

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/math/directions.h"
+#include "base/math/normal_matrix.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -104,7 +105,7 @@ void State::clip_plane(const Command& c) {
                      enum_name(plane));
     }
     const glm::dvec4 equation(c.number(1), c.number(2), c.number(3), c.number(4));
-    const bool singular = glm::determinant(modelview()) == 0;
+    const bool singular = is_singular(glm::dmat3(modelview())) || glm::determinant(modelview()) == 0;
     a_.clip_planes[plane - kGL_CLIP_PLANE0].equation_eye =
         singular ? glm::dvec4(0) : glm::transpose(glm::inverse(modelview())) * equation;
 }

@@ -206,7 +206,7 @@ TEST_F(Install, BashCompletesEveryCommandOptionAndChoice) {
     EXPECT_GE(choices_of(help_of("twinlight-demo", "")).size(), 2U);
     EXPECT_EQ(offered_by_bash(script, "twinlight compare repor"), std::vector<std::string>{"report"});
     EXPECT_EQ(offered_by_bash(script, "twinlight check light-non"), std::vector<std::string>{"light-none"});
-    EXPECT_EQ(offered_by_bash(script, "twinlight lint READM"), std::vector<std::string>{"README.md"});
+    EXPECT_EQ(offered_by_bash(script, "twinlight lint README.m"), std::vector<std::string>{"README.md"});
 }
 
 TEST_F(Install, FishCompletesEveryOption) {

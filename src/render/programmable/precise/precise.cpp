@@ -9,10 +9,12 @@
 #include <glm/matrix.hpp>
 #include <stdexcept>
 
+#include "base/math/normal_matrix.h"
 #include "render/context/gl.h"
 #include "render/programmable/form.h"
 #include "render/programmable/lighting_names.h"
 #include "render/programmable/precise/mesa_floats.h"
+#include "render/programmable/wide_range.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -150,6 +152,7 @@ void check_has_precise() {
 bool floats_suffice(const Draw& draw, const Plan& plan) {
     if (upload_origin(draw, plan.vertices)) return false;
     if (!draw.lighting.enabled) return true;
+    if (has_wide_range(draw, plan) || (plan.effects.vertex_w && !keeps_w(draw.eye_from_object))) return false;
     // The squares of vectors and the determinants of matrices must be floats, which go from 1e-45 to 3e38.
     const auto fits = [](const glm::dvec3& v, double most) {
         const double length = glm::length(v);
@@ -158,7 +161,11 @@ bool floats_suffice(const Draw& draw, const Plan& plan) {
     const glm::dmat3 m(draw.eye_from_object);
     for (int column = 0; column < 3; ++column)
         if (!fits(m[column], 1e12)) return false;
-    if (glm::determinant(m) == 0) return false;
+    if (is_singular(m)) return false;
+    // The driver inverts the matrix in floats, which costs as many digits as the columns differ in length.
+    constexpr double kMostDifferent = 4096;
+    const auto [shortest, longest] = std::minmax({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+    if (longest > kMostDifferent * shortest) return false;
     return std::ranges::all_of(draw.lighting.lights, [&](const LightSource& light) {
         const double w = light.position_eye.w == 0 ? 1 : light.position_eye.w;
         return !light.enabled ||

@@ -8,6 +8,26 @@ vec3 unit(vec3 v) {
     return v / max(length(v), 1e-18);
 }
 
+// The same for a vector of any length: squares of the largest floats would overflow, those of the smallest vanish.
+vec3 unit_of_any(vec3 v) {
+    vec3 size = abs(v);
+    return unit(v / max(max(max(size.x, size.y), size.z), 1e-37));
+}
+
+// VP, or VP_e, times |w| (section 2.14.1): from a vertex (x, y, z, w) of object coordinates to a place there, turned to eye
+// coordinates. The difference comes first, because it is exact where both are close together. w = 0 is a direction.
+vec3 vector_to(vec3 place_object, vec4 vertex_object) {
+    vec3 way = u_eye_from_object_turned * (place_object * vertex_object.w - vertex_object.xyz);
+    return vertex_object.w < 0.0 ? -way : way;
+}
+
+// The distance to a light whose VP times |w| is vp.
+float distance_of(vec3 vp, float w) {
+    vec3 size = abs(vp);
+    float largest = max(max(max(size.x, size.y), size.z), 1e-37);
+    return min(length(vp / largest) * largest / max(abs(w), 1e-37), 1e37);
+}
+
 // p.xyz / p.w (section 2.14.1). A point at infinity (w = 0) becomes a very distant point.
 vec3 divided_by_w(vec4 p) {
     const float far = 1e10;

@@ -4,6 +4,8 @@ uniform mat4 u_clip_from_object;  // the product of the projection and the model
 uniform mat4 u_eye_from_object;  // the modelview matrix
 uniform mat3 u_eye_from_object_normal;  // the transposed inverse of the modelview matrix's upper 3x3 (section 2.11.3)
 uniform float u_normal_scale;  // GL_RESCALE_NORMAL's factor (section 2.11.3)
+uniform mat3 u_eye_from_object_turned;  // the modelview matrix's upper 3x3, for vectors
+uniform float u_object_scale;  // a power of two: scaled positions (x, y, z, w) are at most 1
 uniform vec3 u_viewer_object;  // the eye, in object coordinates
 uniform vec3 u_viewer_dir_object;  // the direction to the eye, for a viewer at infinity
 uniform mat4 u_texture_matrix;

@@ -1,0 +1,89 @@
+#include "render/programmable/wide_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <vector>
+
+#include "base/math/directions.h"
+#include "base/math/normal_matrix.h"
+
+namespace twinlight::programmable {
+namespace {
+
+// Lengths whose squares, and the squares of lengths a hundred thousand times as small, are floats.
+constexpr double kShort = 1e-9, kLong = 1e9;
+// Nearer than this share of the coordinates' size, a difference of floats is off by more than 2^-24 / kNear = 1.5e-5.
+constexpr double kNear = 0x1p-8;
+
+double reach_eye(const Draw& draw, const VertexFacts& facts) {
+    double size = 0;
+    for (int row = 0; row < 3; ++row) {
+        double sum = 0;
+        for (int column = 0; column < 4; ++column)
+            sum += std::abs(draw.eye_from_object[column][row]) * facts.position_reach[column];
+        size = std::max(size, sum);
+    }
+    return size;
+}
+
+// The places that lighting measures distances to: positional lights, and the eye with a local viewer.
+std::vector<glm::dvec3> places_eye(const Plan& plan) {
+    std::vector<glm::dvec3> places;
+    if (plan.effects.local_viewer) places.emplace_back(0);
+    for (const PlannedLight& planned : plan.lights) {
+        const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
+        if (p.w != 0) places.push_back(glm::dvec3(p) / p.w);
+    }
+    return places;
+}
+
+// Whether a vertex may be nearer to the place than `distance`: by the sphere around all vertices first, because it is quick.
+bool may_be_near(const Draw& draw, const VertexFacts& facts, const glm::dvec3& place, double distance) {
+    const glm::dmat4& m = draw.eye_from_object;
+    if (facts.has_sphere) {
+        double squares = 0;  // at least the square of the matrix's largest stretch
+        for (int column = 0; column < 3; ++column) squares += glm::dot(glm::dvec3(m[column]), glm::dvec3(m[column]));
+        const glm::dvec3 center = glm::dmat3(m) * facts.center_object + glm::dvec3(m[3]);
+        if (glm::length(place - center) - std::sqrt(squares) * facts.radius_object > distance) return false;
+    }
+    return std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+        const glm::dvec4 at = m * vertex.position_object;
+        const glm::dvec3 way = place - glm::dvec3(at);
+        return !(glm::dot(way, way) > distance * distance);
+    });
+}
+
+}  // namespace
+
+bool has_wide_range(const Draw& draw, const Plan& plan) {
+    if (!plan.effects.lighting || !plan.effects.needs_position_eye()) return false;
+    const VertexFacts& facts = plan.vertices;
+    const double size = reach_eye(draw, facts);
+    const std::vector<glm::dvec3> places = places_eye(plan);
+    const auto is_wide = [&] {
+        if (plan.effects.vertex_w || (size > 0 && !(size > kShort && size < kLong))) return true;
+        return std::ranges::any_of(places, [&](const glm::dvec3& place) {
+            return !(largest_component(place) < kLong) ||
+                   may_be_near(draw, facts, place, std::max(kNear * size, kShort));
+        });
+    };
+    // The places must have object coordinates.
+    return keeps_w(draw.eye_from_object) && is_wide() && !is_singular(glm::dmat3(draw.eye_from_object));
+}
+
+glm::dvec3 place_object(const Draw& draw, const glm::dvec3& place_eye) {
+    for (const Vertex& vertex : draw.vertices) {
+        const glm::dvec4& p = vertex.position_object;
+        const glm::dvec4 at = draw.eye_from_object * p;
+        if (p.w != 0 && glm::dvec3(at) / at.w == place_eye) return glm::dvec3(p) / p.w;
+    }
+    const glm::dmat3 object_from_eye = glm::transpose(normal_matrix(glm::dmat3(draw.eye_from_object)));
+    return object_from_eye * (place_eye - glm::dvec3(draw.eye_from_object[3]));
+}
+
+}  // namespace twinlight::programmable

@@ -1,0 +1,22 @@
+// Detects Draws whose distances are too different for eye coordinates in floats.
+//
+// A shader usually gets the vector from a vertex to a light as the difference of their eye coordinates. That loses the vector if
+// both are far away and close together, and squares of its length overflow or vanish if lengths have very different sizes. In a
+// wide range the difference is taken in object coordinates, where a vertex is exactly the float that the program gave, and is then
+// multiplied with the matrix's upper 3x3.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "render/effect/plan.h"
+
+namespace twinlight::programmable {
+
+bool has_wide_range(const Draw& draw, const Plan& plan);
+
+// A point of eye coordinates in object coordinates: exactly the vertex's if one is there. The matrix must be invertible and keep w.
+glm::dvec3 place_object(const Draw& draw, const glm::dvec3& place_eye);
+
+}  // namespace twinlight::programmable
