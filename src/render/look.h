@@ -32,6 +32,8 @@ inline const char* name_of(Shading shading) {
 struct Look {
     std::optional<Shading> shading{};  // empty: flat or gouraud, by each Draw's glShadeModel
     bool lecture_variants = true;      // false: GL's own model; ignores the pragmas' variants
+
+    friend bool operator==(const Look&, const Look&) = default;
 };
 
 }  // namespace twinlight

@@ -69,10 +69,9 @@ class Drawn {
         ShaderSource source = assemble(code_.effects, code_.form);
         if (found) source = {without_guards(source.vertex, *found), without_guards(source.fragment, *found)};
         if (options.tier == programmable::Tier::kBaked) {
-            Uniforms constants = numbers_;
             const auto names = uniform_names(source);
-            std::erase_if(constants, [&](const auto& number) { return !names.contains(number.first); });
-            source = with_constants(source, constants);
+            source = with_constants(source,
+                                    numbers_.filtered([&](std::size_t i) { return names.contains(numbers_[i].name); }));
         }
         program_ = std::make_unique<ShaderProgram>(source, code_.effects);
     }
@@ -80,7 +79,7 @@ class Drawn {
     void draw() {
         const FixedStages stages;
         stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
-        stages.set(draw_);
+        stages.set(draw_.raster, draw_.fragment);
         if (draw_.texture.texture) textures_.bind(draw_.texture);
         program_->use(numbers_);
         mesh_.draw();

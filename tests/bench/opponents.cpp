@@ -60,7 +60,7 @@ class Opponent : public Program {
     void draw() override {
         const FixedStages stages;
         stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
-        stages.set(draw_);
+        stages.set(draw_.raster, draw_.fragment);
         if (draw_.texture.texture) textures_.bind(draw_.texture);
         glUseProgram(program_);
         mesh_.draw();

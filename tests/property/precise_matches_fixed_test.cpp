@@ -174,7 +174,7 @@ class VertexPrograms {
         auto& program = programs_[{code.effects, code.form}];
         if (!program) {
             program = std::make_unique<ShaderProgram>(assemble(code.effects, code.form), code.effects);
-            program->use(numbers);
+            program->make_current();
             link_with(outputs);
         }
         program->use(numbers);

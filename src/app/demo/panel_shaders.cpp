@@ -56,7 +56,7 @@ std::vector<ShownShader> shaders_to_keep(const Scene& scene, const programmable:
 
 void ShadersPanel::update(const Session& session) {
     const Look look = look_of_shaders(session);
-    const bool is_same = session::is_same(look, look_);
+    const bool is_same = look == look_;
     if (revision_ == session.revision && is_same && to_keep_ == made_to_keep_) return;
     // Until then the shaders of before are shown.
     const bool is_shown = revision_ >= 0 && is_same && to_keep_ == made_to_keep_;

@@ -64,17 +64,17 @@ void Panes::draw_pane(const Session& session, std::size_t number) {
     const session::Pane& pane = session.panes[number];
     Drawn& drawn = drawn_[number];
     const Look look = look_of(session, pane);
-    const bool is_new = drawn.revision != session.revision || drawn.pane != pane ||
-                        !session::is_same(drawn.look, look) || drawn.width != session.width ||
-                        drawn.height != session.height;
+    const bool is_new = drawn.revision != session.revision || drawn.pane != pane || drawn.look != look ||
+                        drawn.width != session.width || drawn.height != session.height;
     // While the scene changes in every frame, only pictures that are compared with each other at once are read back.
     const bool reads = wants_image(session, number) && (!is_new || compares_live(session));
     if (!is_new && !(reads && drawn.image.pixels.empty())) return;
     drawn.error.clear();
     // The first picture of a renderer includes compiling, so it is drawn twice and the second is timed.
-    const bool compiles = drawn.pane != pane || !session::is_same(drawn.look, look);
+    const bool compiles = drawn.pane != pane || drawn.look != look;
     double ms = 0;
     for (int times = compiles ? 2 : 1; times > 0 && drawn.error.empty(); --times) {
+        glFinish();  // otherwise the copy of the pane before would be timed here
         const Clock::time_point start = Clock::now();
         try {
             if (pane.renderer == Path::kFixed) {
@@ -110,7 +110,7 @@ void Panes::request_reference(const Session& session, const std::array<bool, kPa
     for (std::size_t i = 0; i < kPanes; ++i) {
         const Look look = look_of(session, session.panes[i]);
         if (shown[i] && session.panes[i].renderer == Path::kReference &&
-            std::ranges::none_of(job.looks, [&](const Look& other) { return session::is_same(look, other); }))
+            std::ranges::find(job.looks, look) == job.looks.end())
             job.looks.push_back(look);
     }
     job.wants_allowed = shows_difference(session);
@@ -121,7 +121,7 @@ void Panes::request_reference(const Session& session, const std::array<bool, kPa
 
 void Panes::take_reference(const Session& session) {
     for (auto& picture : worker_.take_pictures()) {
-        std::erase_if(references_, [&](const auto& old) { return session::is_same(old->look, picture->look); });
+        std::erase_if(references_, [&](const auto& old) { return old->look == picture->look; });
         references_.push_back(std::move(picture));
     }
     if (auto allowed = worker_.take_allowed()) allowed_ = std::move(allowed);
@@ -130,8 +130,8 @@ void Panes::take_reference(const Session& session) {
         if (pane.renderer != Path::kReference) continue;
         Drawn& drawn = drawn_[i];
         const Look look = look_of(session, pane);
-        const auto found = std::ranges::find_if(
-            references_, [&](const auto& picture) { return session::is_same(picture->look, look); });
+        const auto found =
+            std::ranges::find_if(references_, [&](const auto& picture) { return picture->look == look; });
         if (found == references_.end() || drawn.reference == *found) continue;
         if ((*found)->revision != drawn.revision) drawn.since = Clock::now();
         drawn.reference = *found;

@@ -34,7 +34,7 @@ reference::Options options_of(const Look& look) {
 
 bool ReferenceJob::is_same_work(const ReferenceJob& other) const {
     return revision == other.revision && size == other.size && wants_allowed == other.wants_allowed &&
-           std::ranges::equal(looks, other.looks, is_same);
+           looks == other.looks;
 }
 
 ReferenceWorker::ReferenceWorker() : thread_([this] { run(); }) {}

@@ -116,10 +116,6 @@ Look look_of(const Session& session, const Pane& pane) {
     return {shading, pane.lecture_variants.value_or(lights_every_pixel(shading))};
 }
 
-bool is_same(const Look& a, const Look& b) {
-    return a.shading == b.shading && a.lecture_variants == b.lecture_variants;
-}
-
 bool lights_every_pixel(std::optional<Shading> shading) {
     return shading == Shading::kPhong || shading == Shading::kExact;
 }

@@ -81,7 +81,8 @@ class Planner {
     Planner(const Draw& draw, const PlanOptions& options, const VertexFacts& vertices)
         : draw_(draw), options_(options), vertices_(vertices) {
         plan_.vertices = vertices;
-        plan_.left_out.reserve(16);
+        plan_.has_reasons = options.reasons;
+        if (options.reasons) plan_.left_out.reserve(16);
     }
 
     Plan plan() {
@@ -203,7 +204,7 @@ class Planner {
     // 2.14.1: two-sided lighting; 2.13.1: culled faces are not visible.
     void plan_faces() {
         const RasterState& raster = draw_.raster;
-        auto why_one_sided = [&]() -> std::string {
+        const std::string_view why_one_sided = [&]() -> std::string_view {
             if (!state().light_model.two_side) return "GL_LIGHT_MODEL_TWO_SIDE is off";
             if (!draws_polygons(draw_.mode)) return "points and lines have no back face";
             if (raster.cull_enabled && raster.cull_face != kGL_FRONT) return "back faces are culled";
@@ -211,7 +212,7 @@ class Planner {
         }();
         facts().two_side = why_one_sided.empty();
         if (!facts().two_side) {
-            plan_.leave_out("two-sided lighting", std::move(why_one_sided), !state().light_model.two_side);
+            plan_.leave_out("two-sided lighting", why_one_sided, !state().light_model.two_side);
             state().back = state().front;
         }
         for (const std::uint32_t i : vertices_.materials) materials_.push_back(draw_.materials.at(i));
@@ -311,7 +312,7 @@ class Planner {
         if (state().light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
             for (int c = 0; c < 3; ++c) low = std::min(low, of_lights.low[c]);
         facts().clamp = options_.for_any_pose || !(low >= 0 && high <= 1);
-        if (!facts().clamp)
+        if (!facts().clamp && plan_.has_reasons)
             plan_.leave_out("clamping",
                             fmt::format("the sum of all terms is at most {:.3g}, and no term is negative", high));
     }
@@ -386,6 +387,7 @@ class Planner {
             facts().spectral_groups = (state().light_model.spectrum->count() + 2) / 3;
             return;
         }
+        if (!plan_.has_reasons) return;
         plan_.leave_out(
             fmt::format("{} spectral samples", state().light_model.spectrum->count()),
             facts().spectral_products

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "render/effect/effect_set.h"
@@ -60,8 +60,10 @@ std::string reason(const LightBound& light);
 
 struct Plan {
     EffectSet effects;
-    VertexFacts vertices;           // of the Draw that it was made for
-    std::vector<LeftOut> left_out;  // except whole lights, which are in light_bounds
+    VertexFacts vertices;  // of the Draw that it was made for
+    std::vector<LeftOut>
+        left_out;  // except whole lights, which are in light_bounds; empty without PlanOptions::reasons
+    bool has_reasons = true;
 
     std::vector<PlannedLight> lights;  // one for each of effects.lights
     // The ambient light that is the same at every vertex: a_cs, and a_cli of the lights whose ambient term nothing
@@ -79,8 +81,8 @@ struct Plan {
     // The limit for error_bound: the options' budget, or 0 where blending may add errors up.
     double budget = 0;
 
-    void leave_out(std::string&& what, std::string&& why, bool is_off = false) {
-        left_out.push_back({std::move(what), std::move(why), is_off});
+    void leave_out(std::string_view what, std::string_view why, bool is_off = false) {
+        if (has_reasons) left_out.push_back({std::string(what), std::string(why), is_off});
     }
 };
 
@@ -95,6 +97,8 @@ struct PlanOptions : Look {
     // move (programmable/kept/): no light is left out as faint, behind or outside its cone; a light that is on keeps
     // its own ambient term; colours are always clamped; GL_NORMALIZE normalizes. The budget is then 0.
     bool for_any_pose = false;
+    // False leaves Plan::left_out empty. Writing the reasons takes longer than the rest of a plan.
+    bool reasons = true;
 };
 
 Plan plan_effects(const Draw& draw, const PlanOptions& options);

@@ -218,10 +218,18 @@ class LightsPlanner {
     }
 
     void take(const Candidate& candidate) {
+        if (plan_.has_reasons) note_what_it_lacks(candidate);
+        plan_.lights.push_back(candidate.planned);
+        plan_.effects.lights.push_back(candidate.effects);
+        sum_ = {sum_.low + candidate.range.low, sum_.high + candidate.range.high};
+    }
+
+    // Why parts of a light that is in are left out.
+    void note_what_it_lacks(const Candidate& candidate) {
         const LightSource& light = source(candidate.entry);
         const LightEffects& effects = candidate.effects;
-        const auto note = [&](const char* what, std::string why, bool is_off = false) {
-            plan_.leave_out(fmt::format("{}'s {}", light_name(candidate.planned.number), what), std::move(why), is_off);
+        const auto note = [&](const char* what, std::string_view why, bool is_off = false) {
+            plan_.leave_out(fmt::format("{}'s {}", light_name(candidate.planned.number), what), why, is_off);
         };
         const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
         const double reach = candidate.planned.constant_reach;
@@ -246,9 +254,6 @@ class LightsPlanner {
             note("ambient term", "the light's ambient colour times the material's is 0");
         if (!effects.diffuse) note("diffuse term", "the light's diffuse colour times the material's is 0");
         if (!effects.specular) note("specular term", "the light's specular colour times the material's is 0");
-        plan_.lights.push_back(candidate.planned);
-        plan_.effects.lights.push_back(effects);
-        sum_ = {sum_.low + candidate.range.low, sum_.high + candidate.range.high};
     }
 
     const LightsToPlan& given_;

@@ -176,10 +176,7 @@ void reset(int width, int height) {
     set_lighting(start.lighting, true);
     glMaterialfv(GL_FRONT_AND_BACK, GL_COLOR_INDEXES, &glm::vec3(start.lighting.front.color_indexes)[0]);
     glShadeModel(start.lighting.shade_model);
-    Draw draw;
-    draw.raster = start.raster;
-    draw.fragment = start.fragment;
-    FixedStages::set(draw);
+    FixedStages::set(start.raster, start.fragment);
     for (GLint i = 0; i < integer(GL_MAX_CLIP_PLANES); ++i) {
         glDisable(GL_CLIP_PLANE0 + static_cast<GLenum>(i));
         glClipPlane(GL_CLIP_PLANE0 + static_cast<GLenum>(i), &ClipPlane{}.equation_eye[0]);

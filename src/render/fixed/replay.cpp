@@ -61,7 +61,7 @@ struct PreparedDraw {
         load_matrix(GL_MODELVIEW, glm::dmat4(1));
         set_lighting(lighting, false);
         set_clip_planes(draw->raster);
-        stages.set(*draw);
+        stages.set(draw->raster, draw->fragment);
         glShadeModel(shade_model);
         set_enabled(GL_FOG, fogged);
         if (fogged) set_fog(draw->fog);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -40,12 +41,12 @@ std::string with_constants(const std::string& source, const Uniforms& values) {
     std::string text;
     for_each_line(source, [&](std::string_view line) {
         const Line parts = parts_of(line);
-        const auto value = parts.name.empty() ? values.end() : values.find(parts.name);
-        if (value == values.end()) {
+        const auto place = parts.name.empty() ? std::nullopt : values.find(parts.name);
+        if (!place) {
             text += line;
         } else {
             std::vector<std::string> literals;
-            for (const float x : value->second) literals.push_back(literal(x));
+            for (const float x : values[*place].values) literals.push_back(literal(x));
             text += fmt::format("const {0} {1} = {0}({2}){3}", parts.type, parts.name, fmt::join(literals, ", "),
                                 parts.rest);
         }

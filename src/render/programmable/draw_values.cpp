@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "base/math/directions.h"
 #include "base/math/normal_matrix.h"
@@ -69,6 +70,10 @@ glm::dmat3 normal_matrix_of(const Draw& draw, const Plan& plan) {
 
 // ---- Uniforms ----
 
+constexpr auto ambient_of_light = [](const LightSource& light) { return ambient_of(light); };
+constexpr auto diffuse_of_light = [](const LightSource& light) { return diffuse_of(light); };
+constexpr auto specular_of_light = [](const LightSource& light) { return specular_of(light); };
+
 class DrawUniforms {
   public:
     DrawUniforms(const Draw& draw, const Plan& plan, const Code& code)
@@ -102,24 +107,45 @@ class DrawUniforms {
         face("front", plan_.lighting.front, effects_.front);
         if (effects_.two_side) face("back", plan_.lighting.back, effects_.back);
         for (std::size_t i = 0; i < lights_.size(); ++i) {
-            for (const std::size_t planned : lights_[i]) light(i, planned);
-            number(fmt::format("u_count_of_light{}", i), static_cast<double>(lights_[i].size()));
+            light(i);
+            if (!form_.loops.empty())
+                number("u_count_of_light" + std::to_string(i), static_cast<double>(lights_[i].size()));
         }
         return std::move(uniforms_);
     }
 
   private:
-    // Appends: a second call with the same name gives the next element of an array.
-    void number(const std::string& name, double value) { uniforms_[name].push_back(to_float(value)); }
+    // These append to the uniform that was added last: repeated, they give an array.
+    void put(double value) { uniforms_.push_back(to_float(value)); }
+    template <int kLength, class Number, glm::qualifier kQualifier>
+    void put(const glm::vec<kLength, Number, kQualifier>& v) {
+        for (int i = 0; i < kLength; ++i) put(v[i]);
+    }
+    template <int kColumns, int kRows, class Number, glm::qualifier kQualifier>
+    void put(const glm::mat<kColumns, kRows, Number, kQualifier>& m) {
+        for (int column = 0; column < kColumns; ++column) put(m[column]);
+    }
+
+    template <class Value>
+    void add(std::string_view name, const Value& value) {
+        uniforms_.add(name);
+        put(value);
+    }
+    void number(std::string_view name, double value) { add(name, value); }
     template <class Vector>
-    void vector(const std::string& name, const Vector& v) {
-        for (int i = 0; i < Vector::length(); ++i) number(name, v[i]);
+    void vector(std::string_view name, const Vector& v) {
+        add(name, v);
     }
     template <class Matrix>
-    void matrix(std::string name, const Matrix& m) {
-        std::vector<float>& values = uniforms_[std::move(name)];
-        for (int column = 0; column < Matrix::length(); ++column)
-            for (int row = 0; row < Matrix::length(); ++row) values.push_back(to_float(m[column][row]));
+    void matrix(std::string_view name, const Matrix& m) {
+        add(name, m);
+    }
+    // For each light that the i-th one of the effects represents, put_one(index into plan.lights) appends the values.
+    template <class PutOne>
+    void of_light(std::size_t i, std::initializer_list<std::string_view> name, const PutOne& put_one) {
+        const std::string prefix = "u_light" + std::to_string(i) + "_";
+        uniforms_.add(prefix, name);
+        for (const std::size_t planned : lights_[i]) put_one(planned);
     }
 
     void eye_space() {
@@ -164,7 +190,7 @@ class DrawUniforms {
     void clip_planes() {
         int count = 0;
         for (const auto& plane_eye : draw_.raster.clip_planes_eye)
-            if (plane_eye) vector(fmt::format("u_clip_plane{}_object", count++), *plane_eye * eye_from_object_);
+            if (plane_eye) vector("u_clip_plane" + std::to_string(count++) + "_object", *plane_eye * eye_from_object_);
     }
 
     void fragments() {
@@ -186,7 +212,8 @@ class DrawUniforms {
     // Three samples per group; the last group is filled with 0.
     void samples(const std::string& name, std::vector<double> values, double factor = 1) {
         values.resize(3 * static_cast<std::size_t>(effects_.spectral_groups));
-        for (const double value : values) number(name, factor * value);
+        uniforms_.add(name);
+        for (const double value : values) put(factor * value);
     }
 
     // The uniforms for lighting in spectral samples: of faces and lights, and the weights from samples to red, green
@@ -199,7 +226,8 @@ class DrawUniforms {
             for (const double channel : {w.x, w.y, w.z}) weights.push_back(channel);
         }
         weights.resize(9 * static_cast<std::size_t>(effects_.spectral_groups));
-        for (const double weight : weights) number("u_rgb_from_samples", weight);
+        uniforms_.add("u_rgb_from_samples");
+        for (const double weight : weights) put(weight);
         const auto of_face = [&](const std::string& name, const Material& m) {
             const Material::Reflectances& r = m.reflectances;
             samples(name + "_ambient_samples", samples_of(spectrum, MaterialColor{rgb(m.ambient), r.ambient}));
@@ -225,56 +253,65 @@ class DrawUniforms {
         const Material::Reflectances& reflectances = material.reflectances;
         if (!ambient_of(varying))
             base += product_of(model(), {plan_.constant_ambient, {}}, {rgb(material.ambient), reflectances.ambient});
-        vector(fmt::format("u_{}_base", name), base);
-        number(fmt::format("u_{}_alpha", name), material.diffuse.a);
-        number(fmt::format("u_{}_shininess", name), material.shininess);
-        const auto light_products = [&](std::size_t i, std::size_t planned) {
-            const LightSource& light = source(planned);
-            const double reach = plan_.lights[planned].constant_reach;
-            const auto product = [&](const char* term, const LightColor& light_color, const MaterialColor& color,
+        vector("u_" + name + "_base", base);
+        number("u_" + name + "_alpha", material.diffuse.a);
+        number("u_" + name + "_shininess", material.shininess);
+        for (std::size_t i = 0; i < lights_.size(); ++i) {
+            const auto product = [&](const char* term, const auto& light_color_of, const MaterialColor& color,
                                      PerVertexColor per_vertex) {
-                const std::string uniform = fmt::format("u_light{}_{}_{}", i, name, term);
-                if (!per_vertex)
-                    vector(uniform, reach * product_of(model(), light_color, color));
-                else if (effects_.spectral_products)
-                    matrix(uniform, reach * product_matrix(model(), light_color));
-                else
-                    vector(uniform, reach * light_color.rgb);
+                of_light(i, {name, term}, [&](std::size_t planned) {
+                    const LightColor light_color = light_color_of(source(planned));
+                    const double reach = plan_.lights[planned].constant_reach;
+                    if (!per_vertex)
+                        put(reach * product_of(model(), light_color, color));
+                    else if (effects_.spectral_products)
+                        put(reach * product_matrix(model(), light_color));
+                    else
+                        put(reach * light_color.rgb);
+                });
             };
-            product("ambient", ambient_of(light), {rgb(material.ambient), reflectances.ambient}, ambient_of(varying));
-            product("diffuse", diffuse_of(light), {rgb(material.diffuse), reflectances.diffuse}, diffuse_of(varying));
-            product("specular", specular_of(light), {rgb(material.specular), reflectances.specular},
+            product("_ambient", ambient_of_light, {rgb(material.ambient), reflectances.ambient}, ambient_of(varying));
+            product("_diffuse", diffuse_of_light, {rgb(material.diffuse), reflectances.diffuse}, diffuse_of(varying));
+            product("_specular", specular_of_light, {rgb(material.specular), reflectances.specular},
                     specular_of(varying));
-        };
-        for (std::size_t i = 0; i < lights_.size(); ++i)
-            for (const std::size_t planned : lights_[i]) light_products(i, planned);
+        }
     }
 
-    void light(std::size_t i, std::size_t planned) {
-        const LightSource& light = source(planned);
+    void light(std::size_t i) {
         const LightEffects& effects = effects_.lights[i];
-        const auto name = [&](const char* what) { return fmt::format("u_light{}_{}", i, what); };
-        const auto in_space = [&](const char* what) { return name(what) + (form_.object_space ? "_object" : "_eye"); };
+        const std::string_view space = form_.object_space ? "_object" : "_eye";
+        const auto each = [&](std::initializer_list<std::string_view> name, const auto& value_of) {
+            of_light(i, name, [&](std::size_t planned) { put(value_of(source(planned))); });
+        };
         if (effects.directional) {
-            const glm::dvec3 vp_dir = unit(rgb(light.position_eye));
-            vector(in_space("direction"), direction(vp_dir));
-            vector(in_space("half_dir"), direction(unit(vp_dir + glm::dvec3(0, 0, 1))));
+            const auto vp_dir = [](const LightSource& light) { return unit(rgb(light.position_eye)); };
+            each({"direction", space}, [&](const LightSource& light) { return direction(vp_dir(light)); });
+            each({"half_dir", space},
+                 [&](const LightSource& light) { return direction(unit(vp_dir(light) + glm::dvec3(0, 0, 1))); });
             return;
         }
         // A place that floats cannot hold comes nearer, in the same direction; then its distance has another unit.
-        glm::dvec3 place = point(rgb(light.position_eye) / light.position_eye.w);
-        const double length_unit = largest_component(place) > kMostDistant ? largest_component(place) / kMostDistant : unit_;
-        if (length_unit != unit_) place /= length_unit;
-        vector(name(form_.wide_range || form_.object_space ? "position_object" : "position_eye"), place);
-        vector(name("attenuation"), glm::dvec3(light.constant_attenuation, light.linear_attenuation * length_unit,
-                                               light.quadratic_attenuation * length_unit * length_unit));
-        vector(in_space("spot_dir"), direction(unit(light.spot_direction_eye)));
-        number(name("cos_cutoff"), cos_deg(light.spot_cutoff_deg) - kCosineRounding);
-        number(name("spot_exponent"), light.spot_exponent);
-        if (!light.smooth_cone) return;
-        const SmoothConeValues cone = smooth_cone_values(light);
-        number(name("cos_outer"), cone.cos_outer);
-        number(name("cone_slope"), cone.slope);
+        const auto place_and_unit = [&](const LightSource& light) {
+            glm::dvec3 place = point(rgb(light.position_eye) / light.position_eye.w);
+            const double largest = largest_component(place);
+            const double length_unit = largest > kMostDistant ? largest / kMostDistant : unit_;
+            if (length_unit != unit_) place /= length_unit;
+            return std::pair(place, length_unit);
+        };
+        each({"position", form_.wide_range || form_.object_space ? "_object" : "_eye"},
+             [&](const LightSource& light) { return place_and_unit(light).first; });
+        each({"attenuation"}, [&](const LightSource& light) {
+            const double length_unit = place_and_unit(light).second;
+            return glm::dvec3(light.constant_attenuation, light.linear_attenuation * length_unit,
+                              light.quadratic_attenuation * length_unit * length_unit);
+        });
+        each({"spot_dir", space}, [&](const LightSource& light) { return direction(unit(light.spot_direction_eye)); });
+        each({"cos_cutoff"},
+             [&](const LightSource& light) { return cos_deg(light.spot_cutoff_deg) - kCosineRounding; });
+        each({"spot_exponent"}, [&](const LightSource& light) { return light.spot_exponent; });
+        if (!effects.smooth_cone) return;
+        each({"cos_outer"}, [&](const LightSource& light) { return smooth_cone_values(light).cos_outer; });
+        each({"cone_slope"}, [&](const LightSource& light) { return smooth_cone_values(light).slope; });
     }
 
     const LightModel& model() const { return plan_.lighting.light_model; }

@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "render/effect/plan.h"
 #include "render/programmable/form.h"
+#include "render/programmable/uniforms.h"
 
 namespace twinlight::programmable {
 
@@ -21,9 +21,6 @@ struct SmoothConeValues {
     double cos_outer = 0, slope = 0;  // slope: 1 / (cos inner - cos outer)
 };
 SmoothConeValues smooth_cone_values(const LightSource& light);
-
-// Maps a uniform's name to its floats: matrices column by column, arrays element by element.
-using Uniforms = std::map<std::string, std::vector<float>, std::less<>>;
 
 // The nearest float; what is too large for one becomes the largest.
 inline float to_float(double x) {

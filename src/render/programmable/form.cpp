@@ -86,6 +86,11 @@ Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {
                        .surface = surface},
               .lights = {},
               .origin_object = upload_origin(draw, plan.vertices)};
+    code.lights.reserve(plan.effects.lights.size());
+    if (plan.effects.lights.size() <= kMostWrittenOut) {
+        for (std::size_t i = 0; i < plan.effects.lights.size(); ++i) code.lights.push_back({i});
+        return code;
+    }
     std::map<LightEffects, std::vector<std::size_t>> equal;
     for (std::size_t i = 0; i < plan.effects.lights.size(); ++i) equal[plan.effects.lights[i]].push_back(i);
     code.effects.lights.clear();

@@ -1,9 +1,10 @@
 #include "render/programmable/kept_meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
-#include <string_view>
+#include <span>
 #include <type_traits>
 
 namespace twinlight::programmable {
@@ -22,8 +23,13 @@ static_assert(sizeof(Materials) == 2 * ((4 * 4 + 1 + 3) * sizeof(double) + 3 * s
               std::is_trivially_copyable_v<Materials>);
 
 // Compares bits: 0 and -0 differ, and a NaN equals itself.
-bool is_same(const Vertex& a, const Vertex& b) {
-    return std::memcmp(&a, &b, kVertexNumbers) == 0 && a.edge_flag == b.edge_flag && a.material == b.material;
+bool are_same(std::span<const Vertex> a, std::span<const Vertex> b) {
+    if (a.size() != b.size()) return false;
+    // With the padding at the end of each vertex, which mostly is the same too.
+    if (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0) return true;
+    return std::ranges::equal(a, b, [](const Vertex& x, const Vertex& y) {
+        return std::memcmp(&x, &y, kVertexNumbers) == 0 && x.edge_flag == y.edge_flag && x.material == y.material;
+    });
 }
 
 template <class Value>
@@ -37,48 +43,69 @@ std::size_t bytes_of(const std::vector<Value>& values) {
 }
 
 // A hash of a few vertices, evenly spread: equal for equal vertices, usually different for others.
-std::size_t sample(const Draw& draw) {
-    std::size_t hash = draw.mode;
-    const auto add = [&](std::size_t value) { hash = (hash ^ value) * 0x9E3779B97F4A7C15U; };
-    add(draw.vertices.size());
-    add(draw.indices.size());
-    add(draw.materials.size());
-    constexpr std::size_t kSamples = 16;
-    const auto add_some = [&](const auto& values, const auto& bytes) {
-        for (std::size_t i = 0; i < std::min(kSamples, values.size()); ++i) {
-            const auto& value = values[i * (values.size() - 1) / (kSamples - 1)];
-            add(std::hash<std::string_view>{}({reinterpret_cast<const char*>(&value), bytes}));  // NOLINT: its bytes
-        }
+std::size_t sample(DrawRun run) {
+    constexpr std::size_t kParts = 8, kVerticesOfAll = 12, kIndices = 4;
+    std::size_t hash = run.size();
+    const auto add = [&](std::uint64_t value) {
+        hash = (hash ^ value) * 0x9E3779B97F4A7C15U;
+        hash ^= hash >> 32;
     };
-    add_some(draw.vertices, kVertexNumbers);
-    add_some(draw.indices, sizeof(std::uint32_t));
+    const auto for_some = [](std::size_t most, std::size_t size, const auto& visit) {
+        const std::size_t count = std::min(most, size);
+        for (std::size_t i = 0; i < count; ++i) visit(count == 1 ? 0 : i * (size - 1) / (count - 1));
+    };
+    for (const Draw* draw : run) add(draw->mode + (draw->vertices.size() << 8) + (draw->indices.size() << 36));
+    add(run.front()->materials.size());
+    for_some(kParts, run.size(), [&](std::size_t part) {
+        const Draw& draw = *run[part];
+        for_some(std::max<std::size_t>(kVerticesOfAll / std::min(kParts, run.size()), 1), draw.vertices.size(),
+                 [&](std::size_t i) {
+                     std::array<std::uint64_t, kVertexNumbers / sizeof(std::uint64_t)> words;
+                     std::memcpy(words.data(), &draw.vertices[i], kVertexNumbers);
+                     for (const std::uint64_t word : words) add(word);
+                 });
+        for_some(kIndices, draw.indices.size(), [&](std::size_t i) { add(draw.indices[i]); });
+    });
     return hash;
 }
 
 }  // namespace
 
-bool KeptMeshes::Known::is(const Draw& draw) const {
-    return mode == draw.mode && are_same(indices, draw.indices) && are_same(materials, draw.materials) &&
-           std::ranges::equal(vertices, draw.vertices, is_same);
+bool KeptMeshes::Known::is(DrawRun run) const {
+    if (parts.size() != run.size() || !are_same(materials, run.front()->materials)) return false;
+    std::size_t first_vertex = 0, first_index = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Draw& draw = *run[i];
+        if (parts[i] != part_of(draw)) return false;
+        if (!are_same(std::span(vertices).subspan(first_vertex, parts[i].vertices), draw.vertices)) return false;
+        for (std::size_t k = 0; k < draw.indices.size(); ++k)
+            if (indices[first_index + k] != first_vertex + draw.indices[k]) return false;
+        first_vertex += parts[i].vertices;
+        first_index += parts[i].indices;
+    }
+    return true;
 }
 
 // ---- Kept ----
 
-std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(const Draw& draw) {
-    const std::size_t key = sample(draw);
+std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
+    const std::size_t key = sample(run);
     const auto [begin, end] = index_.equal_range(key);
-    const auto found = std::find_if(begin, end, [&](const auto& entry) { return (*entry.second)->is(draw); });
+    const auto found = std::find_if(begin, end, [&](const auto& entry) { return (*entry.second)->is(run); });
     if (found != end) {
         order_.splice(order_.begin(), order_, found->second);
         order_.front()->last_frame = frame_;
         return order_.front();
     }
     auto known = std::make_shared<Known>();
+    JoinedDraws all;
+    if (run.size() > 1) all = joined(run);
+    const Draw& draw = run.size() > 1 ? all.draw : *run.front();
     known->facts = vertex_facts(draw);
     const std::size_t bytes = bytes_of(draw.vertices) + bytes_of(draw.indices) + bytes_of(draw.materials);
     if (!make_room(bytes)) return known;
     known->sample = key;
-    known->mode = draw.mode;
+    for (const Draw* part : run) known->parts.push_back(part_of(*part));
     known->vertices = draw.vertices;
     known->indices = draw.indices;
     known->materials = draw.materials;
@@ -90,15 +117,17 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(const Draw& draw) {
     return known;
 }
 
-std::shared_ptr<const UploadedMesh> KeptMeshes::mesh(Known& known, const Draw& draw, const EffectSet& effects,
+std::shared_ptr<const UploadedMesh> KeptMeshes::mesh(Known& known, DrawRun run, const EffectSet& effects,
                                                      const glm::dvec3& origin_object) {
-    const MeshForm form = mesh_form(draw, effects, origin_object);
+    const MeshForm form = mesh_form(*run.front(), effects, origin_object);
     const auto found = std::ranges::find(known.meshes, form, [](const auto& entry) { return entry.first; });
     if (found != known.meshes.end()) {
         ++counters_.hits;
         return found->second;
     }
-    const auto mesh = std::make_shared<const UploadedMesh>(draw, effects, false, origin_object);
+    const auto mesh = run.size() > 1
+                          ? std::make_shared<const UploadedMesh>(joined(run), effects, origin_object)
+                          : std::make_shared<const UploadedMesh>(*run.front(), effects, false, origin_object);
     ++counters_.made;
     const std::size_t bytes = mesh->bytes() + kObjectBytes;
     if (known.bytes == 0 || !make_room(bytes)) return mesh;

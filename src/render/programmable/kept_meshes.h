@@ -31,10 +31,10 @@ class KeptMeshes {
 
       private:
         friend class KeptMeshes;
-        bool is(const Draw& draw) const;
+        bool is(DrawRun run) const;
 
         std::size_t sample = 0;  // its key in index_
-        Enum mode = 0;
+        std::vector<ElementsPart> parts;
         std::vector<Vertex> vertices;
         std::vector<std::uint32_t> indices;
         std::vector<Materials> materials;
@@ -43,10 +43,14 @@ class KeptMeshes {
         std::uint64_t first_frame = 0, last_frame = 0;                                 // the frames that drew it
     };
 
-    // The facts of the Draw's vertices, from an earlier frame or computed now.
-    std::shared_ptr<Known> known(const Draw& draw);
+    // The facts of the vertices of Draws that are drawn as one (joined_draws.h), from an earlier frame or computed now.
+    std::shared_ptr<Known> known(DrawRun run);
+    std::shared_ptr<Known> known(const Draw& draw) {
+        const Draw* const one = &draw;
+        return known({&one, 1});
+    }
     // The buffers of these vertices for a program with these effects.
-    std::shared_ptr<const UploadedMesh> mesh(Known& known, const Draw& draw, const EffectSet& effects,
+    std::shared_ptr<const UploadedMesh> mesh(Known& known, DrawRun run, const EffectSet& effects,
                                              const glm::dvec3& origin_object);
     void end_frame();
 

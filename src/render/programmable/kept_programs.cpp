@@ -16,21 +16,40 @@ constexpr int kForgetFrames = 60;
 
 }  // namespace
 
-KeptPrograms::Entry& KeptPrograms::find_or_make(const Key& key) {
-    const auto [found, is_new] = entries_.try_emplace(key);
+KeptPrograms::Kind& KeptPrograms::kind_of(const EffectSet& effects, const Form& form) {
+    // Frames have mostly the same Draws in the same order.
+    const std::size_t number = draw_count_++;
+    if (number == order_.size()) order_.push_back(nullptr);
+    Kind*& kind = order_[number];
+    if (!kind || kind->effects != effects || kind->form != form) {
+        kind = &kinds_[{effects, form}];
+        kind->effects = effects;
+        kind->form = form;
+    }
+    return *kind;
+}
+
+KeptPrograms::Entry& KeptPrograms::find_or_make(const Kind& kind, const Uniforms& constants) {
+    const auto [found, is_new] = entries_.try_emplace({kind.effects, kind.form, constants});
     if (is_new) {
-        const ShaderSource source = with_constants(assemble(key.kind.effects, key.kind.form), key.constants);
+        const ShaderSource source = with_constants(assemble(kind.effects, kind.form), constants);
         try {
-            found->second.program = std::make_unique<ShaderProgram>(source, key.kind.effects);
+            found->second.program = std::make_unique<ShaderProgram>(source, kind.effects);
         } catch (...) {
             entries_.erase(found);
             throw;
         }
-        ++(key.constants.empty() ? counters_.made : counters_.baked);
+        ++(constants.empty() ? counters_.made : counters_.baked);
     }
     found->second.last_used = ++uses_;
     if (is_new) evict();  // never this one: it was used last
     return found->second;
+}
+
+KeptPrograms::Entry& KeptPrograms::with_uniforms(Kind& kind) {
+    if (!kind.with_uniforms) kind.with_uniforms = &find_or_make(kind, {});
+    kind.with_uniforms->last_used = ++uses_;
+    return *kind.with_uniforms;
 }
 
 void KeptPrograms::evict() {
@@ -38,55 +57,65 @@ void KeptPrograms::evict() {
         entries_.erase(std::ranges::min_element(
             entries_, {}, [](const auto& key_and_entry) { return key_and_entry.second.last_used; }));
         ++counters_.evicted;
-        for (auto& [kind, history] : histories_) history.entry = nullptr;
+        for (auto& [key, kind] : kinds_) {
+            kind.with_uniforms = nullptr;
+            for (History& history : kind.histories) history.entry = nullptr;
+        }
     }
 }
 
-// The numbers that the shader text uses.
-Uniforms KeptPrograms::used_uniforms(const Kind& kind, const Uniforms& numbers) {
-    const auto [names, is_new] = names_.try_emplace(kind);
-    if (is_new) names->second = uniform_names(assemble(kind.effects, kind.form));
-    Uniforms result;
-    for (const auto& [name, value] : numbers)
-        if (names->second.contains(name)) result.emplace(name, value);
-    return result;
+std::vector<bool> KeptPrograms::which_are_used(Kind& kind, const Uniforms& numbers) {
+    if (!kind.names) kind.names = uniform_names(assemble(kind.effects, kind.form));
+    std::vector<bool> used(numbers.size());
+    for (std::size_t i = 0; i < used.size(); ++i) used[i] = kind.names->contains(numbers[i].name);
+    return used;
 }
 
-KeptPrograms::History& KeptPrograms::history_of(const Kind& kind, const Uniforms& numbers) {
-    History& history = histories_[{kind, counts_[kind]++}];
-    history.seen = true;
-    if (++history.frame == 1) history.numbers = used_uniforms(kind, numbers);
-    // Both are sorted by name, and `numbers` has all names.
-    auto given = numbers.begin();
-    for (auto& [name, value] : history.numbers) {
-        while (given->first != name) ++given;
-        if (given->second == value) continue;
-        value = given->second;
-        const bool is_new = history.moved.insert_or_assign(name, history.frame).second;
-        if (!is_new) continue;
+KeptPrograms::History& KeptPrograms::next_history(Kind& kind, const Uniforms& numbers) {
+    if (kind.count == kind.histories.size()) kind.histories.emplace_back();
+    History& history = kind.histories[kind.count++];
+    if (++history.frame == 1 || !history.numbers.has_same_names(numbers)) {
+        history = {.numbers = numbers,
+                   .used = which_are_used(kind, numbers),
+                   .moved = std::vector<int>(numbers.size()),
+                   .frame = 1,
+                   .constants = {}};
+    }
+    bool has_changed = false;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (!history.used[i] || are_same(history.numbers[i].values, numbers[i].values)) continue;
+        has_changed = true;
+        if (std::exchange(history.moved[i], history.frame) != 0) continue;
         history.settled_at = history.frame;
-        history.constants.clear();
+        history.constants = {};
         history.entry = nullptr;
         history.is_current = false;
     }
+    if (has_changed) history.numbers = numbers;
     choose_constants(kind, history);
     return history;
 }
 
 // Which numbers are constants, judging by the same Draw of earlier frames.
 void KeptPrograms::choose_constants(const Kind& kind, History& history) {
-    const auto frames_since = [&](int frame) { return history.frame - frame; };
-    const auto forgotten = [&](const auto& name_and_frame) {
-        return frames_since(name_and_frame.second) > kForgetFrames;
-    };
-    if (std::erase_if(history.moved, forgotten) > 0) history.is_current = false;
-    if (history.is_current || frames_since(history.settled_at) < kStillFrames) return;
+    if (history.frame >= history.next_forgotten) {
+        int oldest = history.frame;
+        for (int& frame : history.moved) {
+            if (frame == 0) continue;
+            if (history.frame - frame > kForgetFrames) {
+                frame = 0;
+                history.is_current = false;
+            } else {
+                oldest = std::min(oldest, frame);
+            }
+        }
+        history.next_forgotten = oldest + kForgetFrames + 1;
+    }
+    if (history.is_current || history.frame - history.settled_at < kStillFrames) return;
 
-    Uniforms still;
-    for (const auto& [name, value] : history.numbers)
-        if (!history.moved.contains(name)) still.emplace(name, value);
+    Uniforms still = history.numbers.filtered([&](std::size_t i) { return history.used[i] && history.moved[i] == 0; });
     // At most one program is baked per frame, because compiling delays the frame.
-    const bool is_there = still.empty() || entries_.contains(Key{kind, still});
+    const bool is_there = still.empty() || entries_.contains(Key{kind.effects, kind.form, still});
     if (!is_there && std::exchange(has_baked_, true)) return;
     history.is_current = true;
     history.constants = std::move(still);
@@ -94,21 +123,25 @@ void KeptPrograms::choose_constants(const Kind& kind, History& history) {
 }
 
 void KeptPrograms::use(const EffectSet& effects, const Form& form, const Uniforms& numbers, Tier tier) {
-    const Kind kind{effects, form};
+    Kind& kind = kind_of(effects, form);
     const std::uint64_t made_before = counters_.made + counters_.baked;
     Entry* entry = nullptr;
     switch (tier) {
-        case Tier::kUniform: entry = &find_or_make({kind, {}}); break;
-        case Tier::kBaked: entry = &find_or_make({kind, used_uniforms(kind, numbers)}); break;
+        case Tier::kUniform: entry = &with_uniforms(kind); break;
+        case Tier::kBaked: {
+            const std::vector<bool> used = which_are_used(kind, numbers);
+            entry = &find_or_make(kind, numbers.filtered([&](std::size_t i) { return used[i]; }));
+            break;
+        }
         case Tier::kAuto: {
-            History& history = history_of(kind, numbers);
+            History& history = next_history(kind, numbers);
             if (history.entry)
                 history.entry->last_used = ++uses_;
             else
-                history.entry = &find_or_make({kind, history.constants});
+                history.entry = &find_or_make(kind, history.constants);
             entry = history.entry;
             // While the driver compiles it on its own threads, the program with uniforms draws.
-            if (!history.constants.empty() && !entry->program->is_ready()) entry = &find_or_make({kind, {}});
+            if (!history.constants.empty() && !entry->program->is_ready()) entry = &with_uniforms(kind);
             break;
         }
     }
@@ -116,10 +149,14 @@ void KeptPrograms::use(const EffectSet& effects, const Form& form, const Uniform
     entry->program->use(numbers);
 }
 
+// A Draw that this frame did not have is forgotten.
 void KeptPrograms::end_frame() {
-    std::erase_if(histories_, [](const auto& kind_and_history) { return !kind_and_history.second.seen; });
-    for (auto& [kind, history] : histories_) history.seen = false;
-    counts_.clear();
+    for (auto& [key, kind] : kinds_) {
+        kind.histories.resize(std::min(kind.histories.size(), kind.count));
+        kind.count = 0;
+    }
+    order_.resize(draw_count_);
+    draw_count_ = 0;
     has_baked_ = false;
 }
 

@@ -9,8 +9,11 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "render/programmable/programmable.h"
 #include "render/programmable/shader_program.h"
@@ -29,13 +32,9 @@ class KeptPrograms {
     const Counters& counters() const { return counters_; }
 
   private:
-    struct Kind {
+    struct Key {
         EffectSet effects;
         Form form;
-        friend auto operator<=>(const Kind&, const Kind&) = default;  // NOLINT
-    };
-    struct Key {
-        Kind kind;
         Uniforms constants;
         friend auto operator<=>(const Key&, const Key&) = default;  // NOLINT
     };
@@ -45,29 +44,41 @@ class KeptPrograms {
     };
     // What is known about the n-th Draw of a Kind in a frame: Draws are matched by their order.
     struct History {
-        Uniforms numbers;
-        std::map<std::string, int, std::less<>> moved;  // when each changing number last changed
+        Uniforms numbers;        // of the last frame
+        std::vector<bool> used;  // whether the shader text has this uniform
+        std::vector<int> moved;  // the frame in which this uniform last changed; 0: never, or forgotten
         int frame = 0;
-        int settled_at = 1;       // since this frame only the numbers in `moved` have changed
+        int settled_at = 1;       // since this frame only uniforms in `moved` have changed
+        int next_forgotten = 0;   // no uniform is forgotten before this frame
         Uniforms constants;       // the constants of the program in use
         Entry* entry = nullptr;   // that program; null if it is to be looked up
         bool is_current = false;  // `constants` has all numbers except those in `moved`
-        bool seen = true;         // drawn in this frame
+    };
+    // The Draws that differ only in numbers.
+    struct Kind {
+        EffectSet effects;
+        Form form;
+        std::optional<std::set<std::string, std::less<>>> names;  // of the uniforms in its text
+        std::vector<History> histories;
+        std::size_t count = 0;           // of its Draws in this frame
+        Entry* with_uniforms = nullptr;  // the program without constants; null if it is to be looked up
     };
 
-    Entry& find_or_make(const Key& key);
-    // The n-th Draw of this Kind in the frame, with its present constants.
-    History& history_of(const Kind& kind, const Uniforms& numbers);
+    Kind& kind_of(const EffectSet& effects, const Form& form);
+    Entry& find_or_make(const Kind& kind, const Uniforms& constants);
+    Entry& with_uniforms(Kind& kind);
+    // The next Draw of this Kind in the frame, with its present constants.
+    History& next_history(Kind& kind, const Uniforms& numbers);
     void choose_constants(const Kind& kind, History& history);
-    Uniforms used_uniforms(const Kind& kind, const Uniforms& numbers);
+    std::vector<bool> which_are_used(Kind& kind, const Uniforms& numbers);
     void evict();
 
     std::size_t limit_;
     std::map<Key, Entry> entries_;
-    std::map<std::pair<Kind, int>, History> histories_;
-    std::map<Kind, std::set<std::string, std::less<>>> names_;  // names of the uniforms in its text
-    std::map<Kind, int> counts_;                                // the number of a Kind's Draws in this frame
-    bool has_baked_ = false;                                    // a program was baked in this frame
+    std::map<std::pair<EffectSet, Form>, Kind> kinds_;
+    std::vector<Kind*> order_;    // the Kinds of the last frame's Draws, then of this frame's
+    std::size_t draw_count_ = 0;  // in this frame
+    bool has_baked_ = false;      // a program was baked in this frame
     std::uint64_t uses_ = 0;
     Counters counters_;
 };

@@ -1,6 +1,9 @@
 #include "render/programmable/programmable.h"
 
+#include <algorithm>
 #include <list>
+#include <optional>
+#include <utility>
 #include <variant>
 
 #include "render/context/context.h"
@@ -11,6 +14,7 @@
 #include "render/programmable/precise/precise.h"
 #include "render/programmable/surface_values.h"
 #include "render/programmable/uploaded_mesh.h"
+#include "render/programmable/wide_range.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
 
@@ -21,26 +25,26 @@ namespace {
 struct PreparedDraw {
     // mesh_of(effects, origin_object) returns the mesh.
     template <class MeshOf>
-    PreparedDraw(const Draw& draw, const Plan& plan, const Options& options, const MeshOf& mesh_of)
-        : program(draw_program(draw, plan, options.precise)),
-          mesh(mesh_of(program.code.effects, program.code.origin_object.value_or(glm::dvec3(0)))) {
-        keep_state(draw);
-    }
+    PreparedDraw(const Draw& draw, DrawProgram program_of_draw, const MeshOf& mesh_of)
+        : program(std::move(program_of_draw)),
+          mesh(mesh_of(program.code.effects, program.code.origin_object.value_or(glm::dvec3(0)))),
+          raster(draw.raster),
+          fragment(draw.fragment),
+          texture(draw.texture) {}
     // One pass of an exact surface.
     PreparedDraw(const SurfaceProgram& surface, const Uniforms& pass, std::shared_ptr<const UploadedMesh> rectangle)
-        : program{surface.code, pass}, mesh(std::move(rectangle)) {
-        keep_state(surface.draw);
-    }
-
-    void keep_state(const Draw& draw) {
-        stages.raster = draw.raster;
-        stages.fragment = draw.fragment;
-        stages.texture = draw.texture;
-    }
+        : program{surface.code, pass},
+          mesh(std::move(rectangle)),
+          raster(surface.draw.raster),
+          fragment(surface.draw.fragment),
+          texture(surface.draw.texture) {}
 
     DrawProgram program;
     std::shared_ptr<const UploadedMesh> mesh;
-    Draw stages;  // without vertices: the state that is set in GL
+    // The state that is set in GL.
+    RasterState raster;
+    FragmentState fragment;
+    TextureUnit texture;
 };
 
 }  // namespace
@@ -56,6 +60,7 @@ struct UploadedFrame::Impl {
         int number = 0;
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
+                end_run(options, kept);
                 items.emplace_back(*clear);
                 continue;
             }
@@ -63,25 +68,94 @@ struct UploadedFrame::Impl {
             ++number;
             if (draw.count() == 0) continue;
             const PlannedDraw place{number, draw.place, !last || !are_one_shape(*last, draw), {}};
-            if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
-                add_mesh(draw, options, kept, place);
-            else if (place.begins_shape)  // drawing the first part draws the whole shape
-                add_surfaces(draw, options, place);
             last = &draw;
+            if (options.shading == Shading::kExact && draw.has_exact_surfaces()) {
+                end_run(options, kept);
+                if (place.begins_shape) add_surfaces(draw, options, place);  // the first part draws the whole shape
+            } else {
+                if (!continues_run(draw)) end_run(options, kept);
+                run.push_back(&draw);
+                run_places.push_back(place);
+                run_vertices += std::max(draw.vertices.size(), draw.indices.size());
+            }
         }
+        end_run(options, kept);
         glBindVertexArray(0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
     }
 
-    void add_mesh(const Draw& draw, const Options& options, KeptMeshes* kept, PlannedDraw planned) {
-        const auto known = kept ? kept->known(draw) : nullptr;
-        planned.plan = known ? plan_effects(draw, options, known->facts) : plan_effects(draw, options);
-        items.emplace_back(
-            PreparedDraw(draw, planned.plan, options, [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                return known ? kept->mesh(*known, draw, effects, origin_object)
-                             : std::make_shared<const UploadedMesh>(draw, effects, options.patches, origin_object);
-            }));
+    bool continues_run(const Draw& draw) const {
+        return !run.empty() &&
+               run_vertices + std::max(draw.vertices.size(), draw.indices.size()) <= kMostJoinedVertices &&
+               have_one_state(*run.front(), draw);
+    }
+
+    // Adds the Draws of `run`.
+    void end_run(const Options& options, KeptMeshes* kept) {
+        if (run.empty()) return;
+        if (kept)
+            add_as_one(options, *kept);
+        else
+            add_one_by_one(options);
+        run.clear();
+        run_places.clear();
+        run_vertices = 0;
+    }
+
+    // With one plan for all, unless numbers are too large or small for that (wide_range.h).
+    void add_as_one(const Options& options, KeptMeshes& kept) {
+        if (add_kept(run, run_places.front(), options, kept)) return;
+        for (std::size_t i = 0; i < run.size(); ++i) add_kept(DrawRun(run).subspan(i, 1), run_places[i], options, kept);
+    }
+
+    bool add_kept(DrawRun draws, PlannedDraw planned, const Options& options, KeptMeshes& kept) {
+        const Draw& draw = *draws.front();
+        const auto known = kept.known(draws);
+        planned.plan = plan_effects(draw, options, known->facts);
+        if (draws.size() > 1 &&
+            std::ranges::any_of(draws, [&](const Draw* one) { return has_wide_range(*one, planned.plan); }))
+            return false;
+        items.emplace_back(std::in_place_type<PreparedDraw>, draw, draw_program(draw, planned.plan, options.precise),
+                           [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                               return kept.mesh(*known, draws, effects, origin_object);
+                           });
         plans.push_back(std::move(planned));
+        return true;
+    }
+
+    // With a plan for each. Those that have the same program and numbers are still uploaded and drawn as one, which
+    // changes no bit of the picture.
+    void add_one_by_one(const Options& options) {
+        std::optional<DrawProgram> program;
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            PlannedDraw& planned = run_places[i];
+            planned.plan = plan_effects(*run[i], options);
+            DrawProgram next = draw_program(*run[i], planned.plan, options.precise);
+            plans.push_back(std::move(planned));
+            if (program && !are_one_program(*program, next)) {
+                add_with_program(DrawRun(run).subspan(first, i - first), std::move(*program), options);
+                first = i;
+            }
+            program = std::move(next);
+        }
+        add_with_program(DrawRun(run).subspan(first), std::move(*program), options);
+    }
+
+    static bool are_one_program(const DrawProgram& a, const DrawProgram& b) {
+        return a.code.effects == b.code.effects && a.code.form == b.code.form &&
+               a.code.origin_object == b.code.origin_object && a.numbers == b.numbers;
+    }
+
+    void add_with_program(DrawRun draws, DrawProgram program, const Options& options) {
+        const Draw& draw = *draws.front();
+        items.emplace_back(std::in_place_type<PreparedDraw>, draw, std::move(program),
+                           [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                               return draws.size() > 1
+                                          ? std::make_shared<const UploadedMesh>(joined(draws), effects, origin_object)
+                                          : std::make_shared<const UploadedMesh>(draw, effects, options.patches,
+                                                                                 origin_object);
+                           });
     }
 
     void add_surfaces(const Draw& draw, const Options& options, const PlannedDraw& planned) {
@@ -97,6 +171,11 @@ struct UploadedFrame::Impl {
     Tier tier;
     std::vector<PlannedDraw> plans;
     std::list<std::variant<Clear, PreparedDraw>> items;
+
+    // While the frame is prepared: Draws that will be drawn as one.
+    std::vector<const Draw*> run;  // have_one_state()
+    std::vector<PlannedDraw> run_places;
+    std::size_t run_vertices = 0;
 };
 
 UploadedFrame::UploadedFrame(const Frame& frame, const Options& options)
@@ -107,10 +186,12 @@ UploadedFrame::~UploadedFrame() = default;
 struct Renderer::Impl {
     explicit Impl(const KeptLimits& limits) : programs(limits.programs), meshes(limits.mesh_bytes) {}
 
-    void draw(const PreparedDraw& prepared, const FixedStages& stages, Tier tier) {
-        stages.set(prepared.stages);
+    // `last`: the Draw that was drawn before, null after a Clear.
+    void draw(const PreparedDraw& prepared, const PreparedDraw* last, Tier tier) {
+        if (!last || last->raster != prepared.raster || last->fragment != prepared.fragment)
+            FixedStages::set(prepared.raster, prepared.fragment);
         const Code& code = prepared.program.code;
-        if (code.effects.has_texture()) textures.bind(prepared.stages.texture);
+        if (code.effects.has_texture()) textures.bind(prepared.texture);
         programs.use(code.effects, code.form, prepared.program.numbers, tier);
         prepared.mesh->draw();
     }
@@ -126,18 +207,25 @@ Renderer::~Renderer() = default;
 void Renderer::draw(const UploadedFrame& frame) {
     const FixedStages stages;
     stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
+    const PreparedDraw* last = nullptr;
     for (const auto& item : frame.impl_->items) {
-        if (const Clear* clear = std::get_if<Clear>(&item))
-            stages.clear(*clear);
+        const auto* prepared = std::get_if<PreparedDraw>(&item);
+        if (prepared)
+            impl_->draw(*prepared, last, frame.impl_->tier);
         else
-            impl_->draw(std::get<PreparedDraw>(item), stages, frame.impl_->tier);
+            stages.clear(std::get<Clear>(item));
+        last = prepared;
     }
     impl_->textures.drop_unused();
     impl_->programs.end_frame();
     impl_->meshes.end_frame();
 }
 
-void Renderer::draw(const Frame& frame, const Options& options) { draw(prepare_once(frame, options)); }
+void Renderer::draw(const Frame& frame, const Options& options) {
+    Options quick = options;
+    quick.reasons = false;
+    draw(prepare_once(frame, quick));
+}
 
 Picture Renderer::render(const Frame& frame, const Options& options) {
     const UploadedFrame prepared = prepare_once(frame, options);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -113,22 +114,39 @@ void ShaderProgram::link() {
         if (type == GL_SAMPLER_1D || type == GL_SAMPLER_2D) continue;  // keeps its initial value, texture unit 0
         std::string text = name.data();
         text.resize(std::min(text.find('['), text.size()));  // "u_light3_position_eye[0]"
-        slots_.push_back({std::move(text), glGetUniformLocation(program_, name.data()), type, size});
+        slots_.push_back({.name = std::move(text),
+                          .location = glGetUniformLocation(program_, name.data()),
+                          .type = type,
+                          .length = size});
     }
 }
 
-void ShaderProgram::use(const Uniforms& uniforms) {
+void ShaderProgram::make_current() {
     if (vertex_ != 0) link();
     glUseProgram(program_);
-    for (const Slot& slot : slots_) {
-        const auto found = uniforms.find(slot.name);
-        if (found == uniforms.end()) throw std::logic_error(fmt::format("no value for the uniform {}", slot.name));
-        const float* values = found->second.data();
+}
+
+void ShaderProgram::use(const Uniforms& uniforms) {
+    make_current();
+    for (Slot& slot : slots_) {
+        if (slot.place >= uniforms.size() || uniforms[slot.place].name != slot.name) {
+            const auto found = uniforms.find(slot.name);
+            if (!found) throw std::logic_error(fmt::format("no value for the uniform {}", slot.name));
+            slot.place = *found;
+        }
+        const std::span<const float> floats_given = uniforms[slot.place].values;
+        if (!slot.set.empty() && are_same(slot.set, floats_given)) continue;
+        slot.set.assign(floats_given.begin(), floats_given.end());
+        const float* values = floats_given.data();
         const auto given = [&](int floats) {
-            return std::min(slot.length, static_cast<GLsizei>(found->second.size()) / floats);
+            return std::min(slot.length, static_cast<GLsizei>(floats_given.size()) / floats);
         };
         switch (slot.type) {
             case GL_INT: {
+                if (given(1) == 1) {
+                    glUniform1i(slot.location, static_cast<GLint>(*values));
+                    break;
+                }
                 const std::vector<GLint> whole(values, values + given(1));
                 glUniform1iv(slot.location, given(1), whole.data());
                 break;

@@ -20,8 +20,9 @@ class ShaderProgram {
     // Whether use() can run without waiting for the compiler. True if the driver cannot tell. (llvmpipe generates
     // machine code later, in the program's first drawing command, whatever it answers.)
     bool is_ready() const;
-    // Makes the program current and sets its uniforms. Throws std::runtime_error with the driver's log, the numbered
-    // source and the EffectSet if the driver refuses it.
+    // Throws std::runtime_error with the driver's log, the numbered source and the EffectSet if the driver refuses it.
+    void make_current();
+    // Makes the program current and sets the uniforms that differ from those of the last use. Throws as make_current().
     void use(const Uniforms& uniforms);
 
   private:
@@ -30,7 +31,9 @@ class ShaderProgram {
         std::string name;
         int location = -1;
         unsigned type = 0;
-        int length = 1;  // more than 1 for an array
+        int length = 1;            // more than 1 for an array
+        std::size_t place = 0;     // in the Uniforms of the last use
+        std::vector<float> set{};  // its values now; empty: the driver's initial ones
     };
     ShaderSource source_;  // source and effects are kept for error messages until linking succeeds
     EffectSet effects_;

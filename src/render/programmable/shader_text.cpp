@@ -81,8 +81,9 @@ std::string program_text(const Draw& draw, const Plan& plan, const Code& code, c
     const ShaderSource source = assemble(code.effects, code.form);
     const auto names = uniform_names(source);
     text += "// Uniform values:\n";
-    for (const auto& [name, values] : numbers)
-        if (names.contains(name)) text += fmt::format("//   {} = {}\n", name, fmt::join(values, " "));
+    for (const std::string& name : names)
+        if (const auto place = numbers.find(name))
+            text += fmt::format("//   {} = {}\n", name, fmt::join(numbers[*place].values, " "));
     text += fmt::format("\n// ---- Vertex shader ----\n\n{}\n// ---- Fragment shader ----\n\n{}", source.vertex,
                         source.fragment);
     return text;

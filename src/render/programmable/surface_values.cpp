@@ -89,9 +89,8 @@ class SurfaceUniforms {
 
   private:
     void set(const char* name, std::initializer_list<double> values) {
-        std::vector<float>& floats = uniforms_[name];
-        floats.clear();
-        for (const double value : values) floats.push_back(to_float(value));
+        uniforms_.add(name);
+        for (const double value : values) uniforms_.push_back(to_float(value));
     }
     void set(const char* name, const glm::dvec3& v) { set(name, {v.x, v.y, v.z}); }
     void set(const char* name, const glm::dvec4& v) { set(name, {v.x, v.y, v.z, v.w}); }
@@ -233,7 +232,7 @@ std::vector<SurfaceProgram> surface_programs(const Draw& draw, const PlanOptions
                                ? 1
                                : most_points(surface.surface);
         for (int point = 0; point < passes; ++point) {
-            numbers["u_point_number"] = {static_cast<float>(point)};
+            numbers.set("u_point_number", {static_cast<float>(point)});
             program.passes.push_back(numbers);
         }
         RasterState& raster = surface.draw.raster;

@@ -17,6 +17,24 @@ MeshForm mesh_form(const Draw& draw, const EffectSet& effects, const glm::dvec3&
 
 UploadedMesh::UploadedMesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object)
     : elements_(draw, patches) {
+    upload(draw, effects, origin_object);
+    // Edge flags bypass the shaders: GL has no shader attribute for them.
+    if (needs_edge_flags(draw)) {
+        std::vector<GLboolean> flags;
+        for_each_vertex(draw, elements_.vertices(), [&](const Vertex& vertex) { flags.push_back(vertex.edge_flag); });
+        edge_flags_ = filled_buffer(GL_ARRAY_BUFFER, flags);
+        bytes_ += flags.size();
+        glEnableClientState(GL_EDGE_FLAG_ARRAY);
+        glEdgeFlagPointer(0, nullptr);
+    }
+}
+
+UploadedMesh::UploadedMesh(const JoinedDraws& draws, const EffectSet& effects, const glm::dvec3& origin_object)
+    : elements_(draws.draw, draws.parts) {
+    upload(draws.draw, effects, origin_object);
+}
+
+void UploadedMesh::upload(const Draw& draw, const EffectSet& effects, const glm::dvec3& origin_object) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
     const std::vector<float> values = vertex_array(draw, effects, elements_.vertices(), origin_object);
@@ -32,15 +50,6 @@ UploadedMesh::UploadedMesh(const Draw& draw, const EffectSet& effects, bool patc
         glVertexAttribPointer(index++, attribute.size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(floats * sizeof(float)),
                               buffer_offset(offset * sizeof(float)));
         offset += static_cast<std::size_t>(attribute.size);
-    }
-    // Edge flags bypass the shaders: GL has no shader attribute for them.
-    if (needs_edge_flags(draw)) {
-        std::vector<GLboolean> flags;
-        for_each_vertex(draw, elements_.vertices(), [&](const Vertex& vertex) { flags.push_back(vertex.edge_flag); });
-        edge_flags_ = filled_buffer(GL_ARRAY_BUFFER, flags);
-        bytes_ += flags.size();
-        glEnableClientState(GL_EDGE_FLAG_ARRAY);
-        glEdgeFlagPointer(0, nullptr);
     }
 }
 

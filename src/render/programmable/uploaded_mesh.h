@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/effect/effect_set.h"
+#include "render/programmable/joined_draws.h"
 #include "render/programmable/vertex_attributes.h"
 #include "render/stages/elements.h"
 #include "scene/state/frame.h"
@@ -27,6 +28,8 @@ class UploadedMesh {
   public:
     // Uploads the attributes that a program with these effects takes.
     UploadedMesh(const Draw& draw, const EffectSet& effects, bool patches, const glm::dvec3& origin_object);
+    // Of joined Draws (joined_draws.h), without edge flags.
+    UploadedMesh(const JoinedDraws& draws, const EffectSet& effects, const glm::dvec3& origin_object);
     ~UploadedMesh();
     UploadedMesh(const UploadedMesh&) = delete;
     UploadedMesh& operator=(const UploadedMesh&) = delete;
@@ -37,6 +40,8 @@ class UploadedMesh {
     std::size_t bytes() const { return bytes_ + elements_.bytes(); }  // size of the buffers
 
   private:
+    void upload(const Draw& draw, const EffectSet& effects, const glm::dvec3& origin_object);
+
     unsigned array_ = 0, vertices_ = 0, edge_flags_ = 0;
     std::size_t bytes_ = 0;
     Elements elements_;

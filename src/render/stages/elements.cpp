@@ -46,9 +46,58 @@ Elements::Elements(const Draw& draw, bool patches) : mode_(draw.mode), count_(st
     patched_.indices = {};
 }
 
+Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& parts)
+    : mode_(draw.mode), count_(static_cast<int>(draw.count())) {
+    // The vertices of a primitive, in modes whose primitives do not share any; 0 in others.
+    const auto vertices_of_primitive = [](Enum mode) -> std::size_t {
+        switch (mode) {
+            case kGL_POINTS: return 1;
+            case kGL_LINES: return 2;
+            case kGL_TRIANGLES: return 3;
+            case kGL_QUADS: return 4;
+            default: return 0;
+        }
+    };
+    std::size_t first = 0;
+    bool may_continue = false;  // whether the next part's primitives may follow in the same array
+    for (const ElementsPart& part : parts) {
+        const std::size_t count = draw.indices.empty() ? part.vertices : part.indices;
+        const bool is_new_run = runs_.empty() || runs_.back().mode != part.mode;
+        if (is_new_run) runs_.push_back({part.mode, {}, {}, {}});
+        Run& run = runs_.back();
+        if (!is_new_run && may_continue) {
+            run.counts.back() += static_cast<int>(count);
+        } else {
+            run.firsts.push_back(static_cast<int>(first));
+            run.counts.push_back(static_cast<int>(count));
+            if (!draw.indices.empty()) run.offsets.push_back(buffer_offset(first * sizeof(std::uint32_t)));
+        }
+        const std::size_t size = vertices_of_primitive(part.mode);
+        may_continue = size > 0 && count % size == 0;  // incomplete primitives are not drawn (2.6.1)
+        first += count;
+    }
+    if (draw.indices.empty()) return;
+    indices_ = filled_buffer(GL_ELEMENT_ARRAY_BUFFER, draw.indices);
+    bytes_ = draw.indices.size() * sizeof(draw.indices[0]);
+}
+
 Elements::~Elements() { glDeleteBuffers(1, &indices_); }
 
+void Elements::draw_runs() const {
+    if (indices_ != 0) glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    for (const Run& run : runs_) {
+        const auto count = static_cast<GLsizei>(run.counts.size());
+        if (indices_ != 0)
+            glMultiDrawElements(run.mode, run.counts.data(), GL_UNSIGNED_INT, run.offsets.data(), count);
+        else if (count == 1)
+            glDrawArrays(run.mode, run.firsts.front(), run.counts.front());
+        else
+            glMultiDrawArrays(run.mode, run.firsts.data(), run.counts.data(), count);
+    }
+}
+
 void Elements::draw() const {
+    if (!runs_.empty()) return draw_runs();
     if (indices_ == 0) return glDrawArrays(mode_, 0, count_);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
     if (patched_.patches.empty()) return glDrawElements(mode_, count_, GL_UNSIGNED_INT, nullptr);

@@ -9,6 +9,14 @@
 
 namespace twinlight {
 
+// Draws that are uploaded together: the vertices of each follow those of the one before, and so do the indices.
+struct ElementsPart {
+    Enum mode = kGL_TRIANGLES;
+    std::size_t vertices = 0, indices = 0;  // how many
+
+    friend bool operator==(const ElementsPart&, const ElementsPart&) = default;
+};
+
 // Owns its buffer, so it must be destroyed before the context.
 class Elements {
   public:
@@ -16,6 +24,8 @@ class Elements {
     // order of its triangles is free. Making patches takes as long as a few frames, so it pays for vertices that are
     // drawn many times.
     Elements(const Draw& draw, bool patches);
+    // The Draw has the vertices of all parts. Either all parts have indices, which count its vertices, or none has.
+    Elements(const Draw& draw, const std::vector<ElementsPart>& parts);
     ~Elements();
     Elements(const Elements&) = delete;
     Elements& operator=(const Elements&) = delete;
@@ -29,9 +39,18 @@ class Elements {
     std::size_t bytes() const { return bytes_; }  // size of the buffer
 
   private:
+    // Primitives of one mode that are drawn by one command.
+    struct Run {
+        Enum mode;
+        std::vector<int> firsts, counts;
+        std::vector<const void*> offsets;  // of the indices, in bytes; empty if there are none
+    };
+    void draw_runs() const;
+
     Enum mode_;
     int count_ = 0;
-    unsigned indices_ = 0;  // 0: 0, 1, 2, ...
+    std::vector<Run> runs_;  // empty: one part
+    unsigned indices_ = 0;   // 0: 0, 1, 2, ...
     std::size_t bytes_ = 0;
     PatchedTriangles patched_;
 };

@@ -73,9 +73,9 @@ FixedStages::~FixedStages() {
     glPopAttrib();
 }
 
-void FixedStages::set(const Draw& draw) {
-    set_raster(draw.raster);
-    set_fragment_operations(draw.fragment);
+void FixedStages::set(const RasterState& raster, const FragmentState& fragment) {
+    set_raster(raster);
+    set_fragment_operations(fragment);
 }
 
 // 4.2.3: clearing obeys the scissor and the colour mask.

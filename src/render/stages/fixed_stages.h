@@ -15,7 +15,7 @@ class FixedStages {
     FixedStages(const FixedStages&) = delete;
     FixedStages& operator=(const FixedStages&) = delete;
 
-    static void set(const Draw& draw);
+    static void set(const RasterState& raster, const FragmentState& fragment);
     void clear(const Clear& clear) const;
 };
 

@@ -44,8 +44,12 @@ struct Material {  // 2.14.2, table 2.10
         const Spectrum* ambient = nullptr;
         const Spectrum* diffuse = nullptr;
         const Spectrum* specular = nullptr;
+
+        friend bool operator==(const Reflectances&, const Reflectances&) = default;
     };
     Reflectances reflectances{};
+
+    friend bool operator==(const Material&, const Material&) = default;
 };
 
 struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and specular (LightingState sets it)
@@ -66,6 +70,8 @@ struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and spe
     struct SmoothCone {
         double inner_deg = 0;
         double outer_deg = 0;
+
+        friend bool operator==(const SmoothCone&, const SmoothCone&) = default;
     };
     std::optional<SmoothCone> smooth_cone;
 
@@ -74,9 +80,12 @@ struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and spe
     struct Illuminant {
         const Spectrum* spectrum = nullptr;  // null if the colour was given as numbers
         double scale = 1;
+
+        friend bool operator==(const Illuminant&, const Illuminant&) = default;
     };
     Illuminant diffuse_illuminant, specular_illuminant;
 
+    friend bool operator==(const LightSource&, const LightSource&) = default;
     bool has_initial_attenuation() const {
         return constant_attenuation == 1 && linear_attenuation == 0 && quadratic_attenuation == 0;
     }
@@ -117,12 +126,16 @@ struct LightModel {  // 2.14.2, table 2.10
     // `#pragma twinlight spectrum(n)`: colours are multiplied as spectra with these samples and then converted to red,
     // green and blue. Null: red, green and blue are multiplied directly.
     std::shared_ptr<const SpectralSamples> spectrum;
+
+    friend bool operator==(const LightModel&, const LightModel&) = default;
 };
 
 struct ColorMaterial {  // 2.14.3
     bool enabled = false;
     Enum face = kGL_FRONT_AND_BACK;
     Enum mode = kGL_AMBIENT_AND_DIFFUSE;
+
+    friend bool operator==(const ColorMaterial&, const ColorMaterial&) = default;
 };
 
 struct LightingState {
@@ -139,6 +152,8 @@ struct LightingState {
     bool normalize = false;
     bool rescale_normal = false;
     Enum shade_model = kGL_SMOOTH;
+
+    friend bool operator==(const LightingState&, const LightingState&) = default;
 };
 
 // ---- Rasterisation ----
@@ -146,6 +161,8 @@ struct LightingState {
 struct Viewport {
     int x = 0, y = 0;  // the lower left corner, in window coordinates (y up)
     int width = 0, height = 0;
+
+    friend bool operator==(const Viewport&, const Viewport&) = default;
 };
 
 struct PolygonOffset {  // 3.5.5
@@ -153,6 +170,7 @@ struct PolygonOffset {  // 3.5.5
     double units = 0;
     bool point = false, line = false, fill = false;  // GL_POLYGON_OFFSET_POINT, _LINE, _FILL
 
+    friend bool operator==(const PolygonOffset&, const PolygonOffset&) = default;
     bool is_enabled_for(Enum polygon_mode) const {
         return polygon_mode == kGL_FILL ? fill : polygon_mode == kGL_LINE ? line : point;
     }
@@ -177,6 +195,7 @@ struct RasterState {
     Enum depth_func = kGL_LESS;
     bool depth_mask = true;
 
+    friend bool operator==(const RasterState&, const RasterState&) = default;
     int clip_plane_count() const {
         return static_cast<int>(
             std::ranges::count_if(clip_planes_eye, [](const auto& plane) { return plane.has_value(); }));
@@ -235,6 +254,8 @@ struct TextureUnit {
     glm::dvec4 env_color{0, 0, 0, 0};
     double lod_bias = 0;           // GL_TEXTURE_LOD_BIAS of the unit
     glm::dmat4 texture_matrix{1};  // multiplies every texture coordinate (2.11.2)
+
+    friend bool operator==(const TextureUnit&, const TextureUnit&) = default;
 };
 
 struct Fog {  // 3.10; the factor f depends on the distance |z_eye|
@@ -244,11 +265,15 @@ struct Fog {  // 3.10; the factor f depends on the distance |z_eye|
     double start = 0;
     double end = 1;
     glm::dvec4 color{0, 0, 0, 0};
+
+    friend bool operator==(const Fog&, const Fog&) = default;
 };
 
 struct Scissor {  // 4.1.2
     bool enabled = false;
     Viewport box;
+
+    friend bool operator==(const Scissor&, const Scissor&) = default;
 };
 
 struct FragmentState {
@@ -266,6 +291,8 @@ struct FragmentState {
     bool color_sum = false;  // 3.9: only without lighting; with lighting the secondary colour is always added
     // Not in GL: `#pragma twinlight transfer(srgb)`. Colours are linear light and are converted to sRGB after fog.
     bool srgb_coded = false;
+
+    friend bool operator==(const FragmentState&, const FragmentState&) = default;
 };
 
 // ---- Draws ----
@@ -283,6 +310,8 @@ struct Vertex {
 // The materials of both faces.
 struct Materials {
     Material front, back;
+
+    friend bool operator==(const Materials&, const Materials&) = default;
 };
 
 // Whether a mode of glBegin draws polygons (2.6.1), which have two faces, rather than points or lines.

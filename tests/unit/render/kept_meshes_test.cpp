@@ -62,7 +62,9 @@ TEST_F(Kept, VerticesAreSentOnceHoweverTheLightsAndMatricesMove) {
 }
 
 TEST_F(Kept, VerticesOfManyDrawsAreSentOnce) {
-    renderer_.draw(frame_of({square({}), square({}), strip()}), kLive);
+    Draw moved = square({});  // so that it is not joined with its neighbour
+    moved.eye_from_object[3].x = 1;
+    renderer_.draw(frame_of({square({}), moved, strip()}), kLive);
     EXPECT_EQ(counters().made, 2u);
     EXPECT_EQ(counters().hits, 1u);
 }
@@ -183,8 +185,10 @@ TEST_F(Kept, AVertexThatChangesIsDrawnAsItIs) {
 
 // ---- The limit ----
 
+// Each has a state of its own, so that neighbours are not joined.
 Draw square_at(double x) {
     Draw draw = square({});
+    draw.eye_from_object[3].y = x;
     for (Vertex& vertex : draw.vertices) vertex.position_object.x += x;
     return draw;
 }

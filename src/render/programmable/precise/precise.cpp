@@ -104,12 +104,12 @@ void add_face(Uniforms& uniforms, const std::string& name, const LightingState& 
     glm::vec3 base(0);
     if (!ambient_of(varying)) base = rgb(lighting.light_model.ambient) * rgb(material.ambient);
     if (!emission_of(varying)) base = base + rgb(material.emission);
-    uniforms[fmt::format("u_{}_base", name)] = floats(base);
+    uniforms.set(fmt::format("u_{}_base", name), floats(base));
     for_each_light(lighting, [&](std::size_t i, const LightSource& light) {
         const auto product = [&](const char* term, const glm::dvec4& color, const glm::dvec4& of,
                                  PerVertexColor per_vertex) {
-            uniforms[fmt::format("u_light{}_{}_{}", i, name, term)] =
-                floats(per_vertex ? rgb(color) : rgb(color) * rgb(of));
+            uniforms.set(fmt::format("u_light{}_{}_{}", i, name, term),
+                         floats(per_vertex ? rgb(color) : rgb(color) * rgb(of)));
         };
         product("ambient", light.ambient, material.ambient, ambient_of(varying));
         product("diffuse", light.diffuse, material.diffuse, diffuse_of(varying));
@@ -193,33 +193,33 @@ Code precise_code(const Draw& draw, const Plan& plan) {
 Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code) {
     Uniforms values = uniforms(draw, plan, code);
     const glm::mat4 eye_from_object(draw.eye_from_object);
-    values["u_clip_from_object"] = columns(mesa_product(glm::mat4(draw.clip_from_eye), eye_from_object));
+    values.set("u_clip_from_object", columns(mesa_product(glm::mat4(draw.clip_from_eye), eye_from_object)));
     if (!code.effects.lighting) return values;
 
     const LightingState& lighting = plan.lighting;
     const MesaMatrix modelview = mesa_matrix(eye_from_object);
-    values["u_eye_from_object"] = columns(eye_from_object);
-    values["u_eye_from_object_normal"] = columns(glm::transpose(modelview.inverse));
-    values["u_normal_scale"] = {mesa_normal_scale(modelview)};
-    values["u_constant_ambient"] = floats(rgb(lighting.light_model.ambient));
+    values.set("u_eye_from_object", columns(eye_from_object));
+    values.set("u_eye_from_object_normal", columns(glm::transpose(modelview.inverse)));
+    values.set("u_normal_scale", {mesa_normal_scale(modelview)});
+    values.set("u_constant_ambient", floats(rgb(lighting.light_model.ambient)));
     add_face(values, "front", lighting, lighting.front, code.effects.front);
     add_face(values, "back", lighting, lighting.back, code.effects.back);
     const char* space = code.form.object_space ? "object" : "eye";
     for_each_light(lighting, [&](std::size_t i, const LightSource& light) {
         const MesaLight in_space = mesa_light(light, eye_from_object, modelview, !code.form.object_space);
-        const auto value = [&](const char* what) -> std::vector<float>& {
-            return values[fmt::format("u_light{}_{}", i, what)];
+        const auto set = [&](const char* what, const std::vector<float>& value) {
+            values.set(fmt::format("u_light{}_{}", i, what), value);
         };
-        const auto in = [&](const char* what) -> std::vector<float>& {
-            return values[fmt::format("u_light{}_{}_{}", i, what, space)];
+        const auto set_in = [&](const char* what, const std::vector<float>& value) {
+            values.set(fmt::format("u_light{}_{}_{}", i, what, space), value);
         };
-        in("position") = in("direction") = floats(in_space.position);
-        in("spot_dir") = floats(in_space.spot_direction);
-        in("half_dir") = floats(in_space.half_dir);
-        value("cos_cutoff") = {in_space.spot_cutoff_cosine};
-        value("spot_exponent") = {static_cast<float>(light.spot_exponent)};
-        value("attenuation") =
-            floats({light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation});
+        set_in("position", floats(in_space.position));
+        set_in("direction", floats(in_space.position));
+        set_in("spot_dir", floats(in_space.spot_direction));
+        set_in("half_dir", floats(in_space.half_dir));
+        set("cos_cutoff", {in_space.spot_cutoff_cosine});
+        set("spot_exponent", {static_cast<float>(light.spot_exponent)});
+        set("attenuation", floats({light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation}));
     });
     return values;
 }

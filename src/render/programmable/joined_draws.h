@@ -1,0 +1,33 @@
+// Joined Draws: neighbours in a frame that have the same state, so that they are planned, uploaded and drawn as one.
+//
+// A sphere is a Draw for each of its strips, and many programs call glBegin for each polygon. Whatever is drawn by itself
+// needs a plan, uniforms and the driver's check of its state, which take longer than a few vertices.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/stages/elements.h"
+#include "scene/state/frame.h"
+
+namespace twinlight::programmable {
+
+// Draws that follow each other in a frame.
+using DrawRun = std::span<const Draw* const>;
+
+// Whether both Draws may be drawn by one program with the same numbers, one after the other. They may differ in their
+// vertices, in what is replaced by the vertices' colours (2.14.3), and in whether they draw triangles or other polygons.
+bool have_one_state(const Draw& a, const Draw& b);
+
+// Longer runs are cut, because all vertices of a run are uploaded again if one of them has changed.
+inline constexpr std::size_t kMostJoinedVertices = 4096;
+
+struct JoinedDraws {
+    Draw draw;  // the first Draw's state, and the vertices and indices of all
+    std::vector<ElementsPart> parts;
+};
+JoinedDraws joined(DrawRun run);
+
+inline ElementsPart part_of(const Draw& draw) { return {draw.mode, draw.vertices.size(), draw.indices.size()}; }
+
+}  // namespace twinlight::programmable

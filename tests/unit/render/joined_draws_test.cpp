@@ -1,0 +1,224 @@
+// Joined Draws: which neighbours have one state, and that pictures of them are those of the Draws one by one.
+#include "render/programmable/joined_draws.h"
+
+#include <functional>
+#include <memory>
+
+#include "../hand_built_draws.h"
+#include "base/image/difference.h"
+#include "scene/scenes/load.h"
+#include "scene/state/state.h"
+
+namespace twinlight::programmable {
+namespace {
+
+constexpr Options kLive = {{{.shading = {}}}, Tier::kAuto};
+
+LightingState lit() {
+    LightingState lighting = dark();
+    lighting.front.diffuse = {0.2, 0.4, 0.6, 1};
+    return lighting;
+}
+
+TEST(JoinedDraws, DifferInTheirVerticesOnly) {
+    const Draw draw = square(lit());
+    Draw other = draw;
+    other.vertices[0].color = {0, 1, 0, 1};
+    other.mode = kGL_TRIANGLE_FAN;
+    other.place.line = 7;
+    EXPECT_TRUE(have_one_state(draw, other));
+    const std::vector<std::function<void(Draw&)>> changes = {
+        [](Draw& d) { d.eye_from_object[3].x = 1; },
+        [](Draw& d) { d.clip_from_eye[0][0] = 2; },
+        [](Draw& d) { d.lighting.front.diffuse.r = 1; },
+        [](Draw& d) { d.lighting.back.shininess = 1; },
+        [](Draw& d) { d.lighting.lights[3].position_eye.x = 1; },
+        [](Draw& d) { d.lighting.light_model.ambient.r = 1; },
+        [](Draw& d) { d.lighting.color_material.enabled = true; },
+        [](Draw& d) { d.lighting.normalize = true; },
+        [](Draw& d) { d.lighting.shade_model = kGL_FLAT; },
+        [](Draw& d) { d.lighting.enabled = false; },
+        [](Draw& d) { d.raster.line_width = 2; },
+        [](Draw& d) { d.raster.clip_planes_eye[2] = glm::dvec4(1); },
+        [](Draw& d) { d.texture.texture = std::make_shared<const Texture>(); },
+        [](Draw& d) { d.fog.enabled = true; },
+        [](Draw& d) { d.fragment.blend = true; },
+        [](Draw& d) { d.materials.resize(1); },
+        [](Draw& d) {
+            d.indices = {0, 1, 2};
+        },
+        [](Draw& d) { d.mode = kGL_LINES; },
+        [](Draw& d) { d.mode = kGL_POINTS; },
+    };
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        other = draw;
+        changes[i](other);
+        EXPECT_FALSE(have_one_state(draw, other)) << "change " << i;
+    }
+    Draw lines = draw, points = draw;
+    lines.mode = kGL_LINES;
+    points.mode = kGL_POINTS;
+    EXPECT_FALSE(have_one_state(lines, points));
+}
+
+TEST(JoinedDraws, AreNotDrawnAsEdges) {
+    Draw draw = square(lit());
+    draw.raster.polygon_mode_back = kGL_LINE;
+    EXPECT_FALSE(have_one_state(draw, draw));
+}
+
+// 2.14.3: glColor before each object changes the material that the state has, too.
+TEST(JoinedDraws, MayDifferInWhatTheVerticesColoursReplace) {
+    Draw draw = square(lit());
+    draw.lighting.color_material = {.enabled = true, .face = kGL_FRONT, .mode = kGL_DIFFUSE};
+    Draw other = draw;
+    other.lighting.front.diffuse = {1, 0, 0, 1};
+    EXPECT_TRUE(have_one_state(draw, other));
+    other.lighting.front.specular = {1, 0, 0, 1};
+    EXPECT_FALSE(have_one_state(draw, other));
+    other = draw;
+    other.lighting.back.diffuse = {1, 0, 0, 1};
+    EXPECT_FALSE(have_one_state(draw, other)) << "only the front face tracks the colour";
+}
+
+TEST(JoinedDraws, WithoutLightingHaveOneStateWhateverTheLights) {
+    Draw draw = square(lit()), other = draw;
+    draw.lighting.enabled = other.lighting.enabled = false;
+    other.lighting.front.diffuse = {1, 0, 0, 1};
+    other.lighting.lights[0].enabled = false;
+    EXPECT_TRUE(have_one_state(draw, other));
+}
+
+TEST(JoinedDraws, CountTheirIndicesOn) {
+    Draw first = square(lit()), second = square(lit());
+    first.indices = {0, 1, 2, 3};
+    second.indices = {3, 2, 1, 0};
+    const Draw* const run[] = {&first, &second};
+    const JoinedDraws all = joined(run);
+    EXPECT_EQ(all.draw.vertices.size(), 8u);
+    EXPECT_EQ(all.draw.indices, (std::vector<std::uint32_t>{0, 1, 2, 3, 7, 6, 5, 4}));
+    EXPECT_EQ(all.parts, (std::vector<ElementsPart>{{kGL_QUADS, 4, 4}, {kGL_QUADS, 4, 4}}));
+}
+
+// ---- Pictures ----
+
+constexpr int kSize = 32;
+
+// A row of polygons, one Draw each, in every mode that draws polygons, some with vertices left over.
+Frame row_of_polygons(bool with_indices) {
+    struct Kind {
+        Enum mode;
+        int vertices;
+    };
+    constexpr Kind kKinds[] = {{kGL_TRIANGLES, 3}, {kGL_TRIANGLES, 5},    {kGL_TRIANGLES, 3}, {kGL_TRIANGLE_STRIP, 4},
+                               {kGL_QUADS, 4},     {kGL_QUADS, 6},        {kGL_QUADS, 4},     {kGL_QUAD_STRIP, 4},
+                               {kGL_POLYGON, 5},   {kGL_TRIANGLE_FAN, 5}, {kGL_POLYGON, 4}};
+    Frame frame{.width = kSize, .height = kSize, .items = {}};
+    double left = -1;
+    for (const Kind& kind : kKinds) {
+        Draw draw = square(lit());
+        draw.raster.viewport = {0, 0, kSize, kSize};
+        draw.lighting.lights[0].position_eye = {0.3, 0.5, 2, 1};
+        draw.mode = kind.mode;
+        draw.vertices.resize(static_cast<std::size_t>(kind.vertices));
+        const bool zigzag = kind.mode == kGL_TRIANGLE_STRIP || kind.mode == kGL_QUAD_STRIP;
+        for (int i = 0; i < kind.vertices; ++i) {
+            const int corner = i % 4;
+            const double x = zigzag ? corner / 2 : (corner == 1 || corner == 2);
+            const double y = zigzag ? corner % 2 : corner / 2;
+            Vertex& vertex = draw.vertices[static_cast<std::size_t>(i)];
+            vertex.position_object = {left + 0.15 * x + 0.01 * i, 1.6 * y - 0.8, 0, 1};
+            vertex.normal_object = {0.1 * i, 0, 1};
+            if (with_indices) draw.indices.push_back(static_cast<std::uint32_t>(i));
+        }
+        left += 0.18;
+        frame.items.emplace_back(std::move(draw));
+    }
+    return frame;
+}
+
+// With a Clear of nothing between the Draws, which are then drawn one by one.
+Frame one_by_one(const Frame& frame) {
+    Frame apart = frame;
+    apart.items.clear();
+    for (const auto& item : frame.items) {
+        apart.items.push_back(item);
+        apart.items.emplace_back(Clear{});
+    }
+    return apart;
+}
+
+class JoinedPictures : public ::testing::TestWithParam<bool> {};
+
+TEST_P(JoinedPictures, AreThoseOfTheDrawsOneByOneBitByBit) {
+    const auto context = make_offscreen_context(kSize, kSize, ColorBuffer::kFloat);
+    const Frame frame = row_of_polygons(GetParam());
+    Renderer separates;
+    const Image apart = separates.render(one_by_one(frame), {}).image;
+    EXPECT_EQ(separates.counters().made + separates.counters().hits, frame.items.size());
+    for (const Options& options : {Options{}, kLive}) {
+        Renderer joins;
+        const Picture picture = joins.render(frame, options);
+        EXPECT_EQ(picture.image.pixels, apart.pixels);
+        EXPECT_EQ(joins.counters().made + joins.counters().hits, 1u) << "one program is used once";
+        EXPECT_EQ(picture.plans.size(), options.tier == Tier::kAuto ? 1 : frame.items.size());
+    }
+    std::size_t covered = 0;
+    for (const Rgba& pixel : apart.pixels) covered += pixel[2] > 0;
+    EXPECT_GT(covered, apart.pixels.size() / 3);
+}
+
+// Frames that are drawn once plan each Draw by itself, so that pictures do not depend on a Draw's neighbours.
+TEST(JoinedDraws, WithPlansThatDifferAreDrawnOneByOneInFramesThatAreDrawnOnce) {
+    const auto context = make_offscreen_context(kSize, kSize, ColorBuffer::kFloat);
+    Frame frame = row_of_polygons(false);
+    frame.items.resize(3);
+    for (Vertex& vertex : std::get<Draw>(frame.items[1]).vertices) vertex.normal_object = {0, 0, -1};  // unlit
+    Renderer once;
+    EXPECT_EQ(once.render(frame, {}).image.pixels, once.render(one_by_one(frame), {}).image.pixels);
+    EXPECT_EQ(once.counters().made + once.counters().hits, 6u);
+}
+
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutIndices, JoinedPictures, ::testing::Bool());
+
+TEST(JoinedDraws, EndWhereAClearComesBetween) {
+    const auto context = make_offscreen_context(kSize, kSize, ColorBuffer::kFloat);
+    Frame frame = row_of_polygons(false);
+    frame.items.insert(frame.items.begin() + 5, Clear{.color = true});
+    Renderer joins, separates;
+    EXPECT_EQ(joins.render(frame, kLive).image.pixels, separates.render(one_by_one(frame), {}).image.pixels);
+    EXPECT_EQ(joins.counters().made + joins.counters().hits, 2u);
+}
+
+TEST(JoinedDraws, EndWhereTheyGetLong) {
+    const auto context = make_offscreen_context(kSize, kSize);
+    Frame frame = row_of_polygons(false);
+    Draw large = std::get<Draw>(frame.items.front());
+    large.vertices.resize(kMostJoinedVertices, large.vertices.front());
+    frame.items = {large, frame.items[0], frame.items[2]};
+    Renderer joins;
+    joins.draw(frame, kLive);
+    EXPECT_EQ(joins.counters().made + joins.counters().hits, 2u);
+}
+
+// Under Tier::kAuto they have one plan, so a light that is too faint for one of them may be in for all.
+TEST(JoinedDraws, OfTheBuiltInScenesDifferByOneCodeAtMost) {
+    constexpr int kWidth = 160, kHeight = 120;
+    const auto context = make_offscreen_context(kWidth, kHeight);
+    for (const EmbeddedFile& file : kSceneFiles) {
+        const std::string name(file.name.substr(0, file.name.rfind('.')));
+        const Frame frame = make_scene(load_commands(name), {.width = kWidth, .height = kHeight}).frame;
+        Renderer renderer;
+        const Image joined = renderer.render(frame, kLive).image;
+        const Image separate = renderer.render(one_by_one(frame), {}).image;
+        EXPECT_EQ(renderer.render(frame, {}).image.pixels, separate.pixels) << file.name;
+        double largest = 0;
+        for (std::size_t i = 0; i < joined.pixels.size(); ++i)
+            for (int c = 0; c < 4; ++c)
+                largest = std::max<double>(largest, std::abs(joined.pixels[i][c] - separate.pixels[i][c]));
+        EXPECT_LE(largest, 1.01 / 255) << file.name;
+    }
+}
+
+}  // namespace
+}  // namespace twinlight::programmable
