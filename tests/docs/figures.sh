@@ -15,6 +15,8 @@ print("| scene | pixels away from edges | fixed, shaders | fixed, reference | sh
 print("|---|---|---|---|---|---|---|")
 for scene in ["report", "lab", "spectral", "commands", "legacy"]:
     comparison = json.load(open(f"{sys.argv[1]}/{scene}.json"))
+    if "steps" in comparison:
+        comparison = comparison["steps"][0]["comparison"]  # the first step
     pairs = {(pair["a"], pair["b"]): pair for pair in comparison["pairs"]}
     cells = [f"{pairs[names]['interior']['differing']:,}" if names in pairs else "-" for names in PAIRS]
     pixels = max(pair["interior"]["pixels"] for pair in pairs.values())

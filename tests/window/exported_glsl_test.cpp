@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -187,7 +188,24 @@ class ExportedGlsl : public testing::Test {
         const RegionDifference& interior = found.beyond_allowed;
         EXPECT_LE(interior.max, kRoundingOf8Bits) << "at " << interior.worst_x << "," << interior.worst_y;
         EXPECT_LE(interior.differing_share(), kShare);
-        EXPECT_LE(found.edge.differing_share(), kEdgeShare);
+        EXPECT_LE(share_of_moved_edges(picture, expected, allowed.edge), kEdgeShare);
+    }
+
+    // The share of edge pixels that differ by more than filters do: llvmpipe rounds each mean to 8 bits, and a lookup between two
+    // levels of a texture takes three means in a row.
+    static double share_of_moved_edges(const Image& picture, const Image& expected, const PixelMask& edge) {
+        constexpr double kRoundingOfFilters = 3.001 / 255;
+        double edges = 0, moved = 0;
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            if (!edge[i]) continue;
+            ++edges;
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (std::abs(picture.pixels[i][c] - expected.pixels[i][c]) <= kRoundingOfFilters) continue;
+                ++moved;
+                break;
+            }
+        }
+        return edges == 0 ? 0 : moved / edges;
     }
 
     const std::string compiler_ = "${CC:-gcc}";

@@ -28,7 +28,7 @@ page() {
             words = names
             gsub(/,/, "\\fR, \\fB", words)
             words = "\\fB" escaped_names(words) "\\fR"
-            if (value ~ /[|]/) { gsub(/[|]/, "\\fR|\\fB", value); value = "\\fB" escaped_names(value) "\\fR" }
+            if (value ~ /[|]/) { gsub(/[|]/, "\\fR|\\:\\fB", value); value = "\\fB" escaped_names(value) "\\fR" }
             else if (value != "") value = "\\fI" escaped(value) "\\fR"
             print ".TP\n" words (value == "" ? "" : " " value)
         }

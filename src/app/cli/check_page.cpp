@@ -27,14 +27,55 @@ summary code { font: 600 .9375rem ui-monospace, monospace; }
     font-size: .8125rem; background: #8883; }
 .outcome.known-bug { background: #e8a3; outline: 1px solid #c80; }
 .outcome.new-bug, .outcome.fixed-bug { background: #d33; color: #fff; }
+.totals { display: flex; flex-wrap: wrap; gap: .5rem; margin: 1rem 0; }
+.totals button { padding: .5rem .9rem; border: 1px solid var(--line); border-radius: .3rem; background: var(--raised);
+    color: var(--ink); font: inherit; font-size: .875rem; text-align: left; cursor: pointer; }
+.totals button b { display: block; font-size: 1.5rem; line-height: 1.2; }
+.totals button.unexpected b { color: var(--bad); }
+.totals button[aria-pressed=true] { border-color: var(--accent); box-shadow: inset 0 0 0 1px var(--accent); }
+.search input { font: inherit; padding: .25rem .5rem; width: 16rem; max-width: 100%; }
 .swatch { display: inline-block; width: 1.1em; height: 1.1em; line-height: 1.1em; text-align: center;
     vertical-align: -.2em; margin-right: .4em; border: 1px solid #8888; }
 )";
 
-// A link to a case opens it.
+// A link to a case opens it. The totals and the search box choose which cases are shown; a total that is pressed shows
+// only its group.
 constexpr const char* kScript = R"(
+document.documentElement.classList.add("with-script");
+const buttons = [...document.querySelectorAll(".totals button")];
+const search = document.querySelector(".search input");
+function filter() {
+    const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const pressed = buttons.filter((button) => button.getAttribute("aria-pressed") === "true");
+    let shown = 0;
+    for (const group of document.querySelectorAll(".group")) {
+        const isChosen = pressed.length === 0 || pressed.some((button) => button.dataset.group === group.dataset.group);
+        let inGroup = 0;
+        for (const section of group.querySelectorAll("section")) {
+            const text = section.querySelector("summary").textContent.toLowerCase();
+            section.hidden = !isChosen || !words.every((word) => text.includes(word));
+            inGroup += !section.hidden;
+        }
+        group.hidden = inGroup === 0;
+        shown += inGroup;
+    }
+    document.querySelector(".search output").textContent = shown === 1 ? "1 case" : shown + " cases";
+}
+for (const button of buttons) {
+    button.addEventListener("click", () => {
+        button.setAttribute("aria-pressed", button.getAttribute("aria-pressed") !== "true");
+        filter();
+    });
+}
+search.addEventListener("input", filter);
+filter();
 function openTarget() {
     const section = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    if (section && section.hidden) {
+        for (const button of buttons) button.setAttribute("aria-pressed", "false");
+        search.value = "";
+        filter();
+    }
     const details = section && section.querySelector("details");
     if (details) details.open = true;
     if (section) section.scrollIntoView();
@@ -158,16 +199,17 @@ std::string section_of(const Case& hard_case, const Result& result) {
 
 struct Group {
     std::string title;
+    std::string words;  // below its total
     std::vector<std::size_t> cases{};
 };
 
 // Each case once: unexpected results first, then by the result of the driver's fixed function.
 std::vector<Group> grouped(const std::vector<Result>& results) {
-    std::vector<Group> groups = {{"Unexpected results"},
-                                 {"Known bugs of this driver"},
-                                 {"Our choice, where the specification is silent"},
-                                 {"Passed"},
-                                 {"Not tested on the driver: GL lacks these features"}};
+    std::vector<Group> groups = {{"Unexpected results", "unexpected"},
+                                 {"Known bugs of this driver", "known bugs of the driver"},
+                                 {"Our choice, where the specification is silent", "our choice"},
+                                 {"Passed", "passed"},
+                                 {"Not tested on the driver: GL lacks these features", "not tested"}};
     const auto place_of = [](const Result& result) -> std::size_t {
         if (result.fails()) return 0;
         switch (result.outcomes[0]) {
@@ -186,13 +228,6 @@ std::vector<Group> grouped(const std::vector<Result>& results) {
 
 std::string counted(std::size_t count, const char* one, const char* several) {
     return fmt::format("{} {}", count, count == 1 ? one : several);
-}
-
-std::string links(const std::vector<Case>& cases, const Group& group) {
-    std::string html;
-    for (const std::size_t i : group.cases)
-        html += fmt::format("{0}<a href=\"#{1}\">{1}</a>", html.empty() ? "" : ", ", escaped(cases[i].name));
-    return html;
 }
 
 // The largest error of the driver's fixed function, and how often its result is not finite; empty where it has no
@@ -222,32 +257,33 @@ std::string error_of_driver(const std::vector<Case>& cases, const std::vector<Re
     return html;
 }
 
-// The totals, where the driver has bugs, and how large its errors are.
+// Whether anything is unexpected, and how large the errors are.
 std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& results,
                     const std::vector<Group>& groups) {
-    const Group &unexpected = groups[0], &known = groups[1];
-    const bool is_expected = unexpected.cases.empty();
-    std::string right = is_expected ? "Nothing unexpected: "
-                                    : fmt::format("Unexpected results in {} of {}. ", unexpected.cases.size(),
-                                                  counted(cases.size(), "case", "cases"));
-    right += fmt::format("{} of {} pass, {} known bugs of the driver.", groups[3].cases.size(),
-                         counted(cases.size(), "case", "cases"),
-                         known.cases.empty() ? "none shows" : fmt::format("{} show", known.cases.size()));
-    if (!groups[2].cases.empty())
-        right += fmt::format(" The driver gives another result in {} where the specification is silent.",
-                             counted(groups[2].cases.size(), "case", "cases"));
-    if (!groups[4].cases.empty())
-        right += fmt::format(" GL lacks the features of {}.", counted(groups[4].cases.size(), "case", "cases"));
-    std::string where;
-    if (!is_expected) where = fmt::format("<p>Unexpected: {}.</p>", links(cases, unexpected));
-    if (!known.cases.empty())
-        where += fmt::format("<details><summary>The cases with known bugs</summary>{}.</details>", links(cases, known));
+    const std::size_t unexpected = groups[0].cases.size(), bugs = groups[1].cases.size();
+    const bool is_expected = unexpected == 0;
+    const std::string all = counted(cases.size(), "case", "cases");
+    const std::string headline =
+        is_expected
+            ? fmt::format("Nothing unexpected: {} of {} pass, {} this driver&rsquo;s known bugs.",
+                          groups[3].cases.size(), all, bugs == 0 ? "and none shows" : fmt::format("{} show", bugs))
+            : fmt::format("Unexpected results in {} of {}.", unexpected, all);
     double from_long_double = 0;
     for (const Result& result : results) from_long_double = std::max(from_long_double, result.from_long_double);
-    const std::string how_much = fmt::format("{}The shaders are at most {:.1e} away from the reference.",
-                                             error_of_driver(cases, results), from_long_double);
-    return fmt::format("<div class=\"verdict {}\">\n<p class=\"headline\">{}</p>\n{}<p>{}</p>\n</div>\n",
-                       is_expected ? "within" : "beyond", right, where, how_much);
+    return fmt::format(
+        "<div class=\"verdict {}\">\n<p class=\"headline\">{}</p>\n<p>{}The shaders are at most {:.1e} away from the "
+        "reference.</p>\n</div>\n",
+        is_expected ? "within" : "beyond", headline, error_of_driver(cases, results), from_long_double);
+}
+
+// The number of cases in each group; its button shows only that group.
+std::string totals(const std::vector<Group>& groups) {
+    std::string html = "<div class=\"totals\" role=\"group\" aria-label=\"Show only some results\">\n";
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        html += fmt::format("<button type=\"button\" data-group=\"{}\" aria-pressed=\"false\"{}><b>{}</b>{}</button>\n",
+                            i, i == 0 && !groups[i].cases.empty() ? " class=\"unexpected\"" : "",
+                            groups[i].cases.size(), groups[i].words);
+    return html + "</div>\n";
 }
 
 }  // namespace
@@ -257,17 +293,21 @@ std::string check_page(const std::string& driver, const std::vector<Case>& cases
     std::string html = report::page_head("twinlight check", std::string(report::page_file("page.css")) + kStyle);
     html +=
         "<body>\n<header>\n<p class=\"product\">Twinlight &middot; hard cases</p>\n<h1>Hard cases of lighting</h1>\n";
-    html += verdict(cases, results, groups);
+    html += verdict(cases, results, groups) + totals(groups);
     html += fmt::format(
-        "<dl class=\"facts\"><div><dt>Driver</dt><dd>{}</dd></div></dl>\n</header>\n<main>\n"
         "<p class=\"hint\">A hard case is a small scene whose right colours are known. Open a case to see its results, "
-        "pictures and commands.</p>\n{}",
-        escaped(driver), kTerms);
-    for (const Group& group : groups) {
-        if (group.cases.empty()) continue;
-        html += fmt::format("<h2>{}: {}</h2>\n", group.title, counted(group.cases.size(), "case", "cases"));
-        for (const std::size_t i : group.cases) html += section_of(cases[i], results[i]);
+        "pictures and commands. Click a total to see only its cases.</p>\n"
+        "<p class=\"search scripted\"><label>Search <input type=\"search\" placeholder=\"spot, GL_NORMALIZE "
+        "...\"></label> <output></output></p>\n</header>\n<main>\n");
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (groups[i].cases.empty()) continue;
+        html += fmt::format("<div class=\"group\" data-group=\"{}\">\n<h2>{}: {}</h2>\n", i, groups[i].title,
+                            counted(groups[i].cases.size(), "case", "cases"));
+        for (const std::size_t one : groups[i].cases) html += section_of(cases[one], results[one]);
+        html += "</div>\n";
     }
+    html += fmt::format("<h2>About this page</h2>\n{}<dl class=\"facts\"><div><dt>Driver</dt><dd>{}</dd></div></dl>\n",
+                        kTerms, escaped(driver));
     return html + fmt::format(
                       "<p class=\"hint\">The pictures have {0} by {0} pixels where a case tests vertices, and {1} by "
                       "{1} where it tests pixels. A grey chequerboard means that nothing is "

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/program.h"
 #include "render/look.h"
@@ -34,6 +35,7 @@ Subcommand add_study(CLI::App& app);
 Subcommand add_fuzz(CLI::App& app);
 Subcommand add_check(CLI::App& app);
 Subcommand add_lint(CLI::App& app);
+Subcommand add_lesson(CLI::App& app);
 
 // Accepts the keys of a map.
 template <class Map>
@@ -66,12 +68,16 @@ struct Memory {
 void add_memory_option(CLI::App& app, Memory& memory);
 
 // The step of a scene with steps; see ReadOptions::step.
-void add_step_option(CLI::App& app, std::string& step);
+void add_step_option(CLI::App& app, std::string& step, const std::string& default_step = "the first");
 
 // Loads a scene, or a frame of a recorded program. Throws UsageError or SceneError if drawing it needs more memory than
 // is allowed. Notes about a recording (cut short, GL errors) go to standard error.
 Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame = std::nullopt,
                  const std::string& step = {}, const Memory& memory = {});
+
+// All steps of a scene with steps, without `step`; otherwise what load_scene() loads.
+std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, std::optional<int> frame,
+                              const std::string& step, const Memory& memory = {});
 
 // The default of -o: "lab-report" for the scene lab or dir/lab.gl with the suffix "-report", in the working folder.
 std::string name_after_scene(const std::string& scene, std::string_view suffix);

@@ -63,7 +63,7 @@ int run(int argc, char** argv) {
 
     const std::array subcommands = {add_render(app), add_compare(app), add_explain(app), add_export(app),
                                     add_record(app), add_scenes(app),  add_study(app),   add_fuzz(app),
-                                    add_check(app),  add_lint(app)};
+                                    add_check(app),  add_lint(app),    add_lesson(app)};
     std::vector<std::string> names;
     for (const Subcommand& subcommand : subcommands) {
         names.push_back(subcommand.app->get_name());
@@ -73,7 +73,8 @@ int run(int argc, char** argv) {
     }
     app.footer(
         "'twinlight COMMAND --help' shows the options of a command.\n"
-        "Exit status: 0 success, 1 a difference that is larger than allowed (lint: warnings), 2 bad input or usage.");
+        "Exit status: 0 success, 1 a difference that is larger than allowed (lint: warnings; lesson: wrong answers), 2 "
+        "bad input or usage.");
     check_subcommand(argc, argv, names);
     if (!parse_command_line(app, argc, argv)) return kFine;
     return std::ranges::find(subcommands, app.get_subcommands().front(), &Subcommand::app)->run();

@@ -25,7 +25,7 @@ namespace twinlight::cli {
 namespace {
 
 constexpr Size kSize{320, 240}, kQuickSize{240, 180};
-constexpr double kSeconds = 60, kQuickSeconds = 5;
+constexpr double kSeconds = 60, kQuickSeconds = 2;
 
 struct StudyArguments {
     std::string scene;
@@ -185,7 +185,7 @@ Subcommand add_study(CLI::App& app) {
     add_scene_argument(*study, arguments->scene)->required(false);
     study
         ->add_option("-o", arguments->folder,
-                     "folder for index.html, study.json, study.csv, study.svg and pictures/; created if it does not "
+                     "folder for index.html, study.json, study.csv, plots (.svg) and pictures/; created if it does not "
                      "exist (default: the scene's name and -study)")
         ->type_name("DIR")
         ->check(not_empty());
@@ -194,7 +194,7 @@ Subcommand add_study(CLI::App& app) {
     study
         ->add_option_function<double>(
             "--seconds", [arguments](double seconds) { arguments->seconds = seconds; },
-            "time for the measurements, which repeat at least three times (default: 60, or 5 with --quick)")
+            "time for the measurements, which repeat at least three times (default: 60, or 2 with --quick)")
         ->type_name("S")
         ->check(number_from(0.0, 86400.0));
     study
@@ -204,7 +204,7 @@ Subcommand add_study(CLI::App& app) {
         ->type_name("N")
         ->default_str("1")
         ->check(CLI::IsMember({1, 2, 4, 8, 16}).description(""));
-    study->add_flag("--quick", arguments->quick, "fewer choices, a smaller picture, less time");
+    study->add_flag("--quick", arguments->quick, "fewer choices and a smaller picture: about ten seconds");
     study->add_flag("--resume", arguments->resume, "continue the study in DIR with the same settings");
     study->add_option("--merge", arguments->merge, "combine studies of one scene from several machines; takes no SCENE")
         ->type_name("A.json B.json");

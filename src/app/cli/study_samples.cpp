@@ -42,7 +42,9 @@ std::optional<study::SpectralStudy> study_samples(const Frame& frame, bool quick
         bar.show(done, total, "samples of the spectrum");
         return !Interrupt::came();
     };
-    study::SpectralStudy study = study::spectral_study(frame, renderers, quick ? 3 : 9, goes_on);
+    const std::span<const int> samples =
+        quick ? std::span<const int>(study::kQuickPictureSamples) : std::span<const int>(study::kPictureSamples);
+    study::SpectralStudy study = study::spectral_study(frame, renderers, samples, quick ? 3 : 9, goes_on);
     bar.wipe();
     return study;
 }

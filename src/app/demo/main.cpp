@@ -1,12 +1,18 @@
 // twinlight-demo [SCENE]: the options, the scene, the window.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "app/demo/theme.h"
 #include "app/demo/window.h"
 #include "app/program.h"
 #include "app/session/keys.h"
+#include "judge/lesson/lesson.h"
+#include "scene/command/names.h"
 #include "scene/scenes/load.h"
 
 namespace {
@@ -39,6 +45,24 @@ session::Probe probe_at(const std::string& text) {
     return probe;
 }
 
+// In Chinese only if a font has its letters.
+lesson::Lesson lesson_named(const std::string& name, lesson::Language& language) {
+    const auto names = lesson::names();
+    if (std::ranges::find(names, name) == names.end()) {
+        const auto near = nearest(name, {names.begin(), names.end()});
+        throw UsageError(
+            fmt::format("there is no lesson '{}'; {}", name,
+                        near ? fmt::format("did you mean '{}'?", *near) : "'twinlight lesson' lists the lessons"));
+    }
+    if (language == lesson::Language::kChinese && demo::chinese_font().empty()) {
+        fmt::print(stderr,
+                   "twinlight-demo: no font with Chinese letters was found, so the lesson is in English; install "
+                   "fonts-noto-cjk\n");
+        language = lesson::Language::kEnglish;
+    }
+    return lesson::load_lesson(name, language);
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Opens a window that draws a scene three ways, side by side, and lets you change every call of it.",
                  "twinlight-demo");
@@ -52,6 +76,20 @@ int run(int argc, char** argv) {
         ->capture_default_str()
         ->type_name("")
         ->check(not_empty());
+    std::string lesson_name;
+    app.add_option("--lesson", lesson_name, "open a lesson instead of a scene; 'twinlight lesson' lists them")
+        ->option_text("NAME")
+        ->check(not_empty());
+    options.language = lesson::users_language();
+    app.add_option_function<std::string>(
+           "--language",
+           [&](const std::string& name) {
+               const auto language = lesson::find_language(name);
+               if (!language) throw CLI::ValidationError("--language", "'" + name + "' is not one of en, zh");
+               options.language = *language;
+           },
+           "of the lessons: English or Chinese (default: the environment's language)")
+        ->option_text("en|zh");
     std::string step;
     app.add_option("--step", step, "the step of a scene with steps to show first: its number, from 1, or its title")
         ->option_text("N")
@@ -91,6 +129,11 @@ int run(int argc, char** argv) {
     if (!parse_command_line(app, argc, argv)) return kFine;
     options.width = size.width;
     options.height = size.height;
+    if (!lesson_name.empty()) {
+        if (app.count("SCENE") > 0) throw UsageError("give either SCENE or --lesson");
+        options.lesson = lesson_named(lesson_name, options.language);
+        return demo::show(lesson::commands_of(*options.lesson, options.lesson->scene), options);
+    }
     std::error_code ignored;
     if (std::filesystem::is_regular_file(scene, ignored)) options.file = scene;
     return demo::show(load_commands(scene, step), options);

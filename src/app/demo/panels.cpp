@@ -37,6 +37,7 @@ bool tab_button(const char* name, const std::string& title, bool is_shown) {
 
 void Panels::update(session::Session& session) {
     lint_.update(session);
+    lesson_.update(session);
     save_.update(session);
 }
 
@@ -69,6 +70,7 @@ void Panels::show(session::Session& session, const session::Box& box, const Pane
             break;
         case Panel::kAccuracy: accuracy_.show(session); break;
         case Panel::kSave: save_.show(session); break;
+        case Panel::kLesson: lesson_.show(session); break;
     }
     ImGui::EndChild();
     ImGui::End();

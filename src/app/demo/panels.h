@@ -3,6 +3,7 @@
 
 #include "app/demo/panel_accuracy.h"
 #include "app/demo/panel_commands.h"
+#include "app/demo/panel_lesson.h"
 #include "app/demo/panel_lights.h"
 #include "app/demo/panel_lint.h"
 #include "app/demo/panel_probe.h"
@@ -21,7 +22,7 @@ class Panels {
     void show(session::Session& session, const session::Box& box, const Panes& panes);
     // Whether a panel works in the background, so that the window must go on drawing frames.
     bool is_busy(const session::Session& session) const {
-        return lint_.is_busy() || save_.is_busy() || accuracy_.is_busy() ||
+        return lint_.is_busy() || lesson_.is_busy() || save_.is_busy() || accuracy_.is_busy() ||
                (session.panel == session::Panel::kProbe && probe_.is_waiting()) ||
                (session.panel == session::Panel::kShaders && shaders_.is_waiting());
     }
@@ -30,6 +31,7 @@ class Panels {
   private:
     AccuracyPanel accuracy_;
     CommandsPanel commands_;
+    LessonPanel lesson_;
     LightsPanel lights_;
     LintPanel lint_;
     ProbePanel probe_;

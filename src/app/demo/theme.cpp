@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "app/session/lesson_state.h"
+
 namespace twinlight::demo {
 namespace {
 
@@ -10,8 +12,15 @@ namespace {
 constexpr const char* kFolder = "/usr/share/fonts/truetype/dejavu/";
 constexpr float kTextSize = 15, kCodeSize = 14;  // in pixels at scale 1
 
+// Of Debian's packages fonts-noto-cjk, fonts-droid-fallback, fonts-wqy-microhei and fonts-wqy-zenhei.
+constexpr const char* kChineseFonts[] = {"/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
+                                         "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
+                                         "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc",
+                                         "/usr/share/fonts/truetype/wqy/wqy-zenhei.ttc"};
+
 Fonts loaded;
 double used_scale = 1;
+bool chinese_loaded = false;
 
 ImFont* load(const char* name, float size) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -25,15 +34,42 @@ ImFont* load(const char* name, float size) {
     return atlas.AddFontFromFileTTF(file.c_str(), pixels, nullptr, kRanges);
 }
 
+// Adds the letters of the Chinese lessons to the font that was loaded last.
+void add_chinese(float size) {
+    static ImVector<ImWchar> ranges;  // ImGui reads it when it makes the texture
+    if (ranges.empty()) {
+        ImFontGlyphRangesBuilder builder;
+        for (const EmbeddedFile& page : kChineseLessonFiles)
+            builder.AddText(page.text.data(), page.text.data() + page.text.size());
+        for (const char* word : session::all_words(lesson::Language::kChinese)) builder.AddText(word);
+        builder.BuildRanges(&ranges);
+    }
+    ImFontConfig config;
+    config.MergeMode = true;
+    ImGui::GetIO().Fonts->AddFontFromFileTTF(chinese_font().c_str(), size * static_cast<float>(used_scale), &config,
+                                             ranges.Data);
+}
+
 }  // namespace
+
+std::string chinese_font() {
+    std::error_code ignored;
+    for (const char* file : kChineseFonts)
+        if (std::filesystem::exists(file, ignored)) return file;
+    return "";
+}
+bool has_chinese_letters() { return chinese_loaded; }
 
 const Fonts& fonts() { return loaded; }
 double scale() { return used_scale; }
 
-void set_theme(double scale) {
+void set_theme(double scale, lesson::Language language) {
     used_scale = scale;
+    chinese_loaded = language == lesson::Language::kChinese && !chinese_font().empty();
     loaded.text = load("DejaVuSans.ttf", kTextSize);
+    if (chinese_loaded) add_chinese(kTextSize);
     loaded.bold = load("DejaVuSans-Bold.ttf", kTextSize);
+    if (chinese_loaded) add_chinese(kTextSize);
     loaded.code = load("DejaVuSansMono.ttf", kCodeSize);
     loaded.code_bold = load("DejaVuSansMono-Bold.ttf", kCodeSize);
 

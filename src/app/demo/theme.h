@@ -3,6 +3,10 @@
 
 #include <imgui.h>
 
+#include <string>
+
+#include "judge/lesson/lesson.h"
+
 namespace twinlight::demo {
 
 struct Fonts {
@@ -14,7 +18,11 @@ struct Fonts {
 
 // Loads the fonts and sets colours and spacing; `scale` is 1 for 96 dots per inch. Needs an ImGui context. Without the
 // DejaVu fonts, all four are ImGui's own.
-void set_theme(double scale);
+// The Chinese letters of the lessons are loaded if that is the language and a font has them.
+void set_theme(double scale, lesson::Language language);
+bool has_chinese_letters();
+// The file of a font with Chinese letters; empty if none is installed.
+std::string chinese_font();
 const Fonts& fonts();
 double scale();
 

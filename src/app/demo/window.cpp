@@ -18,6 +18,7 @@
 #include "app/demo/glut_window.h"
 #include "app/demo/theme.h"
 #include "app/session/clip.h"
+#include "app/session/lesson_state.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "render/context/context.h"
@@ -66,6 +67,7 @@ Window::Window(std::shared_ptr<const CommandList> scene, const WindowOptions& op
     session_.view = options.view;
     session_.panel = options.panel;
     session_.probe = options.probe;
+    if (options.lesson) session::start_lesson(session_, *options.lesson);
     const WindowSize size = session::natural_size(commands(session_));
     refresh(session_, size.width, size.height);
 }
@@ -91,7 +93,7 @@ void Window::start_imgui() {
     ImGui::GetIO().IniFilename = nullptr;  // writes no files
     ImGui_ImplGLUT_Init();
     ImGui_ImplOpenGL2_Init();
-    set_theme(options_.scale.value_or(screen_scale()));
+    set_theme(options_.scale.value_or(screen_scale()), options_.language);
     imgui_runs_ = true;
 }
 

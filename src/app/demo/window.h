@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/session/session.h"
+#include "judge/lesson/lesson.h"
 #include "scene/command/command.h"
 
 namespace twinlight::demo {
@@ -15,6 +16,8 @@ struct WindowOptions {
     session::View view = session::View::kSlider;
     session::Panel panel = session::Panel::kCommands;
     std::optional<session::Probe> probe{};
+    std::optional<lesson::Lesson> lesson{};                  // opened instead of the scene
+    lesson::Language language = lesson::Language::kEnglish;  // of the tab Lesson
     std::optional<double> scale{};      // of letters and lines; empty: from the screen's dots per inch
     std::optional<std::string> file{};  // the scene's file, which is read again when it is saved
     std::string keys;                   // pressed before the first frame

@@ -30,7 +30,7 @@ inline constexpr ViewName kViews[] = {
     {View::kSlider, "slider"}, {View::kGrid, "grid"}, {View::kSingle, "single"}, {View::kWorld, "world"}};
 
 // The tabs beside the pictures.
-enum class Panel : std::uint8_t { kCommands, kLights, kProbe, kShaders, kOverlays, kLint, kAccuracy, kSave };
+enum class Panel : std::uint8_t { kCommands, kLights, kProbe, kShaders, kOverlays, kLint, kAccuracy, kSave, kLesson };
 struct PanelName {
     Panel value;
     const char* key;
@@ -40,7 +40,8 @@ inline constexpr PanelName kPanels[] = {
     {Panel::kCommands, "commands", "Commands"}, {Panel::kLights, "lights", "Lights"},
     {Panel::kProbe, "probe", "Probe"},          {Panel::kShaders, "shaders", "Shaders"},
     {Panel::kOverlays, "overlays", "Overlays"}, {Panel::kLint, "lint", "Lint"},
-    {Panel::kAccuracy, "accuracy", "Accuracy"}, {Panel::kSave, "save", "Save"}};
+    {Panel::kAccuracy, "accuracy", "Accuracy"}, {Panel::kSave, "save", "Save"},
+    {Panel::kLesson, "lesson", "Lesson"}};
 
 // One picture of the window.
 struct Pane {
@@ -82,6 +83,8 @@ struct Probe {
     friend bool operator==(const Probe&, const Probe&) = default;
 };
 
+struct LessonState;
+
 struct Session {
     explicit Session(std::shared_ptr<const CommandList> scene_opened);
 
@@ -120,6 +123,7 @@ struct Session {
         double seconds = 0;
     };
     std::optional<Animation> animation{};
+    std::shared_ptr<LessonState> lesson{};  // null if there is none (lesson_state.h)
     bool quit_requested = false;
     // Requests that the window carries out and clears.
     bool export_requested = false, screenshot_requested = false;

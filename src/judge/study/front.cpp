@@ -130,4 +130,70 @@ void write_findings(Study& study) {
     }
 }
 
+namespace {
+
+std::string with_time(const Point& point) {
+    return fmt::format("{} ({})", point.choice.words(), milliseconds(point.median_seconds()));
+}
+
+constexpr double kVisible = 1;  // a mean Delta E 2000
+
+// What costs most accuracy: the change of the lighting with the largest error, beside the same choice without it; without such
+// changes, the outlines of the finest mesh.
+std::optional<std::string> largest_loss(const PointsOf& points) {
+    const Point* worst = nullptr;
+    for (const Point* point : points) {
+        const Choice& choice = point->choice;
+        if (choice.lighting_change == LightingChange::kWhole || choice.shading != Shading::kPhong) continue;
+        if (!worst || point->errors.whole.rms > worst->errors.whole.rms) worst = point;
+    }
+    if (worst) {
+        Choice whole = worst->choice;
+        whole.lighting_change = LightingChange::kWhole;
+        const auto same = std::ranges::find(points, whole, &Point::choice);
+        if (same == points.end()) return {};
+        return fmt::format(
+            "Simpler lighting costs most accuracy: {} has an rms error of {:.2g}, with all of the lighting {:.2g}.",
+            worst->choice.words(), worst->errors.whole.rms, (*same)->errors.whole.rms);
+    }
+    const Point* finest = nullptr;
+    for (const Point* point : points)
+        if (is_whole(*point, Shading::kPhong) && (!finest || point->choice.slices > finest->choice.slices))
+            finest = point;
+    if (!finest || finest->choice.slices == 0) return {};
+    return fmt::format(
+        "Outlines cost most accuracy: {} has an rms error of {:.2g} inside shapes, and of {:.2g} at outlines.",
+        finest->choice.words(), finest->errors.interior.rms, finest->errors.silhouette.rms);
+}
+
+}  // namespace
+
+std::vector<std::string> headlines(const Study& study, std::size_t series) {
+    PointsOf points = timed_points(study, series);
+    if (points.empty()) return {};
+    std::ranges::stable_sort(points, {}, [](const Point* point) { return point->median_seconds(); });
+    const auto first = [&](const auto& is_meant) {
+        const auto found = std::ranges::find_if(points, is_meant);
+        return found == points.end() ? nullptr : *found;
+    };
+    std::vector<std::string> sentences;
+    // The reference draws the exact picture itself, so it is no answer.
+    const Point* right = first([](const Point* point) {
+        return point->choice.method != Method::kReference && point->errors.whole.max <= kCode * (1 + 1e-6);
+    });
+    sentences.push_back(right ? fmt::format("The fastest choice within 1/255 of the exact picture at every pixel: {}.",
+                                            with_time(*right))
+                              : "On this driver, no choice is within 1/255 of the exact picture at every pixel.");
+    const Point* close = first([](const Point* point) { return point->errors.whole.delta_e <= kVisible; });
+    if (close && close != right)
+        sentences.push_back(fmt::format(
+            "The fastest whose error is hardly visible, with a mean Delta E of at most 1: {}.", with_time(*close)));
+    else
+        sentences.push_back(
+            fmt::format("The fastest of all, {}, has a mean Delta E of {:.2g}; about 1 is just visible.",
+                        with_time(*points.front()), points.front()->errors.whole.delta_e));
+    if (const auto loss = largest_loss(points)) sentences.push_back(*loss);
+    return sentences;
+}
+
 }  // namespace twinlight::study

@@ -1,14 +1,15 @@
 // study.svg: error against time on logarithmic axes, with a dot for each choice and a line for the front.
+// shading.svg, outlines.svg, changes.svg: one finding each, from the points of the first machine.
 // spectral.svg: Delta E for each light against the number of samples, and against their time.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
-#include <glm/vec2.hpp>
 #include <iterator>
 
-#include "judge/report/html.h"
+#include "judge/study/plot.h"
 #include "judge/study/study.h"
 #include "render/context/driver_name.h"
 #include "render/look.h"
@@ -16,135 +17,6 @@
 namespace twinlight::study {
 
 namespace {
-
-// ---- Any plot ----
-
-enum class Mark : std::uint8_t { kNone, kSquare, kTriangle, kCircle, kDiamond };
-enum class Line : std::uint8_t { kNone, kSolid, kDashed };
-
-struct PlotSeries {
-    std::vector<glm::dvec2> values{};
-    Mark mark = Mark::kNone;
-    Line line = Line::kNone;
-    const char* color = "#000";
-    bool filled = true;
-    std::string words{};  // the tooltip of its marks; in the legend the text of the row
-};
-
-// A logarithmic axis. Values beyond its ends are drawn at the ends.
-struct PlotAxis {
-    double low, high;
-    std::vector<double> ticks{};
-    std::string words{};
-
-    // 0 at `low`, 1 at `high`.
-    double part(double value) const { return std::log(std::clamp(value, low, high) / low) / std::log(high / low); }
-};
-struct Panel {
-    PlotAxis x, y;
-    std::vector<PlotSeries> series{};
-};
-
-// Safe for colour blindness (Okabe and Ito, 2008); the list repeats.
-const char* plot_color(std::size_t number) {
-    constexpr const char* kColors[] = {"#d55e00", "#0072b2", "#56b4e9", "#cc79a7", "#009e73", "#e69f00", "#000000"};
-    return kColors[number % std::size(kColors)];
-}
-
-// From the power of ten below `low` to the one above `high`, with a tick at each.
-PlotAxis decades(double low, double high, std::string words) {
-    const double first = std::floor(std::log10(low)), last = std::max(first + 1, std::ceil(std::log10(high)));
-    PlotAxis axis{.low = std::pow(10, first), .high = std::pow(10, last), .words = std::move(words)};
-    for (double power = first; power <= last; ++power) axis.ticks.push_back(std::pow(10, power));
-    return axis;
-}
-
-constexpr double kLeft = 80, kTop = 48, kBottom = 64, kRow = 22;  // margins of a panel; height of a legend row
-
-std::string text_at(glm::dvec2 at, std::string_view words, const char* anchor, const char* turn = "") {
-    return fmt::format("<text transform=\"translate({:.1f} {:.1f}){}\" text-anchor=\"{}\">{}</text>\n", at.x, at.y,
-                       turn, anchor, report::escaped(words));
-}
-
-const char* path_of(Mark mark) {
-    switch (mark) {
-        case Mark::kNone: return "";
-        case Mark::kSquare: return "m-4.5 -4.5h9v9h-9z";
-        case Mark::kTriangle: return "m0 -6l5.5 9.5h-11z";
-        case Mark::kCircle: return "m-5 0a5 5 0 1 0 10 0a5 5 0 1 0 -10 0";
-        case Mark::kDiamond: return "m0 -6l6 6l-6 6l-6 -6z";
-    }
-    return "";
-}
-
-std::string line_through(const std::vector<glm::dvec2>& places, Line line, const char* color) {
-    std::string path;
-    for (const glm::dvec2& at : places) path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at.x, at.y);
-    if (path.empty() || line == Line::kNone) return "";
-    return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"{}/>\n", path, color,
-                       line == Line::kDashed ? " stroke-dasharray=\"4 3\"" : "");
-}
-
-std::string mark_at(glm::dvec2 at, const PlotSeries& series) {
-    if (series.mark == Mark::kNone) return "";
-    return fmt::format("<path d=\"M{:.1f} {:.1f}{}\" fill=\"{}\" stroke=\"{}\"/>", at.x, at.y, path_of(series.mark),
-                       series.filled ? series.color : "white", series.color);
-}
-
-std::string panel_svg(const Panel& panel, glm::dvec2 top_left, glm::dvec2 size) {
-    const glm::dvec2 end = top_left + size, middle = top_left + 0.5 * size;
-    const auto place = [&](glm::dvec2 value) {
-        return top_left + size * glm::dvec2(panel.x.part(value.x), 1 - panel.y.part(value.y));
-    };
-    std::string svg;
-    for (const double tick : panel.x.ticks) {
-        const double x = place({tick, panel.y.low}).x;
-        svg += line_through({{x, top_left.y}, {x, end.y}}, Line::kSolid, "#ddd");
-        svg += text_at({x, end.y + 20}, fmt::format("{:g}", tick), "middle");
-    }
-    for (const double tick : panel.y.ticks) {
-        const double y = place({panel.x.low, tick}).y;
-        svg += line_through({{top_left.x, y}, {end.x, y}}, Line::kSolid, "#ddd");
-        svg += text_at({top_left.x - 8, y + 4}, fmt::format("{:g}", tick), "end");
-    }
-    svg += text_at({middle.x, end.y + 44}, panel.x.words, "middle");
-    svg += text_at({top_left.x - 58, middle.y}, panel.y.words, "middle", " rotate(-90)");
-    for (const PlotSeries& series : panel.series) {
-        std::vector<glm::dvec2> places;
-        std::ranges::transform(series.values, std::back_inserter(places), place);
-        svg += line_through(places, series.line, series.color);
-        for (const glm::dvec2& at : places)
-            if (series.mark != Mark::kNone)
-                svg += fmt::format("<g class=\"dot\"><title>{}</title>{}</g>\n", report::escaped(series.words),
-                                   mark_at(at, series));
-    }
-    return svg;
-}
-
-// Panels of `panel_size` pixels side by side, and a legend; a row without words is a gap.
-std::string plot_svg(std::string_view title, glm::dvec2 panel_size, const std::vector<Panel>& panels,
-                     const std::vector<PlotSeries>& legend) {
-    std::string body = text_at({kLeft, 28}, title, "start");
-    glm::dvec2 at(kLeft, kTop);
-    for (const Panel& panel : panels) {
-        body += panel_svg(panel, at, panel_size);
-        at.x += panel_size.x + kLeft;
-    }
-    at += glm::dvec2(-kLeft + 30, 10);
-    std::size_t longest = 0;
-    for (const PlotSeries& row : legend) {
-        body += line_through({at - glm::dvec2(8, 0), at + glm::dvec2(8, 0)}, row.line, row.color) + mark_at(at, row) +
-                text_at(at + glm::dvec2(16, 4), row.words, "start");
-        at.y += row.words.empty() ? kRow / 2 : kRow;
-        longest = std::max(longest, row.words.size());
-    }
-    constexpr double kLetter = 7.5;
-    return fmt::format(
-               "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-               "font-family=\"sans-serif\" font-size=\"13\"><rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-               at.x + 30 + kLetter * static_cast<double>(longest), kTop + panel_size.y + kBottom) +
-           body + "</svg>\n";
-}
 
 // ---- A study ----
 
@@ -224,6 +96,124 @@ std::string study_svg(const Study& study) {
                       .y = decades(least.y, most.y, "rms error of a channel, 0 to 1"),
                       .series = fronts}},
                     legend_of(study));
+}
+
+// ---- One finding each ----
+
+namespace {
+
+constexpr glm::dvec2 kPanel = {420, 300};
+constexpr Shading kMeshShadings[] = {Shading::kFlat, Shading::kGouraud, Shading::kPhong};
+
+// The points of the first machine that shaders with uniforms drew in the usual way, from few slices to many.
+std::vector<const Point*> usual_points(const Study& study, Shading shading) {
+    std::vector<const Point*> points;
+    for (const Point* point : timed_points(study, 0)) {
+        const Choice usual{.method = Method::kUniforms, .shading = shading, .slices = point->choice.slices};
+        if (point->choice == usual) points.push_back(point);
+    }
+    std::ranges::stable_sort(points, {}, [](const Point* point) { return point->choice.slices; });
+    return points;
+}
+
+// Errors of 0 have no place on a logarithmic axis.
+template <class Value>
+PlotSeries curve(const std::vector<const Point*>& points, const PlotSeries& look, const Value& value) {
+    PlotSeries result = look;
+    for (const Point* point : points)
+        if (const glm::dvec2 at = value(*point); at.y > 0) result.values.push_back(at);
+    return result;
+}
+
+// A panel around all values; empty if there are fewer than two.
+std::string plot_of(std::string_view title, PlotAxis x, const char* y_words, const std::vector<PlotSeries>& series) {
+    std::vector<double> ys;
+    for (const PlotSeries& one : series)
+        for (const glm::dvec2& at : one.values) ys.push_back(at.y);
+    if (ys.size() < 2) return "";
+    const auto [low, high] = std::ranges::minmax(ys);
+    std::vector<PlotSeries> legend = series;
+    for (PlotSeries& row : legend) row.values.clear();
+    return plot_svg(title, kPanel, {{.x = std::move(x), .y = decades(low, high, y_words), .series = series}}, legend);
+}
+
+}  // namespace
+
+std::string shading_svg(const Study& study) {
+    std::vector<PlotSeries> series;
+    std::vector<double> times;
+    const auto add = [&](Shading shading, Line line) {
+        const auto points = usual_points(study, shading);
+        for (const Point* point : points) times.push_back(1000 * point->median_seconds());
+        series.push_back(curve(
+            points,
+            {.mark = mark_of(shading),
+             .line = line,
+             .color = plot_color(series.size()),
+             .words = line == Line::kNone ? "exact surfaces" : name_of(shading)},
+            [](const Point& point) { return glm::dvec2(1000 * point.median_seconds(), point.errors.whole.delta_e); }));
+    };
+    for (const Shading shading : kMeshShadings) add(shading, Line::kSolid);
+    add(Shading::kExact, Line::kNone);
+    if (times.size() < 2) return "";
+    const auto [shortest, longest] = std::ranges::minmax(times);
+    return plot_of("Shading by triangles, from few slices to many, and exact surfaces",
+                   decades(shortest, longest, "time of a frame, ms"), "mean Delta E 2000", series);
+}
+
+std::string outlines_svg(const Study& study) {
+    std::vector<PlotSeries> series;
+    std::vector<double> slices;
+    const auto add = [&](const std::vector<const Point*>& points, const Region& region, const char* words,
+                         const PlotSeries& look) {
+        series.push_back(curve(points, look, [&](const Point& point) {
+            return glm::dvec2(point.choice.slices, (point.errors.*region.errors).rms);
+        }));
+        series.back().words = words;
+    };
+    const auto phong = usual_points(study, Shading::kPhong), gouraud = usual_points(study, Shading::kGouraud);
+    for (const Point* point : phong)
+        if (point->choice.slices > 0) slices.push_back(point->choice.slices);
+    if (slices.size() < 2) return "";
+    const auto& [whole, interior, silhouette] = kRegions;
+    add(phong, silhouette, "at outlines, phong", {.mark = Mark::kSquare, .line = Line::kSolid, .color = plot_color(0)});
+    add(gouraud, interior, "inside shapes, gouraud",
+        {.mark = Mark::kTriangle, .line = Line::kSolid, .color = plot_color(1)});
+    add(phong, interior, "inside shapes, phong", {.mark = Mark::kCircle, .line = Line::kSolid, .color = plot_color(4)});
+    for (const Point* point : usual_points(study, Shading::kExact)) {
+        const double rms = point->errors.whole.rms;
+        if (rms > 0)
+            series.push_back({.values = {{slices.front(), rms}, {slices.back(), rms}},
+                              .line = Line::kDashed,
+                              .words = "exact surfaces"});
+    }
+    return plot_of("Error inside shapes and at their outlines",
+                   {.low = slices.front(), .high = slices.back(), .ticks = slices, .words = "slices of a round shape"},
+                   "rms error, 0 to 1", series);
+}
+
+std::string changes_svg(const Study& study) {
+    std::vector<Bar> bars;
+    const auto points = timed_points(study, 0);
+    const auto changed = [](const Point* point) {
+        return point->choice.lighting_change != LightingChange::kWhole && point->choice.shading == Shading::kPhong;
+    };
+    const auto first = std::ranges::find_if(points, changed);
+    if (first == points.end()) return "";
+    for (const Point* point : points) {
+        Choice usual = point->choice;
+        usual.lighting_change = (*first)->choice.lighting_change;
+        if (usual != (*first)->choice) continue;
+        const auto& row =
+            *std::ranges::find(lighting_changes(), point->choice.lighting_change, &LightingChangeRow::value);
+        const bool is_whole = point->choice.lighting_change == LightingChange::kWhole;
+        bars.push_back({is_whole ? "all of the lighting" : row.words, point->errors.whole.rms});
+    }
+    std::ranges::stable_sort(bars, std::greater{}, &Bar::value);
+    return bars_svg(
+        fmt::format("rms error, phong{}, with one change of the lighting",
+                    (*first)->choice.slices > 0 ? fmt::format(" with {} slices", (*first)->choice.slices) : ""),
+        bars);
 }
 
 // ---- Samples of the spectrum ----

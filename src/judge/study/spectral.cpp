@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/image/png.h"
 #include "base/math/srgb.h"
 #include "scene/spectrum/samples.h"
 
@@ -11,7 +12,6 @@ namespace twinlight::study {
 namespace {
 
 constexpr int kCounts[] = {0, 3, 4, 5, 6, 7, 9, 12, 16, 24, 31, 41, 81};
-constexpr int kPictureCounts[] = {0, 3, 5, 9, 16, 31, 81};
 
 // CIELAB, with the light as the white point.
 Lab lab_under(Vec3<double> rgb, Vec3<double> light_rgb) {
@@ -36,6 +36,12 @@ PatchError patch_error(const Spectrum& light, int count, const SpectralSamples& 
         error.worst = patch.name;
     }
     return error;
+}
+
+bool is_lit_by_spectrum(const LightingState& lighting) {
+    return std::ranges::any_of(lighting.lights, [](const LightSource& light) {
+        return light.enabled && (light.diffuse_illuminant.spectrum || light.specular_illuminant.spectrum);
+    });
 }
 
 double seconds_of(const std::function<void()>& work) {
@@ -63,25 +69,28 @@ Frame with_samples(const Frame& frame, int samples) {
     const auto spectrum = samples == 0 ? nullptr : std::make_shared<const SpectralSamples>(samples);
     Frame result = frame;
     for (Draw* draw : result.draws())
-        if (draw->lighting.light_model.spectrum) draw->lighting.light_model.spectrum = spectrum;
+        if (draw->lighting.light_model.spectrum || is_lit_by_spectrum(draw->lighting))
+            draw->lighting.light_model.spectrum = spectrum;
     return result;
 }
 
-SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& renderers, int rounds,
-                             const std::function<bool(int done, int total)>& goes_on) {
+SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& renderers, std::span<const int> samples,
+                             int rounds, const std::function<bool(int done, int total)>& goes_on) {
     SpectralStudy study{.patches = patch_errors(), .pictures = {}, .findings = {}};
     const Image truth = renderers.reference(with_samples(frame, SpectralSamples::kMost));
     std::vector<Frame> frames;
     std::vector<std::function<void()>> shaders, sampling_shaders;
-    for (const int count : kPictureCounts) {
+    for (const int count : samples) {
         frames.push_back(with_samples(frame, count));
+        const Image picture = renderers.reference(frames.back());
         shaders.push_back(renderers.shaders(frames.back()));
         sampling_shaders.push_back(renderers.sampling_shaders(frames.back()));
         study.pictures.push_back({.samples = count,
                                   .reference_seconds = {},
                                   .sampling_shader_seconds = {},
                                   .shader_seconds = {},
-                                  .off = perceived_difference(truth, renderers.reference(frames.back()))});
+                                  .off = perceived_difference(truth, picture),
+                                  .png = encode_png(picture)});
     }
     const auto total = static_cast<int>(frames.size()) * rounds;
     for (int i = 0; i < total && goes_on(i, total); ++i) {

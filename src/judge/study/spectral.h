@@ -1,10 +1,11 @@
-// How accurate samples of the spectrum are, and what they cost (docs/accuracy.md, "Spectra"): Delta E 2000 of the
+// How accurate samples of the spectrum are, and what they cost (docs/spectra.md): Delta E 2000 of the
 // ColorChecker under each light against the number of samples, and the time of the scene's picture.
 //
 // Errors are differences from 81 samples, all lines of the tables. 0 samples: red, green and blue, multiplied as in GL.
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct SampledPicture {
     // The difference from 81 samples, drawn by the reference and lit at every pixel (read from a file: without its
     // pixels).
     PerceivedDifference off;
+    std::string png{};  // drawn by the reference; empty: missing
 
     friend bool operator==(const SampledPicture&, const SampledPicture&) = default;
 };
@@ -49,6 +51,7 @@ struct SpectralStudy {
 
 // Whether a Draw has `#pragma twinlight spectrum(n)`.
 bool has_spectrum(const Frame& frame);
+// Gives this number of samples to the Draws with `spectrum(n)`, and to those lit by the spectrum of a light. 0: none.
 Frame with_samples(const Frame& frame, int samples);
 
 struct SpectralRenderers {
@@ -57,9 +60,13 @@ struct SpectralRenderers {
     std::function<std::function<void()>(const Frame&)> shaders, sampling_shaders;
 };
 
+// The numbers of samples that the scene's picture is drawn with: those of a full study, and of a quick one.
+inline constexpr int kPictureSamples[] = {0, 3, 5, 9, 16, 31, 81};
+inline constexpr int kQuickPictureSamples[] = {0, 9, 81};
+
 // Times every number of samples once per round. Calls `goes_on` before each; false ends the timing.
-SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& renderers, int rounds,
-                             const std::function<bool(int done, int total)>& goes_on);
+SpectralStudy spectral_study(const Frame& frame, const SpectralRenderers& renderers, std::span<const int> samples,
+                             int rounds, const std::function<bool(int done, int total)>& goes_on);
 
 // The names of its lights, in order.
 std::vector<std::string> lights_of(const SpectralStudy& study);
@@ -74,7 +81,7 @@ std::vector<std::string> spectral_findings(const SpectralStudy& study);
 std::string spectral_json(const SpectralStudy& study);
 // A plot of the mean Delta E for each light, against the samples and against their time, on logarithmic axes.
 std::string spectral_svg(const SpectralStudy& study);
-// A section of the page: plot, tables and sentences. `of`: the machine's name, empty if there is only one.
+// A section of the page: three pictures side by side, sentences, the plot, and the tables, folded. `of`: the machine's name, empty if there is only one.
 std::string spectral_section(const SpectralStudy& study, const std::string& of);
 // The two tables as text: patches and pictures.
 std::string spectral_text(const SpectralStudy& study);

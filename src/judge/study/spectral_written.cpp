@@ -7,6 +7,7 @@
 #include "judge/report/html.h"
 #include "judge/study/measure.h"
 #include "judge/study/spectral.h"
+#include "scene/spectrum/samples.h"
 
 namespace twinlight::study {
 
@@ -132,10 +133,26 @@ std::string spectral_text(const SpectralStudy& study) {
     return text;
 }
 
-std::string spectral_section(const SpectralStudy& study, const std::string& of) {
-    const std::vector<std::string> lights = lights_of(study);
-    std::string head, rows, pictures, sentences;
-    for (const std::string& light : lights) head += fmt::format("<th scope=\"col\">{}</th>", report::escaped(light));
+namespace {
+
+// The scene with red, green and blue, with nine samples, and with all.
+std::string pictures_side_by_side(const SpectralStudy& study) {
+    std::string html;
+    for (const int samples : {0, 9, SpectralSamples::kMost}) {
+        const auto found = std::ranges::find(study.pictures, samples, &SampledPicture::samples);
+        if (found == study.pictures.end() || found->png.empty()) continue;
+        html += fmt::format(
+            "<figure><img alt=\"{0}\" src=\"{1}\"><figcaption>{0}<small>{2}</small></figcaption></figure>\n",
+            samples_in_words(samples), report::data_uri(found->png),
+            samples == SpectralSamples::kMost
+                ? "exact: all lines of the measured spectra"
+                : fmt::format("Delta E 2000: {:.1f} on average, {:.1f} at worst", found->off.mean, found->off.max));
+    }
+    return html.empty() ? "" : "<div class=\"grid samples\">\n" + html + "</div>\n";
+}
+
+std::string patch_rows(const SpectralStudy& study, const std::vector<std::string>& lights) {
+    std::string rows;
     for (const PatchError& first : study.patches) {
         if (first.light != lights.front()) continue;
         rows += fmt::format("<tr><th scope=\"row\">{}</th>", samples_in_words(first.samples));
@@ -145,15 +162,33 @@ std::string spectral_section(const SpectralStudy& study, const std::string& of) 
         }
         rows += "</tr>\n";
     }
+    return rows;
+}
+
+std::string picture_rows(const SpectralStudy& study) {
+    std::string rows;
     for (const SampledPicture& p : study.pictures)
-        pictures += fmt::format(
+        rows += fmt::format(
             "<tr><th scope=\"row\">{}</th><td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td><td>{:.2f}</td><td>{:.2f}</td>"
             "<td>{:.2f}</td></tr>\n",
             samples_in_words(p.samples), 1000 * median(p.reference_seconds), 1000 * median(p.sampling_shader_seconds),
             1000 * median(p.shader_seconds), p.off.mean, p.off.percentile_95, p.off.max);
-    for (const std::string& sentence : study.findings) sentences += "<li>" + report::escaped(sentence) + "</li>\n";
+    return rows;
+}
+
+}  // namespace
+
+std::string spectral_section(const SpectralStudy& study, const std::string& of) {
+    constexpr std::size_t kShown = 3;  // sentences; the others are folded
+    const std::vector<std::string> lights = lights_of(study);
+    std::string head, shown, folded;
+    for (const std::string& light : lights) head += fmt::format("<th scope=\"col\">{}</th>", report::escaped(light));
+    for (std::size_t i = 0; i < study.findings.size(); ++i)
+        (i < kShown ? shown : folded) += fmt::format("<li>{}</li>\n", report::escaped(study.findings[i]));
     return fmt::format(
-        "<section>\n<h2>Samples of the spectrum{}</h2>\n<ul>\n{}</ul>\n<div class=\"scroll plot\">{}</div>\n"
+        "<section>\n<h2>Samples of the spectrum{}</h2>\n{}<ul class=\"findings\">\n{}</ul>\n"
+        "<div class=\"scroll\">{}</div>\n"
+        "<details>\n<summary>For each light, in numbers</summary>\n<ul>\n{}</ul>\n"
         "<p>Delta E 2000 of the ColorChecker's 24 patches, mean / worst.</p>\n"
         "<div class=\"scroll\"><table class=\"study\"><thead><tr><th "
         "scope=\"col\"></th>{}</tr></thead>\n<tbody>{}</tbody></table></div>\n"
@@ -163,8 +198,9 @@ std::string spectral_section(const SpectralStudy& study, const std::string& of) 
         "ms</th>"
         "<th scope=\"col\">shaders, per pixel, ms</th><th scope=\"col\">shaders, per draw, ms</th>"
         "<th scope=\"col\">mean</th><th scope=\"col\">95 %</th><th scope=\"col\">worst</th></tr></thead>\n"
-        "<tbody>{}</tbody></table></div>\n</section>\n",
-        of.empty() ? "" : ": " + report::escaped(of), sentences, spectral_svg(study), head, rows, pictures);
+        "<tbody>{}</tbody></table></div>\n</details>\n</section>\n",
+        of.empty() ? "" : ": " + report::escaped(of), pictures_side_by_side(study), shown, spectral_svg(study), folded,
+        head, patch_rows(study, lights), picture_rows(study));
 }
 
 }  // namespace twinlight::study

@@ -131,6 +131,9 @@ inline constexpr double kSameError = 0.995;
 void find_fronts(Study& study);
 // Sets Series::findings.
 void write_findings(Study& study);
+// Three sentences about a series at most: the fastest choice that is right at every pixel, the fastest whose error is
+// hardly visible, and what costs most accuracy.
+std::vector<std::string> headlines(const Study& study, std::size_t series);
 
 // ---- Files ----
 
@@ -151,12 +154,18 @@ Study read_study(std::string_view json, const std::string& file);
 std::string picture_file(const Study& study, const Point& point);
 std::string difference_file(const Study& study, const Point& point);
 inline constexpr const char* kTruthFile = "pictures/truth.png";
-// The file name of a series' plot of samples.
+// The file names of a series' plot of samples, and of the scene's picture with a number of samples.
 std::string spectral_file(const Study& study, std::size_t series);
+std::string sampled_picture_file(const Study& study, std::size_t series, int samples);
 
 std::string study_csv(const Study& study);  // a line for each point; the first line names the columns
 // A plot of error against time on logarithmic axes, for slides.
 std::string study_svg(const Study& study);
+// Plots of one finding each, from the points of the first machine; empty if the study does not measure it: error against
+// time for each shading, errors inside shapes and at outlines against slices, errors of changes of the lighting.
+std::string shading_svg(const Study& study);
+std::string outlines_svg(const Study& study);
+std::string changes_svg(const Study& study);
 // A self-contained page: the plot, the pictures, a table that can be sorted.
 std::string study_page(const Study& study);
 

@@ -1,7 +1,8 @@
-// The folder of a study: study.json, study.csv, study.svg, index.html and the pictures.
+// The folder of a study: study.json, study.csv, plots, index.html and the pictures.
 #include <filesystem>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "base/image/file.h"
 #include "judge/study/study.h"
@@ -25,7 +26,12 @@ std::set<std::string> files_of_earlier(const std::string& folder) {
             names.insert(picture_file(earlier, point));
             names.insert(difference_file(earlier, point));
         }
-        for (std::size_t i = 0; i < earlier.series.size(); ++i) names.insert(spectral_file(earlier, i));
+        for (std::size_t i = 0; i < earlier.series.size(); ++i) {
+            names.insert(spectral_file(earlier, i));
+            if (!earlier.series[i].spectral) continue;
+            for (const SampledPicture& picture : earlier.series[i].spectral->pictures)
+                names.insert(sampled_picture_file(earlier, i, picture.samples));
+        }
         names.insert(kTruthFile);
     } catch (const std::runtime_error&) {
         names.clear();
@@ -55,11 +61,18 @@ void write_study(const Study& study, const std::string& folder) {
     add("study.csv", csv);
     add("study.svg", svg);
     add("index.html", page);
+    const std::string shading = shading_svg(study), outlines = outlines_svg(study), changes = changes_svg(study);
+    for (const auto& [name, plot] :
+         {std::pair("shading.svg", &shading), {"outlines.svg", &outlines}, {"changes.svg", &changes}})
+        if (!plot->empty()) add(name, *plot);
     std::vector<std::string> plots;  // of samples
     plots.reserve(study.series.size());
-    for (std::size_t i = 0; i < study.series.size(); ++i)
-        if (study.series[i].spectral)
-            add(spectral_file(study, i), plots.emplace_back(spectral_svg(*study.series[i].spectral)));
+    for (std::size_t i = 0; i < study.series.size(); ++i) {
+        if (!study.series[i].spectral) continue;
+        add(spectral_file(study, i), plots.emplace_back(spectral_svg(*study.series[i].spectral)));
+        for (const SampledPicture& picture : study.series[i].spectral->pictures)
+            if (!picture.png.empty()) add(sampled_picture_file(study, i, picture.samples), picture.png);
+    }
     std::set<std::string> stale = files_of_earlier(folder);
     write_files_atomically(files);
     for (const FileToWrite& file : files) stale.erase(fs::path(file.path).lexically_relative(folder).string());
@@ -79,6 +92,10 @@ Study load_study(const std::string& file) {
         point.difference_png = picture(difference_file(study, point));
         if (point.difference_png.empty()) point.picture_png.clear();
     }
+    for (std::size_t i = 0; i < study.series.size(); ++i)
+        if (study.series[i].spectral)
+            for (SampledPicture& sampled : study.series[i].spectral->pictures)
+                sampled.png = picture(sampled_picture_file(study, i, sampled.samples));
     return study;
 }
 

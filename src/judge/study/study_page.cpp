@@ -87,49 +87,26 @@ std::string row(const Study& study, const Point& point, std::size_t number) {
     return html + "</tr>\n";
 }
 
-std::string words_of(const Point& point) {
-    return fmt::format("{} ({:.3g} ms)", escaped(point.choice.words()), 1000 * point.median_seconds());
-}
-
-std::string errors_of(const Error& error) { return fmt::format("rms {:.2g}, largest {:.2g}", error.rms, error.max); }
-
-// Which choices are right, compared with the exact picture.
-std::string answers(const Study& study, std::size_t series) {
-    std::vector<const Point*> points = timed_points(study, series);
-    if (points.empty()) return "";
-    std::ranges::stable_sort(points, {}, [](const Point* point) { return point->median_seconds(); });
-    const auto is_right = [](const Point* point) { return point->errors.whole.max <= kCode * (1 + 1e-6); };
-    const auto first_right = std::ranges::find_if(points, is_right);
-    const Point& fastest = *points.front();
-    // The reference draws the exact picture itself, so it is no answer.
-    const auto error_on_driver = [](const Point* point) {
-        return point->choice.method == Method::kReference ? HUGE_VAL : point->errors.whole.rms;
-    };
-    const Point& most_accurate = **std::ranges::min_element(points, {}, error_on_driver);
-    const std::string right =
-        first_right == points.end()
-            ? "No choice is within 1/255 of the exact picture at every pixel."
-            : fmt::format(
-                  "{} of {} choices are within 1/255 of the exact picture at every pixel; the fastest of them is {}.",
-                  std::ranges::count_if(points, is_right), points.size(), words_of(**first_right));
-    const std::string where = fmt::format(
-        "The fastest choice of all, {}, has an rms error of {:.2g} inside shapes and of {:.2g} at outlines.",
-        words_of(fastest), fastest.errors.interior.rms, fastest.errors.silhouette.rms);
-    const std::string how_much =
-        fmt::format("Over all pixels, its error is: {}. The most accurate choice on the driver, {}: {}.",
-                    errors_of(fastest.errors.whole), words_of(most_accurate), errors_of(most_accurate.errors.whole));
-    return fmt::format("<div class=\"verdict {}\">\n<p class=\"headline\">{}</p>\n<p>{}</p>\n<p>{}</p>\n</div>\n",
-                       first_right == points.end() ? "partial" : "within", right, where, how_much);
-}
-
+// Three sentences for each machine.
 std::string findings(const Study& study) {
     std::string html;
     for (std::size_t i = 0; i < study.series.size(); ++i) {
-        const Series& series = study.series[i];
-        if (study.series.size() > 1) html += fmt::format("<h3>{}</h3>\n", escaped(series.name));
-        html += answers(study, i) + "<details><summary>The fastest choice for each error</summary>\n<ul>\n";
+        if (study.series.size() > 1) html += fmt::format("<h3>{}</h3>\n", escaped(study.series[i].name));
+        html += "<ul class=\"findings\">\n";
+        for (const std::string& sentence : headlines(study, i)) html += "<li>" + escaped(sentence) + "</li>\n";
+        html += "</ul>\n";
+    }
+    return html;
+}
+
+// The fastest choice for each error, folded.
+std::string recommendations(const Study& study) {
+    std::string html;
+    for (const Series& series : study.series) {
+        html += fmt::format("<details>\n<summary>The fastest choice for each error{}</summary>\n<ul>\n",
+                            study.series.size() > 1 ? ": " + escaped(series.name) : "");
         for (const std::string& sentence : series.findings) html += "<li>" + escaped(sentence) + "</li>\n";
-        html += "</ul></details>\n";
+        html += "</ul>\n</details>\n";
     }
     return html;
 }
@@ -165,8 +142,12 @@ std::string samples(const Study& study) {
 std::string study_page(const Study& study) {
     using report::page_file;
     std::string rows;
-    for (std::size_t i = 0; i < study.points.size(); ++i)
-        if (study.points[i].is_timed()) rows += row(study, study.points[i], i);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < study.points.size(); ++i) {
+        if (!study.points[i].is_timed()) continue;
+        rows += row(study, study.points[i], i);
+        ++count;
+    }
     const std::string style = std::string(page_file("page.css")) + std::string(page_file("study.css"));
     return filled(page_file("study.html"),
                   {{"head", report::page_head(study.scene + ": what accuracy costs in time", style)},
@@ -174,10 +155,12 @@ std::string study_page(const Study& study) {
                    {"size", fmt::format("{} &times; {}", study.width, study.height)},
                    {"machines", machines(study)},
                    {"findings", findings(study)},
+                   {"recommendations", recommendations(study)},
                    {"plot", study_svg(study)},
                    {"columns", head_row(study)},
                    {"time_column", study.series.size() > 1 ? "2" : "1"},
                    {"rows", rows},
+                   {"count", std::to_string(count)},
                    {"spectral", samples(study)},
                    {"data", page_data(study)},
                    {"chart", std::string(page_file("chart.js"))},

@@ -71,6 +71,10 @@ std::string difference_file(const Study& study, const Point& point) {
 
 std::string spectral_file(const Study& study, std::size_t series) { return number(study, series) + "spectral.svg"; }
 
+std::string sampled_picture_file(const Study& study, std::size_t series, int samples) {
+    return fmt::format("pictures/{}samples-{}.png", number(study, series), samples);
+}
+
 std::string study_json(const Study& study) {
     Json json = {{"format", kFormat},
                  {"version", kFormatVersion},

@@ -131,7 +131,7 @@ TEST_F(Install, PutsProgramsWhereTheyRunAndUninstallTakesAllAway) {
 
 TEST_F(Install, ManualPagesNameEveryOption) {
     const auto plain = [](std::string page) {
-        for (const std::string mark : {"\\fB", "\\fI", "\\fR", "\\&"})
+        for (const std::string mark : {"\\fB", "\\fI", "\\fR", "\\&", "\\:"})
             for (std::size_t at = 0; (at = page.find(mark, at)) != std::string::npos;) page.erase(at, mark.size());
         for (std::size_t at = 0; (at = page.find("\\-", at)) != std::string::npos; ++at) page.erase(at, 1);
         return page;

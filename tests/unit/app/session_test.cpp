@@ -13,6 +13,7 @@
 #include "app/session/keys.h"
 #include "app/session/layout.h"
 #include "scene/command/text.h"
+#include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
 
 namespace twinlight::session {
@@ -181,7 +182,7 @@ TEST(SessionKeys, TheSavedSceneIsTheSceneShown) {
     }
     const DragStart start = start_drag(session);
     orbit(session, start, 31, -17);
-    const CommandList again = read_scene(text_of(session), "saved.gl", "saved");
+    const CommandList again = read_scene(text_of(session), "saved.gl", "saved", images_built_in);
     EXPECT_EQ(again.commands, commands(session).commands);
 }
 

@@ -28,8 +28,8 @@ SpectralStudy study_of(int rounds, int stop_after = 1000) {
                                              },
                                          .shaders = [](const Frame&) { return [] {}; },
                                          .sampling_shaders = [](const Frame&) { return [] {}; }};
-    return spectral_study(frame_of("\n#pragma twinlight spectrum(9)\nglutSolidCube(1);"), renderers, rounds,
-                          [&](int done, int) { return done < stop_after; });
+    return spectral_study(frame_of("\n#pragma twinlight spectrum(9)\nglutSolidCube(1);"), renderers, kPictureSamples,
+                          rounds, [&](int done, int) { return done < stop_after; });
 }
 
 TEST(SpectralStudy, IsOfScenesWithSpectra) {
@@ -39,6 +39,11 @@ TEST(SpectralStudy, IsOfScenesWithSpectra) {
     EXPECT_EQ(samples_of(nine), 9);
     EXPECT_EQ(samples_of(with_samples(nine, 31)), 31);
     EXPECT_EQ(samples_of(with_samples(nine, 0)), 0);
+    // A part of the scene with red, green and blue takes part, if it is lit by a light's spectrum.
+    const char* lit =
+        "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);\n#pragma twinlight illuminant(GL_LIGHT0, GL_DIFFUSE, A, 1)\n";
+    EXPECT_EQ(samples_of(with_samples(frame_of(std::string(lit) + "glutSolidCube(1);"), 31)), 31);
+    EXPECT_EQ(samples_of(with_samples(frame_of("glutSolidCube(1);"), 31)), 0);
 }
 
 TEST(SpectralStudy, SaysWhereThreeAreExactAndWhereNinePay) {
@@ -64,6 +69,11 @@ TEST(SpectralStudy, MeasuresPicturesAgainstThatOfAllSamples) {
     }
     EXPECT_EQ(study.pictures.front().samples, 0);
     EXPECT_EQ(study.pictures.back().samples, 81);
+    // The page has three of them side by side.
+    const std::string section = spectral_section(study, "");
+    for (const char* picture : {"<img alt=\"red, green, blue\"", "<img alt=\"9 samples\"", "<img alt=\"81 samples\""})
+        EXPECT_NE(section.find(picture), std::string::npos) << picture;
+    EXPECT_EQ(section.find("<img alt=\"5 samples\""), std::string::npos);
 }
 
 TEST(SpectralStudy, SaysWhatItHasWhereItIsStopped) {

@@ -408,6 +408,44 @@ TEST(StudyFiles, HoldEveryPoint) {
     EXPECT_EQ(count(page, "{{"), 0u);
 }
 
+TEST(StudyFiles, OpenTheirPageOnThreeFindingsAndTheChartWithTheTableFolded) {
+    const Study study = known_study();
+    const std::vector<std::string> sentences = headlines(study, 0);
+    ASSERT_EQ(sentences.size(), 3u);
+    EXPECT_TRUE(sentences[0].starts_with("The fastest choice within 1/255 of the exact picture at every pixel: "));
+    const std::string page = study_page(study);
+    const std::size_t first = page.find("<li>" + sentences[0]), chart = page.find("<canvas id=\"chart\""),
+                      folded = page.find("<details id=\"all-choices\">"), table = page.find("<table id=\"points\"");
+    EXPECT_NE(table, std::string::npos);
+    EXPECT_LT(first, chart);
+    EXPECT_LT(chart, folded);
+    EXPECT_LT(folded, table);
+    EXPECT_EQ(page.substr(folded, table - folded).find("</details>"), std::string::npos);
+    EXPECT_TRUE(headlines(known_study(ending_after(0)), 0).empty());
+}
+
+// Each has a mark for every point that it shows; a study without the choices has no plot.
+TEST(StudyFiles, PlotOneFindingEach) {
+    const Study study = known_study();
+    Settings two = quick();
+    for (const LightingChange change : {LightingChange::kWhole, LightingChange::kNoSpecular})
+        two.choices.push_back({.shading = Shading::kPhong, .slices = 32, .lighting_change = change});
+    const Study changed = run(known_frame, true, known_renderers(), two);
+    const std::string shading = shading_svg(study), outlines = outlines_svg(study), changes = changes_svg(changed);
+    EXPECT_EQ(
+        headlines(changed, 0).back(),
+        "Simpler lighting costs most accuracy: shaders with uniforms, phong, 32 slices, no highlights has an rms error "
+        "of 0.1, with all of the lighting 0.1.");
+    EXPECT_EQ(count(shading, "class=\"dot\""), 3u * 4);  // the exact surfaces have no error here
+    EXPECT_EQ(count(outlines, "class=\"dot\""), 3u * 4);
+    EXPECT_EQ(count(changes, "<rect "), 3u);  // the ground and two bars
+    for (const char* words : {">all of the lighting<", ">no highlights<"})
+        EXPECT_NE(changes.find(words), std::string::npos) << words;
+    for (const std::string& svg : {shading, outlines, changes}) EXPECT_EQ(svg.find("nan"), std::string::npos);
+    const Study nothing = known_study(ending_after(0));
+    EXPECT_EQ(shading_svg(nothing) + outlines_svg(nothing) + changes_svg(nothing), "");
+}
+
 TEST(StudyFiles, AreReadBack) {
     const Study study = known_study(), read = read_study(study_json(study), "study.json");
     EXPECT_EQ(study_json(Study(study)), [&] {

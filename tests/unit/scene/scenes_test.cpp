@@ -1,6 +1,7 @@
 // The built-in scenes: each is a valid scene, compiles as C, and has the numbers of the lecture that it comes from.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -11,8 +12,12 @@
 #include <string_view>
 #include <variant>
 
+#include "base/image/delta_e.h"
+#include "render/reference/reference.h"
 #include "scene/command/text.h"
+#include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
+#include "scene/scenes/meshes.h"
 #include "scene/spectrum/spectrum.h"
 #include "scene/state/state.h"
 
@@ -21,18 +26,12 @@ namespace {
 
 std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
 
-CommandList read(const EmbeddedFile& file) { return read_scene(file.text, std::string(file.name), name_of(file)); }
-
-std::string_view text_of(std::string_view name) {
+CommandList read(std::string_view name) {
     for (const EmbeddedFile& file : kSceneFiles) {
-        if (name_of(file) == name) return file.text;
+        if (name_of(file) == name) return read_built_in(file);
     }
     ADD_FAILURE() << "there is no scene " << name;
-    return "";
-}
-
-CommandList read(std::string_view name) {
-    return read_scene(text_of(name), std::string(name) + ".gl", std::string(name));
+    return {};
 }
 
 Frame frame_of(CommandList scene) { return make_frame(std::move(scene), StateOptions{}); }
@@ -52,10 +51,25 @@ TEST(Scenes, BeginWithACommentThatSaysWhatTheyAre) {
     }
 }
 
+// The scene, or all its steps.
+std::vector<CommandList> read_steps(const EmbeddedFile& file) {
+    std::vector<CommandList> steps{read_built_in(file)};
+    for (std::size_t step = 2; step <= steps[0].steps.size(); ++step)
+        steps.push_back(read_built_in(file, {.step = std::to_string(step)}));
+    return steps;
+}
+
+std::vector<CommandList> all_steps() {
+    std::vector<CommandList> all;
+    for (const EmbeddedFile& file : kSceneFiles)
+        for (CommandList& step : read_steps(file)) all.push_back(std::move(step));
+    return all;
+}
+
 TEST(Scenes, RaiseNoErrorAndAreDrawnWhole) {
-    for (const EmbeddedFile& file : kSceneFiles) {
-        const Frame frame = frame_of(read(file));
-        EXPECT_FALSE(draws(frame).empty()) << file.name;
+    for (const CommandList& scene : all_steps()) {
+        const Frame frame = frame_of(scene);
+        EXPECT_FALSE(draws(frame).empty()) << scene.title();
         for (const Unsupported& missing : frame.unsupported) {
             ADD_FAILURE() << missing.first.str() << ": " << missing.name << " is not drawn by every renderer";
         }
@@ -63,10 +77,10 @@ TEST(Scenes, RaiseNoErrorAndAreDrawnWhole) {
 }
 
 TEST(Scenes, ReadAlikeAfterPrinting) {
-    for (const EmbeddedFile& file : kSceneFiles) {
-        const CommandList scene = read(file);
-        const CommandList again = read_scene(print_scene(scene), "printed.gl", scene.name);
-        EXPECT_EQ(again.commands, scene.commands) << file.name;
+    for (const CommandList& scene : all_steps()) {
+        const CommandList again =
+            read_scene(print_scene(scene), "printed.gl", scene.name, images_built_in, {.load_mesh = meshes_built_in});
+        EXPECT_EQ(again.commands, scene.commands) << scene.title();
     }
 }
 
@@ -85,10 +99,10 @@ TEST(Scenes, CompileAsC) {
     }
 }
 
-// Whether all three renderers support a command and a built-in scene can use it. Built-in scenes have no folder to read
-// pictures from, and the fixed function has only eight lights.
+// Whether all three renderers support a command and a built-in scene can use it. The fixed function has only eight
+// lights.
 constexpr bool is_drawn_by_all(std::string_view effect) {
-    return !effect.starts_with("driver_only") && effect != "texture_file" && effect != "extra_light";
+    return !effect.starts_with("driver_only") && effect != "extra_light";
 }
 
 constexpr bool kDrawnByAll[] = {
@@ -101,7 +115,7 @@ constexpr bool kDrawnByAll[] = {
 
 TEST(BuiltInScenes, UseEveryCommandThatAllRenderersCarryOut) {
     std::set<CommandId> used;
-    for (const char* scene : {"commands", "legacy", "spectral"}) {
+    for (const char* scene : {"commands", "legacy", "spectral", "report", "tutorial"}) {
         for (const Command& command : read(scene).commands) used.insert(command.id);
     }
     for (std::size_t i = 0; i < signatures().size(); ++i) {
@@ -119,27 +133,46 @@ TEST(SceneCommands, UsesEveryPrimitiveTypeAndEveryWord) {
     }
     EXPECT_EQ(modes.size(), 10u);
     for (const NamedValue& word : words()) {
-        if (find_illuminant(word.name) || find_reflectance(word.name) || word.name == "srgb") continue;  // below
+        // The scene `spectral` uses some of these.
+        if (find_illuminant(word.name) || find_reflectance(word.name) || word.name == "srgb") continue;
         EXPECT_TRUE(used.contains(static_cast<Word>(word.value))) << word.name;
     }
 }
 
-TEST(SceneSpectral, HasEveryPatchOnceUnderOneKindOfLamp) {
-    std::map<std::string_view, int> patches;
-    std::set<std::string_view> lamps;
-    for (const Command& command : read("spectral").commands) {
-        if (command.id == CommandId::pragma_reflectance) ++patches[word_name(command.word(2))];
-        if (command.id == CommandId::pragma_illuminant) lamps.insert(word_name(command.word(2)));
+// The four parts of a rod are drawn with red, green and blue, with 3, 9 and 81 samples.
+TEST(SceneSpectral, HasFourKindsOfColorUnderDaylightAndALamp) {
+    std::map<std::pair<std::string, std::string_view>, std::set<int>> samples;  // by the light and the material
+    for (const Draw& draw : draws(frame_of(read("spectral")))) {
+        const LightingState& lighting = draw.lighting;
+        const Spectrum* light = lighting.lights[0].diffuse_illuminant.spectrum;
+        const Spectrum* patch = lighting.front.reflectances.diffuse;
+        ASSERT_TRUE(light && patch);
+        samples[{std::string(light->name), patch->name}].insert(
+            lighting.light_model.spectrum ? lighting.light_model.spectrum->count() : 0);
+        const auto color = lighting.lights[0].diffuse * lighting.front.diffuse;
+        EXPECT_LT(std::max({color.r, color.g, color.b}), 1) << "no colour is brighter than a display can show";
     }
-    EXPECT_EQ(patches.size(), 24U);
-    for (const auto& [name, count] : patches) EXPECT_EQ(count, 1) << name;
-    EXPECT_EQ(lamps, std::set<std::string_view>{"A"});
-    // No colour is clamped: white under both lamps together is within the range of a display.
-    const std::vector<Draw> all = draws(frame_of(read("spectral")));
-    double red = 0;
-    for (const LightSource& light : all.front().lighting.lights)
-        if (light.enabled) red += light.diffuse.r;
-    EXPECT_LT(red * rgb_of_reflectance(find_reflectance("white_9_5")->lines).x, 1);
+    EXPECT_EQ(samples.size(), 6U);
+    for (const auto& [what, counts] : samples) EXPECT_EQ(counts, (std::set<int>{0, 3, 9, 81}));
+}
+
+// What its comment asks the reader to notice.
+TEST(SceneSpectral, ShowsBordersOnlyUnderTheLamp) {
+    const Image picture =
+        reference::render(make_frame(read("spectral"), {.width = 320, .height = 240}), {{.shading = Shading::kPhong}});
+    const auto lab = [](const Rgba& code) { return lab_from_srgb_codes({code[0], code[1], code[2]}); };
+    // Delta E 2000 of a rod's part from that with 81 samples; `rod` counts from the top, `part` from the left.
+    const auto difference = [&](bool is_lamp, int rod, int part) {
+        const auto color = [&](int one) { return picture.at(29 + 34 * one + (is_lamp ? 160 : 0), 42 + 78 * rod); };
+        return delta_e_2000(lab(color(part)), lab(color(3)));
+    };
+    for (int rod = 0; rod < 3; ++rod) {
+        for (int part = 0; part < 3; ++part) EXPECT_LT(difference(false, rod, part), 0.5) << rod << " " << part;
+        EXPECT_LT(difference(true, rod, 2), 1) << rod;
+        EXPECT_GT(difference(true, rod, 0), 3) << rod;
+    }
+    EXPECT_GT(difference(true, 0, 0), difference(true, 1, 0));
+    EXPECT_GT(difference(true, 0, 0), difference(true, 2, 0));
 }
 
 void expect_reach_of_50(const LightSource& light) {
@@ -171,7 +204,7 @@ TEST(SceneReport, HasTheReportsNumbers) {
             expect_reach_of_50(lighting.lights[static_cast<std::size_t>(i)]);
         }
         EXPECT_EQ(lighting.front.ambient, lighting.front.diffuse);
-        EXPECT_EQ(lighting.front.shininess, draw.mode == kGL_QUADS ? 8 : 32);  // the floor's tiles are quads
+        EXPECT_EQ(lighting.front.shininess, draw.texture.texture ? 8 : 32);  // the floor is textured
         coral_cube |= lighting.front.diffuse == glm::dvec4(1, 0.5f, 0.31f, 1) &&
                       lighting.front.specular == glm::dvec4(0.5, 0.5, 0.5, 1) && draw.count() == 36;
     }

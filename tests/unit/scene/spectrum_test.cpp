@@ -1,4 +1,4 @@
-// Compares spectra with published numbers, tests what samples preserve, and checks the figures of docs/accuracy.md,
+// Compares spectra with published numbers, tests what samples preserve, and checks the figures of docs/spectra.md,
 // "Spectra".
 #include <gtest/gtest.h>
 
@@ -236,7 +236,7 @@ Off off_by_plain_bands(const Spectrum& light, int n) {
     return off;
 }
 
-// Half of the last digit that docs/accuracy.md prints.
+// Half of the last digit that docs/spectra.md prints.
 TEST(SpectralSamples, AreOffByWhatTheDocumentationSays) {
     const Spectrum& a = *find_illuminant("A");
     EXPECT_NEAR(off_by(a, 0).mean, 4.19, 0.005);

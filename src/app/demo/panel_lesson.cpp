@@ -1,0 +1,162 @@
+#include "app/demo/panel_lesson.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <chrono>
+#include <exception>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "app/demo/theme.h"
+#include "app/demo/widgets.h"
+
+namespace twinlight::demo {
+namespace {
+
+// The byte after the character of UTF-8 at this byte.
+std::size_t after_character(const std::string& text, std::size_t at) {
+    for (++at; at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80;) ++at;
+    return at;
+}
+
+// Breaks lines as ImGui does not: Chinese text may break after each character, but not before a closing mark.
+std::string wrapped(const std::string& text) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    std::string result, line;
+    std::size_t last_break = 0;  // in `line`
+    const auto width_of = [](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x; };
+    for (std::size_t at = 0, next = 0; at < text.size(); at = next) {
+        next = after_character(text, at);
+        const std::string character = text.substr(at, next - at);
+        const bool is_closing = std::string_view("，。、；：？！）”……").find(character) != std::string_view::npos;
+        const bool is_chinese = character.size() > 2 && !is_closing;
+        if (is_chinese || (!line.empty() && line.back() == ' ')) last_break = line.size();
+        if (character == "\n") {
+            result += line + "\n";
+            line.clear();
+            last_break = 0;
+            continue;
+        }
+        line += character;
+        if (last_break == 0 || width_of(line) <= width) continue;
+        result += line.substr(0, last_break) + "\n";
+        line.erase(0, last_break);
+        last_break = 0;
+    }
+    return result + line;
+}
+
+void paragraph(const std::string& markdown) { ImGui::TextUnformatted(wrapped(session::plain_text(markdown)).c_str()); }
+void colored_paragraph(ImU32 color, const std::string& text) { colored_text_line(color, wrapped(text)); }
+
+lesson::Language language() { return has_chinese_letters() ? lesson::Language::kChinese : lesson::Language::kEnglish; }
+
+}  // namespace
+
+void LessonPanel::check(const session::Session& session) {
+    running_ = std::async(std::launch::async, [state = session.lesson, revision = session.history.revision(),
+                                               list = session.history.now()] {
+        Checked checked{state, revision, {}};
+        try {
+            checked.grade = lesson::Grader(state->page).grade(list);
+        } catch (const std::exception& error) {
+            checked.grade.reason = error.what();
+        }
+        return checked;
+    });
+}
+
+void LessonPanel::update(session::Session& session) {
+    if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    Checked checked = running_.get();
+    if (checked.state != session.lesson) return;  // another lesson was opened
+    session.lesson->grade = std::move(checked.grade);
+    session.lesson->graded = checked.revision;
+}
+
+void LessonPanel::show_list(session::Session& session) {
+    colored_paragraph(kDim, session::words_of(language()).lessons);
+    for (const std::string_view name : lesson::names()) {
+        static std::map<std::string_view, std::string> titles;  // the pages do not change
+        std::string& title = titles[name];
+        if (title.empty()) title = lesson::load_lesson(name, language()).title;
+        ImGui::PushID(name.data());
+        if (ImGui::Selectable("##open")) session::start_lesson(session, lesson::load_lesson(name, language()));
+        ImGui::SameLine();
+        ImGui::TextUnformatted(title.c_str());
+        ImGui::PopID();
+    }
+}
+
+void LessonPanel::show_prediction(session::Session& session) {
+    session::LessonState& state = *session.lesson;
+    const session::LessonWords& words = session::words_of(state.page.language);
+    heading(words.prediction);
+    paragraph(state.page.prediction);
+    for (std::size_t i = 0; i < state.page.choices.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const bool is_chosen = state.predicted == i;
+        if (ImGui::RadioButton("##choice", is_chosen)) session::predict(session, i);
+        ImGui::SameLine();
+        const std::string text =
+            fmt::format("{}. {}", static_cast<char>('A' + i), session::plain_text(state.page.choices[i]));
+        const bool is_right = state.predicted && i == state.page.right_choice;
+        if (is_right || is_chosen)
+            colored_paragraph(is_right ? kGood : kBad, text);
+        else
+            paragraph(text);
+        if (ImGui::IsItemClicked()) session::predict(session, i);
+        ImGui::PopID();
+    }
+    if (!state.predicted) return;
+    colored_paragraph(*state.predicted == state.page.right_choice ? kGood : kBad,
+                      session::verdict_on_prediction(state));
+    const bool is_shown = session::shows_change(session);
+    if (ImGui::Button(is_shown ? words.show_start : words.show_change)) session::show_change(session, !is_shown);
+    paragraph(state.page.seen);
+}
+
+void LessonPanel::show_task(session::Session& session) {
+    const session::LessonState& state = *session.lesson;
+    const session::LessonWords& words = session::words_of(state.page.language);
+    heading(words.task);
+    paragraph(state.page.task);
+    colored_paragraph(kDim, words.how);
+    if (running_.valid()) {
+        ImGui::TextDisabled("%s", words.checking);
+    } else if (ImGui::Button(words.check)) {
+        check(session);
+    }
+    if (!state.grade) return;
+    colored_text(state.grade->is_right ? kGood : kBad, state.grade->is_right ? words.right : words.not_yet);
+    if (!state.grade->reason.empty()) paragraph(state.grade->reason);
+    if (session::is_outdated(session)) dim_text(words.outdated);
+}
+
+void LessonPanel::show(session::Session& session) {
+    if (!session.lesson) {
+        show_list(session);
+        return;
+    }
+    const std::shared_ptr<session::LessonState> state = session.lesson;
+    const session::LessonWords& words = session::words_of(state->page.language);
+    bold_text(wrapped(state->page.title));
+    colored_paragraph(kDim, session::plain_text(state->page.about));
+    ImGui::Dummy({0, ImGui::GetFontSize() / 4});
+    paragraph(state->page.question);
+    show_prediction(session);
+    show_task(session);
+    ImGui::Dummy({0, ImGui::GetFontSize() / 2});
+    ImGui::Separator();
+    if (ImGui::Button(words.again)) session::start_lesson(session, state->page);
+    ImGui::SameLine();
+    if (ImGui::Button(words.all)) session::leave_lesson(session);
+    const std::string next = session::next_lesson(*state);
+    if (next.empty()) return;
+    ImGui::SameLine();
+    if (ImGui::Button(words.next)) session::start_lesson(session, lesson::load_lesson(next, state->page.language));
+}
+
+}  // namespace twinlight::demo

@@ -1,0 +1,127 @@
+#include "app/session/lesson_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/session/session.h"
+
+namespace twinlight::session {
+namespace {
+
+constexpr LessonWords kEnglishWords = {
+    "Each lesson takes about ten minutes: a question, a prediction, and a task that the program checks.",
+    "Prediction",
+    "Task",
+    "Change the scene in the tabs Commands and Lights, or by keys.",
+    "Check my answer",
+    "Right.",
+    "Not yet.",
+    "The scene has changed since this check.",
+    "Show the change",
+    "Back to the start",
+    "Start again",
+    "Next lesson",
+    "All lessons",
+    "Checking ...",
+    "{} is right.",
+    "{} is wrong; {} is right.",
+};
+constexpr LessonWords kChineseWords = {
+    "每个练习大约十分钟：一个问题、一次预测，以及一个由程序检查的任务。",
+    "预测",
+    "任务",
+    "在 Commands 和 Lights 标签里改场景，或者用按键。",
+    "检查答案",
+    "正确。",
+    "还不对。",
+    "检查之后场景又改过了。",
+    "显示这个改动",
+    "回到起始场景",
+    "重新开始",
+    "下一个练习",
+    "所有练习",
+    "正在检查……",
+    "{} 正确。",
+    "{} 不对，正确的是 {}。",
+};
+
+// Chinese has no blanks between words.
+bool needs_blank(const std::string& before, const std::string& after) {
+    const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 128; };
+    return !before.empty() && (is_ascii(before.back()) || is_ascii(after.front()));
+}
+
+}  // namespace
+
+void start_lesson(Session& session, const lesson::Lesson& page) {
+    LessonState state{page, lesson::commands_of(page, page.scene), lesson::commands_of(page, page.changed)};
+    open(session, state.start, std::nullopt);
+    session.lesson = std::make_shared<LessonState>(std::move(state));
+    session.panel = Panel::kLesson;
+    // GL's own picture: shaders that light every pixel do not show some of the mistakes.
+    session.view = View::kSingle;
+    session.panes[0] = Pane{Path::kFixed};
+    session.active = 0;
+}
+
+void leave_lesson(Session& session) { session.lesson.reset(); }
+
+void predict(Session& session, std::size_t choice) {
+    LessonState& state = *session.lesson;
+    if (!state.predicted && choice < state.page.choices.size()) state.predicted = choice;
+}
+
+bool shows_change(const Session& session) { return commands(session).commands == session.lesson->changed->commands; }
+
+void show_change(Session& session, bool is_shown) {
+    const LessonState& state = *session.lesson;
+    edit(session, is_shown ? *state.changed : *state.start, is_shown ? "the lesson's change" : "the lesson's scene");
+    say(session, is_shown ? "this is the change that you predicted; z brings your own scene back"
+                          : "this is the scene to start from; z brings your own scene back");
+}
+
+bool is_outdated(const Session& session) { return session.lesson->graded != session.history.revision(); }
+
+std::string next_lesson(const LessonState& state) {
+    const auto names = lesson::names();
+    const auto now = std::ranges::find(names, state.page.name);
+    return now == names.end() || now + 1 == names.end() ? "" : std::string(*(now + 1));
+}
+
+const LessonWords& words_of(lesson::Language language) {
+    return language == lesson::Language::kChinese ? kChineseWords : kEnglishWords;
+}
+
+std::vector<const char*> all_words(lesson::Language language) {
+    const LessonWords& w = words_of(language);
+    return {w.lessons,     w.prediction, w.task,  w.how,  w.check, w.right,    w.not_yet,      w.outdated,
+            w.show_change, w.show_start, w.again, w.next, w.all,   w.checking, w.right_choice, w.wrong_choice};
+}
+
+std::string verdict_on_prediction(const LessonState& state) {
+    if (!state.predicted) return "";
+    const LessonWords& words = words_of(state.page.language);
+    const auto letter = [](std::size_t choice) { return static_cast<char>('A' + choice); };
+    const char right = letter(state.page.right_choice), chosen = letter(*state.predicted);
+    return chosen == right ? fmt::format(fmt::runtime(words.right_choice), right)
+                           : fmt::format(fmt::runtime(words.wrong_choice), chosen, right);
+}
+
+std::string plain_text(const std::string& markdown) {
+    std::string text, paragraph;
+    std::istringstream lines(markdown + "\n\n");
+    for (std::string line; std::getline(lines, line);) {
+        std::erase(line, '`');
+        if (line.empty()) {
+            if (!paragraph.empty()) text += (text.empty() ? "" : "\n\n") + paragraph;
+            paragraph.clear();
+        } else {
+            paragraph += (needs_blank(paragraph, line) ? " " : "") + line;
+        }
+    }
+    return text;
+}
+
+}  // namespace twinlight::session
