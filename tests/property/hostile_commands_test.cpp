@@ -276,7 +276,9 @@ TEST_F(HostileCommands, HaveListsThatComeToTwoToTheFortieth) {
              std::string(), std::string("glRotatef(1, 0, 0, 1)\n"), kTriangle, std::string("glMatrixMode(GL_FRONT)\n"),
              std::string("glTexImage2D(GL_TEXTURE_2D, 0, 3, 4096, 4096, 0, GL_RGB, GL_FLOAT, NULL)\n")}) {
         const std::string told = before_triangle(bomb(inside));
-        EXPECT_TRUE(told.find("call 202") != std::string::npos || told.find("at most") != std::string::npos) << told;
+        EXPECT_TRUE(told.find("call 202") != std::string::npos || told.find("at most") != std::string::npos ||
+                    told.find("needs more than 2 GB of memory") != std::string::npos)
+            << told;
     }
     const std::string self_twice =
         "2 glNewList(1, GL_COMPILE)\nglCallList(1)\nglCallList(1)\nglEndList()\nglCallList(1)\n";

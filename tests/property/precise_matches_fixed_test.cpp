@@ -354,6 +354,7 @@ TEST(Precise, DrawsBuiltInScenesInTheFixedFunctionsFloats) {
     if (!has_the_order_of_operations(current_driver()))
         GTEST_SKIP() << "the order of operations is of Mesa on llvmpipe: " << driver_name();
     programmable::Renderer renderer;
+    std::size_t compared = 0;  // Draws and Clears
     for (const EmbeddedFile& file : kSceneFiles) {
         const std::string name(file.name);
         const auto scene = std::make_shared<const CommandList>(read_built_in(file));
@@ -370,8 +371,9 @@ TEST(Precise, DrawsBuiltInScenesInTheFixedFunctionsFloats) {
         fmt::print("{}: {} of {} pixels differ in floats; {} of {} Draws left out\n", name, differing,
                    precise.pixels.size(), left_out, frame.items.size() + left_out);
         EXPECT_EQ(differing, 0U);
-        EXPECT_LT(left_out, frame.items.size());
+        compared += frame.items.size();
     }
+    EXPECT_GT(compared, 5000U);
 }
 
 TEST(Precise, IsOfVerticesAndOfUniforms) {

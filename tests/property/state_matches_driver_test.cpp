@@ -308,9 +308,11 @@ bool is_departure(const Command& command, const State& state) {
 
 // ---- The driver's state ----
 
-void expect_near(const std::vector<double>& driver, const std::vector<double>& state, const std::string& what) {
+// `summands`: the largest magnitude in the sums that gave these values, where that is known.
+void expect_near(const std::vector<double>& driver, const std::vector<double>& state, const std::string& what,
+                 double summands = 0) {
     ASSERT_EQ(driver.size(), state.size()) << what;
-    double largest = 1;
+    double largest = std::max(summands, 1.0);
     for (double v : state) largest = std::max(largest, std::abs(v));
     // Matrices are products of some ten float matrices: ten roundings of 6e-8 for each of four summands, of the
     // largest.
@@ -325,8 +327,16 @@ void expect_same_state(const State& state, const fixed::Driver& driver) {
             if (info.owner != Owner::kLight) continue;
             std::array<GLfloat, 4> values{};
             glGetLightfv(light, info.pname, values.data());
+            // A position is a product with a matrix, whose elements are as inexact as the largest of them allows.
+            double largest_element = 0, largest_typed = 0;
+            const auto& typed = state.typed_lights().at(state.lighting().lights[light - kGL_LIGHT0].typed).position;
+            for (int column = 0; info.pname == kGL_POSITION && column < 4; ++column) {
+                largest_typed = std::max(largest_typed, std::abs(typed.value[column]));
+                for (int row = 0; row < 4; ++row)
+                    largest_element = std::max(largest_element, std::abs(typed.eye_from_typed[column][row]));
+            }
             expect_near({values.begin(), values.begin() + info.count}, state.get_light(light, info.pname),
-                        enum_name(light) + " " + enum_name(info.pname));
+                        enum_name(light) + " " + enum_name(info.pname), largest_element * largest_typed);
         }
     }
     for (Enum face : {kGL_FRONT, kGL_BACK}) {

@@ -114,7 +114,7 @@ TEST_F(OpenedPages, OfTheGalleryAreWithoutErrors) {
         run_shell("twinlight", "tools/gallery.sh \"$PROGRAM\" " + quoted(folder_ / "gallery") + " report");
     ASSERT_EQ(drawn.status, 0) << drawn.err;
     expect_right("gallery", 4);
-    EXPECT_NE(read_file(folder_ / "gallery/index.html").find("<a href=\"report/index.html\">All three agree"),
+    EXPECT_NE(read_file(folder_ / "gallery/index.html").find("<a href=\"report-1/index.html\">All three agree"),
               std::string::npos);
     const ProgramResult unknown =
         run_shell("twinlight", "tools/gallery.sh \"$PROGRAM\" " + quoted(folder_ / "none") + " repotr");

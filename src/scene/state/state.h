@@ -92,6 +92,8 @@ class State {
     // The current values.
     const Attributes& attributes() const { return a_; }
     const LightingState& lighting() const { return a_.lighting; }
+    // What LightSource::typed counts.
+    const std::vector<TypedLight>& typed_lights() const { return typed_lights_; }
     const RasterState& raster() const { return a_.raster; }
     const glm::dmat4& modelview() const { return modelview_.back().matrix; }
     const glm::dmat4& projection() const { return projection_.back().matrix; }

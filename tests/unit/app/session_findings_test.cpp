@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "app/session/edits.h"
 #include "app/session/findings.h"
@@ -18,9 +19,13 @@ constexpr WindowSize kSize{160, 120};
 
 CommandList read(const std::string& text) { return read_scene(text, "test.gl", "test"); }
 
-std::vector<lint::Warning> warnings_of(const CommandList& commands) {
-    return lint::lint(
-        make_scene(std::make_shared<CommandList>(commands), {.width = kSize.width, .height = kSize.height}));
+// The window leaves out what only the text or a program's next picture shows, because edits change neither.
+std::vector<lint::Warning> warnings_of(CommandList commands) {
+    commands.next_picture = nullptr;
+    std::vector<lint::Warning> warnings = lint::lint(
+        make_scene(std::make_shared<CommandList>(std::move(commands)), {.width = kSize.width, .height = kSize.height}));
+    std::erase_if(warnings, [](const lint::Warning& warning) { return warning.rule->name == "shininess-scaled"; });
+    return warnings;
 }
 
 TEST(SessionFindings, AreThoseOfTheLinter) {
@@ -45,8 +50,8 @@ TEST(SessionFindings, MendingEqualsTheEditOfTheText) {
         const CommandList commands = read(text);
         const auto findings = findings_of(commands, kSize);
         const auto expected = warnings_of(commands);
-        ASSERT_FALSE(findings.empty()) << rule.name;
-        if (!findings[0].can_mend) continue;
+        ASSERT_EQ(findings.empty(), expected.empty()) << rule.name;
+        if (findings.empty() || !findings[0].can_mend) continue;
         ++mended_rules;
         const CommandList by_text = read(lint::mended(text, expected[0]));
         EXPECT_EQ(mended(commands, findings[0]).commands, by_text.commands) << rule.name;
