@@ -47,6 +47,7 @@ libfmt-dev          pkg-config --exists fmt
 libstb-dev          pkg-config --exists stb
 libxsimd-dev        pkg-config --exists xsimd
 libboost-dev        ls /usr/include/boost/multiprecision/cpp_bin_float.hpp
+libtinyobjloader-dev pkg-config --exists tinyobjloader
 libimgui-dev        pkg-config --exists imgui
 fonts-dejavu-core   ls /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 libjs-chart.js      ls /usr/share/javascript/chart.js
@@ -69,7 +70,7 @@ export DEPENDENCIES
 
 # ---- Flags ------------------------------------------------------------------------------------------------------
 
-MODULES := glm fmt CLI11 nlohmann_json stb imgui
+MODULES := glm fmt CLI11 nlohmann_json stb tinyobjloader imgui
 GCC := $(shell $(CXX) -dumpversion 2>/dev/null)
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(if $(CI),-Werror)
 # False alarms of g++ 13 and 14 about the standard library's own copies.
@@ -132,8 +133,12 @@ SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorde
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
-EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes shaders pages cases)
-FILES_scenes := $(wildcard src/scene/scenes/*.gl)
+EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders pages cases)
+# The scenes that only tests need come last.
+SCENES_of_tests := $(patsubst %,src/scene/scenes/%.gl,commands legacy)
+FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scenes/*.gl))) $(SCENES_of_tests)
+# What the scenes load: pictures, and meshes with their materials.
+FILES_scene_assets := $(wildcard $(addprefix src/scene/scenes/*.,png obj mtl))
 FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl precise/*.glsl kept/*.glsl kept/loader.* kept/page.html))
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
@@ -194,7 +199,7 @@ bench: deps  ## measure speed: print medians, write ratios to build/bench.json (
 # (warnings are errors) is not passed on.
 TIME ?= 60
 fuzz_targets := $(patsubst tests/fuzz/%_fuzzer.cpp,%,$(SOURCES_fuzzers))
-fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET=scene|dump|png|state|picture for one)
+fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET=scene|dump|png|obj|state|picture for one)
 	@if ! { $(try_fuzzer); } 2>/dev/null; then \
 	    echo "fuzz: skipped, because clang++ or its fuzzer runtime is not installed (Debian packages clang and libclang-rt-dev)"; exit 0; fi; \
 	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
@@ -256,7 +261,7 @@ include tools/install/install.mk
 
 # Two files that are rewritten when their content changes: the compiler's flags, and the list of files.
 flags := $(CXX) $(CXXFLAGS_all) $(LDFLAGS_all)
-files := $(SOURCES_all) $(FILES_scenes) $(FILES_shaders) $(FILES_pages) $(FILES_cases)
+files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_pages) $(FILES_cases)
 changed = $(if $(subst |$($(1))|,,|$(file <$(BUILD)/$(1))|),force)
 $(BUILD)/flags: $(call changed,flags)
 $(BUILD)/files: $(call changed,files)
@@ -310,7 +315,7 @@ $(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) 
 $(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
 
-OBJECTS_fuzz := $(call object,$(SOURCES_fuzz_common) $(SOURCES_fuzz_library)) $(BUILD)/embedded/scenes.o
+OBJECTS_fuzz := $(call object,$(SOURCES_fuzz_common) $(SOURCES_fuzz_library)) $(patsubst %,$(BUILD)/embedded/%.o,scenes scene_assets)
 $(fuzz_targets:%=$(BUILD)/%-fuzzer): $(BUILD)/%-fuzzer: $(BUILD)/objects/tests/fuzz/%_fuzzer.o $(OBJECTS_fuzz)
 	$(link) -fsanitize=fuzzer $(LIBS_fuzz)
 
@@ -325,7 +330,9 @@ $(PROGRAMS)/shape-recorder: $(call object,$(SOURCES_recorder))
 embed = @mkdir -p $(@D); tools/embed.sh $(1) $(2) $(3) >$@
 
 $(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files tools/embed.sh
-	$(call embed,scene/scenes/load.h,kSceneFiles,$(sort $(FILES_scenes)))
+	$(call embed,scene/scenes/load.h,kSceneFiles,$(FILES_scenes))
+$(BUILD)/embedded/scene_assets.cpp: $(FILES_scene_assets) $(BUILD)/files tools/embed.sh
+	$(call embed,scene/scenes/load.h,kSceneAssets,$(sort $(FILES_scene_assets)))
 $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files tools/embed.sh
 	$(call embed,render/programmable/shader_assembly.h,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files tools/embed.sh

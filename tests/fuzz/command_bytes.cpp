@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "scene/command/names.h"
+#include "scene/mesh/obj.h"
 
 namespace twinlight {
 
@@ -124,6 +125,8 @@ class Walk {
                 pointer(command, given);
             } else if (parameter.extent == Extent::kImage) {
                 image(command, given);
+            } else if (parameter.extent == Extent::kMesh) {
+                mesh(command);
             } else {
                 const std::size_t count = count_of(command, i, given);
                 for (std::size_t n = 0; n < count; ++n)
@@ -165,9 +168,18 @@ class Walk {
             case Extent::kOutputByPname:
             case Extent::kOutputByCount:
             case Extent::kPointer:
+            case Extent::kMesh:
             case Extent::kImage: return 0;
         }
         return 0;
+    }
+
+    // Always the same triangle.
+    static void mesh(Command& command) {
+        static const auto kMemory = std::make_shared<const Memory>(
+            Memory{Kind::kUbyte, {}, "a.obj", read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {})});
+        command.arguments = {3, 1};
+        command.memory = kMemory;
     }
 
     // Null or an offset into a buffer object; bytes; or the bytes of the last command that had some.

@@ -21,6 +21,10 @@ esac
 # The words of both texts; those of C and GLUT for whole programs.
 sed -nE 's/^(GL|SHAPE|QUADRIC|PRAGMA)_COMMAND\((\w+),.*/"\2"/p; s/^ENUM\((\w+),.*/"GL_\1"/p; s/^WORD\((\w+),.*/"\1"/p' src/scene/command/*.def |
     sort -u >"$build/$target.dict"
+if [ "$target" = obj ]; then
+    printf '"%s"\n' 'v ' 'vt ' 'vn ' 'f ' 'usemtl ' 'mtllib ' 'newmtl ' 'Ka ' 'Kd ' 'Ks ' 'Ke ' 'Ns ' 'd ' 'Tr ' 'illum ' 'map_Kd ' '-s ' '-clamp on' \
+        '//' '-1' 'nan' 'inf' '1e39' '\x0c' >"$build/$target.dict"
+fi
 if [ "$target" = scene ]; then
     printf '"%s"\n' 'for (' 'while (' 'do ' 'if (' 'else ' 'switch (' 'case ' 'default:' break continue 'return ' static const enum \
         'void ' 'int ' 'float ' 'double ' 'GLfloat ' 'GLuint ' bool 'main(' 'display' glutDisplayFunc glutReshapeFunc glutInitWindowSize \

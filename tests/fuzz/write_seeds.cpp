@@ -10,6 +10,7 @@
 #include "command_bytes.h"
 #include "scene/command/text.h"
 #include "scene/scenes/images.h"
+#include "scene/scenes/meshes.h"
 
 using namespace twinlight;
 
@@ -17,7 +18,8 @@ int main(int argc, char** argv) try {
     for (int i = 2; i < argc; ++i) {
         const std::filesystem::path scene = argv[i];
         const std::string name = scene.stem().string();
-        const CommandList list = read_scene(read_file(scene.string()), scene.string(), name, images_beside(scene));
+        const CommandList list = read_scene(read_file(scene.string()), scene.string(), name, images_beside(scene),
+                                            {.load_mesh = meshes_beside(scene)});
         constexpr std::size_t kPiece = 24;
         for (std::size_t from = 0; from < list.commands.size(); from += kPiece) {
             const auto rest = std::span(list.commands).subspan(from);

@@ -1,10 +1,12 @@
-// Every built-in scene: its renderers agree, and its pictures are the golden ones (golden/scenes/NAME/*.png).
+// Every built-in scene, and every step of one: its renderers agree. The scenes with a folder in golden/scenes also have golden
+// pictures.
 //
 // The golden pictures change only by `make golden CASE=NAME`; look at them before they are committed.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "../unit/compare_three_ways.h"
@@ -24,17 +26,24 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 480;
 
-std::vector<std::string> scene_names() {
+bool has_golden_pictures(const std::string& name) { return std::filesystem::exists("golden/scenes/" + name); }
+
+std::vector<std::string> golden_names() {
     std::vector<std::string> names;
-    for (const EmbeddedFile& file : kSceneFiles) names.emplace_back(file.name.substr(0, file.name.rfind(".gl")));
+    for (const EmbeddedFile& file : kSceneFiles) {
+        names.emplace_back(file.name.substr(0, file.name.rfind(".gl")));
+        if (!has_golden_pictures(names.back())) names.pop_back();
+    }
     return names;
 }
 
-Scene scene_of(const std::string& name) {
-    const auto file = std::find_if(kSceneFiles.begin(), kSceneFiles.end(),
-                                   [&](const EmbeddedFile& f) { return f.name == name + ".gl"; });
-    const auto scene = std::make_shared<const CommandList>(read_scene(file->text, name + ".gl", name));
-    return make_scene(scene, {.width = kWidth, .height = kHeight});
+CommandList commands_of(const std::string& name, const std::string& step = {}) {
+    return read_built_in(*std::ranges::find(kSceneFiles, name + ".gl", &EmbeddedFile::name), {.step = step});
+}
+
+Scene scene_of(const std::string& name, const std::string& step = {}, int width = kWidth, int height = kHeight) {
+    const auto scene = std::make_shared<const CommandList>(commands_of(name, step));
+    return make_scene(scene, {.width = width, .height = height});
 }
 
 compare::Comparison comparison_of(const std::string& name, Shading per_pixel = Shading::kPhong) {
@@ -82,8 +91,44 @@ TEST_P(GoldenScenes, HaveTheGoldenPictureOfTheirExactSurfaces) {
 // By shaders, to what two renderers are held to.
 TEST_P(GoldenScenes, AgreeInTheirExactSurfaces) { expect_agreement(comparison_of(GetParam(), Shading::kExact)); }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, GoldenScenes, testing::ValuesIn(scene_names()),
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenScenes, testing::ValuesIn(golden_names()),
                          [](const testing::TestParamInfo<std::string>& scene) { return scene.param; });
+
+// ---- Scenes without golden pictures, and all steps but the first of those with them ----
+
+struct SceneStep {
+    std::string scene;
+    std::size_t step = 0;  // 0: a scene without steps
+};
+
+std::vector<SceneStep> steps_without_golden_pictures() {
+    std::vector<SceneStep> steps;
+    for (const EmbeddedFile& file : kSceneFiles) {
+        const std::string name(file.name.substr(0, file.name.rfind(".gl")));
+        const std::size_t count = read_built_in(file).steps.size();
+        const bool has_golden = has_golden_pictures(name);
+        if (count == 0 && !has_golden) steps.push_back({name});
+        for (std::size_t step = has_golden ? 2 : 1; step <= count; ++step) steps.push_back({name, step});
+    }
+    return steps;
+}
+
+class SceneSteps : public testing::TestWithParam<SceneStep> {};
+
+TEST_P(SceneSteps, AgreeThreeWays) {
+    const auto& [name, step] = GetParam();
+    const Scene scene = scene_of(name, step == 0 ? "" : std::to_string(step), 320, 240);
+    const compare::Comparison comparison = compare_three_ways(scene);
+    EXPECT_TRUE(comparison.unsupported.empty());
+    expect_agreement(comparison);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneSteps, testing::ValuesIn(steps_without_golden_pictures()),
+                         [](const testing::TestParamInfo<SceneStep>& step) {
+                             std::string name = fmt::format("{}_{}", step.param.scene, step.param.step);
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
 
 }  // namespace
 

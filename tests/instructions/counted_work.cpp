@@ -22,15 +22,19 @@ struct Made {
     Draw sphere;
 };
 
-CommandList read(const EmbeddedFile& file) {
-    return read_scene(file.text, std::string(file.name), std::string(file.name));
+// The scenes of the course change more often than the code that is counted.
+std::vector<EmbeddedFile> read_files() {
+    std::vector<EmbeddedFile> files;
+    for (const EmbeddedFile& file : kSceneFiles)
+        if (file.name == "commands.gl" || file.name == "legacy.gl") files.push_back(file);
+    return files;
 }
 
 const Made& made() {
     static const Made all = [] {
         Made m;
-        for (const EmbeddedFile& file : kSceneFiles)
-            m.frames.push_back(make_frame(read(file), {.width = 64, .height = 64}));
+        for (const EmbeddedFile& file : read_files())
+            m.frames.push_back(make_frame(read_built_in(file), {.width = 64, .height = 64}));
         load_recording("tests/traces/glxgears/dump.txt")->for_each([&](const Step& step) {
             if (m.pictures.empty() || step.kind == Step::Kind::kFrameEnd) m.pictures.emplace_back();
             if (step.kind == Step::Kind::kCommand) m.pictures.back().push_back(step.command);
@@ -52,7 +56,7 @@ extern "C" {
 
 __attribute__((noinline)) std::size_t counted_read() {
     std::size_t commands = 0;
-    for (const EmbeddedFile& file : kSceneFiles) commands += read(file).commands.size();
+    for (const EmbeddedFile& file : read_files()) commands += read_built_in(file).commands.size();
     return commands;
 }
 

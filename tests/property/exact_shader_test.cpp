@@ -160,7 +160,7 @@ TEST(ExactShaderScenes, DifferFromTheReferenceInMeshesAlone) {
     const auto context = make_offscreen_context(kWidth, kHeight);
     programmable::Renderer renderer;
     for (const EmbeddedFile& file : kSceneFiles) {
-        const Frame frame = frame_of(std::string(file.text), kWidth, kHeight);
+        const Frame frame = make_frame(read_built_in(file), {.width = kWidth, .height = kHeight});
         const Truth truth(frame);
         programmable::Options options = exact(programmable::Tier::kUniform);
         const Image picture = renderer.render(frame, options).image;

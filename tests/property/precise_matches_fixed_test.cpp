@@ -354,7 +354,7 @@ TEST(Precise, DrawsBuiltInScenesInTheFixedFunctionsFloats) {
     programmable::Renderer renderer;
     for (const EmbeddedFile& file : kSceneFiles) {
         const std::string name(file.name);
-        const auto scene = std::make_shared<const CommandList>(read_scene(file.text, name, name));
+        const auto scene = std::make_shared<const CommandList>(read_built_in(file));
         Frame frame = make_frame(*scene, {.width = kWidth, .height = kHeight});
         const std::size_t left_out = std::erase_if(frame.items, [](const auto& item) {
             const Draw* draw = std::get_if<Draw>(&item);

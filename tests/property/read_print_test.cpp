@@ -7,6 +7,7 @@
 #include "judge/fuzz/random.h"
 #include "scene/command/object_names.h"
 #include "scene/command/text.h"
+#include "scene/mesh/obj.h"
 
 namespace twinlight {
 
@@ -55,6 +56,8 @@ std::shared_ptr<const Memory> random_memory(fuzz::Random& random) {
 ImageFile image(const std::string& name) {
     return {4, 2, std::vector<std::byte>(4 * 2 * 4, static_cast<std::byte>(name.size()))};
 }
+
+std::shared_ptr<const Mesh> mesh(const std::string&) { return read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {}); }
 
 // A target, strides, orders and points; wrong half of the time, then without points.
 void random_map(fuzz::Random& random, Command& command) {
@@ -116,6 +119,11 @@ Command random_command(fuzz::Random& random, CommandId id) {
                 std::make_shared<const Memory>(Memory{Kind::kUbyte, image("a picture.png").rgba, "a picture.png"});
             continue;
         }
+        if (parameter.extent == Extent::kMesh) {
+            command.arguments = {3, 1};
+            command.memory = std::make_shared<const Memory>(Memory{Kind::kUbyte, {}, "a.obj", mesh("a.obj")});
+            continue;
+        }
         if (parameter.is_output()) continue;
         if (parameter.extent == Extent::kRest) count = random.below(5);
         if (parameter.extent == Extent::kArray) count = parameter.count;
@@ -146,7 +154,7 @@ TEST(ReadPrint, GivesTheSameCommandForEveryRowOfTheTable) {
             scene.commands.push_back(random_command(random, static_cast<CommandId>(i)));
         }
         const std::string text = print_scene(scene);
-        const CommandList back = read_scene(text, "printed", "random", image);
+        const CommandList back = read_scene(text, "printed", "random", image, {.load_mesh = mesh});
         ASSERT_EQ(back.commands.size(), scene.commands.size()) << "seed " << kSeed;
         for (std::size_t i = 0; i < scene.commands.size(); ++i) {
             ASSERT_EQ(back.commands[i], scene.commands[i])

@@ -52,8 +52,7 @@ constexpr std::size_t kLiteral = 0, kReference = 1;
 TEST(Scrubbed, DrawsTheBuiltInScenesAsLiterally) {
     constexpr int kSide = 256;
     for (const EmbeddedFile& file : kSceneFiles) {
-        const auto scene =
-            std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), std::string(file.name)));
+        const auto scene = std::make_shared<const CommandList>(read_built_in(file));
         const Scene made = make_scene(scene, {.width = kSide, .height = kSide});
         const auto context = make_offscreen_context(kSide, kSide);
         for (const double budget : {0.0, PlanOptions{}.budget}) {
@@ -74,8 +73,7 @@ TEST(Scrubbed, IsTheSameToTheReference) {
     constexpr int kSide = 256;
     for (const EmbeddedFile& file : kSceneFiles) {
         SCOPED_TRACE(file.name);
-        const auto scene =
-            std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), std::string(file.name)));
+        const auto scene = std::make_shared<const CommandList>(read_built_in(file));
         const Frame frame = make_frame(*scene, {.width = kSide, .height = kSide});
         for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)}) {
             const PlanOptions options{{.shading = shading}, 0};

@@ -17,10 +17,10 @@ TEST(Sending, ChangesNothingOfThePicture) {
         fixed::Replay(frame, {.sending = sending}).draw();
         return read_pixels(kWidth, kHeight);
     };
-    std::vector<std::pair<std::string, std::string>> scenes;
-    for (const EmbeddedFile& file : kSceneFiles) scenes.emplace_back(file.name, file.text);
+    std::vector<CommandList> scenes;
+    for (const EmbeddedFile& file : kSceneFiles) scenes.push_back(read_built_in(file));
     // Colours and edge flags that vary from vertex to vertex, indices, and positions with a w.
-    scenes.emplace_back("arrays", R"(
+    scenes.push_back(read_scene(R"(
 glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
 GLfloat positions[] = {-0.5, -0.5, 0, 0.5,  0.5, -0.5, 0, 1,  0.5, 0.5, 0, 1,  -0.5, 0.5, 0, 2};
 GLfloat colors[] = {1, 0, 0,  0, 1, 0,  0, 0, 1,  1, 1, 0};
@@ -29,10 +29,11 @@ GLubyte indices[] = {0, 1, 2, 2, 3, 0};
 glEnableClientState(GL_VERTEX_ARRAY); glEnableClientState(GL_COLOR_ARRAY); glEnableClientState(GL_EDGE_FLAG_ARRAY);
 glVertexPointer(4, GL_FLOAT, 0, positions); glColorPointer(3, GL_FLOAT, 0, colors); glEdgeFlagPointer(0, flags);
 glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, indices);
-)");
-    for (const auto& [name, text] : scenes) {
-        const auto scene = std::make_shared<const CommandList>(read_scene(text, name, name));
-        const Frame frame = make_frame(*scene, {.width = kWidth, .height = kHeight});
+)",
+                                "arrays", "arrays"));
+    for (const CommandList& scene : scenes) {
+        const std::string& name = scene.name;
+        const Frame frame = make_frame(scene, {.width = kWidth, .height = kHeight});
         const Image buffers = picture(frame, fixed::Sending::kBuffers);
         EXPECT_NE(buffers.pixels, Image(kWidth, kHeight).pixels) << name << " draws nothing";
         EXPECT_TRUE(picture(frame, fixed::Sending::kClientArrays).pixels == buffers.pixels) << name;

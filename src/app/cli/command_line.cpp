@@ -68,8 +68,9 @@ void add_frame_option(CLI::App& app, std::optional<int>& frame) {
         ->check(number_from(0, std::numeric_limits<int>::max()));
 }
 
-void add_step_option(CLI::App& app, std::string& step) {
-    app.add_option("--step", step, "step of a scene with steps: its number, from 1, or its title (default: the first)")
+void add_step_option(CLI::App& app, std::string& step, const std::string& default_step) {
+    app.add_option("--step", step,
+                   "step of a scene with steps: its number, from 1, or its title (default: " + default_step + ")")
         ->type_name("N")
         ->check(not_empty());
 }
@@ -105,6 +106,12 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
     return std::move(recorded.scene);
 }
 
+Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> size) {
+    const auto [width, height] = size.value_or(Size{});
+    Frame made = make_frame(*commands->command_list(), {.width = width, .height = height});
+    return {std::move(commands), std::move(made)};
+}
+
 }  // namespace
 
 Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame, const std::string& step) {
@@ -121,9 +128,18 @@ Scene load_scene(const std::string& name, std::optional<Size> size, std::optiona
         throw UsageError(fmt::format("--frame applies only to recorded programs; '{}' is a scene", name));
     }
     if (!size && commands->window) size = Size{commands->window->width, commands->window->height};
-    const auto [width, height] = size.value_or(Size{});
-    Frame made = make_frame(*commands, {.width = width, .height = height});
-    return {std::move(recording), std::move(made)};
+    return scene_of(std::move(recording), size);
+}
+
+std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, std::optional<int> frame,
+                              const std::string& step) {
+    std::vector<Scene> scenes;
+    scenes.push_back(load_scene(name, size, frame, step));
+    const CommandList* first = scenes.front().recording->command_list();
+    if (!first || !step.empty()) return scenes;
+    for (std::size_t i = 2; i <= first->steps.size(); ++i)
+        scenes.push_back(scene_of(load_step(name, *first, std::to_string(i)), size));
+    return scenes;
 }
 
 std::string name_after_scene(const std::string& scene, std::string_view suffix) {

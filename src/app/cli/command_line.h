@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/program.h"
 #include "render/look.h"
@@ -58,11 +59,15 @@ void add_precise_flag(CLI::App& app, bool& precise);
 void add_frame_option(CLI::App& app, std::optional<int>& frame);
 
 // The step of a scene with steps; see ReadOptions::step.
-void add_step_option(CLI::App& app, std::string& step);
+void add_step_option(CLI::App& app, std::string& step, const std::string& default_step = "the first");
 
 // Loads a scene, or a frame of a recorded program. Notes about a recording (cut short, GL errors) go to standard error.
 Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame = std::nullopt,
                  const std::string& step = {});
+
+// All steps of a scene with steps, without `step`; otherwise what load_scene() loads.
+std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, std::optional<int> frame,
+                              const std::string& step);
 
 // The default of -o: "lab-report" for the scene lab or dir/lab.gl with the suffix "-report", in the working folder.
 std::string name_after_scene(const std::string& scene, std::string_view suffix);

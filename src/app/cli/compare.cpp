@@ -1,6 +1,7 @@
 // twinlight compare: draws a scene with all renderers and reports where they differ.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -77,29 +78,75 @@ std::string summary(const compare::Comparison& comparison, const std::string& fo
     return text + "\nReport: " + (std::filesystem::path(folder) / "index.html").string() + "\n";
 }
 
+compare::Comparison comparison_of(const Scene& scene, const CompareArguments& arguments, ProgressBar& bar) {
+    const RendererSet renderers(scene.frame.width, scene.frame.height);
+    compare::Comparison comparison = compare::compare_scene(
+        scene,
+        {.driver = driver_name(),
+         .budget = arguments.budget,
+         .precise = arguments.precise,
+         .per_pixel = arguments.per_pixel,
+         .progress = [&](int done, int total, std::string_view next) { bar.show(done, total, next); }},
+        renderers.functions());
+    for (const lint::Warning& warning : lint::lint(scene))
+        comparison.warnings.push_back(
+            {.line = lint::headline(warning), .why = std::string(warning.rule->why), .fix = warning.fix});
+    return comparison;
+}
+
+// The first sentence of each step.
+std::string summary(const std::vector<report::ComparedStep>& steps, const std::string& folder) {
+    const compare::Comparison& first = steps.front().comparison;
+    std::string text = fmt::format("{}, {} steps, {} x {}, {}\n\n", first.scene, steps.size(), first.width,
+                                   first.height, first.driver);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const compare::Comparison& comparison = steps[i].comparison;
+        text += fmt::format("{}. {}\n   {}\n", i + 1, steps[i].title,
+                            colored(report::answer(comparison).headline, comparison.verdict()));
+        for (const Unsupported& item : comparison.unsupported) text += "   " + report::sentence_of(item) + "\n";
+        for (const compare::Query& query : comparison.queries) text += "   " + compare::sentence_of(query) + "\n";
+    }
+    return text +
+           "\nThe numbers of one step: --step N\nReport: " + (std::filesystem::path(folder) / "index.html").string() +
+           "\n";
+}
+
+// The pictures of all steps of a scene, on one page.
+int compare_steps(const std::vector<Scene>& scenes, const CompareArguments& arguments) {
+    std::vector<report::ComparedStep> steps;
+    std::vector<lint::Warning> warnings;
+    {
+        ProgressBar bar;
+        for (const Scene& scene : scenes) {
+            const CommandList& commands = *scene.recording->command_list();
+            steps.push_back({commands.steps[commands.step - 1], comparison_of(scene, arguments, bar)});
+            steps.back().comparison.scene = scene.name();
+            // A warning about a line of every step shows once.
+            for (lint::Warning& warning : lint::lint(scene))
+                if (std::ranges::none_of(warnings, [&](const lint::Warning& known) {
+                        return lint::headline(known) == lint::headline(warning);
+                    }))
+                    warnings.push_back(std::move(warning));
+        }
+    }
+    report::write_report(steps, arguments.folder);
+    write_result(arguments.json ? report::steps_json(steps) : summary(steps, arguments.folder));
+    print_lint_notes(warnings, arguments.scene);
+    return report::verdict_of(steps) == compare::Verdict::kBeyond ? kDifferent : kFine;
+}
+
 int run_compare(CompareArguments arguments) {
     if (arguments.folder.empty()) arguments.folder = name_after_scene(arguments.scene, "-report");
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step);
+    const std::vector<Scene> scenes = load_steps(arguments.scene, arguments.size, arguments.frame, arguments.step);
+    if (scenes.size() > 1) return compare_steps(scenes, arguments);
     compare::Comparison comparison;
     {
         ProgressBar bar;
-        const RendererSet renderers(scene.frame.width, scene.frame.height);
-        comparison = compare::compare_scene(
-            scene,
-            {.driver = driver_name(),
-             .budget = arguments.budget,
-             .precise = arguments.precise,
-             .per_pixel = arguments.per_pixel,
-             .progress = [&](int done, int total, std::string_view next) { bar.show(done, total, next); }},
-            renderers.functions());
+        comparison = comparison_of(scenes.front(), arguments, bar);
     }
-    const std::vector<lint::Warning> warnings = lint::lint(scene);
-    for (const lint::Warning& warning : warnings)
-        comparison.warnings.push_back(
-            {.line = lint::headline(warning), .why = std::string(warning.rule->why), .fix = warning.fix});
     report::write_report(comparison, arguments.folder);
     write_result(arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder));
-    print_lint_notes(warnings, arguments.scene);
+    print_lint_notes(lint::lint(scenes.front()), arguments.scene);
     return comparison.within_tolerance() ? kFine : kDifferent;
 }
 
@@ -116,7 +163,7 @@ Subcommand add_compare(CLI::App& app) {
         ->check(not_empty());
     add_size_option(*compare, arguments->size);
     add_frame_option(*compare, arguments->frame);
-    add_step_option(*compare, arguments->step);
+    add_step_option(*compare, arguments->step, "all, on one page");
     add_budget_option(*compare, arguments->budget);
     add_precise_flag(*compare, arguments->precise);
     compare

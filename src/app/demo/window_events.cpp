@@ -13,7 +13,6 @@
 #include "app/demo/glut_window.h"
 #include "app/session/steps.h"
 #include "render/context/gl.h"
-#include "scene/command/text.h"
 #include "scene/scenes/load.h"
 
 // freeglut's headers come after render/context/gl.h, which declares GL.
@@ -145,9 +144,7 @@ void Window::open_step(int away) {
     const std::string step = session::neighbour_step(now, away);
     const bool from_input = !session_.file && now.name == "stdin";
     try {
-        session::show_step(session_, from_input ? std::make_shared<const CommandList>(read_scene(
-                                                      *now.text, "<stdin>", now.name, no_images, {.step = step}))
-                                                : load_commands(session_.file.value_or(now.name), step));
+        session::show_step(session_, load_step(from_input ? "-" : session_.file.value_or(now.name), now, step));
     } catch (const std::exception& problem) {
         session_.error = problem.what();
     }

@@ -209,6 +209,7 @@ class CameraWriter {
             case CommandId::glCallLists:
             case CommandId::glEvalMesh1:
             case CommandId::glEvalMesh2:
+            case CommandId::pragma_mesh:
             case CommandId::pragma_shape: return true;
             default: return command.sig().family == Family::kShape || command.name().starts_with("glRect");
         }

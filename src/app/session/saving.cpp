@@ -18,11 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A scene names its pictures relative to its own folder.
+// A scene names its pictures and meshes relative to its own folder.
 std::string folder_of_scene(const Session& session, const std::string& folder) {
-    const bool has_images = std::ranges::any_of(
-        commands(session).commands, [](const Command& command) { return command.id == CommandId::pragma_texture; });
-    if (!has_images || !session.file) return folder;
+    const bool names_files = std::ranges::any_of(commands(session).commands, [](const Command& command) {
+        return command.id == CommandId::pragma_texture || command.id == CommandId::pragma_mesh;
+    });
+    if (!names_files || !session.file) return folder;
     return fs::path(*session.file).parent_path().string();
 }
 

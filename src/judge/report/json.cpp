@@ -39,9 +39,7 @@ Json json_of(const Comparison& comparison, const Pair& pair) {
     return json;
 }
 
-}  // namespace
-
-std::string comparison_json(const Comparison& comparison) {
+Json json_of(const Comparison& comparison) {
     Json json = {
         {"scene", comparison.scene}, {"driver", comparison.driver}, {"size", {comparison.width, comparison.height}}};
     json["verdict"] = word_of(comparison.verdict());
@@ -71,8 +69,38 @@ std::string comparison_json(const Comparison& comparison) {
     }
     json["warnings"] = Json::array();
     for (const compare::SceneWarning& warning : comparison.warnings) json["warnings"].push_back(warning.line);
-    // A scene's name may hold any bytes; JSON is UTF-8.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json;
+}
+
+// A scene's name may hold any bytes; JSON is UTF-8.
+std::string dumped(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+}  // namespace
+
+std::string comparison_json(const Comparison& comparison) { return dumped(json_of(comparison)); }
+
+compare::Verdict verdict_of(const std::vector<ComparedStep>& steps) {
+    Verdict worst = Verdict::kWithin;
+    for (const ComparedStep& step : steps) {
+        const Verdict verdict = step.comparison.verdict();
+        if (worst != Verdict::kBeyond && verdict != Verdict::kWithin) worst = verdict;
+    }
+    return worst;
+}
+
+std::string steps_json(const std::vector<ComparedStep>& steps) {
+    const Comparison& first = steps.front().comparison;
+    Json json = {{"scene", first.scene},
+                 {"driver", first.driver},
+                 {"size", {first.width, first.height}},
+                 {"verdict", word_of(verdict_of(steps))},
+                 {"steps", Json::array()}};
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        json["steps"].push_back({{"number", i + 1},
+                                 {"title", steps[i].title},
+                                 {"folder", step_folder(i)},
+                                 {"comparison", json_of(steps[i].comparison)}});
+    return dumped(json);
 }
 
 }  // namespace twinlight::report

@@ -13,6 +13,9 @@ std::string picture_file(const compare::Render& render);
 // "difference-fixed-programmable.png"
 std::string difference_file(const compare::Comparison& comparison, const compare::Pair& pair);
 
+// "step-1" for the first, which is 0.
+std::string step_folder(std::size_t step);
+
 // One JSON object, indented, with a newline at the end:
 //   {"scene", "driver", "size": [w, h], "verdict": "within" | "beyond" (the tolerance) | "partial",
 //    "renders": [{"name", "file", "ms", "error_bound"}],   error_bound: only for pictures drawn from plans
@@ -53,5 +56,21 @@ std::string comparison_page(const std::vector<Compared>& comparisons);
 // Writes the pictures, comparison.json and index.html into a folder, which is created if it does not exist: all of them or none.
 // Throws FileError.
 void write_report(const compare::Comparison& comparison, const std::string& folder);
+
+// The comparison of a scene's step.
+struct ComparedStep {
+    std::string title;
+    compare::Comparison comparison;
+};
+
+// One JSON object: {"scene", "driver", "size": [w, h], "verdict": the worst of all steps,
+//    "steps": [{"number", "title", "folder": "step-1", "comparison": as comparison_json() has it}]}
+std::string steps_json(const std::vector<ComparedStep>& steps);
+
+// The worst verdict of the steps.
+compare::Verdict verdict_of(const std::vector<ComparedStep>& steps);
+
+// The same for all steps of a scene: index.html and comparison.json are of all, the pictures are in step-1/, step-2/, ...
+void write_report(const std::vector<ComparedStep>& steps, const std::string& folder);
 
 }  // namespace twinlight::report

@@ -26,6 +26,8 @@ Image edge_picture(const Comparison& comparison) {
 
 std::string picture_file(const Render& render) { return render.name + ".png"; }
 
+std::string step_folder(std::size_t step) { return "step-" + std::to_string(step + 1); }
+
 std::string difference_file(const Comparison& comparison, const Pair& pair) {
     return "difference-" + comparison.a(pair).name + "-" + comparison.b(pair).name + ".png";
 }
@@ -41,32 +43,66 @@ EncodedPictures encode_pictures(const Comparison& comparison) {
     return pictures;
 }
 
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_pictures(const Comparison& comparison, const EncodedPictures& pictures, const fs::path& folder,
+                  std::vector<FileToWrite>& files) {
+    for (std::size_t i = 0; i < comparison.renders.size(); ++i)
+        files.push_back({(folder / picture_file(comparison.renders[i])).string(), pictures.renders[i]});
+    for (std::size_t i = 0; i < comparison.pairs.size(); ++i)
+        files.push_back(
+            {(folder / difference_file(comparison, comparison.pairs[i])).string(), pictures.differences[i]});
+}
+
+// Makes the folders, the outer ones first, and writes the files. If that fails, removes the folders that it has made.
+void write_all(const std::vector<fs::path>& folders, const std::vector<FileToWrite>& files) {
+    std::vector<fs::path> made;
+    try {
+        for (const fs::path& folder : folders)
+            if (make_folder(folder.string())) made.push_back(folder);
+        write_files_atomically(files);
+    } catch (const FileError&) {
+        std::error_code ignored;
+        while (!made.empty()) {
+            fs::remove(made.back(), ignored);
+            made.pop_back();
+        }
+        throw;
+    }
+}
+
+}  // namespace
+
 void write_report(const Comparison& comparison, const std::string& folder) {
     const EncodedPictures pictures = encode_pictures(comparison);
     const std::string json = comparison_json(comparison);
     const std::string page = comparison_page({{"", comparison, pictures}});
-
+    const fs::path root = folder;
     std::vector<FileToWrite> files;
-    const auto add = [&](const std::string& name, std::string_view bytes) {
-        files.push_back({(std::filesystem::path(folder) / name).string(), bytes});
-    };
-    for (std::size_t i = 0; i < comparison.renders.size(); ++i) {
-        add(picture_file(comparison.renders[i]), pictures.renders[i]);
-    }
-    for (std::size_t i = 0; i < comparison.pairs.size(); ++i) {
-        add(difference_file(comparison, comparison.pairs[i]), pictures.differences[i]);
-    }
-    add("comparison.json", json);
-    add("index.html", page);
+    add_pictures(comparison, pictures, root, files);
+    files.push_back({(root / "comparison.json").string(), json});
+    files.push_back({(root / "index.html").string(), page});
+    write_all({root}, files);
+}
 
-    const bool made = make_folder(folder);
-    try {
-        write_files_atomically(files);
-    } catch (const FileError&) {
-        std::error_code ignored;
-        if (made) std::filesystem::remove(folder, ignored);
-        throw;
+void write_report(const std::vector<ComparedStep>& steps, const std::string& folder) {
+    const fs::path root = folder;
+    std::vector<EncodedPictures> pictures;
+    for (const ComparedStep& step : steps) pictures.push_back(encode_pictures(step.comparison));
+    std::vector<Compared> compared;
+    std::vector<fs::path> folders{root};
+    std::vector<FileToWrite> files;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        compared.push_back({steps[i].title, steps[i].comparison, pictures[i]});
+        folders.push_back(root / step_folder(i));
+        add_pictures(steps[i].comparison, pictures[i], folders.back(), files);
     }
+    const std::string json = steps_json(steps), page = comparison_page(compared);
+    files.push_back({(root / "comparison.json").string(), json});
+    files.push_back({(root / "index.html").string(), page});
+    write_all(folders, files);
 }
 
 }  // namespace twinlight::report

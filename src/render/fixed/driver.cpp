@@ -99,6 +99,10 @@ void Driver::feedback_buffer(GLsizei size, GLenum type) {
 void Driver::execute(const Command& command) {
     if (kQueries.contains(command.id)) return;
     if (const auto written_out = gl_command_of(command)) return execute(*written_out);
+    if (command.id == CommandId::pragma_mesh) {
+        for (const Command& part : mesh_commands(command)) execute(part);
+        return;
+    }
     if (!may_send(command)) return;
     switch (command.id) {
         case CommandId::glGenTextures:

@@ -6,6 +6,8 @@
 #include <limits>
 #include <unordered_map>
 
+#include "scene/command/mesh.h"
+
 namespace twinlight {
 
 namespace {
@@ -45,8 +47,12 @@ std::optional<CommandId> find(const std::unordered_map<std::string_view, Command
 }  // namespace
 
 bool operator==(const Command& a, const Command& b) {
+    const auto same_mesh = [&] {
+        const auto &one = a.memory->mesh, &other = b.memory->mesh;
+        return one == other || (one && other && *one == *other);
+    };
     const bool same_memory = a.memory == b.memory || (a.memory && b.memory && a.memory->bytes == b.memory->bytes &&
-                                                      a.memory->file == b.memory->file);
+                                                      a.memory->file == b.memory->file && same_mesh());
     return a.id == b.id && a.arguments == b.arguments && same_memory;
 }
 
@@ -89,7 +95,9 @@ std::size_t control_point_values(const Command& c) {
 
 }  // namespace
 
-bool Parameter::is_array() const { return !is_single(*this) && extent != Extent::kImage && extent != Extent::kRest; }
+bool Parameter::is_array() const {
+    return !is_single(*this) && extent != Extent::kImage && extent != Extent::kMesh && extent != Extent::kRest;
+}
 
 std::size_t Signature::first_array() const {
     std::size_t i = 0;
@@ -125,7 +133,8 @@ std::size_t Command::count(std::size_t parameter) const {
         case Extent::kResult: return 1;
         case Extent::kControlPoints: return control_point_values(*this);
         case Extent::kArray:
-        case Extent::kImage: return static_cast<std::size_t>(parameters[parameter].count);
+        case Extent::kImage:
+        case Extent::kMesh: return static_cast<std::size_t>(parameters[parameter].count);
         case Extent::kOutput:
         case Extent::kOutputByPname:
         case Extent::kOutputByCount: return 0;

@@ -58,6 +58,7 @@ enum class Extent : std::uint8_t {
     kNewNames,  // an array of new objects' names, by count; the command writes them, and they are recorded as values
     kPointer,   // a pointer to memory, or an offset into a buffer object: one value, the offset; see Command::memory
     kImage,     // the file name of an image: two values, width and height; see Command::memory
+    kMesh,      // the file name of a mesh: two values, its vertices and its triangles; see Command::memory
     kRest,      // any number of values
     kResult,    // the value that the command returned, which is recorded; not an argument in C
 };
@@ -66,7 +67,7 @@ struct Parameter {
     std::string_view name;
     Kind kind = Kind::kInt;
     Extent extent = Extent::kValue;
-    int count = 1;  // number of values of a kArray, kOutput or kImage
+    int count = 1;  // number of values of a kArray, kOutput, kImage or kMesh
 
     bool is_output() const {
         return extent == Extent::kOutput || extent == Extent::kOutputByPname || extent == Extent::kOutputByCount;
@@ -115,12 +116,15 @@ struct Place {
     friend bool operator==(const Place&, const Place&) = default;
 };
 
+struct Mesh;  // mesh.h
+
 // The bytes of the array that a pointer argument points into. `kind` is the declared C type (kUbyte if unknown) and
 // only affects printing. Commands that use the same array share one Memory.
 struct Memory {
     Kind kind = Kind::kUbyte;
     std::vector<std::byte> bytes;
-    std::string file{};  // for an image: the name of its file
+    std::string file{};                          // for an image or a mesh: the name of its file
+    std::shared_ptr<const Mesh> mesh = nullptr;  // of a mesh, which has no bytes
 };
 
 // `arguments` lists all values in order: an array as its elements, the result (if any) last. Each is a double with

@@ -191,7 +191,7 @@ std::string print(const Command& command, const PrintedArray& array) {
             arguments.push_back(print_pointer(command, i, array));
         } else if (parameter.extent == Extent::kOutputMemory) {
             arguments.push_back(print_written(command.number(command.first(i))));
-        } else if (parameter.extent == Extent::kImage) {
+        } else if (parameter.extent == Extent::kImage || parameter.extent == Extent::kMesh) {
             arguments.push_back(fmt::format("\"{}\"", command.memory->file));
         } else if (parameter.extent == Extent::kRest) {
             for (double value : command.values(i)) arguments.push_back(print_number(value, parameter.kind));
@@ -209,7 +209,7 @@ std::string print_lines(const CommandList& scene, std::string_view indent) {
     MemoryNames memories;
     ObjectNames names;
     for (const Command& command : scene.commands) {
-        const bool has_array = command.memory && command.id != CommandId::pragma_texture;
+        const bool has_array = command.memory && command.sig().family != Family::kPragma;
         const PrintedArray array = has_array ? memories.name(*command.memory, indent, text) : PrintedArray{};
         // The result of a call, if it differs from the one that the reader would choose.
         const Signature& sig = command.sig();
@@ -275,7 +275,7 @@ std::vector<PrintedPart> print_parts(const Command& command, std::size_t longest
             add(print_pointer(command, i, {}));
         } else if (parameter.extent == Extent::kOutputMemory) {
             add(print_written(command.number(command.first(i))));
-        } else if (parameter.extent == Extent::kImage) {
+        } else if (parameter.extent == Extent::kImage || parameter.extent == Extent::kMesh) {
             add(fmt::format("\"{}\"", command.memory->file));
         } else if (parameter.extent == Extent::kRest) {
             add_values(i);
@@ -286,7 +286,7 @@ std::vector<PrintedPart> print_parts(const Command& command, std::size_t longest
 }
 
 std::string print_command(const Command& command) {
-    const bool has_array = command.memory && command.id != CommandId::pragma_texture;
+    const bool has_array = command.memory && command.sig().family != Family::kPragma;
     return print(command, has_array ? print_literal(*command.memory) : PrintedArray{});
 }
 

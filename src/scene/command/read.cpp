@@ -27,8 +27,9 @@ std::string shown(const Token& token) {
     return token.kind == TokenKind::kEnd ? std::string(token.text) : in_quotes(token.text);
 }
 
-Reader::Reader(std::string_view text, const std::string& file, const ImageLoader& load_image, std::size_t step)
-    : lexer_(text, file), load_image_(load_image), step_(step) {}
+Reader::Reader(std::string_view text, const std::string& file, const ImageLoader& load_image,
+               const ReadOptions& options, std::size_t step)
+    : lexer_(text, file), load_image_(load_image), load_mesh_(options.load_mesh), step_(step) {}
 
 Reader::~Reader() = default;
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "scene/command/memory.h"
+#include "scene/command/mesh.h"
 #include "scene/command/reader.h"
 #include "scene/command/text.h"
 
@@ -39,6 +40,7 @@ void Reader::argument(Command& command, std::size_t i) {
     if (parameter.extent == Extent::kPointer) return pointer_argument(command, parameter);
     if (parameter.extent == Extent::kOutputMemory) return written_argument(command, parameter);
     if (parameter.extent == Extent::kImage) return image_argument(command);
+    if (parameter.extent == Extent::kMesh) return mesh_argument(command);
     if (parameter.kind == Kind::kWord) {
         command.arguments.push_back(word_argument(command, parameter));
         return;
@@ -141,6 +143,29 @@ void Reader::image_argument(Command& command) {
     command.arguments.push_back(found->second.width);
     command.arguments.push_back(found->second.height);
     command.memory = found->second.memory;
+}
+
+void Reader::mesh_argument(Command& command) {
+    const Token name = token_;
+    if (name.kind != TokenKind::kString)
+        fail(name.place, "expected the name of an OBJ file in quotes, such as \"bunny.obj\", found {}", shown(name));
+    advance();
+    const std::string file(name.text.substr(1, name.text.size() - 2));
+    std::shared_ptr<const Memory>& memory = meshes_[file];
+    if (!memory) {
+        try {
+            auto mesh = load_mesh_(file);
+            hold(mesh->bytes(), name.place);
+            memory = std::make_shared<const Memory>(Memory{Kind::kUbyte, {}, file, std::move(mesh)});
+        } catch (const SceneError&) {
+            throw;
+        } catch (const std::runtime_error& error) {
+            fail(name.place, "{}: {}", in_quotes(file), error.what());
+        }
+    }
+    command.arguments.push_back(static_cast<double>(memory->mesh->vertex_count()));
+    command.arguments.push_back(static_cast<double>(memory->mesh->triangle_count()));
+    command.memory = memory;
 }
 
 namespace {

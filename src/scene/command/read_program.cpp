@@ -12,7 +12,7 @@ namespace twinlight {
 
 Reader::Reader(std::vector<Token> tokens, const std::string& file, const ImageLoader& load_image,
                const ReadOptions& options)
-    : lexer_("", file), program_(std::make_unique<Program>()), load_image_(load_image) {
+    : lexer_("", file), program_(std::make_unique<Program>()), load_image_(load_image), load_mesh_(options.load_mesh) {
     program_->tokens = std::move(tokens);
     program_->options = options;
     match_brackets();

@@ -65,6 +65,11 @@ ImageFile no_images(const std::string&) {
         "this scene has no folder to read the picture from; save the scene in a file next to the picture");
 }
 
+std::shared_ptr<const Mesh> no_meshes(const std::string&) {
+    throw std::runtime_error(
+        "this scene has no folder to read the mesh from; save the scene in a file next to the mesh");
+}
+
 namespace {
 
 bool is_program(const std::vector<Token>& tokens) {
@@ -136,7 +141,7 @@ CommandList read_scene(std::string_view text, const std::string& file, const std
     std::set<std::tuple<int, int, std::string>> reported;  // an error of several steps shows once
     std::optional<std::size_t> chosen;
     for (std::size_t step = 1; step <= std::max<std::size_t>(1, result.steps.size()); ++step) {
-        Reader reader(*kept, file, load_image, step);
+        Reader reader(*kept, file, load_image, options, step);
         std::vector<Command> commands = reader.read();
         if (step == 1) {
             result.steps = reader.steps();

@@ -72,7 +72,8 @@ enum class Flow : std::uint8_t;
 class Reader {
   public:
     // Of a scene with steps, reads the lines of all steps and those of the step with this number (from 1).
-    Reader(std::string_view text, const std::string& file, const ImageLoader& load_image, std::size_t step);
+    Reader(std::string_view text, const std::string& file, const ImageLoader& load_image, const ReadOptions& options,
+           std::size_t step);
     // A whole program, from preprocess().
     Reader(std::vector<Token> tokens, const std::string& file, const ImageLoader& load_image,
            const ReadOptions& options);
@@ -149,6 +150,7 @@ class Reader {
     void array_argument(Command& command, std::size_t parameter);
     void rest_arguments(Command& command, const Parameter& parameter);
     void image_argument(Command& command);
+    void mesh_argument(Command& command);
     void give_names(Command& command, ObjectType type, const Value& array, std::size_t count);
     double result(const Command& command, const Parameter& parameter);
 
@@ -276,6 +278,8 @@ class Reader {
         std::shared_ptr<const Memory> memory;
     };
     std::map<std::string, LoadedImage, std::less<>> images_;  // by file name
+    const MeshLoader& load_mesh_;
+    std::map<std::string, std::shared_ptr<const Memory>, std::less<>> meshes_;  // by file name
     ObjectNames names_;
     std::optional<double> returns_;  // the result of the next call, if a pragma gives it
     Place returns_place_;

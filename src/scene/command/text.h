@@ -69,9 +69,15 @@ using ImageLoader = std::function<ImageFile(const std::string& name)>;
 // For scenes without a folder, such as those from standard input: refuses every name.
 ImageFile no_images(const std::string& name);
 
+// Reads the OBJ file that #pragma twinlight mesh(...) names. Throws std::runtime_error with the reason and a remedy.
+using MeshLoader = std::function<std::shared_ptr<const Mesh>(const std::string& name)>;
+// For scenes without a folder: refuses every name.
+std::shared_ptr<const Mesh> no_meshes(const std::string& name);
+
 struct ReadOptions {
     // Of a scene with steps (#pragma twinlight step): the number or the title of the step to read. Empty: the first.
     std::string step{};
+    MeshLoader load_mesh = no_meshes;
     // How a whole GLUT program is run (docs/scene-language.md). Other scenes ignore these.
     std::optional<WindowSize> window{};  // instead of the size in glutInitWindowSize
     std::size_t most_steps = kMaxProgramSteps;

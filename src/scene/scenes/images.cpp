@@ -3,10 +3,10 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
-#include <system_error>
+#include <string_view>
 
-#include "base/image/file.h"
 #include "base/image/png.h"
+#include "scene/scenes/beside.h"
 
 namespace twinlight {
 
@@ -14,30 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The path of the picture, with links followed.
-fs::path place_of(const fs::path& folder, const std::string& name) {
-    const bool is_bare = !name.empty() && name.find_first_of("/\\") == std::string::npos && name != "." && name != "..";
-    if (!is_bare) {
-        throw std::runtime_error(
-            "a picture must be in the folder of the scene; give only its file name, such as \"brick.png\"");
-    }
-    std::error_code error;
-    const fs::path home = fs::canonical(folder.empty() ? "." : folder, error);
-    const fs::path file = error ? fs::path() : fs::canonical(home / name, error);
-    if (error) throw std::runtime_error(error.message() + "; the picture must be in the folder of the scene");
-    if (file.parent_path() != home) {
-        throw std::runtime_error("this link points outside the folder of the scene; copy the picture into that folder");
-    }
-    if (!fs::is_regular_file(file, error)) throw std::runtime_error("this is not a file; give the name of a PNG file");
-    return file;
-}
-
-ImageFile read_image(const fs::path& file) {
-    const std::string bytes = read_file(file.string(), kMaxImageFileBytes + 1);
-    if (bytes.size() > kMaxImageFileBytes) {
-        throw std::runtime_error("the file has more than " + std::to_string(kMaxImageFileBytes >> 20) +
-                                 " MiB; make the picture smaller");
-    }
+ImageFile image_of(std::string_view bytes) {
     const PngPixels pixels = decode_png_pixels(bytes, kMaxImageSide);
     // The first row of a PNG is the top one, the first row of a GL image the bottom one.
     ImageFile image{pixels.width, pixels.height, std::vector<std::byte>(pixels.rgba.size())};
@@ -51,7 +28,15 @@ ImageFile read_image(const fs::path& file) {
 }  // namespace
 
 ImageLoader images_beside(const fs::path& scene) {
-    return [folder = scene.parent_path()](const std::string& name) { return read_image(place_of(folder, name)); };
+    return [folder = scene.parent_path()](const std::string& name) {
+        return image_of(read_beside(folder, name, "picture", "brick.png", kMaxImageFileBytes));
+    };
+}
+
+ImageFile images_built_in(const std::string& name) {
+    const auto file = built_in_file(name);
+    if (!file) throw std::runtime_error("no built-in scene has a picture of this name");
+    return image_of(*file);
 }
 
 }  // namespace twinlight

@@ -16,4 +16,7 @@ inline constexpr int kMaxImageSide = 2048;
 // folders.
 ImageLoader images_beside(const std::filesystem::path& scene);
 
+// A picture of kSceneAssets. Throws std::runtime_error if there is none of this name.
+ImageFile images_built_in(const std::string& name);
+
 }  // namespace twinlight

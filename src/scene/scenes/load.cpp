@@ -8,6 +8,7 @@
 #include "base/image/file.h"
 #include "scene/command/text.h"
 #include "scene/scenes/images.h"
+#include "scene/scenes/meshes.h"
 #include "scene/trace/trace.h"
 
 namespace twinlight {
@@ -58,6 +59,13 @@ std::shared_ptr<const Recording> load_standard_input(const ReadOptions& options)
 
 }  // namespace
 
+CommandList read_built_in(const EmbeddedFile& file, const ReadOptions& options) {
+    const std::string name(file.name);
+    ReadOptions with_meshes = options;
+    with_meshes.load_mesh = meshes_built_in;
+    return read_scene(file.text, name, name.substr(0, name.rfind(".gl")), images_built_in, with_meshes);
+}
+
 std::shared_ptr<const Recording> load_recording(const std::string& scene, std::optional<WindowSize> window,
                                                 const std::string& step) {
     const ReadOptions options{.step = step, .window = window};
@@ -65,10 +73,7 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
     std::vector<std::string_view> names;
     for (const EmbeddedFile& file : kSceneFiles) {
         names.push_back(file.name.substr(0, file.name.rfind(".gl")));
-        if (names.back() == scene) {
-            return std::make_shared<CommandList>(
-                read_scene(file.text, std::string(file.name), scene, no_images, options));
-        }
+        if (names.back() == scene) return std::make_shared<CommandList>(read_built_in(file, options));
     }
     const std::filesystem::path path = scene;
     // A plain word that is not a file was meant as the name of a built-in scene.
@@ -94,8 +99,11 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
         throw SceneError(scene + ": this is a program, not a scene; " + how_to_record(scene));
     const std::string text = again ? read_file(scene, kReadAtMost) : front;
     try {
-        return std::make_shared<CommandList>(read_limited(text, scene, path.filename().string(), options,
-                                                          again ? images_beside(path) : ImageLoader(no_images)));
+        if (!again) return std::make_shared<CommandList>(read_limited(text, scene, path.filename().string(), options));
+        ReadOptions with_meshes = options;
+        with_meshes.load_mesh = meshes_beside(path);
+        return std::make_shared<CommandList>(
+            read_limited(text, scene, path.filename().string(), with_meshes, images_beside(path)));
     } catch (SceneError& error) {
         const bool names_record = std::string_view(error.what()).find("twinlight record") != std::string_view::npos;
         if (is_c_program(text) && !names_record) error.note = "this is a C program; " + how_to_record(scene);
@@ -110,6 +118,12 @@ std::shared_ptr<const CommandList> load_commands(const std::string& scene, const
                          ": a recorded program cannot be used here; use 'twinlight render', 'compare' or 'export'");
     }
     return {recording, recording->command_list()};
+}
+
+std::shared_ptr<const CommandList> load_step(const std::string& scene, const CommandList& loaded,
+                                             const std::string& step) {
+    if (scene != "-") return load_commands(scene, step);
+    return std::make_shared<CommandList>(read_scene(*loaded.text, "<stdin>", loaded.name, no_images, {.step = step}));
 }
 
 }  // namespace twinlight

@@ -8,11 +8,17 @@
 
 #include "base/image/file.h"
 #include "scene/command/command.h"
+#include "scene/command/text.h"
 
 namespace twinlight {
 
 // The built-in scenes, NAME.gl.
 extern const std::vector<EmbeddedFile> kSceneFiles;
+// The pictures and meshes that they load.
+extern const std::vector<EmbeddedFile> kSceneAssets;
+
+// Reads a file of kSceneFiles. The scene's name is the file's, without .gl.
+CommandList read_built_in(const EmbeddedFile& file, const ReadOptions& options = {});
 
 // `scene` is the name of a built-in scene, a file, or - for standard input. The content decides how it is read: a scene
 // in C gives a CommandList; an apitrace .trace or the text of its dump gives a recording that is read each time it is
@@ -23,5 +29,8 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene,
                                                 const std::string& step = {});
 // The same, but refuses recorded programs.
 std::shared_ptr<const CommandList> load_commands(const std::string& scene, const std::string& step = {});
+// Another step of a scene that was loaded under this name. Standard input is not read again.
+std::shared_ptr<const CommandList> load_step(const std::string& scene, const CommandList& loaded,
+                                             const std::string& step);
 
 }  // namespace twinlight

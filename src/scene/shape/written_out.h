@@ -12,6 +12,10 @@ namespace twinlight {
 // white. Colours are linear sRGB. Returns nullopt for other commands, and for arguments that State refuses.
 std::optional<Command> gl_command_of(const Command& pragma);
 
+// The GL commands that draw the mesh of #pragma twinlight mesh(...). They leave no state behind, except the image of the
+// bound texture where a material has one.
+std::vector<Command> mesh_commands(const Command& pragma);
+
 // The scene with these pragmas converted, and with each `#pragma twinlight shape(...)` replaced by its primitives.
 CommandList with_pragmas_written_out(const CommandList& scene);
 

@@ -24,7 +24,7 @@ constexpr CommandSet kNeverCompiled = CommandSet::of(
 // Commands that send vertices or their attributes.
 constexpr CommandSet kSendsVertices =
     CommandSet::of({"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element",
-                    "draw_arrays", "rect", "shape", "quadric_shape", "driver_only_vertex"});
+                    "draw_arrays", "rect", "shape", "mesh_file", "quadric_shape", "driver_only_vertex"});
 
 bool reads_pixels(const Command& c) {
     const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels"; };

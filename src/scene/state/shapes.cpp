@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "scene/shape/shape.h"
+#include "scene/shape/written_out.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -22,6 +23,10 @@ void State::shape(const Command& c) {
     } catch (const std::invalid_argument& error) {
         raise(code_of(error, kGL_INVALID_VALUE), c, "{}", error.what());
     }
+}
+
+void State::mesh_file(const Command& c) {
+    for (const Command& command : mesh_commands(c)) carry_out(command);
 }
 
 // Attributes that a part does not send have the current values. Attributes sent between glBegin and glEnd become

@@ -126,7 +126,7 @@ class State {
     Effect front_face, cull_face, polygon_mode, depth_func, depth_mask, flush, depth_range, polygon_offset, line_width,
         point_size, edge_flag, hint;
     Effect render_mode, hit_buffer, is_enabled, query_clip_plane;
-    Effect shape, new_quadric, delete_quadric, set_quadric, quadric_shape;
+    Effect shape, mesh_file, new_quadric, delete_quadric, set_quadric, quadric_shape;
     Effect spectrum, reflectance, illuminant, transfer;
     Effect begin, end, normal, color, vertex, tex_coord, multi_tex_coord, rect;
     Effect pixel_store, tex_image, tex_sub_image;

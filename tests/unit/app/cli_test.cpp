@@ -793,6 +793,44 @@ TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
 }
 
 // kLamps with a pragma: explain names the factors that its terms have.
+TEST_F(Cli, ComparesAllStepsOnOnePage) {
+    const std::string file = scene(std::string(kScene) +
+                                   "#pragma twinlight step(\"One light\")\nglEnable(GL_LIGHT1);\n"
+                                   "#pragma twinlight step(\"Drawn by the driver only\")\nglutSolidCube(0.2);\n"
+                                   "glEnable(GL_STENCIL_TEST);\nglutSolidCube(0.1);\n");
+    for (const bool from_input : {false, true}) {
+        const std::string folder = out_ / (from_input ? "input" : "file");
+        const ProgramResult result = from_input ? run_shell("twinlight", "\"$PROGRAM\" compare - --size 64x48 -o " +
+                                                                             quoted(folder) + " <" + quoted(file))
+                                                : run({"compare", file, "--size", "64x48", "-o", folder});
+        ASSERT_EQ(result.status, 0) << result.err;
+        EXPECT_NE(result.out.find("\n1. One light\n   All three agree"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("\n2. Drawn by the driver only\n"), std::string::npos) << result.out;
+        const json all = json::parse(read_file(fs::path(folder) / "comparison.json"));
+        EXPECT_EQ(all["scene"], from_input ? "stdin" : "scene.gl");
+        EXPECT_EQ(all["verdict"], "partial") << "the worst of the steps";
+        ASSERT_EQ(all["steps"].size(), 2U);
+        EXPECT_EQ(all["steps"][1]["title"], "Drawn by the driver only");
+        EXPECT_EQ(all["steps"][0]["comparison"]["verdict"], "within");
+        for (const json& step : all["steps"])
+            for (const json& render : step["comparison"]["renders"])
+                EXPECT_TRUE(fs::exists(fs::path(folder) / step["folder"].get<std::string>() /
+                                       render["file"].get<std::string>()));
+        const std::string page = read_file(fs::path(folder) / "index.html");
+        for (const std::string title : {"1. One light", "2. Drawn by the driver only"})
+            EXPECT_NE(page.find(title), std::string::npos) << title;
+    }
+    // One step has the report of a scene without steps.
+    ASSERT_EQ(run({"compare", file, "--step", "1", "--size", "64x48", "-o", out_ / "one"}).status, 0);
+    EXPECT_TRUE(fs::exists(out_ / "one/fixed.png"));
+    EXPECT_EQ(json::parse(read_file(out_ / "one/comparison.json"))["scene"], "scene.gl, step 1: One light");
+    const json printed = json::parse(run({"compare", file, "--size", "64x48", "-o", out_ / "file", "--json"}).out);
+    EXPECT_EQ(printed["steps"].size(), 2U);
+    // A folder that cannot be made leaves nothing behind.
+    write_file_atomically(out_ / "blocked", "");
+    EXPECT_EQ(run({"compare", file, "--size", "64x48", "-o", out_ / "blocked"}).status, 2);
+}
+
 TEST_F(Cli, ReadsTheStepThatIsChosen) {
     std::string text = kScene;
     text += R"(#pragma twinlight step("One light")
@@ -820,7 +858,7 @@ glEnable(GL_LIGHT2);
         SCOPED_TRACE(command[0]);
         expect_refused(run(with_step), missing);
     }
-    expect_refused(run({"explain", "report", "--step", "1"}), "report.gl: this scene has no steps; leave out --step");
+    expect_refused(run({"explain", "normals", "--step", "1"}), "normals.gl: this scene has no steps; leave out --step");
     expect_refused(run({"explain", file, "--step", ""}), "--step");
 }
 

@@ -243,7 +243,7 @@ TEST(KeptPictures, OfTheBuiltInScenesAreTheSameBitByBit) {
     constexpr int kWidth = 160, kHeight = 120;
     const auto context = make_offscreen_context(kWidth, kHeight);
     for (const EmbeddedFile& file : kSceneFiles) {
-        const CommandList scene = read_scene(file.text, std::string(file.name), "scene");
+        const CommandList scene = read_built_in(file);
         Renderer keeps, forgets({.mesh_bytes = 0});
         for (int i = 0; i < 8; ++i) {
             session::CameraMove move;

@@ -175,7 +175,7 @@ TEST(TiersPictures, OfTheBuiltInScenesAreTheSameToACode) {
     const auto context = make_offscreen_context(kWidth, kHeight);
     Renderer renderer;
     for (const EmbeddedFile& file : kSceneFiles) {
-        const auto scene = std::make_shared<const CommandList>(read_scene(file.text, std::string(file.name), "scene"));
+        const auto scene = std::make_shared<const CommandList>(read_built_in(file));
         const Frame frame = make_frame(*scene, {.width = kWidth, .height = kHeight});
         for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)}) {
             Options options = with(Tier::kUniform);

@@ -15,7 +15,9 @@
 #include "base/image/delta_e.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
+#include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
+#include "scene/scenes/meshes.h"
 #include "scene/spectrum/spectrum.h"
 #include "scene/state/state.h"
 
@@ -24,18 +26,12 @@ namespace {
 
 std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
 
-CommandList read(const EmbeddedFile& file) { return read_scene(file.text, std::string(file.name), name_of(file)); }
-
-std::string_view text_of(std::string_view name) {
+CommandList read(std::string_view name) {
     for (const EmbeddedFile& file : kSceneFiles) {
-        if (name_of(file) == name) return file.text;
+        if (name_of(file) == name) return read_built_in(file);
     }
     ADD_FAILURE() << "there is no scene " << name;
-    return "";
-}
-
-CommandList read(std::string_view name) {
-    return read_scene(text_of(name), std::string(name) + ".gl", std::string(name));
+    return {};
 }
 
 Frame frame_of(CommandList scene) { return make_frame(std::move(scene), StateOptions{}); }
@@ -55,10 +51,25 @@ TEST(Scenes, BeginWithACommentThatSaysWhatTheyAre) {
     }
 }
 
+// The scene, or all its steps.
+std::vector<CommandList> read_steps(const EmbeddedFile& file) {
+    std::vector<CommandList> steps{read_built_in(file)};
+    for (std::size_t step = 2; step <= steps[0].steps.size(); ++step)
+        steps.push_back(read_built_in(file, {.step = std::to_string(step)}));
+    return steps;
+}
+
+std::vector<CommandList> all_steps() {
+    std::vector<CommandList> all;
+    for (const EmbeddedFile& file : kSceneFiles)
+        for (CommandList& step : read_steps(file)) all.push_back(std::move(step));
+    return all;
+}
+
 TEST(Scenes, RaiseNoErrorAndAreDrawnWhole) {
-    for (const EmbeddedFile& file : kSceneFiles) {
-        const Frame frame = frame_of(read(file));
-        EXPECT_FALSE(draws(frame).empty()) << file.name;
+    for (const CommandList& scene : all_steps()) {
+        const Frame frame = frame_of(scene);
+        EXPECT_FALSE(draws(frame).empty()) << scene.title();
         for (const Unsupported& missing : frame.unsupported) {
             ADD_FAILURE() << missing.first.str() << ": " << missing.name << " is not drawn by every renderer";
         }
@@ -66,10 +77,10 @@ TEST(Scenes, RaiseNoErrorAndAreDrawnWhole) {
 }
 
 TEST(Scenes, ReadAlikeAfterPrinting) {
-    for (const EmbeddedFile& file : kSceneFiles) {
-        const CommandList scene = read(file);
-        const CommandList again = read_scene(print_scene(scene), "printed.gl", scene.name);
-        EXPECT_EQ(again.commands, scene.commands) << file.name;
+    for (const CommandList& scene : all_steps()) {
+        const CommandList again =
+            read_scene(print_scene(scene), "printed.gl", scene.name, images_built_in, {.load_mesh = meshes_built_in});
+        EXPECT_EQ(again.commands, scene.commands) << scene.title();
     }
 }
 
@@ -88,10 +99,10 @@ TEST(Scenes, CompileAsC) {
     }
 }
 
-// Whether all three renderers support a command and a built-in scene can use it. Built-in scenes have no folder to read
-// pictures from, and the fixed function has only eight lights.
+// Whether all three renderers support a command and a built-in scene can use it. The fixed function has only eight
+// lights.
 constexpr bool is_drawn_by_all(std::string_view effect) {
-    return !effect.starts_with("driver_only") && effect != "texture_file" && effect != "extra_light";
+    return !effect.starts_with("driver_only") && effect != "extra_light";
 }
 
 constexpr bool kDrawnByAll[] = {
@@ -104,7 +115,7 @@ constexpr bool kDrawnByAll[] = {
 
 TEST(BuiltInScenes, UseEveryCommandThatAllRenderersCarryOut) {
     std::set<CommandId> used;
-    for (const char* scene : {"commands", "legacy", "spectral"}) {
+    for (const char* scene : {"commands", "legacy", "spectral", "report", "tutorial"}) {
         for (const Command& command : read(scene).commands) used.insert(command.id);
     }
     for (std::size_t i = 0; i < signatures().size(); ++i) {
@@ -193,7 +204,7 @@ TEST(SceneReport, HasTheReportsNumbers) {
             expect_reach_of_50(lighting.lights[static_cast<std::size_t>(i)]);
         }
         EXPECT_EQ(lighting.front.ambient, lighting.front.diffuse);
-        EXPECT_EQ(lighting.front.shininess, draw.mode == kGL_QUADS ? 8 : 32);  // the floor's tiles are quads
+        EXPECT_EQ(lighting.front.shininess, draw.texture.texture ? 8 : 32);  // the floor is textured
         coral_cube |= lighting.front.diffuse == glm::dvec4(1, 0.5f, 0.31f, 1) &&
                       lighting.front.specular == glm::dvec4(0.5, 0.5, 0.5, 1) && draw.count() == 36;
     }

@@ -1,0 +1,30 @@
+#include "scene/scenes/meshes.h"
+
+#include <stdexcept>
+
+#include "scene/mesh/obj.h"
+#include "scene/scenes/beside.h"
+#include "scene/scenes/images.h"
+
+namespace twinlight {
+
+MeshLoader meshes_beside(const std::filesystem::path& scene) {
+    return [scene](const std::string& name) {
+        const auto material = [folder = scene.parent_path()](const std::string& file) {
+            return read_beside(folder, file, "material file", "bunny.mtl", kMaxMtlBytes);
+        };
+        return read_obj(read_beside(scene.parent_path(), name, "mesh", "bunny.obj", kMaxObjBytes),
+                        {.text = material, .image = images_beside(scene)});
+    };
+}
+
+std::shared_ptr<const Mesh> meshes_built_in(const std::string& name) {
+    const auto text_of = [](const std::string& file) {
+        const auto text = built_in_file(file);
+        if (!text) throw std::runtime_error("no built-in scene has a file of this name");
+        return std::string(*text);
+    };
+    return read_obj(text_of(name), {.text = text_of, .image = images_built_in});
+}
+
+}  // namespace twinlight
