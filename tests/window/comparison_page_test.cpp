@@ -86,6 +86,7 @@ TEST_F(Pages, OfAComparisonOpenOnThePairThatTeachesAndShowOneStepAtATime) {
         tabs[1].click();
         await settle();
         told.second = shown();
+        told.jumped = scrollY;
         told.current = tabs.map((tab) => tab.getAttribute("aria-current"));
         const of = (name) => articles[1].querySelector("." + name);
         told.opens_on = [of("left").value, of("right").value];
@@ -105,6 +106,7 @@ TEST_F(Pages, OfAComparisonOpenOnThePairThatTeachesAndShowOneStepAtATime) {
     EXPECT_EQ(told["thumbnails"], json({60, 60}));
     EXPECT_EQ(told["first"], json({true, false}));
     EXPECT_EQ(told["second"], json({false, true}));
+    EXPECT_EQ(told["jumped"], 0) << "the steps stay in view";
     EXPECT_EQ(told["current"], json({nullptr, "true"}));
     EXPECT_EQ(told["opens_on"], json({"fixed", "programmable-phong"}));
     const RegionDifference& lost = shiny.pairs.back().difference.interior;

@@ -196,6 +196,8 @@
     };
     const views = [...document.querySelectorAll("article.comparison")].map((article) => view(article, write_address));
     tabs.forEach((tab, number) => tab.prepend(views[number].thumbnail()));
+    // Without the script, the links of the steps lead to these ids; with it, the page must not jump there.
+    for (const one of views) one.article.removeAttribute("id");
     const read_address = () => {
         const values = new URLSearchParams(location.hash.slice(1));
         current = clamp((Number.parseInt(values.get("step"), 10) || 1) - 1, 0, views.length - 1);
