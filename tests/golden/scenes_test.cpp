@@ -13,6 +13,7 @@
 #include "golden_picture.h"
 #include "judge/compare/allowances.h"
 #include "judge/compare/comparison.h"
+#include "judge/lesson/lesson.h"
 #include "judge/report/report.h"
 #include "render/context/driver_name.h"
 #include "render/reference/reference.h"
@@ -129,6 +130,20 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SceneSteps, testing::ValuesIn(steps_without_gol
                              std::ranges::replace(name, '-', '_');
                              return name;
                          });
+
+// The scene that a lesson starts from, and the one of its prediction.
+TEST(LessonScenes, AgreeThreeWays) {
+    for (const std::string_view name : lesson::names()) {
+        const lesson::Lesson lesson = lesson::load_lesson(name, lesson::Language::kEnglish);
+        for (const std::string& text : {lesson.scene, lesson.changed}) {
+            SCOPED_TRACE(fmt::format("{}, {}", name, text == lesson.scene ? "start" : "changed"));
+            const compare::Comparison comparison =
+                compare_three_ways(make_scene(lesson::commands_of(lesson, text), {.width = 320, .height = 240}));
+            EXPECT_TRUE(comparison.unsupported.empty());
+            expect_agreement(comparison);
+        }
+    }
+}
 
 }  // namespace
 
