@@ -91,9 +91,8 @@ bool is_long(const std::string& line) {
 
 // The same with less work.
 std::string shortened(std::string line) {
-    constexpr int kScenes = 50;
-    if (!tries_all())
-        line = std::regex_replace(line, std::regex("--count \\d{3,}"), fmt::format("--count {}", kScenes));
+    const int scenes = tries_all() ? 200 : 50;
+    line = std::regex_replace(line, std::regex("--count \\d{3,}"), fmt::format("--count {}", scenes));
     // Ctrl-C ends a study, which keeps what it measured.
     if (has(line, "twinlight study ") && !has(line, "--merge"))
         line = fmt::format("timeout --preserve-status -s INT {} ", tries_all() ? 2 : 1) + line;
