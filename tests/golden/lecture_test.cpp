@@ -226,7 +226,7 @@ const Image& image_of(const compare::Comparison& comparison, const std::string& 
 TEST(LectureLab, TheLastStepIsNearerToTheLabThanTheFirstInFixedFunction) {
     const compare::Comparison first = compare_three_ways(scene_of("lab", 1, 160, 120)),
                               last = compare_three_ways(scene_of("lab", 5, 160, 120));
-    const Image& lab = image_of(first, "reference-phong");
+    const Image lab = image_of(first, "reference-phong");
     const double plain = rms(image_of(first, "reference"), lab), fitted = rms(image_of(last, "reference"), lab);
     EXPECT_LT(fitted, plain);
     EXPECT_NEAR(plain * 255, 23, 0.5);
