@@ -14,14 +14,18 @@ function finish() {
     kind = ""
 }
 
-# The entry is "--with fixed|phong REQUIRED" or "--size WxH=640x480".
+# The entry is "--with fixed|phong REQUIRED" or "--size WxH=640x480"; from CLI11 2.4 on "--size WxH [640x480]".
 function start(entry, description,    at) {
     finish()
     kind = section; text = description; value = ""; preset = ""
     sub(/ *Excludes:.*/, "", entry)
     sub(/ *REQUIRED.*/, "", entry)
     gsub(/, +/, ",", entry)
-    if ((at = index(entry, "=")) > 0) { preset = substr(entry, at + 1); entry = substr(entry, 1, at - 1) }
+    if (match(entry, / \[[^\]]*\]$/)) {
+        preset = substr(entry, RSTART + 2, RLENGTH - 3); entry = substr(entry, 1, RSTART - 1)
+    } else if ((at = index(entry, "=")) > 0) {
+        preset = substr(entry, at + 1); entry = substr(entry, 1, at - 1)
+    }
     if (section == "argument") {
         sub(/ [.][.][.]$/, "", entry)
         name = entry
