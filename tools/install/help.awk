@@ -21,7 +21,8 @@ function start(entry, description,    at) {
     sub(/ *Excludes:.*/, "", entry)
     sub(/ *REQUIRED.*/, "", entry)
     gsub(/, +/, ",", entry)
-    if (match(entry, / \[[^\]]*\]$/)) {
+    sub(/ +$/, "", entry)
+    if (match(entry, / [[][^]]*[]]$/)) {
         preset = substr(entry, RSTART + 2, RLENGTH - 3); entry = substr(entry, 1, RSTART - 1)
     } else if ((at = index(entry, "=")) > 0) {
         preset = substr(entry, at + 1); entry = substr(entry, 1, at - 1)
