@@ -122,6 +122,24 @@ void write_result(std::string_view bytes) {
     }
 }
 
+void write_output(const std::string& file, std::string_view bytes) {
+    if (file == "-")
+        write_result(bytes);
+    else
+        write_file_atomically(file, bytes);
+}
+
+lesson::Lesson load_lesson(const std::string& name, lesson::Language language) {
+    const auto names = lesson::names();
+    if (std::ranges::find(names, name) == names.end()) {
+        const auto near = nearest(name, {names.begin(), names.end()});
+        throw UsageError(
+            fmt::format("there is no lesson '{}'; {}", name,
+                        near ? fmt::format("did you mean '{}'?", *near) : "'twinlight lesson' lists the lessons"));
+    }
+    return lesson::load_lesson(name, language);
+}
+
 int run_reporting_errors(std::string_view program, const std::function<int()>& run) {
     const auto fail = [](const std::string& message) {
         fmt::print(stderr, "{}\n", message);

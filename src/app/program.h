@@ -12,6 +12,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "judge/lesson/lesson.h"
+
 namespace twinlight {
 
 inline constexpr const char* kVersion = "0.1";
@@ -63,6 +65,12 @@ bool parse_command_line(CLI::App& app, int argc, char** argv);
 
 // Writes all of `bytes` to standard output. Throws FileError.
 void write_result(std::string_view bytes);
+
+// Writes to a file, whole or not at all, or to standard output if its name is "-". Throws FileError.
+void write_output(const std::string& file, std::string_view bytes);
+
+// The lesson of this name. Throws UsageError if there is no such lesson.
+lesson::Lesson load_lesson(const std::string& name, lesson::Language language);
 
 // Runs a program and returns its exit status. If it throws, prints the error on standard error and returns kBadInput.
 int run_reporting_errors(std::string_view program, const std::function<int()>& run);

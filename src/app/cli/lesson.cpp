@@ -28,15 +28,13 @@ struct LessonArguments {
 
 // What the program itself says in the lesson's language.
 struct Words {
-    const char *right, *wrong, *not_read, *summary, *is_right, *is_wrong, *next;
+    const char *right, *wrong, *not_read, *summary, *next;
 };
 constexpr Words kEnglish = {
     "right",
     "wrong",
     "not read",
     "{} of {} right.\n",
-    "{} is right. ",
-    "{} is wrong; {} is right. ",
     "To see whether your prediction is right: twinlight lesson {0} --predict A\n"
     "To write the scene to start from:        twinlight lesson {0} -o {0}.gl\n"
     "To check your answer:                    twinlight lesson {0} --check {0}.gl\n",
@@ -46,24 +44,13 @@ constexpr Words kChinese = {
     "错误",
     "无法读取",
     "{1} 份中有 {0} 份正确。\n",
-    "{} 正确。",
-    "{} 不对，正确的是 {}。",
     "查看预测是否正确：twinlight lesson {0} --predict A\n"
     "写出起始场景：    twinlight lesson {0} -o {0}.gl\n"
     "检查你的答案：    twinlight lesson {0} --check {0}.gl\n",
 };
 const Words& words_of(Language language) { return language == Language::kChinese ? kChinese : kEnglish; }
 
-Lesson load(const LessonArguments& arguments) {
-    const auto names = lesson::names();
-    if (std::ranges::find(names, arguments.name) == names.end()) {
-        const auto near = nearest(arguments.name, {names.begin(), names.end()});
-        throw UsageError(
-            fmt::format("there is no lesson '{}'; {}", arguments.name,
-                        near ? fmt::format("did you mean '{}'?", *near) : "'twinlight lesson' lists the lessons"));
-    }
-    return lesson::load_lesson(arguments.name, arguments.language);
-}
+Lesson load(const LessonArguments& arguments) { return load_lesson(arguments.name, arguments.language); }
 
 int list(const LessonArguments& arguments) {
     nlohmann::ordered_json json = {{"lessons", nlohmann::ordered_json::array()}};
@@ -79,17 +66,16 @@ int list(const LessonArguments& arguments) {
     return kFine;
 }
 
-std::string letter_of(std::size_t choice) { return {static_cast<char>('A' + choice)}; }
-
 int print(const LessonArguments& arguments) {
     const Lesson lesson = load(arguments);
     if (arguments.json) {
-        nlohmann::ordered_json json = {{"name", lesson.name},       {"title", lesson.title},
-                                       {"about", lesson.about},     {"question", lesson.question},
-                                       {"scene", lesson.scene},     {"prediction", lesson.prediction},
-                                       {"choices", lesson.choices}, {"right_choice", letter_of(lesson.right_choice)},
-                                       {"seen", lesson.seen},       {"changed", lesson.changed},
-                                       {"task", lesson.task}};
+        nlohmann::ordered_json json = {
+            {"name", lesson.name},       {"title", lesson.title},
+            {"about", lesson.about},     {"question", lesson.question},
+            {"scene", lesson.scene},     {"prediction", lesson.prediction},
+            {"choices", lesson.choices}, {"right_choice", lesson::letter_of(lesson.right_choice)},
+            {"seen", lesson.seen},       {"changed", lesson.changed},
+            {"task", lesson.task}};
         for (const auto& [key, reason] : lesson.reasons) json["checks"][key] = reason;
         write_result(json.dump(2) + "\n");
         return kFine;
@@ -97,7 +83,7 @@ int print(const LessonArguments& arguments) {
     std::string text = fmt::format("{}\n\n{}\n\n{}\n\n{}\n{}\n", lesson.title, lesson.about, lesson.question,
                                    lesson.scene, lesson.prediction);
     for (std::size_t i = 0; i < lesson.choices.size(); ++i)
-        text += fmt::format("  {}. {}\n", letter_of(i), lesson.choices[i]);
+        text += fmt::format("  {}. {}\n", lesson::letter_of(i), lesson.choices[i]);
     text += fmt::format("\n{}\n\n", lesson.task);
     text += fmt::format(fmt::runtime(words_of(arguments.language).next), lesson.name);
     write_result(text);
@@ -106,25 +92,19 @@ int print(const LessonArguments& arguments) {
 
 int predict(const LessonArguments& arguments) {
     const Lesson lesson = load(arguments);
-    const std::string last = letter_of(lesson.choices.size() - 1);
+    const std::string last = lesson::letter_of(lesson.choices.size() - 1);
     if (arguments.prediction.size() != 1 || arguments.prediction < "A" || arguments.prediction > last)
         throw UsageError(fmt::format("--predict: '{}' is not a letter from A to {}", arguments.prediction, last));
-    const Words& words = words_of(arguments.language);
-    const std::string right = letter_of(lesson.right_choice);
-    const bool is_right = arguments.prediction == right;
-    write_result((is_right ? fmt::format(fmt::runtime(words.is_right), right)
-                           : fmt::format(fmt::runtime(words.is_wrong), arguments.prediction, right)) +
-                 lesson.seen + "\n");
+    const char* const blank = lesson.language == Language::kChinese ? "" : " ";
+    write_result(lesson::verdict_on_prediction(lesson, static_cast<std::size_t>(arguments.prediction[0] - 'A')) +
+                 blank + lesson.seen + "\n");
     return kFine;
 }
 
 int write_scene(const LessonArguments& arguments) {
     const Lesson lesson = load(arguments);
     const std::string& text = arguments.changed ? lesson.changed : lesson.scene;
-    if (arguments.output == "-")
-        write_result(text);
-    else
-        write_file_atomically(arguments.output, text);
+    write_output(arguments.output, text);
     return kFine;
 }
 

@@ -74,10 +74,7 @@ int write_mended(const LintArguments& arguments, const Scene& scene, const std::
         throw UsageError(fmt::format("--fix: '{}' is in {} places; mend them yourself: {}", arguments.fix, found->count,
                                      found->fix));
     const std::string text = lint::mended(*list->text, *found);
-    if (arguments.output == "-")
-        write_result(text);
-    else
-        write_file_atomically(arguments.output, text);
+    write_output(arguments.output, text);
     return kFine;
 }
 

@@ -1,7 +1,5 @@
 #include "app/session/lesson_state.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <sstream>
 
@@ -25,8 +23,6 @@ constexpr LessonWords kEnglishWords = {
     "Next lesson",
     "All lessons",
     "Checking ...",
-    "{} is right.",
-    "{} is wrong; {} is right.",
 };
 constexpr LessonWords kChineseWords = {
     "每个练习大约十分钟：一个问题、一次预测，以及一个由程序检查的任务。",
@@ -43,8 +39,6 @@ constexpr LessonWords kChineseWords = {
     "下一个练习",
     "所有练习",
     "正在检查……",
-    "{} 正确。",
-    "{} 不对，正确的是 {}。",
 };
 
 // Chinese has no blanks between words.
@@ -96,17 +90,13 @@ const LessonWords& words_of(lesson::Language language) {
 
 std::vector<const char*> all_words(lesson::Language language) {
     const LessonWords& w = words_of(language);
+    const lesson::PredictionWords& verdicts = lesson::prediction_words(language);
     return {w.lessons,     w.prediction, w.task,  w.how,  w.check, w.right,    w.not_yet,      w.outdated,
-            w.show_change, w.show_start, w.again, w.next, w.all,   w.checking, w.right_choice, w.wrong_choice};
+            w.show_change, w.show_start, w.again, w.next, w.all,   w.checking, verdicts.right, verdicts.wrong};
 }
 
 std::string verdict_on_prediction(const LessonState& state) {
-    if (!state.predicted) return "";
-    const LessonWords& words = words_of(state.page.language);
-    const auto letter = [](std::size_t choice) { return static_cast<char>('A' + choice); };
-    const char right = letter(state.page.right_choice), chosen = letter(*state.predicted);
-    return chosen == right ? fmt::format(fmt::runtime(words.right_choice), right)
-                           : fmt::format(fmt::runtime(words.wrong_choice), chosen, right);
+    return state.predicted ? lesson::verdict_on_prediction(state.page, *state.predicted) : "";
 }
 
 std::string plain_text(const std::string& markdown) {

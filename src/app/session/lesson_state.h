@@ -38,12 +38,12 @@ std::string next_lesson(const LessonState& state);
 // What the panel says, in the lesson's language.
 struct LessonWords {
     const char *lessons, *prediction, *task, *how, *check, *right, *not_yet, *outdated, *show_change, *show_start,
-        *again, *next, *all, *checking, *right_choice, *wrong_choice;
+        *again, *next, *all, *checking;
 };
 const LessonWords& words_of(lesson::Language language);
 // All of them, for loading their letters.
 std::vector<const char*> all_words(lesson::Language language);
-// Whether the prediction was right: a sentence.
+// Whether the prediction was right: a sentence. Empty before there is one.
 std::string verdict_on_prediction(const LessonState& state);
 // Markdown as plain paragraphs: one line each, without backquotes.
 std::string plain_text(const std::string& markdown);

@@ -38,6 +38,21 @@ std::shared_ptr<const CommandList> commands_of(const Lesson& lesson, const std::
     return std::make_shared<CommandList>(read_scene(text, lesson.name + ".gl", lesson.name));
 }
 
+std::string letter_of(std::size_t choice) { return {static_cast<char>('A' + choice)}; }
+
+const PredictionWords& prediction_words(Language language) {
+    static constexpr PredictionWords kEnglish = {"{} is right.", "{} is wrong; {} is right."};
+    static constexpr PredictionWords kChinese = {"{} 正确。", "{} 不对，正确的是 {}。"};
+    return language == Language::kChinese ? kChinese : kEnglish;
+}
+
+std::string verdict_on_prediction(const Lesson& lesson, std::size_t choice) {
+    const PredictionWords& words = prediction_words(lesson.language);
+    const std::string right = letter_of(lesson.right_choice);
+    return choice == lesson.right_choice ? fmt::format(fmt::runtime(words.right), right)
+                                         : fmt::format(fmt::runtime(words.wrong), letter_of(choice), right);
+}
+
 namespace {
 
 std::string number_text(double value, Language language) {

@@ -50,6 +50,16 @@ std::span<const std::string_view> names();
 Lesson read_lesson(std::string_view text, std::string_view name);
 Lesson load_lesson(std::string_view name, Language language);
 
+// "A" for 0.
+std::string letter_of(std::size_t choice);
+// The sentences about a prediction that is right ({}: its letter) and one that is wrong ({}: its letter, and the right one).
+struct PredictionWords {
+    const char *right, *wrong;
+};
+const PredictionWords& prediction_words(Language language);
+// One of them, in the lesson's language.
+std::string verdict_on_prediction(const Lesson& lesson, std::size_t choice);
+
 // One rule that a right answer keeps: the measure lies from `low` to `high`.
 struct Check {
     std::string_view key;  // as in the page's list "Checks"
