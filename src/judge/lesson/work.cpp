@@ -6,39 +6,17 @@
 #include <utility>
 
 #include "render/reference/reference.h"
+#include "scene/state/resized.h"
 #include "scene/state/state.h"
 
 namespace twinlight::lesson {
 
 namespace {
 
-// A viewport or a scissor of a picture that becomes kWidth x kHeight. Borders are rounded, so that neighbours still touch.
-void scale(Viewport& box, double across, double up) {
-    const auto scaled = [](int& start, int& length, double factor) {
-        const int first = static_cast<int>(std::lround(start * factor));
-        length = static_cast<int>(std::lround((start + length) * factor)) - first;
-        start = first;
-    };
-    scaled(box.x, box.width, across);
-    scaled(box.y, box.height, up);
-}
-
 // The scene at the size that it is written for, then all window coordinates scaled.
 Frame small_frame(const CommandList& commands) {
     const WindowSize size = commands.window.value_or(WindowSize{});
-    Frame frame = make_frame(commands, {.width = size.width, .height = size.height});
-    const double across = static_cast<double>(kWidth) / size.width, up = static_cast<double>(kHeight) / size.height;
-    frame.width = kWidth;
-    frame.height = kHeight;
-    for (auto& item : frame.items) {
-        if (Draw* draw = std::get_if<Draw>(&item)) {
-            scale(draw->raster.viewport, across, up);
-            scale(draw->fragment.scissor.box, across, up);
-        } else {
-            scale(std::get<Clear>(item).scissor.box, across, up);
-        }
-    }
-    return frame;
+    return resized(make_frame(commands, {.width = size.width, .height = size.height}), kWidth, kHeight);
 }
 
 reference::Options options(std::optional<Shading> shading = std::nullopt) {

@@ -6,6 +6,7 @@
 #include "base/math/directions.h"
 #include "render/reference/primitive_assembly.h"
 #include "render/reference/vertex_stage.h"
+#include "scene/state/resized.h"
 
 namespace twinlight::lint {
 
@@ -58,22 +59,8 @@ bool has_specular_light(const Draw& draw) {
 Frame smaller(const Frame& frame) {
     constexpr double kSide = 128;
     const double factor = std::min(1.0, kSide / std::max(frame.width, frame.height));
-    const auto less = [&](Viewport& box) {
-        box = {static_cast<int>(std::lround(box.x * factor)), static_cast<int>(std::lround(box.y * factor)),
-               static_cast<int>(std::lround(box.width * factor)), static_cast<int>(std::lround(box.height * factor))};
-    };
-    Frame small = frame;
-    small.width = std::max(1, static_cast<int>(std::lround(frame.width * factor)));
-    small.height = std::max(1, static_cast<int>(std::lround(frame.height * factor)));
-    for (auto& item : small.items) {
-        if (Draw* draw = std::get_if<Draw>(&item)) {
-            less(draw->raster.viewport);
-            less(draw->fragment.scissor.box);
-        } else {
-            less(std::get<Clear>(item).scissor.box);
-        }
-    }
-    return small;
+    const auto less = [&](int side) { return std::max(1, static_cast<int>(std::lround(side * factor))); };
+    return resized(frame, less(frame.width), less(frame.height));
 }
 
 std::vector<Triangle> triangles_of(const Draw& draw) {

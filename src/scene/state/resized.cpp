@@ -1,0 +1,32 @@
+#include "scene/state/resized.h"
+
+#include <cmath>
+#include <variant>
+
+namespace twinlight {
+
+Frame resized(Frame frame, int width, int height) {
+    const double across = static_cast<double>(width) / frame.width, up = static_cast<double>(height) / frame.height;
+    const auto scale = [](int& start, int& length, double factor) {
+        const int first = static_cast<int>(std::lround(start * factor));
+        length = static_cast<int>(std::lround((start + length) * factor)) - first;
+        start = first;
+    };
+    const auto scale_box = [&](Viewport& box) {
+        scale(box.x, box.width, across);
+        scale(box.y, box.height, up);
+    };
+    for (auto& item : frame.items) {
+        if (Draw* draw = std::get_if<Draw>(&item)) {
+            scale_box(draw->raster.viewport);
+            scale_box(draw->fragment.scissor.box);
+        } else {
+            scale_box(std::get<Clear>(item).scissor.box);
+        }
+    }
+    frame.width = width;
+    frame.height = height;
+    return frame;
+}
+
+}  // namespace twinlight
