@@ -103,16 +103,16 @@ TEST(Folders, HoldAllReproducersOrNone) {
     EXPECT_TRUE(std::filesystem::is_empty(full));
 }
 
-TEST(Folders, KeepNoPicturesOfAnEarlierStudy) {
+TEST(Folders, KeepNoPicturesAndPlotsOfAnEarlierStudy) {
     const TemporaryFolder folder;
     const std::string sphere = folder / "sphere.gl", square = folder / "square.gl", out = folder / "study";
     write_file_atomically(sphere, kSphere);
     write_file_atomically(square,
                           "glClear(GL_COLOR_BUFFER_BIT); glRectf(-1, -1, 1, 1);\n");  // fewer choices: no slices
-    const auto pictures = [&] {
+    const auto files = [&] {
         std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(out + "/pictures"))
-            names.push_back(entry.path().filename());
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(out))
+            if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(out));
         std::ranges::sort(names);
         return names;
     };
@@ -120,15 +120,15 @@ TEST(Folders, KeepNoPicturesOfAnEarlierStudy) {
         return run_program("twinlight", {"study", scene, "--quick", "--size", "8x8", "--seconds", "0", "-o", out});
     };
     ASSERT_EQ(study(square).status, 0);
-    const std::vector<std::string> few = pictures();
+    const std::vector<std::string> few = files();
     ASSERT_EQ(study(sphere).status, 0);
-    EXPECT_NE(pictures(), few);
+    EXPECT_NE(files(), few);
     write_file_atomically(out + "/pictures/mine.png", "mine");
     ASSERT_EQ(study(square).status, 0);
     std::vector<std::string> expected = few;
-    expected.emplace_back("mine.png");  // what the study did not write stays
+    expected.emplace_back("pictures/mine.png");  // what the study did not write stays
     std::ranges::sort(expected);
-    EXPECT_EQ(pictures(), expected);
+    EXPECT_EQ(files(), expected);
 }
 
 TEST(Folders, AreTriedBeforeALongFuzzing) {
