@@ -47,14 +47,20 @@ void check_no_step(const std::string& scene, const std::string& step) {
                          ": a recorded program has no steps; leave out --step (--frame chooses a frame)");
 }
 
+// Standard input has no folder, so it can use only the files of the built-in scenes.
+CommandList read_from_nowhere(const std::string& text, ReadOptions options) {
+    options.load_mesh = meshes_built_in;
+    return read_limited(text, "<stdin>", "stdin", options, images_built_in);
+}
+
 std::shared_ptr<const Recording> load_standard_input(const ReadOptions& options) {
     const std::string front = read_standard_input(trace::kFrontBytes);
     if (trace::is_trace(front) || trace::is_dump(front)) {
         check_no_step("<stdin>", options.step);
         return trace::open_standard_input(front);
     }
-    return std::make_shared<CommandList>(read_limited(front + read_standard_input(kReadAtMost - front.size()),
-                                                      "<stdin>", "stdin", options, images_built_in));
+    return std::make_shared<CommandList>(
+        read_from_nowhere(front + read_standard_input(kReadAtMost - front.size()), options));
 }
 
 }  // namespace
@@ -126,7 +132,7 @@ std::shared_ptr<const CommandList> load_commands(const std::string& scene, const
 std::shared_ptr<const CommandList> load_step(const std::string& scene, const CommandList& loaded,
                                              const std::string& step) {
     if (scene != "-") return load_commands(scene, step);
-    return std::make_shared<CommandList>(read_scene(*loaded.text, "<stdin>", loaded.name, no_images, {.step = step}));
+    return std::make_shared<CommandList>(read_from_nowhere(*loaded.text, {.step = step}));
 }
 
 }  // namespace twinlight

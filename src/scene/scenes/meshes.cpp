@@ -24,6 +24,7 @@ std::shared_ptr<const Mesh> meshes_built_in(const std::string& name) {
         if (!text) throw std::runtime_error("no built-in scene has a file of this name");
         return std::string(*text);
     };
+    if (!built_in_file(name)) return no_meshes(name);
     return read_obj(text_of(name), {.text = text_of, .image = images_built_in});
 }
 

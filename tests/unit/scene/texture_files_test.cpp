@@ -180,6 +180,15 @@ TEST_F(TextureFiles, HaveNoFolderInStandardInputAndPipes) {
     }
 }
 
+TEST_F(TextureFiles, OfBuiltInScenesServeStandardInputInEveryStep) {
+    for (const std::string name : {"report", "tutorial"}) {  // the second has a mesh, too
+        const ProgramResult result =
+            run_shell("twinlight", "cat src/scene/scenes/" + name + ".gl | \"$PROGRAM\" compare - --size 80x60 -o " +
+                                       quoted(out_ / name));
+        EXPECT_EQ(result.status, 0) << result.err;
+    }
+}
+
 TEST_F(TextureFiles, AreNamedInQuotes) {
     expect_refused("picture", "expected the name of a picture in quotes, such as \"brick.png\"");
     expect_refused("3", "expected the name of a picture in quotes");
