@@ -27,6 +27,8 @@ void find_sphere(const Draw& draw, VertexFacts& facts) {
         high = glm::max(high, divided);
     }
     facts.has_sphere = true;
+    facts.low_object = low;
+    facts.high_object = high;
     facts.center_object = 0.5 * low + 0.5 * high;
     if (facts.w_is_1) facts.position_reach = glm::dvec4(glm::max(glm::abs(low), glm::abs(high)), 1);
     double square = 0;

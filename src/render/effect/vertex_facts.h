@@ -28,6 +28,7 @@ struct VertexFacts {
     bool has_sphere = false;
     glm::dvec3 center_object{0};
     double radius_object = 0;
+    glm::dvec3 low_object{0}, high_object{0};  // their bounding box, if there is a sphere
 
     bool normals_equal = true;     // to the last bit
     bool has_zero_normal = false;  // zero normals are ignored below

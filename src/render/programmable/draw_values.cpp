@@ -42,16 +42,8 @@ constexpr double kMostDistant = 1e37;
 bool needs_no_unit(double size) { return size > 1e-12 && size < 1e12; }
 
 double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, const Plan& plan) {
-    double size = 0;
-    for (int row = 0; row < 3; ++row) {
-        double sum = 0;
-        for (int column = 0; column < 4; ++column) sum += std::abs(eye_from_object[column][row]) * reach[column];
-        size = std::max(size, sum);
-    }
-    for (const PlannedLight& planned : plan.lights) {
-        const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
-        if (p.w != 0) size = std::max(size, largest_component(rgb(p) / p.w));
-    }
+    double size = reach_eye(eye_from_object, reach);
+    for (const glm::dvec3& place : places_eye(plan)) size = std::max(size, largest_component(place));
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
@@ -148,10 +140,14 @@ class DrawUniforms {
         for (const std::size_t planned : lights_[i]) put_one(planned);
     }
 
-    void eye_space() {
+    // The largest absolute value of each component of the uploaded positions.
+    glm::dvec4 reach_object() const {
         const VertexFacts& facts = plan_.vertices;
-        const glm::dvec4 reach = origin_object_ ? glm::dvec4(glm::dvec3(facts.radius_object), 1) : facts.position_reach;
-        unit_ = effects_.needs_position_eye() ? eye_unit(eye_from_object_, reach, plan_) : 1;
+        return origin_object_ ? glm::dvec4(glm::dvec3(facts.radius_object), 1) : facts.position_reach;
+    }
+
+    void eye_space() {
+        unit_ = effects_.needs_position_eye() ? eye_unit(eye_from_object_, reach_object(), plan_) : 1;
         glm::dmat4 eye_from_object = eye_from_object_;
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
@@ -168,8 +164,7 @@ class DrawUniforms {
     }
 
     void wide_range() {
-        const VertexFacts& facts = plan_.vertices;
-        const glm::dvec4 reach = origin_object_ ? glm::dvec4(glm::dvec3(facts.radius_object), 1) : facts.position_reach;
+        const glm::dvec4 reach = reach_object();
         const double largest = std::max({reach.x, reach.y, reach.z, reach.w});
         number("u_object_scale", 1 / power_of_two(largest));
         matrix("u_eye_from_object_turned", glm::dmat3(eye_from_object_));

@@ -20,29 +20,8 @@ constexpr double kShort = 1e-9, kLong = 1e9;
 // Nearer than this share of the coordinates' size, a difference of floats is off by more than 2^-24 / kNear = 1.5e-5.
 constexpr double kNear = 0x1p-8;
 
-double reach_eye(const Draw& draw, const VertexFacts& facts) {
-    double size = 0;
-    for (int row = 0; row < 3; ++row) {
-        double sum = 0;
-        for (int column = 0; column < 4; ++column)
-            sum += std::abs(draw.eye_from_object[column][row]) * facts.position_reach[column];
-        size = std::max(size, sum);
-    }
-    return size;
-}
-
-// The places that lighting measures distances to: positional lights, and the eye with a local viewer.
-std::vector<glm::dvec3> places_eye(const Plan& plan) {
-    std::vector<glm::dvec3> places;
-    if (plan.effects.local_viewer) places.emplace_back(0);
-    for (const PlannedLight& planned : plan.lights) {
-        const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
-        if (p.w != 0) places.push_back(glm::dvec3(p) / p.w);
-    }
-    return places;
-}
-
-// Whether a vertex may be nearer to the place than `distance`: by the sphere around all vertices first, because it is quick.
+// Whether a vertex may be nearer to the place than `distance`. The sphere and the box around all vertices answer for most Draws.
+// A box helps where the sphere reaches far from the vertices, as that of a floor does to the lamps above it.
 bool may_be_near(const Draw& draw, const VertexFacts& facts, const glm::dvec3& place, double distance) {
     const glm::dmat4& m = draw.eye_from_object;
     if (facts.has_sphere) {
@@ -50,6 +29,16 @@ bool may_be_near(const Draw& draw, const VertexFacts& facts, const glm::dvec3& p
         for (int column = 0; column < 3; ++column) squares += glm::dot(glm::dvec3(m[column]), glm::dvec3(m[column]));
         const glm::dvec3 center = glm::dmat3(m) * facts.center_object + glm::dvec3(m[3]);
         if (glm::length(place - center) - std::sqrt(squares) * facts.radius_object > distance) return false;
+        if (glm::determinant(glm::dmat3(m)) != 0) {
+            const glm::dmat3 object_from_eye = glm::inverse(glm::dmat3(m));
+            const glm::dvec3 place_object = object_from_eye * (place - glm::dvec3(m[3]));
+            const glm::dvec3 way_object = place_object - glm::clamp(place_object, facts.low_object, facts.high_object);
+            double inverse_squares = 0;  // at least the square of the inverse's largest stretch
+            for (int column = 0; column < 3; ++column)
+                inverse_squares += glm::dot(object_from_eye[column], object_from_eye[column]);
+            // Twice, for rounding; false if a number is infinite.
+            if (glm::length(way_object) > 2 * distance * std::sqrt(inverse_squares)) return false;
+        }
     }
     return std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
         const glm::dvec4 at = m * vertex.position_object;
@@ -60,10 +49,30 @@ bool may_be_near(const Draw& draw, const VertexFacts& facts, const glm::dvec3& p
 
 }  // namespace
 
+double reach_eye(const glm::dmat4& eye_from_object, const glm::dvec4& reach_object) {
+    double size = 0;
+    for (int row = 0; row < 3; ++row) {
+        double sum = 0;
+        for (int column = 0; column < 4; ++column) sum += std::abs(eye_from_object[column][row]) * reach_object[column];
+        size = std::max(size, sum);
+    }
+    return size;
+}
+
+std::vector<glm::dvec3> places_eye(const Plan& plan) {
+    std::vector<glm::dvec3> places;
+    if (plan.effects.local_viewer) places.emplace_back(0);
+    for (const PlannedLight& planned : plan.lights) {
+        const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
+        if (p.w != 0) places.push_back(glm::dvec3(p) / p.w);
+    }
+    return places;
+}
+
 bool has_wide_range(const Draw& draw, const Plan& plan) {
     if (!plan.effects.lighting || !plan.effects.needs_position_eye()) return false;
     const VertexFacts& facts = plan.vertices;
-    const double size = reach_eye(draw, facts);
+    const double size = reach_eye(draw.eye_from_object, facts.position_reach);
     const std::vector<glm::dvec3> places = places_eye(plan);
     const auto is_wide = [&] {
         if (plan.effects.vertex_w || (size > 0 && !(size > kShort && size < kLong))) return true;

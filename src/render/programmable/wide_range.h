@@ -8,13 +8,19 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
+#include <glm/vec4.hpp>
+#include <vector>
 
 #include "render/effect/plan.h"
 
 namespace twinlight::programmable {
 
 bool has_wide_range(const Draw& draw, const Plan& plan);
+
+// A bound on the eye coordinates x, y and z of positions whose components are at most `reach_object`, before the division by w.
+double reach_eye(const glm::dmat4& eye_from_object, const glm::dvec4& reach_object);
+// The places that lighting measures distances to: positional lights, and the eye with a local viewer.
+std::vector<glm::dvec3> places_eye(const Plan& plan);
 
 // A point of eye coordinates in object coordinates: exactly the vertex's if one is there. The matrix must be invertible and keep w.
 glm::dvec3 place_object(const Draw& draw, const glm::dvec3& place_eye);
