@@ -205,7 +205,7 @@ constexpr Departure kDepartures[] = {
     {"fog of a vertex whose w is not 1", fog_of_w},
     {"a single value for a vector parameter", single_value_for_a_vector},
     {"what an inner glPushAttrib does not save", change_within_inner_push},
-    {"glMultiTexCoord of a unit that is none", unit_that_is_none},
+    {"glMultiTexCoord of an unknown unit", unit_that_is_none},
     {"glRenderMode without a buffer", mode_without_buffer},
     {"glColor3 after glColor4", alpha_of_glcolor3},
     {"glTexCoord1 to 3 after glTexCoord4", components_of_tex_coord},

@@ -123,7 +123,7 @@ struct Session {
         double seconds = 0;
     };
     std::optional<Animation> animation{};
-    std::shared_ptr<LessonState> lesson{};  // null if there is none (lesson_state.h)
+    std::shared_ptr<LessonState> lesson{};  // null outside lessons (lesson_state.h)
     bool quit_requested = false;
     // Requests that the window carries out and clears.
     bool export_requested = false, screenshot_requested = false;

@@ -1,4 +1,4 @@
-// The matrix that transforms normals (GL 2.1, section 2.11.3), and when there is none.
+// The matrix that transforms normals (GL 2.1, section 2.11.3), if the modelview matrix has one.
 #pragma once
 
 #include <glm/mat3x3.hpp>

@@ -95,7 +95,7 @@ const std::vector<LessonChecks>& table() {
         {"local-viewer",
          {kObjects,
           all_lit(1),
-          // The floor is turned by -90 degrees about x. A sun is infinitely far; a lamp within 1000 is none.
+          // The floor is turned by -90 degrees about x. A sun is infinitely far away; a lamp within 1000 units is not a sun.
           {"sun", largest({light_angle(0, {0.4, 2, 1}), ratio(constant(2000), light_away(0, {0, 0, 0}))}), 0, 2},
           {"spot", difference(highlight_peak({120, 220, 420, 140}), highlight_least({120, 220, 420, 140})), 0.4,
            kMany}}},

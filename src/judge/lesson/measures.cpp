@@ -72,7 +72,7 @@ const LightSource* light_of(const Draw& draw) {
     return nullptr;
 }
 
-// Measures the first Draw of a shape; NaN if there is none.
+// Measures the first Draw of a shape; NaN if no Draw has that shape.
 template <class Function>
 Measure on_shape(int shape, const Function& function) {
     return [shape, function](const Work& work) -> double {
