@@ -67,22 +67,39 @@ std::string table(const compare::Comparison& comparison) {
                               report::grouped(any.interior.pixels), report::grouped(any.edge.pixels));
 }
 
+// What some renderer does not draw, and what queries returned.
+std::string notes(const compare::Comparison& comparison, const std::string& indent = "") {
+    std::string text;
+    for (const Unsupported& item : comparison.unsupported) text += indent + one_line(report::sentence_of(item)) + "\n";
+    for (const compare::Query& query : comparison.queries)
+        text += indent + one_line(compare::sentence_of(query)) + "\n";
+    return text;
+}
+
+std::string report_line(const std::string& folder) {
+    return "Report: " + one_line((std::filesystem::path(folder) / "index.html").string()) + "\n";
+}
+
 std::string summary(const compare::Comparison& comparison, const std::string& folder) {
     std::string text =
         fmt::format("{}, {} x {}, {}\n\n", comparison.scene, comparison.width, comparison.height, comparison.driver);
     for (const std::string& sentence : report::answer(comparison).sentences()) text += sentence + "\n";
-    for (const Unsupported& item : comparison.unsupported) text += one_line(report::sentence_of(item)) + "\n";
-    for (const compare::Query& query : comparison.queries) text += one_line(compare::sentence_of(query)) + "\n";
-    text += "\n" + table(comparison) + "\nTime:";
+    text += notes(comparison) + "\n" + table(comparison) + "\nTime:";
     for (const compare::Render& render : comparison.renders) {
         text += fmt::format("{} {} {:.1f} ms", text.back() == ':' ? "" : ",", render.name, render.ms);
     }
-    return text + "\nReport: " + one_line((std::filesystem::path(folder) / "index.html").string()) + "\n";
+    return text + "\n" + report_line(folder);
 }
 
-compare::Comparison comparison_of(const Scene& scene, const CompareArguments& arguments, ProgressBar& bar) {
+struct Compared {
+    compare::Comparison comparison;
+    std::vector<lint::Warning> warnings;
+};
+
+Compared compared(const Scene& scene, const CompareArguments& arguments, ProgressBar& bar) {
     const RendererSet renderers(scene.frame.width, scene.frame.height);
-    compare::Comparison comparison = compare::compare_scene(
+    Compared result;
+    result.comparison = compare::compare_scene(
         scene,
         {.driver = driver_name(),
          .budget = arguments.budget,
@@ -90,10 +107,11 @@ compare::Comparison comparison_of(const Scene& scene, const CompareArguments& ar
          .per_pixel = arguments.per_pixel,
          .progress = [&](int done, int total, std::string_view next) { bar.show(done, total, next); }},
         renderers.functions());
-    for (const lint::Warning& warning : lint::lint(scene))
-        comparison.warnings.push_back(
+    result.warnings = lint::lint(scene);
+    for (const lint::Warning& warning : result.warnings)
+        result.comparison.warnings.push_back(
             {.line = lint::headline(warning), .why = std::string(warning.rule->why), .fix = warning.fix});
-    return comparison;
+    return result;
 }
 
 // The first sentence of each step.
@@ -105,12 +123,9 @@ std::string summary(const std::vector<report::ComparedStep>& steps, const std::s
         const compare::Comparison& comparison = steps[i].comparison;
         text += fmt::format("{}. {}\n   {}\n", i + 1, steps[i].title,
                             colored(report::answer(comparison).headline, comparison.verdict()));
-        for (const Unsupported& item : comparison.unsupported) text += "   " + report::sentence_of(item) + "\n";
-        for (const compare::Query& query : comparison.queries) text += "   " + compare::sentence_of(query) + "\n";
+        text += notes(comparison, "   ");
     }
-    return text +
-           "\nThe numbers of one step: --step N\nReport: " + (std::filesystem::path(folder) / "index.html").string() +
-           "\n";
+    return text + "\nThe numbers of one step: --step N\n" + report_line(folder);
 }
 
 // The pictures of all steps of a scene, on one page.
@@ -121,10 +136,11 @@ int compare_steps(const std::vector<Scene>& scenes, const CompareArguments& argu
         ProgressBar bar;
         for (const Scene& scene : scenes) {
             const CommandList& commands = *scene.recording->command_list();
-            steps.push_back({commands.steps[commands.step - 1], comparison_of(scene, arguments, bar)});
+            Compared step = compared(scene, arguments, bar);
+            steps.push_back({commands.steps[commands.step - 1], std::move(step.comparison)});
             steps.back().comparison.scene = scene.name();
             // A warning about a line of every step shows once.
-            for (lint::Warning& warning : lint::lint(scene))
+            for (lint::Warning& warning : step.warnings)
                 if (std::ranges::none_of(warnings, [&](const lint::Warning& known) {
                         return lint::headline(known) == lint::headline(warning);
                     }))
@@ -142,14 +158,15 @@ int run_compare(CompareArguments arguments) {
     const std::vector<Scene> scenes =
         load_steps(arguments.scene, arguments.size, arguments.frame, arguments.step, arguments.memory);
     if (scenes.size() > 1) return compare_steps(scenes, arguments);
-    compare::Comparison comparison;
+    Compared result;
     {
         ProgressBar bar;
-        comparison = comparison_of(scenes.front(), arguments, bar);
+        result = compared(scenes.front(), arguments, bar);
     }
+    const compare::Comparison& comparison = result.comparison;
     report::write_report(comparison, arguments.folder);
     write_result(arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder));
-    print_lint_notes(lint::lint(scenes.front()), arguments.scene);
+    print_lint_notes(result.warnings, arguments.scene);
     return comparison.within_tolerance() ? kFine : kDifferent;
 }
 
