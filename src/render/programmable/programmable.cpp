@@ -112,9 +112,7 @@ struct UploadedFrame::Impl {
         const Draw& draw = *draws.front();
         const auto known = kept.known(draws);
         planned.plan = plan_effects(draw, options, known->facts);
-        if (draws.size() > 1 &&
-            std::ranges::any_of(draws, [&](const Draw* one) { return has_wide_range(*one, planned.plan); }))
-            return false;
+        if (draws.size() > 1 && has_wide_range(draws, planned.plan)) return false;
         items.emplace_back(std::in_place_type<PreparedDraw>, draw, draw_program(draw, planned.plan, options.precise),
                            [&](const EffectSet& effects, const glm::dvec3& origin_object) {
                                return kept.mesh(*known, draws, effects, origin_object);

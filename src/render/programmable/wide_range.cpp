@@ -22,8 +22,9 @@ constexpr double kNear = 0x1p-8;
 
 // Whether a vertex may be nearer to the place than `distance`. The sphere and the box around all vertices answer for most Draws.
 // A box helps where the sphere reaches far from the vertices, as that of a floor does to the lamps above it.
-bool may_be_near(const Draw& draw, const VertexFacts& facts, const glm::dvec3& place, double distance) {
-    const glm::dmat4& m = draw.eye_from_object;
+bool may_be_near(std::span<const Draw* const> draws, const VertexFacts& facts, const glm::dvec3& place,
+                 double distance) {
+    const glm::dmat4& m = draws.front()->eye_from_object;
     if (facts.has_sphere) {
         double squares = 0;  // at least the square of the matrix's largest stretch
         for (int column = 0; column < 3; ++column) squares += glm::dot(glm::dvec3(m[column]), glm::dvec3(m[column]));
@@ -40,11 +41,11 @@ bool may_be_near(const Draw& draw, const VertexFacts& facts, const glm::dvec3& p
             if (glm::length(way_object) > 2 * distance * std::sqrt(inverse_squares)) return false;
         }
     }
-    return std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
-        const glm::dvec4 at = m * vertex.position_object;
-        const glm::dvec3 way = place - glm::dvec3(at);
+    const auto is_near = [&](const Vertex& vertex) {
+        const glm::dvec3 way = place - glm::dvec3(m * vertex.position_object);
         return !(glm::dot(way, way) > distance * distance);
-    });
+    };
+    return std::ranges::any_of(draws, [&](const Draw* draw) { return std::ranges::any_of(draw->vertices, is_near); });
 }
 
 }  // namespace
@@ -69,20 +70,21 @@ std::vector<glm::dvec3> places_eye(const Plan& plan) {
     return places;
 }
 
-bool has_wide_range(const Draw& draw, const Plan& plan) {
+bool has_wide_range(std::span<const Draw* const> draws, const Plan& plan) {
     if (!plan.effects.lighting || !plan.effects.needs_position_eye()) return false;
     const VertexFacts& facts = plan.vertices;
-    const double size = reach_eye(draw.eye_from_object, facts.position_reach);
+    const glm::dmat4& eye_from_object = draws.front()->eye_from_object;
+    const double size = reach_eye(eye_from_object, facts.position_reach);
     const std::vector<glm::dvec3> places = places_eye(plan);
     const auto is_wide = [&] {
         if (plan.effects.vertex_w || (size > 0 && !(size > kShort && size < kLong))) return true;
         return std::ranges::any_of(places, [&](const glm::dvec3& place) {
             return !(largest_component(place) < kLong) ||
-                   may_be_near(draw, facts, place, std::max(kNear * size, kShort));
+                   may_be_near(draws, facts, place, std::max(kNear * size, kShort));
         });
     };
     // The places must have object coordinates.
-    return keeps_w(draw.eye_from_object) && is_wide() && !is_singular(glm::dmat3(draw.eye_from_object));
+    return keeps_w(eye_from_object) && is_wide() && !is_singular(glm::dmat3(eye_from_object));
 }
 
 glm::dvec3 place_object(const Draw& draw, const glm::dvec3& place_eye) {

@@ -9,13 +9,19 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <span>
 #include <vector>
 
 #include "render/effect/plan.h"
 
 namespace twinlight::programmable {
 
-bool has_wide_range(const Draw& draw, const Plan& plan);
+// Of Draws with one state and one plan, whose vertex facts are those of all their vertices.
+bool has_wide_range(std::span<const Draw* const> draws, const Plan& plan);
+inline bool has_wide_range(const Draw& draw, const Plan& plan) {
+    const Draw* const one = &draw;
+    return has_wide_range({&one, 1}, plan);
+}
 
 // A bound on the eye coordinates x, y and z of positions whose components are at most `reach_object`, before the division by w.
 double reach_eye(const glm::dmat4& eye_from_object, const glm::dvec4& reach_object);
