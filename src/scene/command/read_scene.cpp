@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -118,6 +120,16 @@ std::optional<std::size_t> chosen_step(const std::string& step, const std::vecto
     return {};
 }
 
+// Loads each mesh once, however many steps draw it.
+MeshLoader once_each(const MeshLoader& load) {
+    return [&load,
+            meshes = std::make_shared<std::map<std::string, std::shared_ptr<const Mesh>>>()](const std::string& name) {
+        auto found = meshes->find(name);
+        if (found == meshes->end()) found = meshes->emplace(name, load(name)).first;
+        return found->second;
+    };
+}
+
 }  // namespace
 
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
@@ -140,8 +152,10 @@ CommandList read_scene(std::string_view text, const std::string& file, const std
     std::vector<TextError> errors;
     std::set<std::tuple<int, int, std::string>> reported;  // an error of several steps shows once
     std::optional<std::size_t> chosen;
+    ReadOptions options_of_steps = options;
+    options_of_steps.load_mesh = once_each(options.load_mesh);
     for (std::size_t step = 1; step <= std::max<std::size_t>(1, result.steps.size()); ++step) {
-        Reader reader(*kept, file, load_image, options, step);
+        Reader reader(*kept, file, load_image, options_of_steps, step);
         std::vector<Command> commands = reader.read();
         if (step == 1) {
             result.steps = reader.steps();
