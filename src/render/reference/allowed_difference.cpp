@@ -28,9 +28,10 @@ constexpr double kHalfLineSquare = 1.5;
 
 // Whether both are the same triangle with the same clipping; polygon offsets may differ.
 bool same_triangle(const Piece& a, const Piece& b) {
-    return a.shape == Shape::kTriangle && b.shape == Shape::kTriangle && a.corners == b.corners &&
-           a.weight_over_w_planes == b.weight_over_w_planes && a.depth_plane.x == b.depth_plane.x &&
-           a.depth_plane.y == b.depth_plane.y;
+    if (a.shape != Shape::kTriangle || b.shape != Shape::kTriangle) return false;
+    const Planes &p = a.planes(), &q = b.planes();
+    return a.corners == b.corners && p.weight_over_w == q.weight_over_w && p.depth.x == q.depth.x &&
+           p.depth.y == q.depth.y;
 }
 
 // Whether a polygon covers the square about `centre`: certainly, perhaps, or not. The square must meet the polygon's
@@ -73,9 +74,9 @@ class OpenPixels {
         const Piece& piece = *fragment.piece;
         double change = 0;
         if (piece.shape == Shape::kTriangle)
-            change = kHalfSquare * (std::abs(piece.depth_plane.x) + std::abs(piece.depth_plane.y));
+            change = kHalfSquare * (std::abs(piece.planes().depth.x) + std::abs(piece.planes().depth.y));
         if (piece.shape == Shape::kLine) {
-            const glm::dvec3 d = glm::abs(piece.to.position_window - piece.from.position_window);
+            const glm::dvec3 d = glm::abs(piece.ends().to.position_window - piece.ends().from.position_window);
             change = 2 * kHalfLineSquare * d.z / std::max({d.x, d.y, 1.0});
         }
         return widened(depth_at(piece, fragment.position_window), change);
@@ -85,12 +86,12 @@ class OpenPixels {
         const StepId other_id = depth_of_[at];
         if (other_id >= 0) {
             const Piece &piece = *fragment.piece, &other = stages_.piece(other_id);
-            const glm::dvec3 between = piece.depth_plane - other.depth_plane;
-            // Appendix A: geometry that is drawn twice has the same depths; 3.5.5: r keeps offset depths apart. But a
-            // driver may cut a quadrilateral differently depending on flat shading or display lists.
-            if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
-                return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
             if (piece.shape == Shape::kTriangle && other.shape == Shape::kTriangle) {
+                const glm::dvec3 between = piece.planes().depth - other.planes().depth;
+                // Appendix A: geometry that is drawn twice has the same depths; 3.5.5: r keeps offset depths apart. But
+                // a driver may cut a quadrilateral differently depending on flat shading or display lists.
+                if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
+                    return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
                 const double change = kHalfSquare * (std::abs(between.x) + std::abs(between.y));
                 const glm::dvec2& centre = fragment.position_window;
                 const double difference = depth_at(piece, centre) - depth_at(other, centre);
@@ -133,7 +134,7 @@ class OpenPixels {
         for_each_pixel(piece, around, cover);
         // A line that leaves no diamond covers nothing, or one fragment nearby.
         const bool nothing = covered.empty();
-        if (nothing) for_each(point_square(glm::dvec2(piece.from.position_window), piece.size, around), cover);
+        if (nothing) for_each(point_square(glm::dvec2(piece.ends().from.position_window), piece.size, around), cover);
         if (covered.empty()) return;
         PixelRect box{INT_MAX, INT_MAX, INT_MIN, INT_MIN};
         for (const auto& [x, y] : covered)

@@ -85,7 +85,8 @@ TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices
     bounds.rho = rho_of_differences(texture, stq, place, st_error);
     if (piece.shape == Shape::kLine) {
         // 3.8.8 uses the change along the line; drivers use the change along its longer axis, x or y.
-        const glm::dvec2 way = glm::abs(glm::dvec2(piece.to.position_window - piece.from.position_window));
+        const glm::dvec2 way =
+            glm::abs(glm::dvec2(piece.ends().to.position_window - piece.ends().from.position_window));
         const double longer = quotient(glm::length(way), std::max(way.x, way.y));
         stq.per_x *= longer;
         bounds.rho = hull(bounds.rho, rho_of_differences(texture, stq, place, st_error));
