@@ -124,16 +124,22 @@ void State::begin(const Command& c) {
         return raise(kGL_INVALID_ENUM, c, "glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
                      enum_name(c.enumerant(0)));
     }
-    if (!has_room(c, bytes_of_draw())) return;
+    open_bytes_ = bytes_of_draw();
+    if (!has_room(c, open_bytes_)) return;
     open_ = new_draw(c.enumerant(0), c.place);
 }
 
+constexpr std::size_t kMuchRoom = 1000;  // in vertices
+
 void State::end(const Command& c) {
     if (!open_) return raise(kGL_INVALID_OPERATION, c, "glEnd without a glBegin");
-    if (open_->vertices.empty())
-        item_bytes_ -= std::min(item_bytes_, bytes_of_draw());
-    else
+    if (open_->vertices.empty()) {
+        item_bytes_ -= std::min(item_bytes_, open_bytes_);
+    } else {
+        // What the vector has grown by in vain stays as long as the frame.
+        if (open_->vertices.capacity() - open_->vertices.size() > kMuchRoom) open_->vertices.shrink_to_fit();
         show(std::move(*open_));
+    }
     open_.reset();
     a_.current.material = 0;  // the next Draw starts its own list of materials
 }
