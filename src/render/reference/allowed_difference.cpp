@@ -6,6 +6,8 @@
 //   - colour: an interval per channel.
 // A pixel becomes open if a fragment may or may not change its colour, and certain again if a fragment certainly
 // overwrites it. Pixels that are open at the end are edge pixels.
+#include "render/reference/allowed_difference.h"
+
 #include <climits>
 #include <cmath>
 #include <glm/common.hpp>
@@ -196,32 +198,6 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
     }
 };
 
-AllowedDifference allowed_with_cut(const Frame& frame, Options options) {
-    options.in_clip_plane = InClipPlane::kPerhaps;
-    AllowedDifference result{.edge = {}, .channels = Image(frame.width, frame.height)};
-    std::vector<char> edge(result.channels.pixels.size());  // bytes, not bits: bands write concurrently
-    const StagedFrame stages = run_stages(frame, options);
-    draw_in_bands<IntervalBuffer>(stages, frame, options, [&](IntervalBuffer& buffer, const PixelRect& band) {
-        for_each(band, [&](int x, int y) {
-            const IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
-            const std::size_t at = result.channels.index(x, frame.height - 1 - y);
-            edge[at] = pixel.edge;
-            result.channels.pixels[at] = pixel.channels;
-        });
-    });
-    result.edge.assign(edge.begin(), edge.end());
-    return result;
-}
-
-void join(AllowedDifference& allowed, const AllowedDifference& other) {
-    for (std::size_t i = 0; i < allowed.edge.size(); ++i) {
-        allowed.edge[i] = allowed.edge[i] || other.edge[i];
-        for (std::size_t c = 0; c < allowed.channels.pixels[i].size(); ++c) {
-            allowed.channels.pixels[i][c] = std::max(allowed.channels.pixels[i][c], other.channels.pixels[i][c]);
-        }
-    }
-}
-
 // ---- Exact surfaces: their silhouettes differ from their meshes' ----
 
 // The frame with every Draw moved in the window by this fraction of a pixel.
@@ -250,6 +226,23 @@ void add_surface_edges(const Frame& frame, const Options& options, PixelMask& ed
 
 }  // namespace
 
+void find_differences(const StagedFrame& stages, const Options& options, const PixelRect& within,
+                      OpenDifference& difference, Joining joining) {
+    const bool adds = joining == Joining::kAdds;
+    Image& channels = difference.channels;
+    draw_in_bands<IntervalBuffer>(stages, within, options, [&](IntervalBuffer& buffer, const PixelRect& band) {
+        for_each(band, [&](int x, int y) {
+            const IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
+            const std::size_t at = channels.index(x, channels.height - 1 - y);
+            difference.edge[at] = pixel.edge || (adds && difference.edge[at] != 0);
+            for (std::size_t c = 0; c < pixel.channels.size(); ++c) {
+                float& channel = channels.pixels[at][c];
+                channel = adds ? std::max(channel, pixel.channels[c]) : pixel.channels[c];
+            }
+        });
+    });
+}
+
 AllowedDifference allowed_difference(const Frame& frame, Options options) {
     if (options.shading == Shading::kExact) {
         options.shading = Shading::kPhong;
@@ -258,12 +251,7 @@ AllowedDifference allowed_difference(const Frame& frame, Options options) {
         add_surface_edges(frame, options, result.edge);
         return result;
     }
-    options.quad_cut = QuadCut::kFirstToThird;
-    AllowedDifference result = allowed_with_cut(frame, options);
-    if (!has_quadrilaterals(frame)) return result;
-    options.quad_cut = QuadCut::kSecondToFourth;
-    join(result, allowed_with_cut(frame, options));
-    return result;
+    return Pictures(frame).allowed_difference(options);
 }
 
 }  // namespace twinlight::reference

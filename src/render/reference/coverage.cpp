@@ -43,6 +43,21 @@ PixelRect bounds(const SurfaceRays& rays, const PixelRect& within) {
             std::min(within.x1, floor_to_pixel(high.x) + 1), std::min(within.y1, floor_to_pixel(high.y) + 1)};
 }
 
+PixelRect reach_of(const Piece& piece, const PixelRect& within) {
+    constexpr double kNeighbours = 2;  // beside lines and points (allowed_difference.cpp)
+    switch (piece.shape) {
+        case Shape::kPoint:
+        case Shape::kLine: {
+            const Ends& ends = piece.ends();
+            const Corner from{glm::dvec2(ends.from.position_window)}, to{glm::dvec2(ends.to.position_window)};
+            return bounds(Corners({from, piece.shape == Shape::kLine ? to : from}), within, piece.size + kNeighbours);
+        }
+        case Shape::kTriangle: return bounds(piece.corners, within, 1);
+        case Shape::kSurface: break;
+    }
+    return within;
+}
+
 Edge::Edge(const Corner& from, const Corner& to) : origin_(from.edge_to_next) {
     const glm::dvec2 a = from.position_window, b = to.position_window;
     const bool forward = a.x < b.x || (a.x == b.x && a.y < b.y);

@@ -33,6 +33,9 @@ PixelRect bounds(const Corners& polygon, const PixelRect& within, double margin)
 // The pixels where the surface may be visible.
 PixelRect bounds(const SurfaceRays& rays, const PixelRect& within);
 
+// A rectangle around the pixels that the piece may touch in any correct picture.
+PixelRect reach_of(const Piece& piece, const PixelRect& within);
+
 // One edge of a counter-clockwise polygon.
 class Edge {
   public:
