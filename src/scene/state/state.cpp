@@ -12,6 +12,7 @@
 
 #include "scene/command/command_set.h"
 #include "scene/state/capabilities.h"
+#include "scene/state/not_finite.h"
 
 namespace twinlight {
 
@@ -23,10 +24,6 @@ constexpr CommandSet kLegalInside = CommandSet::of(
     {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
      "driver_only_vertex", "driver_only_attribute", "driver_only_secondary_color", "call_list", "call_lists",
      "array_element", "perspective", "new_quadric", "delete_quadric", "set_quadric"});
-
-// Commands that set a vertex's attributes accept NaN and infinity.
-constexpr CommandSet kTakesAnyNumber = CommandSet::of({"vertex", "normal", "color", "tex_coord", "multi_tex_coord",
-                                                       "driver_only_secondary_color", "driver_only_attribute"});
 
 // Adds one to the count of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
@@ -61,9 +58,9 @@ void State::carry_out(const Command& command) {
     };
     if (open_ && !kLegalInside.contains(command.id)) return raise_inside(command);
     // RULING: GL leaves NaN and infinity undefined (2.1.1). Here commands refuse them, so they cannot spread. Only
-    // vertices accept them, because real programs send such vertices; see sanitize().
-    const auto is_finite = [](double v) { return std::isfinite(v); };
-    if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite))
+    // vertices accept them, because real programs send such vertices; see sanitize(). In a recorded program other
+    // commands have finite numbers already; see made_finite().
+    if (has_number_that_is_not_finite(command))
         return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
                      command.name());
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
