@@ -49,7 +49,7 @@ int scaled_count(int count, int steps) {
 }
 
 bool is_lit_by(const Draw& draw, std::size_t light) {
-    const std::vector<LightSource>& lights = draw.lighting.lights;
+    const LightSources& lights = draw.lighting.lights;
     return light < lights.size() && lights[light].enabled;
 }
 

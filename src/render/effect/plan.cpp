@@ -203,7 +203,9 @@ class Planner {
         state().light_model.specular = initial.specular;
         state().light_model.light_ambient = initial.light_ambient;
         state().light_model.spectrum = nullptr;
-        for (LightSource& light : state().lights) light.smooth_cone.reset();
+        LightSources& lights = state().lights;
+        if (std::ranges::any_of(std::as_const(lights), [](const LightSource& l) { return l.smooth_cone.has_value(); }))
+            for (LightSource& light : lights) light.smooth_cone.reset();
     }
 
     // 2.14.1: two-sided lighting; 2.13.1: culled faces are not visible.

@@ -37,7 +37,7 @@ class LightsPlanner {
         : given_(given), plan_(plan), face_count_(plan.effects.two_side ? 2 : 1) {}
 
     ColorRange run() {
-        const std::vector<LightSource>& lights = plan_.lighting.lights;
+        const LightSources& lights = plan_.lighting.lights;
         plan_.light_bounds.resize(lights.size());
         for (std::size_t i = 0; i < lights.size(); ++i) {
             plan_.light_bounds[i].number = static_cast<int>(i);

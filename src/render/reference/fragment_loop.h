@@ -26,7 +26,7 @@ namespace twinlight::reference {
 //   depth(fragment)                           the fragment's depth
 //   depth_outcome(func, fragment, depth, at)  of the test against the stored depth
 //   set_depth(at, id, depth, outcome)
-//   open(at), settle(at)                      marks the colour as open; as certain
+//   open(at), settle(at), is_open(at)         marks the colour as open; as certain
 template <class Kept>
 class FragmentLoop {
   public:
@@ -86,8 +86,9 @@ class FragmentLoop {
             }
             // The alpha test comes before the depth test, but the order does not matter: both must pass. If the pixel
             // is open anyway, its colour is not needed.
+            const bool stays_open = kept_.is_open(at) && !overwrites_color(state);
             Shaded<Real> shaded;
-            if (!waits && (writes || state.alpha_test) && outcome == Outcome::kPasses) {
+            if (!waits && ((writes && !stays_open) || state.alpha_test) && outcome == Outcome::kPasses) {
                 shaded = shaders_[piece.draw].template shade<Real>(fragment);
                 if (state.alpha_test) outcome = alpha_outcome(state, shaded.color[3]);
                 if (outcome == Outcome::kFails) return outcome;
@@ -99,7 +100,7 @@ class FragmentLoop {
                 kept_.open(at);
             else if (waits)
                 wait(id, at);
-            else
+            else if (!stays_open)
                 write(state, shaded, x, y);
             return outcome;
         };
@@ -152,12 +153,13 @@ class FragmentLoop {
     std::vector<Channels<Real>> colors_;  // valid where the step is kColor; empty until the first
 };
 
-// Draws the picture in bands of rows, and calls visit(buffer, band) for each band, y up. Buffer: a FragmentLoop.
+// Draws the pixels `within` in bands of rows, and calls visit(buffer, band) for each band, y up. Buffer: a FragmentLoop.
 template <class Buffer, class Visit>
-void draw_in_bands(const StagedFrame& stages, const Frame& frame, const Options& options, const Visit& visit) {
+void draw_in_bands(const StagedFrame& stages, const PixelRect& within, const Options& options, const Visit& visit) {
+    if (within.is_empty()) return;
     const std::vector<Shader> shaders = make_shaders(stages, options);
-    for_each_band(frame.height, [&](int y0, int y1) {
-        const PixelRect band{0, y0, frame.width, y1};
+    for_each_band(within.y1 - within.y0, [&](int y0, int y1) {
+        const PixelRect band{within.x0, within.y0 + y0, within.x1, within.y0 + y1};
         Buffer buffer(stages, shaders, band);
         buffer.draw();
         visit(buffer, band);

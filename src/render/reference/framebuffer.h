@@ -34,6 +34,7 @@ class DrawnPixels {
     }
     void set_depth(std::size_t at, StepId, double depth, Outcome) { depth_[at] = depth; }
     void open(std::size_t) {}
+    static bool is_open(std::size_t) { return false; }
     void settle(std::size_t) {}
 
   private:
@@ -57,5 +58,8 @@ class Framebuffer : public FragmentLoop<DrawnPixels> {
     // The step whose colour the pixel has; nothing if colours were blended.
     std::optional<StepId> step(int x, int y) const;
 };
+
+// Draws the pixels `within`, y up, of a picture; others keep their colours.
+void draw_pixels(const StagedFrame& stages, const Options& options, const PixelRect& within, Image& image);
 
 }  // namespace twinlight::reference

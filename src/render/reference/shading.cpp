@@ -52,24 +52,25 @@ Shader::Shader(const StagedDraw& staged, const Options& options)
 
 // 2.14.6: colours are clamped before they are interpolated.
 void Shader::light_vertices() {
-    lit_.resize(vertices_.size());
-    const auto light = [&](Face face, LitColors LitFaces::*place) {
+    const auto light = [&](Face face, std::vector<LitColors>& lit) {
+        lit.reserve(vertices_.size());
         if (!lighting_.enabled()) {
-            for (std::size_t i = 0; i < vertices_.size(); ++i)
-                lit_[i].*place = clamped_colors(lighting_.colors(vertices_[i], face));
+            for (const StageVertex& v : vertices_) lit.push_back(clamped_colors(lighting_.colors(v, face)));
             return;
         }
         PointBatch batch(lighting_, PointBatch::Normals::kAsTheyAre);
-        for (const StageVertex& v : vertices_) batch.add(v, face, [&] { return lighting_.material(v, face); });
-        batch.light(arithmetic_, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
-            lit_[i].*place = {clamped(primary), clamped(secondary)};
-        });
+        for (std::size_t first = 0; first < vertices_.size(); first += PointBatch::kPoints) {
+            batch.clear();
+            const std::size_t end = std::min(first + PointBatch::kPoints, vertices_.size());
+            for (std::size_t i = first; i < end; ++i)
+                batch.add(vertices_[i], face, [&] { return lighting_.material(vertices_[i], face); });
+            batch.light(arithmetic_, [&](std::size_t, const glm::dvec4& primary, const glm::dvec4& secondary) {
+                lit.push_back({clamped(primary), clamped(secondary)});
+            });
+        }
     };
-    light(Face::kFront, &LitFaces::front);
-    if (lighting_.two_side())
-        light(Face::kBack, &LitFaces::back);
-    else
-        for (LitFaces& vertex : lit_) vertex.back = vertex.front;
+    light(Face::kFront, lit_front_);
+    if (lighting_.two_side()) light(Face::kBack, lit_back_);
 }
 
 template <class Real>
@@ -266,7 +267,7 @@ ColorSteps Shader::steps(const Fragment& fragment) const {
 Shader::LitColors Shader::vertex_colors(const Fragment& fragment) const {
     const Piece& piece = *fragment.piece;
     const auto of_vertex = [&](std::uint32_t number) -> const LitColors& {
-        return piece.face == Face::kFront ? lit_[number].front : lit_[number].back;
+        return lit_face(piece.face) == Face::kFront ? lit_front_[number] : lit_back_[number];
     };
     if (shading_ == Shading::kFlat) return of_vertex(piece.primitive.provoking);
     const glm::dvec3 weights = weights_at(piece, fragment.position_window);

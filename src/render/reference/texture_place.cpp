@@ -80,12 +80,15 @@ TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices
     TexturePlaceBounds bounds{.st = place.st,
                               .st_error = arithmetic + kSnap * (glm::abs(place.per_x) + glm::abs(place.per_y)),
                               .rho = Interval(scale_factor(texture, place))};
-    if (place.of_point) return bounds;
+    const bool has_one_image = level_choice(texture.min_filter) == LevelChoice::kBase &&
+                               image_filter(texture.min_filter) == texture.mag_filter;
+    if (place.of_point || has_one_image) return bounds;  // then rho decides nothing
     const double st_error = std::max(arithmetic.x, arithmetic.y);
     bounds.rho = rho_of_differences(texture, stq, place, st_error);
     if (piece.shape == Shape::kLine) {
         // 3.8.8 uses the change along the line; drivers use the change along its longer axis, x or y.
-        const glm::dvec2 way = glm::abs(glm::dvec2(piece.to.position_window - piece.from.position_window));
+        const glm::dvec2 way =
+            glm::abs(glm::dvec2(piece.ends().to.position_window - piece.ends().from.position_window));
         const double longer = quotient(glm::length(way), std::max(way.x, way.y));
         stq.per_x *= longer;
         bounds.rho = hull(bounds.rho, rho_of_differences(texture, stq, place, st_error));

@@ -11,6 +11,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -138,12 +139,59 @@ struct ColorMaterial {  // 2.14.3
     friend bool operator==(const ColorMaterial&, const ColorMaterial&) = default;
 };
 
+// A list of light sources that copies share until one of them is changed: a frame may have a hundred thousand Draws with
+// the same lights. Only functions that are not const copy the list, so read a list as a const one, and keep no reference
+// to a light of a list that is copied.
+class LightSources {
+  public:
+    explicit LightSources(std::size_t count) : shared_(std::make_shared<std::vector<LightSource>>(count)) {}
+    LightSources(std::initializer_list<LightSource> lights)
+        : shared_(std::make_shared<std::vector<LightSource>>(lights)) {}
+    // Without moves, so that there always is a list.
+    LightSources(const LightSources&) = default;
+    LightSources& operator=(const LightSources&) = default;
+    ~LightSources() = default;
+
+    std::size_t size() const { return shared_->size(); }
+    bool empty() const { return shared_->empty(); }
+    const LightSource& operator[](std::size_t i) const { return (*shared_)[i]; }
+    const LightSource& at(std::size_t i) const { return shared_->at(i); }
+    const LightSource& front() const { return shared_->front(); }
+    const LightSource& back() const { return shared_->back(); }
+    auto begin() const { return shared_->cbegin(); }
+    auto end() const { return shared_->cend(); }
+
+    LightSource& operator[](std::size_t i) { return own()[i]; }
+    LightSource& at(std::size_t i) { return own().at(i); }
+    LightSource& back() { return own().back(); }
+    auto begin() { return own().begin(); }
+    auto end() { return own().end(); }
+    void clear() { shared_ = std::make_shared<std::vector<LightSource>>(); }
+    void resize(std::size_t count) { own().resize(count); }
+    void resize(std::size_t count, const LightSource& light) { own().resize(count, light); }
+    void push_back(const LightSource& light) { own().push_back(light); }
+
+    bool is_shared() const { return shared_.use_count() > 1; }
+
+    friend bool operator==(const LightSources& a, const LightSources& b) {
+        return a.shared_ == b.shared_ || *a.shared_ == *b.shared_;
+    }
+
+  private:
+    std::vector<LightSource>& own() {
+        if (is_shared()) shared_ = std::make_shared<std::vector<LightSource>>(*shared_);
+        return *shared_;
+    }
+
+    std::shared_ptr<std::vector<LightSource>> shared_;
+};
+
 struct LightingState {
     LightingState() : lights(kMaxLights) { lights[0].diffuse = lights[0].specular = glm::dvec4(1); }
 
     bool enabled = false;  // GL_LIGHTING
     // GL_LIGHT0 to GL_LIGHT7, followed by the lights that pragmas define. At least kMaxLights.
-    std::vector<LightSource> lights;
+    LightSources lights;
     LightModel light_model;
     // The materials at the start of the Draw. If color_material is enabled, each vertex's colour replaces the
     // properties that track it (2.14.3).

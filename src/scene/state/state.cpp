@@ -12,6 +12,7 @@
 
 #include "scene/command/command_set.h"
 #include "scene/state/capabilities.h"
+#include "scene/state/not_finite.h"
 
 namespace twinlight {
 
@@ -23,10 +24,6 @@ constexpr CommandSet kLegalInside = CommandSet::of(
     {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
      "driver_only_vertex", "driver_only_attribute", "driver_only_secondary_color", "call_list", "call_lists",
      "array_element", "perspective", "new_quadric", "delete_quadric", "set_quadric"});
-
-// Commands that set a vertex's attributes accept NaN and infinity.
-constexpr CommandSet kTakesAnyNumber = CommandSet::of({"vertex", "normal", "color", "tex_coord", "multi_tex_coord",
-                                                       "driver_only_secondary_color", "driver_only_attribute"});
 
 // Adds one to the count of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
@@ -61,9 +58,9 @@ void State::carry_out(const Command& command) {
     };
     if (open_ && !kLegalInside.contains(command.id)) return raise_inside(command);
     // RULING: GL leaves NaN and infinity undefined (2.1.1). Here commands refuse them, so they cannot spread. Only
-    // vertices accept them, because real programs send such vertices; see sanitize().
-    const auto is_finite = [](double v) { return std::isfinite(v); };
-    if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite))
+    // vertices accept them, because real programs send such vertices; see sanitize(). In a recorded program other
+    // commands have finite numbers already; see made_finite().
+    if (has_number_that_is_not_finite(command))
         return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
                      command.name());
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
@@ -124,16 +121,22 @@ void State::begin(const Command& c) {
         return raise(kGL_INVALID_ENUM, c, "glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
                      enum_name(c.enumerant(0)));
     }
-    if (!has_room(c, bytes_of_draw())) return;
+    open_bytes_ = bytes_of_draw();
+    if (!has_room(c, open_bytes_)) return;
     open_ = new_draw(c.enumerant(0), c.place);
 }
 
+constexpr std::size_t kMuchRoom = 1000;  // in vertices
+
 void State::end(const Command& c) {
     if (!open_) return raise(kGL_INVALID_OPERATION, c, "glEnd without a glBegin");
-    if (open_->vertices.empty())
-        item_bytes_ -= std::min(item_bytes_, bytes_of_draw());
-    else
+    if (open_->vertices.empty()) {
+        item_bytes_ -= std::min(item_bytes_, open_bytes_);
+    } else {
+        // What the vector has grown by in vain stays as long as the frame.
+        if (open_->vertices.capacity() - open_->vertices.size() > kMuchRoom) open_->vertices.shrink_to_fit();
         show(std::move(*open_));
+    }
     open_.reset();
     a_.current.material = 0;  // the next Draw starts its own list of materials
 }

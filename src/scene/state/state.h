@@ -161,7 +161,11 @@ class State {
     // Whether this many more bytes, or this much more work, stay within the picture's limits; if not, raises
     // GL_OUT_OF_MEMORY.
     bool has_room(const Command& command, std::size_t bytes);
-    std::size_t bytes_of_draw() const { return sizeof(Draw) + a_.lighting.lights.size() * sizeof(LightSource); }
+    // Draws share lights that have not changed.
+    std::size_t bytes_of_draw() const {
+        const LightSources& lights = a_.lighting.lights;
+        return sizeof(Draw) + (lights.is_shared() ? 0 : lights.size() * sizeof(LightSource));
+    }
     bool has_time(const Command& command, double work);
     std::size_t compile_calls(const Command& command);
     bool walk_calls(const Command& command, const DisplayList& list);
@@ -242,6 +246,7 @@ class State {
     Enum render_mode_ = kGL_RENDER;                      // 5.2
     bool has_selection_ = false, has_feedback_ = false;  // has a buffer with room
     std::optional<Draw> open_;                           // between Begin and End
+    std::size_t open_bytes_ = 0;                         // what it counts in item_bytes_, besides its vertices
     std::map<double, Quadric> quadrics_;                 // by number
     std::map<double, Place> deleted_quadrics_;           // the place of gluDeleteQuadric
     std::vector<std::variant<Clear, Draw>> items_;
