@@ -62,10 +62,14 @@ void State::carry_out(const Command& command) {
     if (open_ && !kLegalInside.contains(command.id)) return raise_inside(command);
     // RULING: GL leaves NaN and infinity undefined (2.1.1). Here commands refuse them, so they cannot spread. Only
     // vertices accept them, because real programs send such vertices; see sanitize().
-    const auto is_finite = [](double v) { return std::isfinite(v); };
-    if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite))
-        return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
-                     command.name());
+    // A number beyond the largest float counts as infinite, because it is so in a driver.
+    if (!kTakesAnyNumber.contains(command.id)) {
+        const auto wrong = std::ranges::find_if_not(command.arguments, is_in_float_range);
+        if (wrong != command.arguments.end())
+            return raise(kGL_INVALID_VALUE, command,
+                         "{} needs finite numbers, but a value is {}; the largest float is 3.4e+38", command.name(),
+                         *wrong);
+    }
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
 }
 
@@ -169,12 +173,16 @@ void State::tex_coord(const Command& c) {
 }
 
 void sanitize(Vertex& vertex) {
-    const auto is_finite = [](const auto& v) { return std::isfinite(glm::dot(v, v * 0.0)); };
-    if (!is_finite(vertex.position_object)) vertex.position_object = glm::dvec4(0);
-    if (!is_finite(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
+    const auto all_in_range = [](const auto& v) {
+        bool all = true;
+        for (int i = 0; i < v.length(); ++i) all &= is_in_float_range(v[i]);
+        return all;
+    };
+    if (!all_in_range(vertex.position_object)) vertex.position_object = glm::dvec4(0);
+    if (!all_in_range(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
     for (int i = 0; i < 4; ++i) {
-        if (!std::isfinite(vertex.color[i])) vertex.color[i] = 0;
-        if (!std::isfinite(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
+        if (!is_in_float_range(vertex.color[i])) vertex.color[i] = 0;
+        if (!is_in_float_range(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
     }
 }
 
