@@ -10,10 +10,11 @@ namespace twinlight {
 namespace {
 
 std::string describe(const LightEffects& light) {
-    std::string text = light.directional ? "directional" : "positional";
+    std::string text = light.directional || light.meets_directions ? "directional" : "positional";
     const auto add = [&](bool fact, const char* name) {
         if (fact) text += fmt::format(", {}", name);
     };
+    add(light.meets_directions, "vertices with w = 0");
     add(light.attenuated, "attenuated");
     add(light.spot, "spot");
     add(light.spot_exponent == Power::kWhole, "integer spot exponent");

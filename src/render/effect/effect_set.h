@@ -17,6 +17,7 @@
 //   spectral_products                        tracks_* or varies_* of an ambient, diffuse or specular colour
 //   spectral_groups                          no spectral_products; only if PlanOptions::fold_spectra is false
 //   tracks_*, varies_*                       that property of the material is used; at most one of the two
+//   lights[i].meets_directions               the light is not directional, and not attenuated
 //   lights[i].attenuated                     the light is positional
 //   lights[i].spot                           the light is positional; for_any_pose: any light
 //   lights[i].spot without an exponent       part of the Draw is outside its cone; for_any_pose: always
@@ -56,6 +57,8 @@ enum class Highlight : std::uint8_t { kHalfVector, kReflection };
 
 struct LightEffects {
     bool directional = false;  // w of the position is 0
+    // w of the position is 0 here too, but a vertex may have w = 0, and then VP depends on the vertex (2.14.1).
+    bool meets_directions = false;
     // By a linear or quadratic factor; a constant factor is part of the colour products, except for_any_pose.
     bool attenuated = false;
     bool spot = false;  // cutoff other than 180 degrees

@@ -29,6 +29,16 @@ constexpr double kCosineRounding = 4.0 / (1 << 23);
 
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
 
+// A homogeneous position whose w, and whose largest component, are no denormal floats, which a processor may take for 0.
+// A denormal w beside larger components is a point so far away that only its direction counts.
+glm::dvec4 without_denormals(glm::dvec4 position) {
+    constexpr double kSmallest = std::numeric_limits<float>::min();
+    if (position.w == 0 || std::abs(position.w) >= kSmallest) return position;
+    if (largest_component(glm::dvec3(position)) < kSmallest) return 0x1p60 * position;
+    position.w = std::copysign(kSmallest, position.w);
+    return position;
+}
+
 // The largest power of two that is at most x; 1 if there is none.
 double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
 
@@ -148,6 +158,7 @@ class DrawUniforms {
 
     void eye_space() {
         unit_ = effects_.needs_position_eye() ? eye_unit(eye_from_object_, reach_object(), plan_) : 1;
+        unit_of_directions_ = unit_;
         glm::dmat4 eye_from_object = eye_from_object_;
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
@@ -166,7 +177,8 @@ class DrawUniforms {
     void wide_range() {
         const glm::dvec4 reach = reach_object();
         const double largest = std::max({reach.x, reach.y, reach.z, reach.w});
-        number("u_object_scale", 1 / power_of_two(largest));
+        unit_of_directions_ = power_of_two(largest);
+        number("u_object_scale", 1 / unit_of_directions_);
         matrix("u_eye_from_object_turned", glm::dmat3(eye_from_object_));
         vector("u_viewer_object", point(glm::dvec3(0)));
         if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
@@ -233,7 +245,7 @@ class DrawUniforms {
         if (effects_.two_side) of_face("u_back", plan_.lighting.back);
         for (std::size_t i = 0; i < lights_.size(); ++i) {
             const LightSource& light = source(lights_[i].front());
-            const double reach = plan_.lights[lights_[i].front()].constant_reach;
+            const double reach = reach_of(lights_[i].front());
             const std::string name = fmt::format("u_light{}", i);
             samples(name + "_ambient_samples", samples_of(spectrum, ambient_of(light)), reach);
             samples(name + "_diffuse_samples", samples_of(spectrum, diffuse_of(light)), reach);
@@ -250,13 +262,13 @@ class DrawUniforms {
             base += product_of(model(), {plan_.constant_ambient, {}}, {rgb(material.ambient), reflectances.ambient});
         vector("u_" + name + "_base", base);
         number("u_" + name + "_alpha", material.diffuse.a);
-        number("u_" + name + "_shininess", material.shininess);
+        number("u_" + name + "_shininess", normal_exponent(material.shininess));
         for (std::size_t i = 0; i < lights_.size(); ++i) {
             const auto product = [&](const char* term, const auto& light_color_of, const MaterialColor& color,
                                      PerVertexColor per_vertex) {
                 of_light(i, {name, term}, [&](std::size_t planned) {
                     const LightColor light_color = light_color_of(source(planned));
-                    const double reach = plan_.lights[planned].constant_reach;
+                    const double reach = reach_of(planned);
                     if (!per_vertex)
                         put(reach * product_of(model(), light_color, color));
                     else if (effects_.spectral_products)
@@ -285,8 +297,15 @@ class DrawUniforms {
                  [&](const LightSource& light) { return direction(unit(vp_dir(light) + glm::dvec3(0, 0, 1))); });
             return;
         }
+        if (effects.meets_directions)
+            each({"toward_eye"}, [&](const LightSource& light) {
+                const glm::dvec3 toward = rgb(light.position_eye) / unit_of_directions_;
+                const double largest = largest_component(toward);
+                return largest > kMostDistant ? toward * (kMostDistant / largest) : toward;
+            });
         // A place that floats cannot hold comes nearer, in the same direction; then its distance has another unit.
         const auto place_and_unit = [&](const LightSource& light) {
+            if (light.position_eye.w == 0) return std::pair(glm::dvec3(0), unit_);  // only "toward" counts
             glm::dvec3 place = point(rgb(light.position_eye) / light.position_eye.w);
             const double largest = largest_component(place);
             const double length_unit = largest > kMostDistant ? largest / kMostDistant : unit_;
@@ -297,16 +316,31 @@ class DrawUniforms {
              [&](const LightSource& light) { return place_and_unit(light).first; });
         each({"attenuation"}, [&](const LightSource& light) {
             const double length_unit = place_and_unit(light).second;
-            return glm::dvec3(light.constant_attenuation, light.linear_attenuation * length_unit,
-                              light.quadratic_attenuation * length_unit * length_unit);
+            return attenuation_scale(light) * glm::dvec3(light.constant_attenuation,
+                                                         light.linear_attenuation * length_unit,
+                                                         light.quadratic_attenuation * length_unit * length_unit);
         });
         each({"spot_dir", space}, [&](const LightSource& light) { return direction(unit(light.spot_direction_eye)); });
         each({"cos_cutoff"},
              [&](const LightSource& light) { return cos_deg(light.spot_cutoff_deg) - kCosineRounding; });
-        each({"spot_exponent"}, [&](const LightSource& light) { return light.spot_exponent; });
+        each({"spot_exponent"}, [&](const LightSource& light) { return normal_exponent(light.spot_exponent); });
         if (!effects.smooth_cone) return;
         each({"cos_outer"}, [&](const LightSource& light) { return smooth_cone_values(light).cos_outer; });
         each({"cone_slope"}, [&](const LightSource& light) { return smooth_cone_values(light).slope; });
+    }
+
+    // The processor may take denormal floats for 0, so the factors and the light's colours become larger together.
+    static double attenuation_scale(const LightSource& light) {
+        const auto is_denormal = [](double k) { return k > 0 && k < std::numeric_limits<float>::min(); };
+        const bool has_denormal = is_denormal(light.constant_attenuation) || is_denormal(light.linear_attenuation) ||
+                                  is_denormal(light.quadratic_attenuation);
+        return has_denormal ? 0x1p60 : 1;
+    }
+    // What the shader multiplies a light's colours by, at every vertex.
+    double reach_of(std::size_t planned) const {
+        const auto& lights = plan_.effects.lights;
+        const bool attenuated = lights[planned].attenuated;
+        return plan_.lights[planned].constant_reach * (attenuated ? attenuation_scale(source(planned)) : 1);
     }
 
     const LightModel& model() const { return plan_.lighting.light_model; }
@@ -321,6 +355,7 @@ class DrawUniforms {
     const std::vector<std::vector<std::size_t>>& lights_;
     const std::optional<glm::dvec3> origin_object_;
     glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to origin_object_
+    double unit_of_directions_ = 1;                       // the shader's unit of vertices with w = 0
     double unit_ = 1;                                     // the shader's unit of length, in eye coordinates
     glm::dmat4 object_from_eye_{1};                       // used if form_.object_space
     Uniforms uniforms_;
@@ -365,7 +400,7 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         for (int i = 0; i < size; ++i) values.push_back(to_float(v[i]));
     };
     for_each_vertex(draw, vertices, [&](const Vertex& vertex) {
-        add(vertex.position_object - glm::dvec4(origin_object * vertex.position_object.w, 0), 4);
+        add(without_denormals(vertex.position_object - glm::dvec4(origin_object * vertex.position_object.w, 0)), 4);
         if (effects.needs_normal()) {
             const double size = largest_component(vertex.normal_object);
             const bool rescaled = normals_made_unit && !needs_no_unit(size);
@@ -379,7 +414,7 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
             if (property.color)
                 add(material.*property.color, property.size);
             else
-                values.push_back(to_float(material.shininess));
+                values.push_back(to_float(normal_exponent(material.shininess)));
         }
     });
     return values;

@@ -206,7 +206,7 @@ class Assembler {
         const std::string position = form_.wide_range     ? lighting_.vertex_position
                                      : form_.object_space ? "position.xyz"
                                                           : divided(lighting_.vertex_position);
-        const std::string surface = names_.surface(position, lighting_.vertex_normal, "a_");
+        const std::string surface = names_.surface(position, lighting_.vertex_position, lighting_.vertex_normal, "a_");
         const char* argument = names_.has_surface() ? "surface" : "";
         std::string text;
         if (names_.has_surface()) text += fmt::format("    Surface surface = {};\n", surface);
@@ -233,7 +233,8 @@ class Assembler {
         std::string text;
         if (names_.has_surface())
             text += fmt::format("    Surface surface = {};\n",
-                                names_.surface(position, fmt::format("unit({})", normal), "v_"));
+                                names_.surface(position, has_ray() ? "u_eye_from_object * place" : "v_position_eye",
+                                               fmt::format("unit({})", normal), "v_"));
         const std::string turn = fmt::format("{0} = -{0};\n", names_.normal());
         if (!effects_.two_side) {
             text += fmt::format("    Lit lit = light_front({});\n", argument);

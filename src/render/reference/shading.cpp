@@ -143,7 +143,7 @@ Shader::Finish<Real> Shader::finish(const Fragment& fragment) const {
 
 double Shader::fog_distance(const Fragment& fragment) const {
     const glm::dvec2 zw = eye_zw(fragment);
-    return std::abs(quotient(zw.x, zw.y));
+    return reference::fog_distance(zw.x, zw.y);
 }
 
 // 3.10: f may be computed at each vertex and interpolated. Linear f is computed from the interpolated distance.
@@ -152,7 +152,7 @@ double Shader::fog_of_vertices(const Fragment& fragment) const {
     double distance = 0;
     for (int i = 0; i < 3; ++i) {
         const glm::dvec4& eye = vertices_[fragment.piece->primitive.vertices[i]].position_eye;
-        distance += weights[i] * std::abs(quotient(eye.z, eye.w));
+        distance += weights[i] * reference::fog_distance(eye.z, eye.w);
     }
     return fog_factor(draw_.fog, distance);
 }
@@ -200,7 +200,7 @@ Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColo
     Finish<Marked> finish;
     if (draw_.fog.enabled) {
         const glm::dvec2 zw = eye_zw(fragment);
-        finish.fog = fog_factor(draw_.fog, abs(quotient(Marked(zw.x, position), Marked(zw.y))));
+        finish.fog = fog_factor(draw_.fog, reference::fog_distance(Marked(zw.x, position), Marked(zw.y)));
     }
     if (draw_.texture.texture) {
         Finish<double> unmarked;

@@ -30,7 +30,7 @@ inline constexpr double kSnap = 1.0 / 256;
 lighting::RulingSet texture_rulings(const std::vector<StageVertex>& vertices, const Piece& piece,
                                     const glm::dvec2& position_window);
 
-// RULING: a quotient with a q or w of 0 is 0.
+// RULING: a quotient with a q of 0 is 0.
 template <class Real>
 Real quotient(Real a, Real b) {
     return b == Real(0) ? ruled(lighting::Ruling::kZeroQuotient, Real(0)) : a / b;

@@ -53,7 +53,7 @@ VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex, bool normal
     const Vec normal_eye = vec3_cast<Vec>(normal_eye_from_object * vertex.normal_object);
     if (normal_eye_from_object == glm::dmat3(0))
         rulings.normal |= {Ruling::kSingularModelview};
-    else if (normal_eye == Vec{})
+    else if (normal_eye == Vec{} && normalize)
         rulings.normal |= {Ruling::kZeroNormal};
     if (normalize)
         rulings.normal |= rulings_of(lighting::unit(vec3_cast<Vec3<lighting::Marked>>(normal_eye)));

@@ -60,9 +60,9 @@ void State::carry_out(const Command& command) {
     // RULING: GL leaves NaN and infinity undefined (2.1.1). Here commands refuse them, so they cannot spread. Only
     // vertices accept them, because real programs send such vertices; see sanitize(). In a recorded program other
     // commands have finite numbers already; see made_finite().
-    if (has_number_that_is_not_finite(command))
-        return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
-                     command.name());
+    if (const auto wrong = number_that_is_not_finite(command))
+        return raise(kGL_INVALID_VALUE, command,
+                     "{} needs finite numbers, but a value is {}; the largest float is 3.4e+38", command.name(), *wrong);
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
 }
 
@@ -172,12 +172,16 @@ void State::tex_coord(const Command& c) {
 }
 
 void sanitize(Vertex& vertex) {
-    const auto is_finite = [](const auto& v) { return std::isfinite(glm::dot(v, v * 0.0)); };
-    if (!is_finite(vertex.position_object)) vertex.position_object = glm::dvec4(0);
-    if (!is_finite(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
+    const auto all_in_range = [](const auto& v) {
+        bool all = true;
+        for (int i = 0; i < v.length(); ++i) all &= is_in_float_range(v[i]);
+        return all;
+    };
+    if (!all_in_range(vertex.position_object)) vertex.position_object = glm::dvec4(0);
+    if (!all_in_range(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
     for (int i = 0; i < 4; ++i) {
-        if (!std::isfinite(vertex.color[i])) vertex.color[i] = 0;
-        if (!std::isfinite(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
+        if (!is_in_float_range(vertex.color[i])) vertex.color[i] = 0;
+        if (!is_in_float_range(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
     }
 }
 

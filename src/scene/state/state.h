@@ -1,7 +1,9 @@
 // State: GL's state machine in double precision. It executes commands, raises GL's errors and builds a Frame.
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -48,8 +50,8 @@ constexpr std::size_t bytes_of_vertices(std::size_t vertices, std::size_t indice
     return vertices * kVertex + (indices > 0 ? indices : vertices) * kDrawn;
 }
 
-// RULING for a vertex with NaN or infinity: a position with such a component becomes (0, 0, 0, 0), which is clipped
-// away (2.12); a normal becomes (0, 0, 0); in colours and texture coordinates only the component becomes 0.
+// RULING for a vertex with NaN, infinity or a number beyond the largest float: a position with such a component becomes
+// (0, 0, 0, 0), which is clipped away (2.12); a normal becomes (0, 0, 0); in colours and texture coordinates only the component becomes 0.
 void sanitize(Vertex& vertex);
 
 class State {
@@ -204,7 +206,7 @@ class State {
     bool has_texels(const Command& command, double count, std::size_t replaced = 0);
     bool counts(const Command& command, const char* what);  // n >= 0; if not, raises GL_INVALID_VALUE
     void track_color();                                     // 2.14.3: the material follows the current colour
-    void multiply(const glm::dmat4& matrix);
+    void multiply(const Command& c, const glm::dmat4& matrix);
     MatrixStack& stack();
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);

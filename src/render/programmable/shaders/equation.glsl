@@ -21,6 +21,12 @@ vec3 vector_to(vec3 place_object, vec4 vertex_object) {
     return vertex_object.w < 0.0 ? -way : way;
 }
 
+// The vector from a vertex to a light in a direction (w = 0). If the vertex is a direction too, it is the difference of
+// the two (section 2.14.1).
+vec3 between_directions(vec3 toward_light, vec3 vertex, float vertex_w) {
+    return vertex_w == 0.0 ? toward_light - vertex : toward_light;
+}
+
 // The distance to a light whose VP times |w| is vp.
 float distance_of(vec3 vp, float w) {
     vec3 size = abs(vp);
