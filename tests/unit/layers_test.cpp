@@ -54,7 +54,7 @@ const std::map<std::string, Table>& rooms() {
          {{"compare", {}},
           {"report", {"compare"}},
           {"study", {"report"}},
-          {"fuzz", {"compare"}},
+          {"fuzz", {"compare", "check", "oracle"}},
           {"check", {"compare", "oracle"}},
           {"lint", {}},
           {"lesson", {}},

@@ -58,6 +58,7 @@ Number radians(const Number& degrees) { return degrees * boost::math::constants:
 Number cleaned(const Number& x) { return mp::abs(x) < Number("1e-55") ? Number(0) : x; }
 
 Matrix4 rotation(const Number& angle_deg, const Vector3& axis) {  // 2.11.2
+    if (is_zero(axis)) return identity();                         // undefined
     const Vector3 u = unit(axis);
     const Number c = cleaned(mp::cos(radians(angle_deg))), s = cleaned(mp::sin(radians(angle_deg)));
     Matrix4 m = identity();
@@ -158,24 +159,25 @@ class Machine {
         for (Number& x : v) x = value(x);
         return v;
     }
-    Matrix4 modelview() {
-        Matrix4 m = modelviews_.back();
+    Matrix4 rounded(Matrix4 m) {
         for (Vector4& row : m)
             for (Number& x : row) x = perturbed(x, options_.matrix_rounding);
         return m;
     }
+    Matrix4 modelview() { return rounded(modelviews_.back()); }
 
     // ---- The equation (2.14.1) ----
 
     struct Towards {
-        Vector3 dir;
-        Number distance;
+        Vector3 dir{};
+        Number distance = 0;
         bool is_infinite = false;
     };
     // The vector from p1 to p2, which are homogeneous: the unit vector, and its length before.
-    static Towards towards(const Vector4& p1, const Vector4& p2) {
+    Towards towards(const Vector4& p1, const Vector4& p2) const {
         if (p1[3] != 0 && p2[3] != 0) {
-            const Vector3 v = plus(times(1 / p2[3], xyz(p2)), times(-1 / p1[3], xyz(p1)));
+            const Vector3 from = times(1 / p1[3], xyz(p1)), v = plus(times(1 / p2[3], xyz(p2)), times(-1, from));
+            if (options_.border == Border::kInside && length(v) < 4 * options_.value_rounding * length(from)) return {};
             return {unit(v), length(v)};
         }
         if (p1[3] == 0 && p2[3] == 0) return {unit(plus(xyz(p2), times(-1, xyz(p1)))), 0, true};
@@ -237,7 +239,8 @@ class Machine {
                                     ? options_.border == Border::kOutside
                                     : n_dot_vp <= Number("1e-45") * scale;
             if (behind) continue;
-            const Vector3 h = unit(plus(vp.dir, vpe));
+            const Vector3 sum = plus(vp.dir, vpe), h = unit(sum);
+            shortest_half_vector_ = std::min(shortest_half_vector_, length(sum).convert_to<double>());
             add(separate_ ? secondary : primary,
                 reach * power(std::max(Number(dot(n, h)), Number(0)), material.shininess), material.specular,
                 light.specular);
@@ -275,12 +278,18 @@ class Machine {
     }
 
     void vertex(const Vector4& position) {
-        const Vector4 v = value(transformed(modelview(), position));
+        Matrix4 m = modelview();
+        // Without an inverse that keeps w, only eye coordinates in floats can be used, from a matrix in floats.
+        const bool keeps_w = m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 && modelviews_.back()[3][3] == 1;
+        for (std::size_t i = 0; i < 4 && !keeps_w; ++i) m[i] = value(m[i]);
+        const Vector4 v = value(transformed(m, position));
         const Vector3 n = normal_eye();
         Vertex result;
         for (std::size_t i = 0; i < 4; ++i) result.position_eye[i] = v[i].convert_to<double>();
+        shortest_half_vector_ = 2;
         result.front = lit(v, n, materials_[0]);
-        result.back = lit(v, times(-1, n), materials_[1]);
+        if (two_side_) result.back = lit(v, times(-1, n), materials_[1]);
+        result.shortest_half_vector = shortest_half_vector_;
         vertices_.push_back(result);
     }
 
@@ -369,7 +378,7 @@ class Machine {
         switch (command.enumerant(0)) {
             case kGL_LIGHT_MODEL_AMBIENT: scene_ambient_ = vector4(values); break;
             case kGL_LIGHT_MODEL_LOCAL_VIEWER: local_viewer_ = values[0] != 0; break;
-            case kGL_LIGHT_MODEL_TWO_SIDE: break;  // both faces are lit anyway
+            case kGL_LIGHT_MODEL_TWO_SIDE: two_side_ = values[0] != 0; break;
             case kGL_LIGHT_MODEL_COLOR_CONTROL: separate_ = values[0] == kGL_SEPARATE_SPECULAR_COLOR; break;
             default: throw std::invalid_argument("the oracle does not know this light model parameter");
         }
@@ -388,7 +397,7 @@ class Machine {
             throw std::invalid_argument("the oracle does not know this capability");
     }
 
-    void multiply(const Matrix4& by) { set_matrix(product(modelviews_.back(), by)); }
+    void multiply(const Matrix4& by) { set_matrix(product(modelview(), rounded(by))); }
     void set_matrix(const Matrix4& m) {
         if (is_modelview_) modelviews_.back() = m;  // projections do not change a vertex's light
     }
@@ -470,7 +479,8 @@ class Machine {
     std::array<LightState, 8> lights_{};
     std::array<MaterialState, 2> materials_{};  // front, back
     Vector4 scene_ambient_{0.2, 0.2, 0.2, 1};
-    bool local_viewer_ = false, separate_ = false, normalize_ = false, rescale_ = false;
+    double shortest_half_vector_ = 2;
+    bool local_viewer_ = false, separate_ = false, two_side_ = false, normalize_ = false, rescale_ = false;
     bool color_material_ = false;
     Enum color_face_ = kGL_FRONT_AND_BACK, color_mode_ = kGL_AMBIENT_AND_DIFFUSE;
     Vector4 color_{1, 1, 1, 1};

@@ -179,14 +179,16 @@ class DrawUniforms {
         const double largest = std::max({reach.x, reach.y, reach.z, reach.w});
         unit_of_directions_ = power_of_two(largest);
         number("u_object_scale", 1 / unit_of_directions_);
-        matrix("u_eye_from_object_turned", glm::dmat3(eye_from_object_));
+        matrix("u_eye_from_object_turned", glm::dmat3(keeping_w(eye_from_object_)));
         vector("u_viewer_object", point(glm::dvec3(0)));
         if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
     }
 
     // From eye coordinates to the coordinates that the shader lights in.
     glm::dvec3 point(const glm::dvec3& eye) const {
-        if (form_.wide_range) return place_object(draw_, eye) - origin_object_.value_or(glm::dvec3(0));
+        const glm::dvec3 origin = origin_object_.value_or(glm::dvec3(0));
+        if (form_.flattened) return nearest_vertex(draw_, eye).vertex_object - origin;
+        if (form_.wide_range) return place_object(draw_, eye) - origin;
         return form_.object_space ? glm::dvec3(object_from_eye_ * glm::dvec4(eye, 1)) : eye / unit_;
     }
     glm::dvec3 direction(const glm::dvec3& eye) const {
@@ -304,18 +306,27 @@ class DrawUniforms {
                 return largest > kMostDistant ? toward * (kMostDistant / largest) : toward;
             });
         // A place that floats cannot hold comes nearer, in the same direction; then its distance has another unit.
-        const auto place_and_unit = [&](const LightSource& light) {
-            if (light.position_eye.w == 0) return std::pair(glm::dvec3(0), unit_);  // only "toward" counts
-            glm::dvec3 place = point(rgb(light.position_eye) / light.position_eye.w);
-            const double largest = largest_component(place);
-            const double length_unit = largest > kMostDistant ? largest / kMostDistant : unit_;
-            if (length_unit != unit_) place /= length_unit;
-            return std::pair(place, length_unit);
+        struct Placed {
+            glm::dvec3 place, way_eye{0};
+            double length_unit;
+        };
+        const auto placed = [&](const LightSource& light) {
+            if (light.position_eye.w == 0)  // only "toward" counts
+                return Placed{.place = glm::dvec3(0), .length_unit = unit_};
+            const glm::dvec3 eye = rgb(light.position_eye) / light.position_eye.w;
+            Placed result{.place = point(eye), .length_unit = unit_};
+            if (form_.flattened) result.way_eye = nearest_vertex(draw_, eye).way_eye;
+            glm::dvec3& far = form_.flattened ? result.way_eye : result.place;
+            const double largest = largest_component(far);
+            if (largest > kMostDistant) result.length_unit = largest / kMostDistant;
+            if (result.length_unit != unit_) far /= result.length_unit;
+            return result;
         };
         each({"position", form_.wide_range || form_.object_space ? "_object" : "_eye"},
-             [&](const LightSource& light) { return place_and_unit(light).first; });
+             [&](const LightSource& light) { return placed(light).place; });
+        if (form_.flattened) each({"way_eye"}, [&](const LightSource& light) { return placed(light).way_eye; });
         each({"attenuation"}, [&](const LightSource& light) {
-            const double length_unit = place_and_unit(light).second;
+            const double length_unit = placed(light).length_unit;
             return attenuation_scale(light) * glm::dvec3(light.constant_attenuation,
                                                          light.linear_attenuation * length_unit,
                                                          light.quadratic_attenuation * length_unit * length_unit);

@@ -52,6 +52,11 @@ struct Form {
     // Vectors from a vertex to lights and viewer are differences of object coordinates, turned to eye coordinates afterwards, and
     // any length of theirs is squared safely (wide_range.h).
     bool wide_range = false;
+    // wide_range only: the matrix flattens space, so that a place has no object coordinates. Uniforms say where a vertex near it is,
+    // and how far the place is from there in eye coordinates.
+    bool flattened = false;
+    // Normals are made unit, and the matrix's columns differ so much that the square of a normal's length may leave the floats.
+    bool wide_normals = false;
     bool rescale = false;    // precise and kept only: multiplies normals by GL_RESCALE_NORMAL's factor
     bool position_w = true;  // a position's w may differ from 1
     // Each of the last loops.size() lights of the effects represents many lights that differ only in numbers. The

@@ -21,7 +21,9 @@ class Writer : LightingWriter {
                                                     : "u_eye_from_object * position";
         text.vertex_normal = form_.object_space ? "a_normal" : "u_eye_from_object_normal * a_normal";
         if (form_.rescale) text.vertex_normal = fmt::format("u_normal_scale * ({})", text.vertex_normal);
-        if (effects_.normalize) text.vertex_normal = fmt::format("unit({})", text.vertex_normal);  // GL_NORMALIZE
+        if (effects_.normalize)
+            text.vertex_normal =
+                fmt::format("{}({})", form_.wide_normals ? "unit_of_any" : "unit", text.vertex_normal);  // GL_NORMALIZE
         if (!effects_.lighting) return text;
         std::string faces;
         for (const std::string& name : names_.faces()) faces += face(name);
@@ -154,9 +156,14 @@ class Writer : LightingWriter {
                 form_.wide_range ? fmt::format("u_eye_from_object_turned * {}.xyz", names_.position())
                                  : names_.homogeneous() + ".xyz",
                 form_.wide_range ? names_.position() : names_.homogeneous());
-        else if (!light.directional && form_.wide_range)
-            add("        vec3 vp = {};\n", vector_to(names_.light(i, "vec3", "position_object", "P_pli")));
-        else if (!light.directional)
+        else if (!light.directional && form_.wide_range) {
+            const std::string position = names_.light(i, "vec3", "position_object", "P_pli");
+            const std::string way = form_.flattened
+                                        ? fmt::format(" + abs({}.w) * {}", names_.position(),
+                                                      names_.light(i, "vec3", "way_eye", "from there to P_pli"))
+                                        : "";
+            add("        vec3 vp = {}{};\n", vector_to(position), way);
+        } else if (!light.directional)
             add("        vec3 vp = {} - {};\n", names_.light(i, "vec3", "position_" + names_.space(), "P_pli"),
                 names_.position());
         if (needs_vp_dir)

@@ -232,9 +232,10 @@ class Assembler {
         const std::string is_front = names_.is_front();
         std::string text;
         if (names_.has_surface())
-            text += fmt::format("    Surface surface = {};\n",
-                                names_.surface(position, has_ray() ? "u_eye_from_object * place" : "v_position_eye",
-                                               fmt::format("unit({})", normal), "v_"));
+            text += fmt::format(
+                "    Surface surface = {};\n",
+                names_.surface(position, has_ray() ? "u_eye_from_object * place" : "v_position_eye",
+                               fmt::format("{}({})", form_.wide_normals ? "unit_of_any" : "unit", normal), "v_"));
         const std::string turn = fmt::format("{0} = -{0};\n", names_.normal());
         if (!effects_.two_side) {
             text += fmt::format("    Lit lit = light_front({});\n", argument);
