@@ -14,7 +14,10 @@ namespace {
 class Builder {
   public:
     explicit Builder(const Seed& seed)
-        : structure_(seed.structure), random_(seed.values), departure_(departure_of(seed, structure_)) {}
+        : structure_(seed.structure),
+          generated_(~seed.structure),
+          random_(seed.values),
+          departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
         clear("GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
@@ -125,6 +128,33 @@ class Builder {
                 random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0, 360));
         add("glEnable({});", target);
     }
+        if (departure_.empty() && generated_.chance(0.2)) generated();
+    }
+
+    // Texture coordinates that GL generates. The eye planes depend on the modelview matrix.
+    void generated() {
+        add("glMatrixMode(GL_MODELVIEW); glPushMatrix(); glTranslatef({0:.3f}, 0, -3); glRotatef({1:.1f}, {0:.3f}, 1, "
+            "0);",
+            generated_.uniform(-1, 1), generated_.uniform(-90, 90));
+        for (const char coordinate : std::string_view("STRQ")) {
+            if (generated_.chance(coordinate == 'Q' ? 0.8 : 0.15)) continue;
+            const char* const modes[] = {"GL_OBJECT_LINEAR", "GL_EYE_LINEAR", "GL_REFLECTION_MAP", "GL_NORMAL_MAP",
+                                         "GL_SPHERE_MAP"};
+            const int most = coordinate == 'Q' ? 2 : coordinate == 'R' ? 4 : 5;
+            add("glTexGeni(GL_{0}, GL_TEXTURE_GEN_MODE, {1}); glEnable(GL_TEXTURE_GEN_{0});", coordinate,
+                modes[generated_.below(most)]);
+            for (const char* plane : {"GL_OBJECT_PLANE", "GL_EYE_PLANE"})
+                add("glTexGenfv(GL_{}, {}, (GLfloat[]){{{:.4f}, {:.4f}, {:.4f}, {:.4f}}});", coordinate, plane,
+                    coordinate == 'Q' ? 0 : generated_.uniform(-0.6, 0.6),
+                    coordinate == 'Q' ? 0 : generated_.uniform(-0.6, 0.6),
+                    coordinate == 'Q' ? 0 : generated_.uniform(-0.3, 0.3), generated_.uniform(0.5, 1.5));
+        }
+        if (generated_.chance(0.3)) add("glEnable({});", generated_.chance(0.5) ? "GL_NORMALIZE" : "GL_RESCALE_NORMAL");
+        add("glPopMatrix();");
+        if (generated_.chance(0.3))
+            add("glMatrixMode(GL_TEXTURE); glScalef({:.3f}, {:.3f}, 1); glRotatef(30, {:.3f}, 1, 0); "
+                "glMatrixMode(GL_MODELVIEW);",
+                generated_.uniform(0.5, 2), generated_.uniform(0.5, 2), generated_.uniform(-1, 1));
 
     bool reaches_behind() const { return shows("exponential fog on primitives that reach behind the eye"); }
 
@@ -368,7 +398,7 @@ class Builder {
 
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
-    Random structure_, random_;
+    Random structure_, generated_, random_;
     std::string_view departure_;
     bool lit_ = false;
     std::string text_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -143,7 +144,8 @@ class Assembler {
         const TextureEffects& texture = effects_.texture;
         if (effects_.has_texture() && !form_.surface.tex_coord)
             list.push_back({tex_coord_type(), "v_tex_coord",
-                            fmt::format("{}.{}", texture.matrix ? "(u_texture_matrix * a_tex_coord)" : "a_tex_coord",
+                            fmt::format(fmt::runtime(texture.matrix ? "(u_texture_matrix * {}).{}" : "{}.{}"),
+                                        texture.generates() ? "tex_coord" : "a_tex_coord",
                                         std::string(texture.one_dimensional ? "s" : "st") + (texture.q ? "q" : ""))});
         if (effects_.has_fog() && !has_ray())
             list.push_back({effects_.vertex_w ? "vec2" : "float", "v_eye_z", eye_z("position"),
@@ -270,6 +272,53 @@ class Assembler {
         return parts == 1 ? "float" : fmt::format("vec{}", parts);
     }
 
+    // In the vertex shader's main(): the vec4 tex_coord (section 2.11.4).
+    std::string generated() const {
+        const TextureEffects& texture = effects_.texture;
+        if (!texture.generates()) return "";
+        const auto uses = [&](Generated one) {
+            return std::ranges::find(texture.generated, one) != texture.generated.end();
+        };
+        std::string text = fmt::format("    // glTexGen (section 2.11.4)\n    vec4 tex_coord = {};\n",
+                                       effects_.takes_tex_coord() ? "a_tex_coord" : "vec4(0.0, 0.0, 0.0, 1.0)");
+        if (texture.generates_from_direction() || uses(Generated::kEyeLinear))
+            text += "    vec4 position_eye = u_generated_eye_from_object * position;\n";
+        if (texture.generated_normal != GeneratedNormal::kUnused) {
+            std::string normal = "u_generated_normal_from_object * a_normal";
+            if (texture.generated_normal == GeneratedNormal::kRescaled)
+                normal = fmt::format("u_normal_scale * ({})", normal);
+            if (texture.generated_normal == GeneratedNormal::kUnit) normal = fmt::format("unit_of_any({})", normal);
+            text += fmt::format("    vec3 normal_eye = {};\n", normal);
+        }
+        if (texture.generates_from_direction())
+            text += fmt::format("    vec3 reflected = reflect(unit_of_any({}), normal_eye);\n",
+                                texture.generated_w ? "position_eye.w < 0.0 ? -position_eye.xyz : position_eye.xyz"
+                                                    : "position_eye.xyz");
+        for (std::size_t i = 0; i < texture.generated.size(); ++i) {
+            const char coordinate = "strq"[i], component = "xyzw"[i];
+            const auto value = [&]() -> std::string {
+                switch (texture.generated[i]) {
+                    case Generated::kNot: return "";
+                    case Generated::kLinear: return fmt::format("dot(u_plane_{}_object, position)", coordinate);
+                    case Generated::kEyeLinear: return fmt::format("dot(u_plane_{}_eye, position_eye)", coordinate);
+                    case Generated::kSphereMap: return fmt::format("sphere_map(reflected).{}", component);
+                    case Generated::kReflectionMap: return fmt::format("reflected.{}", component);
+                    case Generated::kNormalMap: return fmt::format("normal_eye.{}", component);
+                }
+                return "";
+            }();
+            const bool both = i == 1 && texture.generated[0] == Generated::kSphereMap &&
+                              texture.generated[1] == Generated::kSphereMap;
+            const bool with_next = i == 0 && texture.generated[0] == Generated::kSphereMap &&
+                                   texture.generated[1] == Generated::kSphereMap;
+            if (with_next)
+                text += "    tex_coord.st = sphere_map(reflected);\n";
+            else if (!value.empty() && !both)
+                text += fmt::format("    tex_coord.{} = {};\n", "stpq"[i], value);
+        }
+        return text;
+    }
+
     // Section 3.8.13, tables 3.22 and 3.23.
     std::string texture_environment() const {
         const TextureEffects& texture = effects_.texture;
@@ -368,6 +417,7 @@ class Assembler {
                          {"EFFECT_RAY_NORMAL", (effects_.needs_normal() && is_phong()) || effects_.two_side || steps}},
             .inserts = {{"clip_position", lighting_.clip_position},
                         {"lit", lit(stage)},
+                        {"generated", has_ray() ? "" : generated()},
                         {"outputs", outputs()},
                         {"point_size", form_.kept && form_.kept->sizes_points
                                            ? "    gl_PointSize = PointSize;  // glPointSize (section 3.3)\n"

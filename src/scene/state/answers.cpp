@@ -194,6 +194,17 @@ Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
     switch (pname) {
         case kGL_TEXTURE_MIN_FILTER: return one(texture.min_filter);
         case kGL_TEXTURE_MAG_FILTER: return one(texture.mag_filter);
+Answer tex_gen_answer(const State& state, Enum coord, Enum pname) {
+    if (coord < kGL_S || coord > kGL_Q) return {};
+    const TexGen& gen = state.attributes().units[state.attributes().active_unit].tex_gen[coord - kGL_S];
+    switch (pname) {
+        case kGL_TEXTURE_GEN_MODE: return one(gen.mode);
+        case kGL_OBJECT_PLANE: return list(gen.object_plane);
+        case kGL_EYE_PLANE: return list(gen.plane_eye);
+        default: return {};
+    }
+}
+
         case kGL_TEXTURE_WRAP_S: return one(texture.wrap_s);
         case kGL_TEXTURE_WRAP_T: return one(texture.wrap_t);
         case kGL_TEXTURE_BORDER_COLOR: return list(texture.border_color);
@@ -237,6 +248,9 @@ bool is_answered(CommandId id) {
         default: return false;
     }
 }
+        case CommandId::glGetTexGenfv:
+        case CommandId::glGetTexGendv:
+        case CommandId::glGetTexGeniv:
 
 namespace {
 
@@ -275,6 +289,9 @@ Answer answer_in_doubles(const State& state, const Command& query) {
     }
 }
 
+        case CommandId::glGetTexGenfv:
+        case CommandId::glGetTexGendv:
+        case CommandId::glGetTexGeniv: return tex_gen_answer(state, query.enumerant(0), query.enumerant(1));
 }  // namespace
 
 // 6.1.2.

@@ -50,6 +50,8 @@ void restore_enables(Attributes& now, const Attributes& saved) {
     for (std::size_t i = 0; i < saved.units.size(); ++i) {
         now.units[i].enabled_1d = saved.units[i].enabled_1d;
         now.units[i].enabled_2d = saved.units[i].enabled_2d;
+        for (std::size_t n = 0; n < saved.units[i].tex_gen.size(); ++n)
+            now.units[i].tex_gen[n].enabled = saved.units[i].tex_gen[n].enabled;
     }
 }
 

@@ -217,10 +217,9 @@ Draw State::new_draw(Enum mode, const Place& place) {
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     for (const auto& [capability, where] : a_.driver_only) {
         const DriverOnlyCapability& row = driver_only_capability(capability.first);
-        // Textures of units above 0 are already noted.
-        const bool is_idle = row.generates_coordinates() && (capability.second > 0 || !draw.texture.texture);
-        if (!row.changes_pixels || is_idle) continue;
+        if (!row.changes_pixels) continue;
         note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where);
+    if (draw.texture.texture) draw.texture.generated = generated_coordinates(a_.units[0]);
     }
     note_driver_only_values(draw);
     // `#pragma twinlight light(8, ...)`: GL has only eight lights.

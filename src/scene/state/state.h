@@ -143,8 +143,8 @@ class State {
     Effect spectrum, reflectance, illuminant, transfer;
     Effect begin, end, normal, color, vertex, tex_coord, multi_tex_coord, rect;
     Effect pixel_store, tex_image, tex_sub_image;
-    Effect bind_texture, active_texture, tex_parameter, tex_env, query_tex_env, query_tex_parameter, gen_textures,
-        delete_textures, prioritize_textures;
+    Effect bind_texture, active_texture, tex_parameter, tex_env, tex_gen, query_tex_env, query_tex_gen,
+        query_tex_parameter, gen_textures, delete_textures, prioritize_textures;
     // glMaterial; `reflectance` is null or the spectrum that the colour was computed from.
     void set_material(const Command&, const Spectrum* reflectance);
     void set_light(const Command&, LightSource& source, Enum pname, const std::vector<double>& values);

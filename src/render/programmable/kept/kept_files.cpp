@@ -296,7 +296,17 @@ class Writer {
                                    found - textures_.begin() + 1, c_.number(unit.lod_bias)));
         if (effects.texture.matrix)
             uniform("texture matrix", fmt::format("texture_matrix({});", c_.floats(unit.texture_matrix)));
+        write_generated(unit, effects.texture);
         uniform("texture color", fmt::format("texture_env_color({});", c_.floats(unit.env_color)));
+    }
+    void write_generated(const TextureUnit& unit, const TextureEffects& effects) {
+        for (const GeneratedCoordinate& one : unit.generated) {
+            const Generated how = effects.generated[static_cast<std::size_t>(one.coordinate)];
+            if (how != Generated::kLinear && how != Generated::kEyeLinear) continue;
+            const bool is_eye = how == Generated::kEyeLinear;
+            const std::string name = fmt::format("{}Plane{}[0]", is_eye ? "Eye" : "Object", "STRQ"[one.coordinate]);
+            uniform(name, fmt::format("{}_plane(\"{}\", {});", is_eye ? "eye" : "object", name, c_.floats(one.plane)));
+        }
     }
     Enum target_of(const Texture& texture) const {
         return version_ == Glsl::k300es ? Enum{kGL_TEXTURE_2D} : texture.target;
