@@ -95,6 +95,11 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     if (bit(kGL_TRANSFORM_BIT)) transform(now) = transform(saved);
     if (bit(kGL_ENABLE_BIT)) restore_enables(now, saved);
     if (bit(kGL_COLOR_BUFFER_BIT)) restore_color_buffer(now, saved);
+    if (bit(kGL_EVAL_BIT)) {
+        now.grid1 = saved.grid1;
+        now.grid2_u = saved.grid2_u;
+        now.grid2_v = saved.grid2_v;
+    }
     if (bit(kGL_HINT_BIT)) now.hints = saved.hints;
     if (bit(kGL_LIST_BIT)) now.list_base = saved.list_base;
     if (bit(kGL_TEXTURE_BIT)) {

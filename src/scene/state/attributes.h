@@ -97,6 +97,14 @@ struct ClipPlane {  // 2.12
     glm::dvec4 equation_eye{0, 0, 0, 0};
 };
 
+// One variable of glMapGrid (5.1): `segments` equal steps from `first` to `last`.
+struct MapGrid {
+    int segments = 1;
+    double first = 0, last = 1;
+
+    double at(int i) const { return i == 0 ? first : i == segments ? last : first + i * ((last - first) / segments); }
+};
+
 // Hints (5.6), by target. They change no pixel, but can be queried.
 using Hints = std::map<Enum, Enum>;
 
@@ -123,6 +131,7 @@ struct Attributes {
                 {kGL_FOG_HINT, kGL_DONT_CARE},
                 {kGL_GENERATE_MIPMAP_HINT, kGL_DONT_CARE},
                 {kGL_TEXTURE_COMPRESSION_HINT, kGL_DONT_CARE}};
+    MapGrid grid1, grid2_u, grid2_v;
     Enum matrix_mode = kGL_MODELVIEW;
     std::uint32_t list_base = 0;
     // The enabled capabilities that only the driver supports, with the place of glEnable. The key is the capability and

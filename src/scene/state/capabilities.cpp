@@ -27,7 +27,7 @@ std::span<const DriverOnlyCapability> driver_only_capabilities() {
         {kGL_SAMPLE_ALPHA_TO_ONE, kGL_MULTISAMPLE_BIT, false},
         {kGL_SAMPLE_COVERAGE, kGL_MULTISAMPLE_BIT, false},
         {kGL_AUTO_NORMAL, kGL_EVAL_BIT, false},
-        // Evaluators draw only by commands that are themselves reported as unsupported.
+        // State follows evaluators (evaluators.cpp), which have no effect on other drawing.
         {kGL_MAP1_COLOR_4, kGL_EVAL_BIT, false},
         {kGL_MAP1_INDEX, kGL_EVAL_BIT, false},
         {kGL_MAP1_NORMAL, kGL_EVAL_BIT, false},

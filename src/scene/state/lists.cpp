@@ -23,9 +23,9 @@ constexpr CommandSet kNeverCompiled =
                     "delete_quadric", "set_quadric"});
 
 // Commands that send vertices or their attributes.
-constexpr CommandSet kSendsVertices =
-    CommandSet::of({"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element",
-                    "draw_arrays", "rect", "shape", "mesh_file", "quadric_shape", "driver_only_vertex"});
+constexpr CommandSet kSendsVertices = CommandSet::of(
+    {"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element", "draw_arrays",
+     "rect", "shape", "mesh_file", "quadric_shape", "eval_coord", "eval_point", "eval_mesh"});
 
 bool reads_pixels(const Command& c) {
     const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels"; };

@@ -19,10 +19,26 @@ namespace {
 
 // The commands allowed between Begin and End (2.6.3). begin, end and perspective are listed because they raise their
 // own errors, GLU's quadrics because they are not GL commands.
-constexpr CommandSet kLegalInside = CommandSet::of(
-    {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
-     "driver_only_vertex", "driver_only_attribute", "driver_only_secondary_color", "call_list", "call_lists",
-     "array_element", "perspective", "new_quadric", "delete_quadric", "set_quadric"});
+constexpr CommandSet kLegalInside = CommandSet::of({"vertex",
+                                                    "normal",
+                                                    "color",
+                                                    "tex_coord",
+                                                    "edge_flag",
+                                                    "material",
+                                                    "begin",
+                                                    "end",
+                                                    "multi_tex_coord",
+                                                    "eval_coord",
+                                                    "eval_point",
+                                                    "driver_only_attribute",
+                                                    "driver_only_secondary_color",
+                                                    "call_list",
+                                                    "call_lists",
+                                                    "array_element",
+                                                    "perspective",
+                                                    "new_quadric",
+                                                    "delete_quadric",
+                                                    "set_quadric"});
 
 // Commands that set a vertex's attributes accept NaN and infinity.
 constexpr CommandSet kTakesAnyNumber = CommandSet::of({"vertex", "normal", "color", "tex_coord", "multi_tex_coord",
@@ -205,6 +221,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
                     .env_color = a_.units[0].env_color,
                     .lod_bias = a_.units[0].lod_bias,
                     .texture_matrix = texture_[0].back().matrix};
+    if (draw.texture.texture) draw.texture.generated = generated_coordinates(a_.units[0]);
     if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) note_unsupported("glTexEnv(GL_COMBINE)", place);
     for (std::size_t i = 1; i < a_.units.size(); ++i) {
         if (!complete_texture(a_.units[i])) continue;
@@ -219,7 +236,6 @@ Draw State::new_draw(Enum mode, const Place& place) {
         const DriverOnlyCapability& row = driver_only_capability(capability.first);
         if (!row.changes_pixels) continue;
         note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where);
-    if (draw.texture.texture) draw.texture.generated = generated_coordinates(a_.units[0]);
     }
     note_driver_only_values(draw);
     // `#pragma twinlight light(8, ...)`: GL has only eight lights.
