@@ -18,7 +18,7 @@
 namespace twinlight {
 namespace {
 
-constexpr int kStates = 600;
+constexpr int kStates = 200;
 constexpr int kSide = 64;
 constexpr double kReach = 64;  // the view volume
 

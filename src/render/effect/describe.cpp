@@ -74,7 +74,6 @@ const char* name_of(Generated generated) {
     switch (generated) {
         case Generated::kNot: return "the vertex";
         case Generated::kLinear: return "a plane";
-        case Generated::kEyeLinear: return "a plane in eye coordinates";
         case Generated::kSphereMap: return "a sphere map";
         case Generated::kReflectionMap: return "the reflection";
         case Generated::kNormalMap: return "the normal";
@@ -96,7 +95,6 @@ std::string describe(const TextureEffects& texture) {
     for (std::size_t i = 0; i < texture.generated.size(); ++i)
         add(texture.generated[i] != Generated::kNot,
             fmt::format("{} from {}", "strq"[i], name_of(texture.generated[i])).c_str());
-    add(texture.generated_normal == GeneratedNormal::kRescaled, "rescaled normals for them");
     add(texture.generated_normal == GeneratedNormal::kUnit, "unit normals for them");
     add(texture.generated_w, "any w for them");
     return text;

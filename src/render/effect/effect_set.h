@@ -27,8 +27,8 @@
 //   texture.clamp_t                          the texture has two dimensions
 //   texture.clamp_s, .clamp_t                a filter is linear; otherwise GL_CLAMP equals GL_CLAMP_TO_EDGE
 //   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ
-//   texture.generated[i]                     the coordinate is used: texture.uses(i); kEyeLinear: for_any_pose
-//   texture.generated_normal                 a coordinate is generated from the normal; kRescaled: for_any_pose
+//   texture.generated[i]                     the coordinate is used: texture.uses(i)
+//   texture.generated_normal                 a coordinate is generated from the normal
 //   texture.generated_w                      a coordinate is generated from the direction to the vertex
 //   texture.environment kDecal               the texels are kColorAndAlpha; with kColor it becomes kReplace
 //
@@ -100,12 +100,12 @@ enum class TextureEnvironment : std::uint8_t { kNone, kModulate, kDecal, kReplac
 // LUMINANCE_ALPHA both. INTENSITY is both, with the same value.
 enum class Texels : std::uint8_t { kColor, kAlpha, kColorAndAlpha, kIntensity };
 
-// What a texture coordinate is computed from (2.11.4), instead of coming with the vertex. kLinear is also
-// GL_EYE_LINEAR: its plane is brought to object coordinates.
-enum class Generated : std::uint8_t { kNot, kLinear, kEyeLinear, kSphereMap, kReflectionMap, kNormalMap };
+// What a texture coordinate is computed from (2.11.4), instead of coming with the vertex. kLinear: a plane, of object or
+// eye coordinates.
+enum class Generated : std::uint8_t { kNot, kLinear, kSphereMap, kReflectionMap, kNormalMap };
 
-// What is done to the normal that texture coordinates are generated from, besides the product with the normal matrix.
-enum class GeneratedNormal : std::uint8_t { kUnused, kUnchanged, kRescaled, kUnit };
+// Whether texture coordinates are generated from the normal, and whether GL_NORMALIZE scales it to length 1 first.
+enum class GeneratedNormal : std::uint8_t { kUnused, kUnchanged, kUnit };
 
 struct TextureEffects {
     TextureEnvironment environment = TextureEnvironment::kNone;

@@ -98,7 +98,7 @@ class Planner {
         facts().srgb_coded = options_.lecture_variants && draw_.fragment.srgb_coded;
         // sRGB's curve is steepest at black, so an error in linear light grows most there.
         if (facts().srgb_coded) plan_.budget /= kSteepestSrgb;
-        plan_fragments(draw_, vertices_, options_.for_any_pose, plan_);
+        plan_fragments(draw_, vertices_, plan_);
         facts().shading =
             options_.shading.value_or(draw_.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud);
         // Meshes without exact surfaces, and exact surfaces (surface_draw.h), are lit at each fragment.

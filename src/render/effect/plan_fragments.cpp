@@ -49,7 +49,7 @@ bool q_is_1(const Draw& draw, const VertexFacts& vertices) {
 }
 
 // 2.11.4.
-void plan_generated(const Draw& draw, const VertexFacts& vertices, bool for_any_pose, Plan& plan) {
+void plan_generated(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     TextureEffects& facts = plan.effects.texture;
     for (const GeneratedCoordinate& one : draw.texture.generated) {
         const auto i = static_cast<std::size_t>(one.coordinate);
@@ -59,8 +59,8 @@ void plan_generated(const Draw& draw, const VertexFacts& vertices, bool for_any_
             continue;
         }
         switch (one.mode) {
-            case kGL_OBJECT_LINEAR: facts.generated[i] = Generated::kLinear; break;
-            case kGL_EYE_LINEAR: facts.generated[i] = for_any_pose ? Generated::kEyeLinear : Generated::kLinear; break;
+            case kGL_OBJECT_LINEAR:
+            case kGL_EYE_LINEAR: facts.generated[i] = Generated::kLinear; break;
             case kGL_SPHERE_MAP: facts.generated[i] = Generated::kSphereMap; break;
             case kGL_REFLECTION_MAP: facts.generated[i] = Generated::kReflectionMap; break;
             default: facts.generated[i] = Generated::kNormalMap; break;
@@ -68,12 +68,10 @@ void plan_generated(const Draw& draw, const VertexFacts& vertices, bool for_any_
     }
     if (facts.generates_from_direction()) facts.generated_w = !keeps_w(draw.eye_from_object) || !vertices.w_is_1;
     if (!facts.generates_from_normal()) return;
-    facts.generated_normal = draw.lighting.normalize                        ? GeneratedNormal::kUnit
-                             : draw.lighting.rescale_normal && for_any_pose ? GeneratedNormal::kRescaled
-                                                                            : GeneratedNormal::kUnchanged;
+    facts.generated_normal = draw.lighting.normalize ? GeneratedNormal::kUnit : GeneratedNormal::kUnchanged;
 }
 
-void plan_texture(const Draw& draw, const VertexFacts& vertices, bool for_any_pose, Plan& plan) {
+void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     const Texture* texture = draw.texture.texture.get();
     if (!texture) return plan.leave_out("texture", "none is enabled, or the enabled one is incomplete", true);
     TextureEffects& facts = plan.effects.texture;
@@ -86,7 +84,7 @@ void plan_texture(const Draw& draw, const VertexFacts& vertices, bool for_any_po
     facts.q = !q_is_1(draw, vertices);
     if (!facts.matrix) plan.leave_out("texture matrix", "it is the identity", true);
     if (!facts.q) plan.leave_out("division by q", "q is 1 at every vertex");
-    if (!draw.texture.generated.empty()) plan_generated(draw, vertices, for_any_pose, plan);
+    if (!draw.texture.generated.empty()) plan_generated(draw, vertices, plan);
 
     const bool clamp_t = !facts.one_dimensional && texture->wrap_t == kGL_CLAMP;
     const bool clamps = clamp_t || texture->wrap_s == kGL_CLAMP;
@@ -112,8 +110,8 @@ void plan_fog(const Draw& draw, Plan& plan) {
 
 }  // namespace
 
-void plan_fragments(const Draw& draw, const VertexFacts& vertices, bool for_any_pose, Plan& plan) {
-    plan_texture(draw, vertices, for_any_pose, plan);
+void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
+    plan_texture(draw, vertices, plan);
     plan_fog(draw, plan);
     plan.effects.clip_plane_count = draw.raster.clip_plane_count();
     if (plan.effects.clip_plane_count == 0) plan.leave_out("clip planes", "none is enabled", true);

@@ -20,6 +20,6 @@ struct LightsToPlan {
 ColorRange plan_lights(const LightsToPlan& lights, Plan& plan);
 
 // Adds texture, fog and clip planes to plan.effects, or to plan.left_out with the reason why they are not needed.
-void plan_fragments(const Draw& draw, const VertexFacts& vertices, bool for_any_pose, Plan& plan);
+void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan);
 
 }  // namespace twinlight

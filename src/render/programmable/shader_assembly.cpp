@@ -276,18 +276,20 @@ class Assembler {
     std::string generated() const {
         const TextureEffects& texture = effects_.texture;
         if (!texture.generates()) return "";
-        const auto uses = [&](Generated one) {
-            return std::ranges::find(texture.generated, one) != texture.generated.end();
+        const auto is_eye_plane = [&](std::size_t i) {  // otherwise planes are in object coordinates
+            return form_.kept && form_.kept->eye_planes[i] && texture.generated[i] == Generated::kLinear;
         };
         std::string text = fmt::format("    // glTexGen (section 2.11.4)\n    vec4 tex_coord = {};\n",
                                        effects_.takes_tex_coord() ? "a_tex_coord" : "vec4(0.0, 0.0, 0.0, 1.0)");
-        if (texture.generates_from_direction() || uses(Generated::kEyeLinear))
+        if (texture.generates_from_direction() || is_eye_plane(0) || is_eye_plane(1) || is_eye_plane(2) ||
+            is_eye_plane(3))
             text += "    vec4 position_eye = u_generated_eye_from_object * position;\n";
         if (texture.generated_normal != GeneratedNormal::kUnused) {
             std::string normal = "u_generated_normal_from_object * a_normal";
-            if (texture.generated_normal == GeneratedNormal::kRescaled)
+            if (texture.generated_normal == GeneratedNormal::kUnit)
+                normal = fmt::format("unit_of_any({})", normal);
+            else if (form_.kept && form_.kept->rescales_generated)
                 normal = fmt::format("u_normal_scale * ({})", normal);
-            if (texture.generated_normal == GeneratedNormal::kUnit) normal = fmt::format("unit_of_any({})", normal);
             text += fmt::format("    vec3 normal_eye = {};\n", normal);
         }
         if (texture.generates_from_direction())
@@ -295,26 +297,21 @@ class Assembler {
                                 texture.generated_w ? "position_eye.w < 0.0 ? -position_eye.xyz : position_eye.xyz"
                                                     : "position_eye.xyz");
         for (std::size_t i = 0; i < texture.generated.size(); ++i) {
-            const char coordinate = "strq"[i], component = "xyzw"[i];
-            const auto value = [&]() -> std::string {
-                switch (texture.generated[i]) {
-                    case Generated::kNot: return "";
-                    case Generated::kLinear: return fmt::format("dot(u_plane_{}_object, position)", coordinate);
-                    case Generated::kEyeLinear: return fmt::format("dot(u_plane_{}_eye, position_eye)", coordinate);
-                    case Generated::kSphereMap: return fmt::format("sphere_map(reflected).{}", component);
-                    case Generated::kReflectionMap: return fmt::format("reflected.{}", component);
-                    case Generated::kNormalMap: return fmt::format("normal_eye.{}", component);
-                }
-                return "";
-            }();
-            const bool both = i == 1 && texture.generated[0] == Generated::kSphereMap &&
-                              texture.generated[1] == Generated::kSphereMap;
-            const bool with_next = i == 0 && texture.generated[0] == Generated::kSphereMap &&
-                                   texture.generated[1] == Generated::kSphereMap;
-            if (with_next)
-                text += "    tex_coord.st = sphere_map(reflected);\n";
-            else if (!value.empty() && !both)
+            const char component = "xyzw"[i];
+            const auto add = [&](const std::string& value) {
                 text += fmt::format("    tex_coord.{} = {};\n", "stpq"[i], value);
+            };
+            switch (texture.generated[i]) {
+                case Generated::kNot: break;
+                case Generated::kLinear:
+                    add(fmt::format(fmt::runtime(is_eye_plane(i) ? "dot(u_plane_{}_eye, position_eye)"
+                                                                 : "dot(u_plane_{}_object, position)"),
+                                    "strq"[i]));
+                    break;
+                case Generated::kSphereMap: add(fmt::format("sphere_map(reflected).{}", component)); break;
+                case Generated::kReflectionMap: add(fmt::format("reflected.{}", component)); break;
+                case Generated::kNormalMap: add(fmt::format("normal_eye.{}", component)); break;
+            }
         }
         return text;
     }

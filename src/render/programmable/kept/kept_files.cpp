@@ -46,6 +46,12 @@ Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
     }
     for (int i = 0; i < kMaxClipPlanes; ++i)
         if (draw.raster.clip_planes_eye[static_cast<std::size_t>(i)]) kept.clip_planes.push_back(i);
+    const TextureEffects& texture = kind.effects.texture;
+    for (const GeneratedCoordinate& one : draw.texture.generated) {
+        const auto i = static_cast<std::size_t>(one.coordinate);
+        kept.eye_planes[i] = texture.generated[i] == Generated::kLinear && one.mode == kGL_EYE_LINEAR;
+    }
+    kept.rescales_generated = texture.generated_normal == GeneratedNormal::kUnchanged && draw.lighting.rescale_normal;
     if (draw.fragment.alpha_test) kept.alpha_func = draw.fragment.alpha_func;
     // OpenGL ES has no 1D textures: they become 2D textures of height 1.
     if (version == Glsl::k300es) kind.effects.texture.one_dimensional = false;
@@ -301,9 +307,8 @@ class Writer {
     }
     void write_generated(const TextureUnit& unit, const TextureEffects& effects) {
         for (const GeneratedCoordinate& one : unit.generated) {
-            const Generated how = effects.generated[static_cast<std::size_t>(one.coordinate)];
-            if (how != Generated::kLinear && how != Generated::kEyeLinear) continue;
-            const bool is_eye = how == Generated::kEyeLinear;
+            if (effects.generated[static_cast<std::size_t>(one.coordinate)] != Generated::kLinear) continue;
+            const bool is_eye = one.mode == kGL_EYE_LINEAR;
             const std::string name = fmt::format("{}Plane{}[0]", is_eye ? "Eye" : "Object", "STRQ"[one.coordinate]);
             uniform(name, fmt::format("{}_plane(\"{}\", {});", is_eye ? "eye" : "object", name, c_.floats(one.plane)));
         }
