@@ -88,8 +88,10 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
                                kGL_LINE_STIPPLE,
                                kGL_DITHER,
                                kGL_STENCIL_TEST,
-                               kGL_TEXTURE_GEN_S});
+                               kGL_TEXTURE_GEN_S,
+                               kGL_TEXTURE_GEN_Q});
     }
+    if (parameter == "coord") return kGL_S + static_cast<Enum>(random.below(4));
     if (parameter == "target") {
         const std::string_view name = signature(id).name;
         if (name == "glHint") return one_of(random, {kGL_FOG_HINT, kGL_LINE_SMOOTH_HINT, kGL_GENERATE_MIPMAP_HINT});
@@ -136,6 +138,9 @@ double random_name(fuzz::Random& random, Enum pname) {
         case kGL_TEXTURE_MIN_FILTER: return one_of(random, {kGL_NEAREST, kGL_LINEAR, kGL_LINEAR_MIPMAP_LINEAR});
         case kGL_TEXTURE_MAG_FILTER: return one_of(random, {kGL_NEAREST, kGL_LINEAR, kGL_NEAREST_MIPMAP_NEAREST});
         case kGL_LIGHT_MODEL_COLOR_CONTROL: return one_of(random, {kGL_SINGLE_COLOR, kGL_SEPARATE_SPECULAR_COLOR});
+        case kGL_TEXTURE_GEN_MODE:
+            return one_of(random,
+                          {kGL_OBJECT_LINEAR, kGL_EYE_LINEAR, kGL_SPHERE_MAP, kGL_REFLECTION_MAP, kGL_NORMAL_MAP});
         case kGL_FOG_COORD_SRC: return kGL_FRAGMENT_DEPTH;
         default: return one_of(random, {kGL_REPEAT, kGL_CLAMP, kGL_CLAMP_TO_EDGE, kGL_MIRRORED_REPEAT, kGL_LINEAR});
     }
@@ -176,10 +181,11 @@ double random_bits(fuzz::Random& random, CommandId id) {
 bool uses_arrays_or_names(const Signature& sig) {
     const bool is_array = sig.name.ends_with("ClientState") || sig.name.ends_with("ClientAttrib") ||
                           sig.name.starts_with("glDrawArrays") || sig.name == "glArrayElement";
+    if (sig.name.starts_with("glEvalMesh")) return true;  // draws; evaluators have a test of their own
     return is_array || std::any_of(sig.parameters.begin(), sig.parameters.end(), [](const Parameter& p) {
-               return p.extent == Extent::kPointer || p.extent == Extent::kOutputByCount ||
-                      p.extent == Extent::kArrayByCount || p.extent == Extent::kNewNames || p.name == "buffer" ||
-                      p.name == "list" || p.name == "base";
+               return p.extent == Extent::kPointer || p.extent == Extent::kControlPoints ||
+                      p.extent == Extent::kOutputByCount || p.extent == Extent::kArrayByCount ||
+                      p.extent == Extent::kNewNames || p.name == "buffer" || p.name == "list" || p.name == "base";
            });
 }
 
@@ -300,7 +306,8 @@ bool is_departure(const Command& command, const State& state) {
     // Of EXT_direct_state_access, which the driver has.
     const auto is_unit = [](Enum mode) { return mode >= kGL_TEXTURE0 && mode <= kGL_TEXTURE0 + 31; };
     if (command.id == CommandId::glMatrixMode && is_unit(command.enumerant(0))) return true;
-    if (command.id == CommandId::glClipPlane && is_inaccurate_plane(state)) return true;
+    const bool is_eye_plane = name.starts_with("glTexGen") && command.enumerant(1) == kGL_EYE_PLANE;
+    if ((command.id == CommandId::glClipPlane || is_eye_plane) && is_inaccurate_plane(state)) return true;
     return name.starts_with("glColor3") && state.attributes().current.color.a != 1;
 }
 
@@ -375,6 +382,11 @@ void expect_same_state(const State& state, const fixed::Driver& driver) {
     }
     for (const ParameterInfo& info : parameter_infos()) {
         std::array<GLfloat, 4> values{};
+        for (Enum coord = kGL_S; info.owner == Owner::kTexGen && coord <= kGL_Q; ++coord) {
+            glGetTexGenfv(coord, info.pname, values.data());
+            expect_near({values.begin(), values.begin() + info.count}, tex_gen_answer(state, coord, info.pname),
+                        enum_name(coord) + " " + enum_name(info.pname));
+        }
         if (info.owner == Owner::kTexEnv || info.owner == Owner::kTexFilterControl) {
             const Enum target = info.owner == Owner::kTexEnv ? kGL_TEXTURE_ENV : kGL_TEXTURE_FILTER_CONTROL;
             glGetTexEnvfv(target, info.pname, values.data());

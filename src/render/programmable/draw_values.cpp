@@ -202,8 +202,36 @@ class DrawUniforms {
             if (plane_eye) vector("u_clip_plane" + std::to_string(count++) + "_object", *plane_eye * eye_from_object_);
     }
 
+    // Generated texture coordinates (2.11.4).
+    void generated() {
+        for (const GeneratedCoordinate& one : draw_.texture.generated) {
+            if (one.needs_normal()) continue;
+            // (plane * matrix) . position_object = plane . position_eye.
+            const glm::dvec4 plane = one.mode == kGL_EYE_LINEAR ? one.plane * draw_.eye_from_object : one.plane;
+            const glm::dvec4 origin(origin_object_.value_or(glm::dvec3(0)), 1);
+            vector(fmt::format("u_plane_{}_object", "strq"[one.coordinate]),
+                   glm::dvec4(glm::dvec3(plane), glm::dot(plane, origin)));
+        }
+        const TextureEffects& texture = effects_.texture;
+        if (texture.generates_from_direction()) {
+            const double scale = power_of_two(reach_eye(eye_from_object_, reach_object()));
+            matrix("u_generated_eye_from_object", eye_from_object_ / scale);
+        }
+        if (!texture.generates_from_normal()) return;
+        const glm::dmat3 normals = normal_matrix(glm::dmat3(draw_.eye_from_object));
+        const double third = glm::length(normals[2]);  // of GL_RESCALE_NORMAL: see normal_matrix_of()
+        double scale = 1;
+        if (texture.generated_normal == GeneratedNormal::kUnit)
+            scale = power_of_two(std::max(
+                {largest_component(normals[0]), largest_component(normals[1]), largest_component(normals[2])}));
+        else if (draw_.lighting.rescale_normal && third > 0)
+            scale = third;
+        matrix("u_generated_normal_from_object", normals / scale);
+    }
+
     void fragments() {
         if (effects_.texture.matrix) matrix("u_texture_matrix", draw_.texture.texture_matrix);
+        if (effects_.texture.generates()) generated();
         vector("u_texture_env_color", draw_.texture.env_color);
         if (!effects_.has_fog()) return;
         const glm::dmat4 rows = glm::transpose(eye_from_object_);
@@ -412,14 +440,14 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
     };
     for_each_vertex(draw, vertices, [&](const Vertex& vertex) {
         add(without_denormals(vertex.position_object - glm::dvec4(origin_object * vertex.position_object.w, 0)), 4);
-        if (effects.needs_normal()) {
+        if (effects.takes_normal()) {
             const double size = largest_component(vertex.normal_object);
             const bool rescaled = normals_made_unit && !needs_no_unit(size);
             add(rescaled ? vertex.normal_object / power_of_two(size) : vertex.normal_object, 3);
             values.push_back(0);
         }
         if (effects.needs_color()) add(vertex.color, 4);
-        if (effects.has_texture()) add(vertex.tex_coord, 4);
+        if (effects.takes_tex_coord()) add(vertex.tex_coord, 4);
         for (const VertexProperty& property : properties) {
             const Material& material = draw.materials.at(vertex.material).*property.face;
             if (property.color)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/math/srgb.h"
+#include "render/reference/tex_gen.h"
 #include "render/reference/texture_bounds.h"
 #include "render/reference/texture_environment.h"
 #include "render/reference/texture_place.h"
@@ -188,8 +189,12 @@ void Shader::add_texel(const Fragment& fragment, Finish<double>& finish) const {
 
 void Shader::add_texel(const Fragment& fragment, Finish<Interval>& finish) const {
     const TextureUnit& unit = draw_.texture;
+    double error = 0;
+    if (!unit.generated.empty())
+        for (const std::uint32_t i : fragment.piece->primitive.vertices)
+            error = std::max(error, generated_error(draw_, draw_.vertices[i], vertices_[i]));
     const TexturePlaceBounds place =
-        texture_place_bounds(vertices_, *fragment.piece, fragment.position_window, *unit.texture);
+        texture_place_bounds(vertices_, *fragment.piece, fragment.position_window, *unit.texture, error);
     const TexelBounds bounds = sample_bounds(unit, place.st, place.st_error, place.rho);
     finish.texel = bounds.texel;
     finish.has_choice = bounds.has_choice;

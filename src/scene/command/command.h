@@ -232,6 +232,7 @@ enum class Owner : std::uint8_t {
     kLightModel,
     kFog,
     kTexEnv,
+    kTexGen,
     kTexFilterControl,
     kTexture,
     kPixelStore,

@@ -51,6 +51,8 @@ void restore_enables(Attributes& now, const Attributes& saved) {
     for (std::size_t i = 0; i < saved.units.size(); ++i) {
         now.units[i].enabled_1d = saved.units[i].enabled_1d;
         now.units[i].enabled_2d = saved.units[i].enabled_2d;
+        for (std::size_t n = 0; n < saved.units[i].tex_gen.size(); ++n)
+            now.units[i].tex_gen[n].enabled = saved.units[i].tex_gen[n].enabled;
     }
 }
 
@@ -94,6 +96,11 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     if (bit(kGL_TRANSFORM_BIT)) transform(now) = transform(saved);
     if (bit(kGL_ENABLE_BIT)) restore_enables(now, saved);
     if (bit(kGL_COLOR_BUFFER_BIT)) restore_color_buffer(now, saved);
+    if (bit(kGL_EVAL_BIT)) {
+        now.grid1 = saved.grid1;
+        now.grid2_u = saved.grid2_u;
+        now.grid2_v = saved.grid2_v;
+    }
     if (bit(kGL_HINT_BIT)) now.hints = saved.hints;
     if (bit(kGL_LIST_BIT)) now.list_base = saved.list_base;
     if (bit(kGL_TEXTURE_BIT)) {

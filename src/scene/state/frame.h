@@ -300,12 +300,24 @@ struct Texture {                         // 3.8.4, table 3.18
     }
 };
 
+// A texture coordinate that GL computes from each vertex (2.11.4).
+struct GeneratedCoordinate {
+    int coordinate = 0;          // 0 to 3: s, t, r, q
+    Enum mode = kGL_EYE_LINEAR;  // or GL_OBJECT_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP
+    glm::dvec4 plane{0};         // of GL_OBJECT_LINEAR in object coordinates, of GL_EYE_LINEAR in eye coordinates
+
+    friend bool operator==(const GeneratedCoordinate&, const GeneratedCoordinate&) = default;
+    bool needs_normal() const { return mode != kGL_OBJECT_LINEAR && mode != kGL_EYE_LINEAR; }
+};
+
 struct TextureUnit {
     std::shared_ptr<const Texture> texture;  // null if texturing is disabled or the texture incomplete (3.8.10)
     Enum env_mode = kGL_MODULATE;            // 3.8.13: or GL_DECAL, GL_REPLACE, GL_BLEND, GL_ADD
     glm::dvec4 env_color{0, 0, 0, 0};
     double lod_bias = 0;           // GL_TEXTURE_LOD_BIAS of the unit and of the texture: their sum, limited (3.8.8)
     glm::dmat4 texture_matrix{1};  // multiplies every texture coordinate (2.11.2)
+    // They replace the vertices' own coordinates; in the order s, t, r, q.
+    std::vector<GeneratedCoordinate> generated{};
 
     friend bool operator==(const TextureUnit&, const TextureUnit&) = default;
 };
@@ -400,9 +412,11 @@ struct Draw {
     bool draws_points() const { return mode == kGL_POINTS || draws_polygons_as(kGL_POINT); }
     bool draws_lines() const { return (mode != kGL_POINTS && !draws_polygons(mode)) || draws_polygons_as(kGL_LINE); }
 
-    // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons.
+    // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons whose texture
+    // coordinates are not generated: GL generates them for vertices.
     bool has_exact_surfaces() const {
-        return surfaces && !draws_borders() && raster.viewport.width > 0 && raster.viewport.height > 0;
+        return surfaces && !draws_borders() && texture.generated.empty() && raster.viewport.width > 0 &&
+               raster.viewport.height > 0;
     }
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }

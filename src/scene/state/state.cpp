@@ -20,10 +20,26 @@ namespace {
 
 // The commands allowed between Begin and End (2.6.3). begin, end and perspective are listed because they raise their
 // own errors, GLU's quadrics because they are not GL commands.
-constexpr CommandSet kLegalInside = CommandSet::of(
-    {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
-     "driver_only_vertex", "driver_only_attribute", "driver_only_secondary_color", "call_list", "call_lists",
-     "array_element", "perspective", "new_quadric", "delete_quadric", "set_quadric"});
+constexpr CommandSet kLegalInside = CommandSet::of({"vertex",
+                                                    "normal",
+                                                    "color",
+                                                    "tex_coord",
+                                                    "edge_flag",
+                                                    "material",
+                                                    "begin",
+                                                    "end",
+                                                    "multi_tex_coord",
+                                                    "eval_coord",
+                                                    "eval_point",
+                                                    "driver_only_attribute",
+                                                    "driver_only_secondary_color",
+                                                    "call_list",
+                                                    "call_lists",
+                                                    "array_element",
+                                                    "perspective",
+                                                    "new_quadric",
+                                                    "delete_quadric",
+                                                    "set_quadric"});
 
 // Adds one to the count of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
@@ -212,9 +228,11 @@ Draw State::new_draw(Enum mode, const Place& place) {
                     .env_color = a_.units[0].env_color,
                     .lod_bias = a_.units[0].lod_bias,
                     .texture_matrix = texture_[0].back().matrix};
-    if (draw.texture.texture)  // 3.8.8, equation 3.19
-        draw.texture.lod_bias =
+    if (draw.texture.texture) {
+        draw.texture.lod_bias =  // 3.8.8, equation 3.19
             std::clamp(draw.texture.lod_bias + draw.texture.texture->lod_bias, -kMaxLodBias, kMaxLodBias);
+        draw.texture.generated = generated_coordinates(a_.units[0]);
+    }
     if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) note_unsupported("glTexEnv(GL_COMBINE)", place);
     for (std::size_t i = 1; i < a_.units.size(); ++i) {
         if (!complete_texture(a_.units[i])) continue;
@@ -227,9 +245,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     for (const auto& [capability, where] : a_.driver_only) {
         const DriverOnlyCapability& row = driver_only_capability(capability.first);
-        // Textures of units above 0 are already noted.
-        const bool is_idle = row.generates_coordinates() && (capability.second > 0 || !draw.texture.texture);
-        if (!row.changes_pixels || is_idle) continue;
+        if (!row.changes_pixels) continue;
         note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where);
     }
     note_driver_only_values(draw);

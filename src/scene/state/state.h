@@ -12,6 +12,7 @@
 #include "scene/shape/quadric.h"
 #include "scene/state/arrays.h"
 #include "scene/state/attributes.h"
+#include "scene/state/evaluators.h"
 #include "scene/state/frame.h"
 #include "scene/state/gl_error.h"
 #include "scene/state/lists.h"
@@ -126,9 +127,9 @@ class State {
     Effect push_attrib, pop_attrib;
     Effect enable, disable;
     Effect client_arrays, array_element, draw_arrays;
-    Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_vertex, driver_only_attribute,
-        driver_only_query, driver_only_secondary_color, driver_only_point_parameter, driver_only_pixel_transfer,
-        driver_only_bitmap, driver_only_stipple, driver_only_copy_image;
+    Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
+        driver_only_secondary_color, driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap,
+        driver_only_stipple, driver_only_copy_image;
     Effect clear_depth, clear_color, clear, scissor, alpha_func, blend_func, blend_color, color_mask, fog,
         blend_equation;
     Effect light, material, light_model, color_material, shade_model, get_light, get_material, specular_model,
@@ -137,6 +138,7 @@ class State {
     Effect matrix_mode, load_identity, push_matrix, pop_matrix, load_matrix, mult_matrix, rotate, scale, translate,
         frustum, ortho, perspective, ortho_2d, look_at, viewport, clip_plane, load_transpose_matrix,
         mult_transpose_matrix;
+    Effect map, map_grid, eval_coord, eval_point, eval_mesh;
     Effect build_mipmaps, texture_file;
     Effect front_face, cull_face, polygon_mode, depth_func, depth_mask, flush, depth_range, polygon_offset, line_width,
         point_size, edge_flag, hint;
@@ -145,8 +147,8 @@ class State {
     Effect spectrum, reflectance, illuminant, transfer;
     Effect begin, end, normal, color, vertex, tex_coord, multi_tex_coord, rect;
     Effect pixel_store, tex_image, tex_sub_image;
-    Effect bind_texture, active_texture, tex_parameter, tex_env, query_tex_env, query_tex_parameter, gen_textures,
-        delete_textures, prioritize_textures;
+    Effect bind_texture, active_texture, tex_parameter, tex_env, tex_gen, query_tex_env, query_tex_gen,
+        query_tex_parameter, gen_textures, delete_textures, prioritize_textures;
     // glMaterial; `reflectance` is null or the spectrum that the colour was computed from.
     void set_material(const Command&, const Spectrum* reflectance);
     void set_light(const Command&, LightSource& source, Enum pname, const std::vector<double>& values);
@@ -211,6 +213,9 @@ class State {
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
     void send_shape(const Command& command, std::vector<ShapePart> parts, std::vector<Surface> surfaces);
+    void send_evaluated(const Command& command, double u, std::optional<double> v);  // glEvalCoord
+    // The vertex on the enabled maps; none if no map of vertices is enabled.
+    std::optional<Vertex> evaluated(double u, std::optional<double> v) const;
     Quadric* quadric(
         const Command& command);  // its first argument; raises the error and returns null if it does not exist
     bool can_send(const Command& command);      // whether its quadric can be drawn; if not, raises the error
@@ -249,6 +254,7 @@ class State {
     bool has_selection_ = false, has_feedback_ = false;  // has a buffer with room
     std::optional<Draw> open_;                           // between Begin and End
     std::size_t open_bytes_ = 0;                         // what it counts in item_bytes_, besides its vertices
+    std::map<Enum, EvaluatorMap> maps_;                  // by the target of glMap
     std::map<double, Quadric> quadrics_;                 // by number
     std::map<double, Place> deleted_quadrics_;           // the place of gluDeleteQuadric
     std::vector<std::variant<Clear, Draw>> items_;

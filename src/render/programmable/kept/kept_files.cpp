@@ -46,6 +46,12 @@ Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
     }
     for (int i = 0; i < kMaxClipPlanes; ++i)
         if (draw.raster.clip_planes_eye[static_cast<std::size_t>(i)]) kept.clip_planes.push_back(i);
+    const TextureEffects& texture = kind.effects.texture;
+    for (const GeneratedCoordinate& one : draw.texture.generated) {
+        const auto i = static_cast<std::size_t>(one.coordinate);
+        kept.eye_planes[i] = texture.generated[i] == Generated::kLinear && one.mode == kGL_EYE_LINEAR;
+    }
+    kept.rescales_generated = texture.generated_normal == GeneratedNormal::kUnchanged && draw.lighting.rescale_normal;
     if (draw.fragment.alpha_test) kept.alpha_func = draw.fragment.alpha_func;
     // OpenGL ES has no 1D textures: they become 2D textures of height 1.
     if (version == Glsl::k300es) kind.effects.texture.one_dimensional = false;
@@ -296,7 +302,16 @@ class Writer {
                                    found - textures_.begin() + 1, c_.number(unit.lod_bias)));
         if (effects.texture.matrix)
             uniform("texture matrix", fmt::format("texture_matrix({});", c_.floats(unit.texture_matrix)));
+        write_generated(unit, effects.texture);
         uniform("texture color", fmt::format("texture_env_color({});", c_.floats(unit.env_color)));
+    }
+    void write_generated(const TextureUnit& unit, const TextureEffects& effects) {
+        for (const GeneratedCoordinate& one : unit.generated) {
+            if (effects.generated[static_cast<std::size_t>(one.coordinate)] != Generated::kLinear) continue;
+            const bool is_eye = one.mode == kGL_EYE_LINEAR;
+            const std::string name = fmt::format("{}Plane{}[0]", is_eye ? "Eye" : "Object", "STRQ"[one.coordinate]);
+            uniform(name, fmt::format("{}_plane(\"{}\", {});", is_eye ? "eye" : "object", name, c_.floats(one.plane)));
+        }
     }
     Enum target_of(const Texture& texture) const {
         return version_ == Glsl::k300es ? Enum{kGL_TEXTURE_2D} : texture.target;
