@@ -79,14 +79,20 @@ Material::Reflectances reflectances_of(const Material& material, const FaceEffec
 class Planner {
   public:
     Planner(const Draw& draw, const PlanOptions& options, const VertexFacts& vertices)
-        : draw_(draw), options_(options), vertices_(vertices) {
-        plan_.vertices = vertices;
-        plan_.has_reasons = options.reasons;
+        : draw_(draw),
+          options_(options),
+          vertices_(vertices),
+          plan_{.effects = {},
+                .vertices = vertices,
+                .left_out = {},
+                .has_reasons = options.reasons,
+                .lights = {},
+                .lighting = draw.lighting.enabled ? draw.lighting : LightingState(),
+                .light_bounds = {}} {
         if (options.reasons) plan_.left_out.reserve(16);
     }
 
     Plan plan() {
-        state().enabled = draw_.lighting.enabled;
         const bool has_budget = !options_.for_any_pose && keeps_errors_from_adding(draw_.fragment);
         plan_.budget = has_budget ? std::max(options_.budget, 0.0) : 0;
         facts().srgb_coded = options_.lecture_variants && draw_.fragment.srgb_coded;
@@ -101,7 +107,7 @@ class Planner {
             facts().shading = Shading::kGouraud;
             plan_.leave_out("flat shading", "a point has one vertex");
         }
-        if (state().enabled)
+        if (draw_.lighting.enabled)
             plan_lit();
         else
             plan_unlit();
@@ -192,7 +198,6 @@ class Planner {
     }
 
     void find_effective_state() {
-        state() = draw_.lighting;
         if (options_.lecture_variants) return;
         const LightModel initial;
         state().light_model.specular = initial.specular;

@@ -339,11 +339,13 @@ SmoothConeValues smooth_cone_values(const LightSource& light) {
 
 DrawProgram draw_program(const Draw& draw, const Plan& plan, bool precise) {
     if (precise && floats_suffice(draw, plan)) {
-        const Code code = precise_code(draw, plan);
-        return {code, precise_uniforms(draw, plan, code)};
+        Code code = precise_code(draw, plan);
+        Uniforms numbers = precise_uniforms(draw, plan, code);
+        return {std::move(code), std::move(numbers)};
     }
-    const Code code = code_for(draw, plan);
-    return {code, uniforms(draw, plan, code)};
+    Code code = code_for(draw, plan);
+    Uniforms numbers = uniforms(draw, plan, code);
+    return {std::move(code), std::move(numbers)};
 }
 
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) {

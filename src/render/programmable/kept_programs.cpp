@@ -13,6 +13,8 @@ namespace {
 constexpr int kStillFrames = 4;
 // A number that has changed is baked again after this many frames without a change.
 constexpr int kForgetFrames = 60;
+// More Draws of a Kind share a program: each program is compiled, and to change from one to the next takes time.
+constexpr std::size_t kMostOwnPrograms = 4;
 
 }  // namespace
 
@@ -72,9 +74,11 @@ std::vector<bool> KeptPrograms::which_are_used(Kind& kind, const Uniforms& numbe
 }
 
 KeptPrograms::History& KeptPrograms::next_history(Kind& kind, const Uniforms& numbers) {
-    if (kind.count == kind.histories.size()) kind.histories.emplace_back();
-    History& history = kind.histories[kind.count++];
-    if (++history.frame == 1 || !history.numbers.has_same_names(numbers)) {
+    const std::size_t number = kind.has_one_history ? 0 : kind.count;
+    if (number == kind.histories.size()) kind.histories.emplace_back();
+    History& history = kind.histories[number];
+    if (number == kind.count++) ++history.frame;
+    if (history.used.empty() || !history.numbers.has_same_names(numbers)) {
         history = {.numbers = numbers,
                    .used = which_are_used(kind, numbers),
                    .moved = std::vector<int>(numbers.size()),
@@ -152,6 +156,8 @@ void KeptPrograms::use(const EffectSet& effects, const Form& form, const Uniform
 // A Draw that this frame did not have is forgotten.
 void KeptPrograms::end_frame() {
     for (auto& [key, kind] : kinds_) {
+        const bool has_many = kind.count > kMostOwnPrograms;
+        if (std::exchange(kind.has_one_history, has_many) != has_many) kind.histories.clear();
         kind.histories.resize(std::min(kind.histories.size(), kind.count));
         kind.count = 0;
     }

@@ -42,7 +42,8 @@ class KeptPrograms {
         std::unique_ptr<ShaderProgram> program;
         std::uint64_t last_used = 0;
     };
-    // What is known about the n-th Draw of a Kind in a frame: Draws are matched by their order.
+    // What is known about the n-th Draw of a Kind in a frame: Draws are matched by their order. Or, if it has many, about
+    // all of them: then `moved` are also the numbers in which they differ.
     struct History {
         Uniforms numbers;        // of the last frame
         std::vector<bool> used;  // whether the shader text has this uniform
@@ -60,7 +61,8 @@ class KeptPrograms {
         Form form;
         std::optional<std::set<std::string, std::less<>>> names;  // of the uniforms in its text
         std::vector<History> histories;
-        std::size_t count = 0;           // of its Draws in this frame
+        std::size_t count = 0;  // of its Draws in this frame
+        bool has_one_history = false;
         Entry* with_uniforms = nullptr;  // the program without constants; null if it is to be looked up
     };
 

@@ -51,9 +51,20 @@ struct PreparedDraw {
 }  // namespace
 
 struct UploadedFrame::Impl {
-    // kept: null if the frame shares no meshes with other frames.
-    Impl(const Frame& frame, Options options, KeptMeshes* kept)
-        : tier(options.tier), width(frame.width), height(frame.height) {
+    // What PlannedDraw says of a Draw besides its plan.
+    struct Numbered {
+        int number;
+        bool begins_shape;
+    };
+
+    // kept: null if the frame shares no meshes with other frames. keeps_plans: `plans` has the plan that is best for
+    // each Draw by itself.
+    Impl(const Frame& frame, Options options, KeptMeshes* kept, bool plans_are_kept)
+        : tier(options.tier),
+          width(frame.width),
+          height(frame.height),
+          keeps_plans(plans_are_kept),
+          shares_programs(!plans_are_kept && frame.draws().size() >= kManyDraws) {
         if (options.precise) {
             options = precise_options(options);
             check_has_precise();
@@ -74,15 +85,16 @@ struct UploadedFrame::Impl {
             const Draw& draw = std::get<Draw>(item);
             ++number;
             if (draw.count() == 0) continue;
-            const PlannedDraw place{number, draw.place, !last || !are_one_shape(*last, draw), {}};
+            const Numbered numbered{number, !last || !are_one_shape(*last, draw)};
             last = &draw;
             if (options.shading == Shading::kExact && draw.has_exact_surfaces()) {
                 end_run(options, kept);
-                if (place.begins_shape) add_surfaces(draw, options, place);  // the first part draws the whole shape
+                if (numbered.begins_shape)
+                    add_surfaces(draw, options, numbered);  // the first part draws the whole shape
             } else {
                 if (!continues_run(draw)) end_run(options, kept);
                 run.push_back(&draw);
-                run_places.push_back(place);
+                run_numbers.push_back(numbered);
                 run_vertices += std::max(draw.vertices.size(), draw.indices.size());
             }
         }
@@ -105,26 +117,40 @@ struct UploadedFrame::Impl {
         else
             add_one_by_one(options);
         run.clear();
-        run_places.clear();
+        run_numbers.clear();
         run_vertices = 0;
+    }
+
+    // Changing the program costs more time than lighting some vertices. So small Draws of a large frame are planned
+    // by state only, and those that differ only in where things are get the same program.
+    Plan plan_for(DrawRun draws, const Options& options, const VertexFacts& facts) const {
+        const Draw& draw = *draws.front();
+        constexpr std::size_t kFewVertices = 256;
+        const bool may_share =
+            shares_programs && count_vertices(draws) <= kFewVertices && !(options.shading >= Shading::kPhong);
+        if (!may_share || options.for_any_pose) return plan_effects(draw, options, facts);
+        PlanOptions by_state = options;
+        by_state.for_any_pose = true;
+        return plan_effects(draw, by_state, facts);
     }
 
     // With one plan for all, unless numbers are too large or small for that (wide_range.h).
     void add_as_one(const Options& options, KeptMeshes& kept) {
-        if (add_kept(run, run_places.front(), options, kept)) return;
-        for (std::size_t i = 0; i < run.size(); ++i) add_kept(DrawRun(run).subspan(i, 1), run_places[i], options, kept);
+        if (add_kept(run, run_numbers.front(), options, kept)) return;
+        for (std::size_t i = 0; i < run.size(); ++i)
+            add_kept(DrawRun(run).subspan(i, 1), run_numbers[i], options, kept);
     }
 
-    bool add_kept(DrawRun draws, PlannedDraw planned, const Options& options, KeptMeshes& kept) {
+    bool add_kept(DrawRun draws, const Numbered& numbered, const Options& options, KeptMeshes& kept) {
         const Draw& draw = *draws.front();
         const auto known = kept.known(draws);
-        planned.plan = plan_effects(draw, options, known->facts);
-        if (draws.size() > 1 && has_wide_range(draws, planned.plan)) return false;
-        items.emplace_back(std::in_place_type<PreparedDraw>, draw, draw_program(draw, planned.plan, options.precise),
+        Plan plan = plan_for(draws, options, known->facts);
+        if (draws.size() > 1 && has_wide_range(draws, plan)) return false;
+        items.emplace_back(std::in_place_type<PreparedDraw>, draw, draw_program(draw, plan, options.precise),
                            [&](const EffectSet& effects, const glm::dvec3& origin_object) {
                                return kept.mesh(*known, draws, effects, origin_object);
                            });
-        plans.push_back(std::move(planned));
+        keep(std::move(plan), draw, numbered);
         return true;
     }
 
@@ -134,10 +160,9 @@ struct UploadedFrame::Impl {
         std::optional<DrawProgram> program;
         std::size_t first = 0;
         for (std::size_t i = 0; i < run.size(); ++i) {
-            PlannedDraw& planned = run_places[i];
-            planned.plan = plan_effects(*run[i], options);
-            DrawProgram next = draw_program(*run[i], planned.plan, options.precise);
-            plans.push_back(std::move(planned));
+            Plan plan = plan_for(DrawRun(run).subspan(i, 1), options, vertex_facts(*run[i]));
+            DrawProgram next = draw_program(*run[i], plan, options.precise);
+            keep(std::move(plan), *run[i], run_numbers[i]);
             if (program && !are_one_program(*program, next)) {
                 add_with_program(DrawRun(run).subspan(first, i - first), std::move(*program), options);
                 first = i;
@@ -163,29 +188,41 @@ struct UploadedFrame::Impl {
                            });
     }
 
-    void add_surfaces(const Draw& draw, const Options& options, const PlannedDraw& planned) {
+    void add_surfaces(const Draw& draw, const Options& options, const Numbered& numbered) {
         for (SurfaceProgram& surface : surface_programs(draw, options)) {
             const auto rectangle =
                 std::make_shared<const UploadedMesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
             for (const Uniforms& pass : surface.passes) items.emplace_back(PreparedDraw(surface, pass, rectangle));
-            plans.push_back(planned);
-            plans.back().plan = std::move(surface.plan);
+            keep(std::move(surface.plan), draw, numbered);
         }
     }
 
+    void keep(Plan plan, const Draw& draw, const Numbered& numbered) {
+        if (keeps_plans) plans.push_back({numbered.number, draw.place, numbered.begins_shape, std::move(plan)});
+    }
+
+    static std::size_t count_vertices(DrawRun draws) {
+        std::size_t count = 0;
+        for (const Draw* draw : draws) count += draw->vertices.size();
+        return count;
+    }
+
+    static constexpr std::size_t kManyDraws = 40;
+
     Tier tier;
     int width, height;
+    bool keeps_plans, shares_programs;
     std::vector<PlannedDraw> plans;
     std::list<std::variant<Clear, PreparedDraw, Accumulate>> items;
 
     // While the frame is prepared: Draws that will be drawn as one.
     std::vector<const Draw*> run;  // have_one_state()
-    std::vector<PlannedDraw> run_places;
+    std::vector<Numbered> run_numbers;
     std::size_t run_vertices = 0;
 };
 
 UploadedFrame::UploadedFrame(const Frame& frame, const Options& options)
-    : impl_(std::make_unique<Impl>(frame, options, nullptr)) {}
+    : impl_(std::make_unique<Impl>(frame, options, nullptr, false)) {}
 UploadedFrame::UploadedFrame(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 UploadedFrame::~UploadedFrame() = default;
 
@@ -235,19 +272,19 @@ void Renderer::draw(const UploadedFrame& frame) {
 void Renderer::draw(const Frame& frame, const Options& options) {
     Options quick = options;
     quick.reasons = false;
-    draw(prepare_once(frame, quick));
+    draw(prepare_once(frame, quick, false));
 }
 
 Picture Renderer::render(const Frame& frame, const Options& options) {
-    const UploadedFrame prepared = prepare_once(frame, options);
+    const UploadedFrame prepared = prepare_once(frame, options, true);
     draw(prepared);
     return {read_pixels(frame.width, frame.height), std::move(prepared.impl_->plans)};
 }
 
-UploadedFrame Renderer::prepare_once(const Frame& frame, Options options) {
+UploadedFrame Renderer::prepare_once(const Frame& frame, Options options, bool keeps_plans) {
     options.patches = false;
     KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
-    return UploadedFrame(std::make_unique<UploadedFrame::Impl>(frame, options, kept));
+    return UploadedFrame(std::make_unique<UploadedFrame::Impl>(frame, options, kept, keeps_plans));
 }
 
 Counters Renderer::counters() const {

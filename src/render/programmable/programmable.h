@@ -82,7 +82,7 @@ class Renderer {
     Counters counters() const;
 
   private:
-    UploadedFrame prepare_once(const Frame& frame, Options options);
+    UploadedFrame prepare_once(const Frame& frame, Options options, bool keeps_plans);
 
     struct Impl;
     std::unique_ptr<Impl> impl_;

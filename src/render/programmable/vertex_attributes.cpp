@@ -22,7 +22,9 @@ std::vector<VertexProperty> vertex_properties(const EffectSet& effects) {
 }
 
 std::vector<Attribute> attributes(const EffectSet& effects) {
-    std::vector<Attribute> list = {{"a_position", 4}};
+    std::vector<Attribute> list;
+    list.reserve(4);
+    list.push_back({"a_position", 4});
     if (effects.needs_normal()) list.push_back({"a_normal", 4, "vec3"});
     if (effects.needs_color()) list.push_back({"a_color", 4});
     if (effects.has_texture()) list.push_back({"a_tex_coord", 4});

@@ -119,6 +119,48 @@ TEST_F(Tiers, BakesOneProgramAFrame) {
     EXPECT_EQ(counters().baked, 2u);
 }
 
+// Many Draws whose programs would differ only in numbers, or in which light reaches them.
+Frame frame_of_many(int count) {
+    Frame frame = frame_of(square(lit()));
+    frame.items.clear();
+    for (int i = 0; i < count; ++i) {
+        LightingState lighting = lit();
+        lighting.front.diffuse.r = i / 100.0;
+        if (i % 2 == 1) lighting.lights[0].position_eye.z = -3;  // behind
+        Draw draw = square(lighting);
+        draw.raster.viewport = {0, 0, 4, 4};
+        frame.items.emplace_back(draw);
+    }
+    return frame;
+}
+
+TEST_F(Tiers, ManyDrawsOfAKindShareAProgramWhoseConstantsAreTheirCommonNumbers) {
+    const Frame frame = frame_of_many(60);
+    const Image once = renderer_.render(frame, with(Tier::kUniform)).image;
+    Renderer renderer{{.programs = 4}};
+    for (int i = 0; i < 30; ++i) renderer.draw(frame, with(Tier::kAuto));
+    EXPECT_EQ(renderer.counters().made, 1u);
+    EXPECT_EQ(renderer.counters().baked, 1u);
+    EXPECT_EQ(renderer.counters().evicted, 0u);
+    const Image again = read_pixels(4, 4);
+    for (std::size_t i = 0; i < once.pixels.size(); ++i)
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            EXPECT_NEAR(again.pixels[i][channel], once.pixels[i][channel], 1.001 / 255);
+}
+
+TEST_F(Tiers, FewDrawsAreEachPlannedByThemselves) {
+    const Frame frame = frame_of_many(4);
+    renderer_.draw(UploadedFrame(frame, with(Tier::kUniform)));
+    EXPECT_EQ(counters().made, 2u);  // with the light, and without it
+}
+
+TEST_F(Tiers, APicturesPlansAreThoseOfTheDrawsByThemselves) {
+    const Picture picture = renderer_.render(frame_of_many(60), with(Tier::kUniform));
+    ASSERT_EQ(picture.plans.size(), 60u);
+    EXPECT_EQ(picture.plans[0].plan.effects.lights.size(), 1u);
+    EXPECT_EQ(picture.plans[1].plan.effects.lights.size(), 0u);
+}
+
 TEST_F(Tiers, DropTheProgramThatWasNotUsedForTheLongestTime) {
     LightingState lighting = lit();
     for (int shininess = 1; shininess <= 6; ++shininess) {

@@ -1,0 +1,72 @@
+// The recordings of tests/traces, drawn by the fixed function and by shaders.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ratios.h"
+#include "render/context/context.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+#include "render/programmable/programmable.h"
+#include "scene/scenes/load.h"
+#include "scene/state/recorded_frame.h"
+#include "ways.h"
+
+namespace twinlight {
+namespace {
+
+std::vector<std::string> recordings() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator("tests/traces")) {
+        if (std::filesystem::exists(entry.path() / "dump.txt")) names.push_back(entry.path().filename());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+// Two comparisons for each. Prepared: all is in the driver's buffers. From commands: the fixed function executes the
+// program's commands; the shaders plan, look for what has not changed, and upload the rest.
+void measure_recordings(bench::Results& results) {
+    std::vector<double> prepared, from_commands;
+    double least = 1e300;
+    for (const std::string& name : recordings()) {
+        const RecordedFrame recorded = make_recorded_frame(load_recording("tests/traces/" + name + "/dump.txt"), {});
+        const Frame& frame = recorded.scene.frame;
+        const auto context = make_offscreen_context(frame.width, frame.height);
+        const auto renderer = std::make_shared<programmable::Renderer>();
+        const programmable::Options live = bench::options_for(programmable::Tier::kAuto, false);
+        const auto draw_live = [&] {
+            renderer->draw(frame, live);
+            glFinish();
+        };
+        // A program is made in each of the first frames, until all that does not change is constant.
+        for (int i = 0; i < (results.is_quick() ? 1 : 40); ++i) draw_live();
+        const auto times =
+            results.compare(fmt::format("{}, {} draws, a frame", name, frame.draws().size()),
+                            {bench::fixed_way("fixed, prepared", frame, fixed::Scrub::kNothing, true),
+                             bench::shader_way("shaders, prepared", frame, programmable::Tier::kUniform, true),
+                             {"fixed, from commands",
+                              [&] {
+                                  fixed::draw(recorded.scene);
+                                  glFinish();
+                              }},
+                             {"shaders, from commands", draw_live}});
+        prepared.push_back(bench::times_faster(times[1], times[0]));
+        from_commands.push_back(bench::times_faster(times[3], times[2]));
+        least = std::min({least, prepared.back(), from_commands.back()});
+        results.ratio("real_" + name + "_prepared", prepared.back(), bench::Bar{1});
+        results.ratio("real_" + name + "_from_commands", from_commands.back(), bench::Bar{1});
+    }
+    results.ratio("real_shaders_over_fixed_prepared", bench::geometric_mean(prepared), bench::Bar{1.5});
+    results.ratio("real_shaders_over_fixed_from_commands", bench::geometric_mean(from_commands), bench::Bar{1.5});
+    results.ratio("real_least", least, bench::Bar{1});
+}
+
+const bool added = bench::add_part("real", measure_recordings);
+
+}  // namespace
+}  // namespace twinlight
