@@ -119,6 +119,13 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
         case CommandId::glPolygonMode: return one_of(random, {kGL_POINT, kGL_LINE, kGL_FILL});
         case CommandId::glRenderMode: return one_of(random, {kGL_RENDER, kGL_SELECT, kGL_FEEDBACK});
         case CommandId::glHint: return one_of(random, {kGL_FASTEST, kGL_NICEST, kGL_DONT_CARE});
+        case CommandId::glStencilOp:
+        case CommandId::glStencilOpSeparate:
+            return one_of(random, {kGL_KEEP, kGL_ZERO, kGL_REPLACE, kGL_INCR, kGL_DECR, kGL_INVERT, kGL_INCR_WRAP,
+                                   kGL_DECR_WRAP});
+        case CommandId::glAccum: return one_of(random, {kGL_ACCUM, kGL_LOAD, kGL_RETURN, kGL_MULT, kGL_ADD});
+        case CommandId::glStencilFunc:
+        case CommandId::glStencilFuncSeparate:
         case CommandId::glAlphaFunc:
         case CommandId::glDepthFunc: return kGL_NEVER + static_cast<Enum>(random.below(8));
         case CommandId::glBlendEquation:

@@ -78,6 +78,11 @@ bool has_faces_on_borders(const Draw& draw) {
     return draw.draws_borders() && draw.lighting.enabled && draw.lighting.light_model.two_side;
 }
 
+bool has_faces_in_stencil_of_borders(const Draw& draw) {
+    const auto& stencil = draw.fragment.stencil;
+    return draw.draws_borders() && stencil && stencil->front != stencil->back;
+}
+
 bool has_wide_lines(const Draw& draw) { return draw.draws_lines() && draw.raster.line_width > 1; }
 
 // A texture that uses the level of detail: with mipmaps, or with two different filters.

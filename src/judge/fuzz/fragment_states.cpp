@@ -22,6 +22,10 @@ class Builder {
 
     std::string build() {
         clear("GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
+        const bool has_stencil = of_stencil() || (departure_.empty() && structure_.chance(0.25));
+        const bool accumulates = departure_.empty() && structure_.chance(0.15);
+        if (has_stencil) add("glClearStencil({}); glClear(GL_STENCIL_BUFFER_BIT);", random_.below(300) - 20);
+        if (accumulates) add("glClearAccum({}); glClear(GL_ACCUM_BUFFER_BIT);", four(-0.2, 0.2));
         add("glMatrixMode(GL_PROJECTION); {};",
             one_of({"glFrustum(-1, 1, -1, 1, 1, 10)", "glFrustum(-1, 1, -1, 1, 1, 10)", "gluPerspective(90, 1, 1, 10)",
                     "glLoadIdentity(); glScalef(0.12, 0.12, 1); glOrtho(-1, 1, -1, 1, 0, 10)"}));
@@ -37,10 +41,16 @@ class Builder {
         lit_ = shows("the colour sum in fog") || shows("glRect as a quadrilateral") || structure_.chance(0.4);
         if (lit_) lighting();
         if (structure_.chance(0.6)) fragment_operations();
+        if (has_stencil) stencil();
         std::string first = batch();
         if (departure_.empty() && structure_.chance(0.3)) first = solid();
         if (departure_.empty() && generated_.chance(0.1)) first = evaluated();
         text_ += first;
+        if (has_stencil) {  // a pass that shows what the first left in the stencil buffer
+            stencil();
+            text_ += structure_.chance(0.5) ? batch() : whole_window();
+        }
+        if (accumulates) accumulate();
         // A second pass, over the same vertices (as in multi-pass effects) or over others.
         if (structure_.chance(0.3)) {
             if (structure_.chance(0.2)) clear(structure_.chance(0.5) ? "GL_COLOR_BUFFER_BIT" : "GL_DEPTH_BUFFER_BIT");
@@ -49,6 +59,7 @@ class Builder {
             fragment_operations();
             text_ += structure_.chance(0.5) ? first : batch();
         }
+        if (accumulates) add("glAccum(GL_RETURN, {:.4f});", random_.uniform(0.5, 1));
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
     }
@@ -195,6 +206,50 @@ class Builder {
                 structure_.below(2));
     }
 
+    bool of_stencil() const { return shows("two-sided stencil of polygons as lines and points"); }
+
+    // For both faces, or for each.
+    void stencil() {
+        add("glEnable(GL_STENCIL_TEST);");
+        if (of_stencil())
+            return add(
+                "glStencilFuncSeparate(GL_BACK, GL_NEVER, 0, 255); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);"
+                "glDisable(GL_CULL_FACE); glLineWidth(9);");
+        const bool separate = structure_.chance(0.4);
+        for (const char* face : {"GL_FRONT", "GL_BACK"}) {
+            const std::string names_face = separate ? fmt::format("{}, ", face) : "";
+            const char* suffix = separate ? "Separate" : "";
+            const auto mask = [&] { return structure_.chance(0.7) ? 255 : random_.below(256); };
+            add("glStencilFunc{}({}{}, {}, {});", suffix, names_face,
+                one_of({"GL_ALWAYS", "GL_ALWAYS", "GL_EQUAL", "GL_NOTEQUAL", "GL_LESS", "GL_LEQUAL", "GL_GREATER",
+                        "GL_GEQUAL", "GL_NEVER"}),
+                random_.below(4), mask());
+            const auto operation = [&] {
+                return one_of({"GL_KEEP", "GL_KEEP", "GL_REPLACE", "GL_INCR", "GL_DECR", "GL_INCR_WRAP", "GL_DECR_WRAP",
+                               "GL_INVERT", "GL_ZERO"});
+            };
+            add("glStencilOp{}({}{}, {}, {});", suffix, names_face, operation(), operation(), operation());
+            add("glStencilMask{}({}{});", suffix, names_face, mask());
+            if (!separate) break;
+        }
+    }
+
+    std::string whole_window() {
+        return "glPushMatrix(); glLoadIdentity(); glDisable(GL_CULL_FACE);\n" + attributes(true, false) +
+               "glBegin(GL_TRIANGLES); glVertex3f(-30, -30, -5); glVertex3f(30, -30, -5); glVertex3f(0, 40, -5); "
+               "glEnd(); glPopMatrix();\n";
+    }
+
+    // Sums whose terms stay within [-1, 1].
+    void accumulate() {
+        add("glAccum(GL_ACCUM, {:.4f});", random_.uniform(0, 0.5));
+        if (structure_.chance(0.3)) add("glAccum(GL_MULT, {:.4f});", random_.uniform(0, 1));
+        if (structure_.chance(0.3)) add("glAccum(GL_ADD, {:.4f});", random_.uniform(-0.1, 0.1));
+        if (structure_.chance(0.3)) add("glAccum(GL_LOAD, {:.4f});", random_.uniform(0.3, 0.5));
+        text_ += batch();
+        add("glAccum(GL_ACCUM, {:.4f});", random_.uniform(0, 0.4));
+    }
+
     void blending() {
         const auto factor = [&] {
             return one_of({"GL_ZERO", "GL_ONE", "GL_SRC_COLOR", "GL_ONE_MINUS_SRC_COLOR", "GL_DST_COLOR",
@@ -301,7 +356,7 @@ class Builder {
                                   shows("polygon offset of borders that leaves the depth range") ||
                                   shows("polygon offset of only lines or points") ||
                                   shows("clipped polygons as lines and points") || shows("the colour sum in fog") ||
-                                  reaches_behind();
+                                  of_stencil() || reaches_behind();
         if (shows("glRect as a quadrilateral")) return flat("glRectf");
         if (shows("edge flags of strips and fans")) return anywhere("GL_TRIANGLE_STRIP");
         if (shows("edge flags in a display list"))

@@ -19,7 +19,19 @@ GLint integer(GLenum name) {
     return value;
 }
 
+// A display list may call glBegin between glBegin and glEnd, which leaves some drivers there.
+void end_primitives() {
+    constexpr GLint kMostTries = 4;
+    for (GLint i = 0; i < kMostTries; ++i) {
+        GLint depth = -1;
+        glGetIntegerv(GL_CLIENT_ATTRIB_STACK_DEPTH, &depth);  // unanswered between glBegin and glEnd (2.6.3)
+        if (depth >= 0) return;
+        glEnd();
+    }
+}
+
 void close_and_empty_stacks() {
+    end_primitives();
     if (integer(GL_LIST_INDEX) != 0) glEndList();
     for (GLint depth = integer(GL_ATTRIB_STACK_DEPTH); depth > 0; --depth) glPopAttrib();
     for (GLint depth = integer(GL_CLIENT_ATTRIB_STACK_DEPTH); depth > 0; --depth) glPopClientAttrib();

@@ -11,6 +11,7 @@
 #include "render/fixed/draw_state.h"
 #include "render/fixed/fixed.h"
 #include "render/fixed/sent_mesh.h"
+#include "render/stages/accumulation_buffer.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
 
@@ -112,7 +113,7 @@ struct PreparedDraw {
 
 struct Replay::Impl {
     int width, height;
-    std::deque<std::variant<Clear, PreparedDraw>> items;
+    std::deque<std::variant<Clear, PreparedDraw, Accumulate>> items;
     Textures textures{Clamping::kDriver};
 };
 
@@ -123,6 +124,8 @@ Replay::Replay(const Frame& frame, const ReplayOptions& options) : impl_(std::ma
     for (const auto& item : frame.items) {
         if (const Clear* clear = std::get_if<Clear>(&item)) {
             impl_->items.emplace_back(*clear);
+        } else if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
+            impl_->items.emplace_back(*accumulate);
         } else {
             impl_->items.emplace_back(std::in_place_type<PreparedDraw>, std::get<Draw>(item), options);
         }
@@ -134,12 +137,17 @@ Replay::~Replay() = default;
 void Replay::draw() {
     const InitialState initial(impl_->width, impl_->height);
     const FixedStages stages;
-    stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
+    stages.clear_all();
+    AccumulationBuffer accumulation(impl_->width, impl_->height);
     for (const auto& item : impl_->items) {
-        if (const Clear* clear = std::get_if<Clear>(&item))
+        if (const Clear* clear = std::get_if<Clear>(&item)) {
             stages.clear(*clear);
-        else
+            accumulation.clear(*clear);
+        } else if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
+            accumulation.apply(*accumulate);
+        } else {
             std::get<PreparedDraw>(item).draw_with(stages, impl_->textures);
+        }
     }
 }
 

@@ -80,6 +80,31 @@ Answer of_fragments(const FragmentState& fragment, const Fog& fog, const Clear& 
     }
 }
 
+// Table 6.21.
+Answer of_stencil(const Attributes& a, Enum pname) {
+    const StencilFace &front = a.stencil_test.front, &back = a.stencil_test.back;
+    const auto ref = [](const StencilFace& face) { return one(std::clamp(face.ref, 0, kMaxStencil)); };
+    switch (pname) {
+        case kGL_STENCIL_FUNC: return one(front.func);
+        case kGL_STENCIL_REF: return ref(front);
+        case kGL_STENCIL_VALUE_MASK: return one(front.mask);
+        case kGL_STENCIL_FAIL: return one(front.fail);
+        case kGL_STENCIL_PASS_DEPTH_FAIL: return one(front.depth_fail);
+        case kGL_STENCIL_PASS_DEPTH_PASS: return one(front.depth_pass);
+        case kGL_STENCIL_WRITEMASK: return one(front.write_mask);
+        case kGL_STENCIL_BACK_FUNC: return one(back.func);
+        case kGL_STENCIL_BACK_REF: return ref(back);
+        case kGL_STENCIL_BACK_VALUE_MASK: return one(back.mask);
+        case kGL_STENCIL_BACK_FAIL: return one(back.fail);
+        case kGL_STENCIL_BACK_PASS_DEPTH_FAIL: return one(back.depth_fail);
+        case kGL_STENCIL_BACK_PASS_DEPTH_PASS: return one(back.depth_pass);
+        case kGL_STENCIL_BACK_WRITEMASK: return one(back.write_mask);
+        case kGL_STENCIL_CLEAR_VALUE: return one(a.clear.clear_stencil);
+        case kGL_ACCUM_CLEAR_VALUE: return list(a.clear.clear_accumulation);
+        default: return {};
+    }
+}
+
 Answer of_hints(const Hints& hints, Enum pname) {
     const auto hint = hints.find(pname);
     return hint == hints.end() ? Answer{} : one(hint->second);
@@ -135,7 +160,8 @@ Answer answer(const State& state, Enum pname) {
     const Attributes& a = state.attributes();
     for (const Answer& answer :
          {of_lighting(a.lighting, pname), of_raster(a.raster, pname), of_fragments(a.fragment, a.fog, a.clear, pname),
-          of_hints(a.hints, pname), of_pixel_store(state.pixel_store(), pname), of_arrays(state.arrays(), pname)}) {
+          of_stencil(a, pname), of_hints(a.hints, pname), of_pixel_store(state.pixel_store(), pname),
+          of_arrays(state.arrays(), pname)}) {
         if (!answer.empty()) return answer;
     }
     const TextureBindings& unit = a.units[a.active_unit];
@@ -278,6 +304,7 @@ bool is_fraction(const Command& query) {
         case kGL_FOG_COLOR:
         case kGL_LIGHT_MODEL_AMBIENT:
         case kGL_COLOR_CLEAR_VALUE:
+        case kGL_ACCUM_CLEAR_VALUE:
         case kGL_BLEND_COLOR:
         case kGL_ALPHA_TEST_REF:
         case kGL_DEPTH_RANGE:

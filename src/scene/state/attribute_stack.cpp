@@ -18,7 +18,7 @@ auto capabilities(auto& a) {  // GL_ENABLE_BIT, without lights, clip planes and 
                     a.lighting.rescale_normal, a.raster.cull_enabled, a.raster.depth_test,
                     a.raster.polygon_offset.point, a.raster.polygon_offset.line, a.raster.polygon_offset.fill,
                     a.fragment.scissor.enabled, a.fragment.alpha_test, a.fragment.blend, a.fragment.color_sum,
-                    a.fog.enabled);
+                    a.fog.enabled, a.stencil_enabled);
 }
 
 auto polygon(auto& a) {
@@ -29,6 +29,8 @@ auto polygon(auto& a) {
 auto depth(auto& a) {
     return std::tie(a.raster.depth_test, a.raster.depth_func, a.raster.depth_mask, a.clear.clear_depth);
 }
+
+auto stencil(auto& a) { return std::tie(a.stencil_enabled, a.stencil_test, a.clear.clear_stencil); }
 
 auto transform(auto& a) {
     return std::tie(a.matrix_mode, a.clip_planes, a.lighting.normalize, a.lighting.rescale_normal);
@@ -92,6 +94,8 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.fragment.color_sum = saved.fragment.color_sum;
     }
     if (bit(kGL_DEPTH_BUFFER_BIT)) depth(now) = depth(saved);
+    if (bit(kGL_STENCIL_BUFFER_BIT)) stencil(now) = stencil(saved);
+    if (bit(kGL_ACCUM_BUFFER_BIT)) now.clear.clear_accumulation = saved.clear.clear_accumulation;
     if (bit(kGL_VIEWPORT_BIT)) viewport(now) = viewport(saved);
     if (bit(kGL_TRANSFORM_BIT)) transform(now) = transform(saved);
     if (bit(kGL_ENABLE_BIT)) restore_enables(now, saved);

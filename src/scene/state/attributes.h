@@ -112,14 +112,16 @@ using Hints = std::map<Enum, Enum>;
 // All state that some bit of glPushAttrib saves (6.1.14, tables 6.5 to 6.35).
 struct Attributes {
     LightingState lighting;
-    RasterState raster;  // without the clip planes, which a Draw gets from clip_planes
-    FragmentState fragment;
+    RasterState raster;      // without the clip planes, which a Draw gets from clip_planes
+    FragmentState fragment;  // without the stencil test, which a Draw gets from stencil_test if it is enabled
+    bool stencil_enabled = false;
+    StencilTest stencil_test;
     Fog fog;
     std::array<TextureBindings, kMaxTextureUnits> units;
     std::size_t active_unit = 0;  // glActiveTexture's
     std::array<ClipPlane, kMaxClipPlanes> clip_planes;
     Vertex current;           // colour, normal, texture coordinates, edge flag
-    Clear clear;              // the clear colour and depth
+    Clear clear;              // the values to clear with
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
     // Places where values were set that only the driver supports; a picture that is drawn with them is partial.
     std::optional<Place> secondary_color;    // not black

@@ -15,7 +15,6 @@ std::span<const DriverOnlyCapability> driver_only_capabilities() {
         {kGL_LINE_STIPPLE, kGL_LINE_BIT, true},
         {kGL_POLYGON_SMOOTH, kGL_POLYGON_BIT, true},
         {kGL_POLYGON_STIPPLE, kGL_POLYGON_BIT, true},
-        {kGL_STENCIL_TEST, kGL_STENCIL_BUFFER_BIT, true},
         {kGL_COLOR_LOGIC_OP, kGL_COLOR_BUFFER_BIT, true},
         {kGL_INDEX_LOGIC_OP, kGL_COLOR_BUFFER_BIT, false},
         {kGL_DITHER, kGL_COLOR_BUFFER_BIT, false},
@@ -81,6 +80,7 @@ auto* supported_flag(A& a, Enum cap) {
         case kGL_POLYGON_OFFSET_FILL: return &a.raster.polygon_offset.fill;
         case kGL_SCISSOR_TEST: return &a.fragment.scissor.enabled;
         case kGL_ALPHA_TEST: return &a.fragment.alpha_test;
+        case kGL_STENCIL_TEST: return &a.stencil_enabled;
         case kGL_BLEND: return &a.fragment.blend;
         case kGL_COLOR_SUM: return &a.fragment.color_sum;
         case kGL_FOG: return &a.fog.enabled;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <span>
 
 #include "scene/command/command_set.h"
 #include "scene/state/capabilities.h"
@@ -241,6 +242,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
     draw.fog = a_.fog;
     draw.fragment = a_.fragment;
     if (!a_.draws_color) draw.fragment.color_mask.fill(false);
+    if (a_.stencil_enabled) draw.fragment.stencil = a_.stencil_test;
     for (std::size_t i = 0; i < a_.clip_planes.size(); ++i)
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     for (const auto& [capability, where] : a_.driver_only) {
@@ -260,7 +262,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
 }
 
 // 5.2, 5.3: in selection and feedback mode drawing and clearing change no pixel.
-void State::show(std::variant<Clear, Draw> item) {
+void State::show(FrameItem item) {
     if (render_mode_ == kGL_RENDER) items_.push_back(std::move(item));
 }
 
@@ -324,14 +326,56 @@ void State::drop_picture() {
     drop_typed_lights();
 }
 
+namespace {
+
+// Whether an item leaves something in the stencil buffer or the accumulation buffer.
+bool fills_stencil(const FrameItem& item) {
+    if (const Clear* clear = std::get_if<Clear>(&item)) return clear->stencil && clear->clear_stencil != 0;
+    const Draw* draw = std::get_if<Draw>(&item);
+    return draw && draw->fragment.stencil;
+}
+bool fills_accumulation(const FrameItem& item) {
+    if (const Clear* clear = std::get_if<Clear>(&item))
+        return clear->accumulation && clear->clear_accumulation != glm::dvec4(0);
+    return std::holds_alternative<Accumulate>(item);
+}
+
+// Whether a Clear leaves nothing of these earlier items for later commands.
+bool hides(const Clear& clear, std::span<const FrameItem> earlier) {
+    const bool whole = !clear.scissor.enabled;
+    const bool clears_stencil = clear.stencil && whole && (~clear.stencil_mask & kMaxStencil) == 0;
+    return clear.hides_picture() && (clears_stencil || std::ranges::none_of(earlier, fills_stencil)) &&
+           ((clear.accumulation && whole) || std::ranges::none_of(earlier, fills_accumulation));
+}
+
+// The number of items that no later command can show.
+std::size_t hidden_items(std::span<const FrameItem> items) {
+    if (items.size() < 2) return 0;
+    const std::size_t last = items.size() - 1;
+    if (const Clear* clear = std::get_if<Clear>(&items[last])) return hides(*clear, items.first(last)) ? last : 0;
+    // GL_LOAD replaces all that was accumulated. Then the last Clear of the picture hides what came before it.
+    const Accumulate* load = std::get_if<Accumulate>(&items[last]);
+    if (!load || load->op != kGL_LOAD || load->scissor.enabled) return 0;
+    for (std::size_t i = last; i-- > 0;) {
+        if (const Accumulate* other = std::get_if<Accumulate>(&items[i]); other && other->op == kGL_RETURN) return 0;
+        const Clear* clear = std::get_if<Clear>(&items[i]);
+        if (!clear || !clear->hides_picture()) continue;
+        return clear->stencil || std::ranges::none_of(items.first(i), fills_stencil) ? i : 0;
+    }
+    return 0;
+}
+
+}  // namespace
+
 void State::drop_hidden() {
-    const Clear* clear = items_.size() > 1 ? std::get_if<Clear>(&items_.back()) : nullptr;
-    const bool hides = clear && clear->color && clear->depth && !clear->scissor.enabled &&
-                       clear->color_mask == std::array{true, true, true, true};
-    if (!hides) return;
-    items_.erase(items_.begin(), items_.end() - 1);
+    const std::size_t hidden = hidden_items(items_);
+    if (hidden == 0) return;
+    items_.erase(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(hidden));
     item_bytes_ = 0;
-    unsupported_.clear();
+    for (const FrameItem& item : items_)
+        if (const Draw* draw = std::get_if<Draw>(&item))
+            item_bytes_ += bytes_of_draw() + bytes_of_vertices(draw->vertices.size(), draw->indices.size());
+    if (items_.size() == 1) unsupported_.clear();
 }
 
 }  // namespace twinlight

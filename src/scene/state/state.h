@@ -83,11 +83,11 @@ class State {
     std::optional<GlError> unfinished() const;
 
     // The picture so far.
-    const std::vector<std::variant<Clear, Draw>>& items() const { return items_; }
+    const std::vector<FrameItem>& items() const { return items_; }
     bool inside_begin() const { return open_.has_value(); }
     // Deletes the picture; later drawing starts a new one.
     void drop_picture();
-    // Deletes the items before the last Clear, if it clears everything.
+    // Deletes the items that no later picture can show: those before a Clear of everything that later commands may read.
     void drop_hidden();
     // Returns the picture and starts a new one.
     Frame take_frame();
@@ -130,6 +130,8 @@ class State {
     Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
         driver_only_secondary_color, driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap,
         driver_only_stipple, driver_only_copy_image;
+    Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
+    Effect accumulate, clear_accumulation;
     Effect clear_depth, clear_color, clear, scissor, alpha_func, blend_func, blend_color, color_mask, fog,
         blend_equation;
     Effect light, material, light_model, color_material, shade_model, get_light, get_material, specular_model,
@@ -171,6 +173,8 @@ class State {
         return sizeof(Draw) + (lights.is_shared() ? 0 : lights.size() * sizeof(LightSource));
     }
     bool has_time(const Command& command, double work);
+    // The faces that a command of the stencil sets. Raises GL_INVALID_ENUM and returns nullopt for another name.
+    std::optional<std::vector<StencilFace*>> stencil_faces(const Command& command, bool names_face);
     std::size_t compile_calls(const Command& command);
     bool walk_calls(const Command& command, const DisplayList& list);
     void execute_list(const Command& command, std::uint32_t name);
@@ -218,8 +222,8 @@ class State {
     std::optional<Vertex> evaluated(double u, std::optional<double> v) const;
     Quadric* quadric(
         const Command& command);  // its first argument; raises the error and returns null if it does not exist
-    bool can_send(const Command& command);      // whether its quadric can be drawn; if not, raises the error
-    void show(std::variant<Clear, Draw> item);  // adds it to the picture if the render mode is GL_RENDER
+    bool can_send(const Command& command);  // whether its quadric can be drawn; if not, raises the error
+    void show(FrameItem item);              // adds it to the picture if the render mode is GL_RENDER
     void note_driver_only_values(const Draw& draw);
     // Notes something unsupported: note_lasting() for this and all later pictures, note_unsupported() only for this
     // one.
@@ -257,7 +261,7 @@ class State {
     std::map<Enum, EvaluatorMap> maps_;                  // by the target of glMap
     std::map<double, Quadric> quadrics_;                 // by number
     std::map<double, Place> deleted_quadrics_;           // the place of gluDeleteQuadric
-    std::vector<std::variant<Clear, Draw>> items_;
+    std::vector<FrameItem> items_;
     std::size_t item_bytes_ = 0;  // the approximate size of items_ and of the newest typed_lights_
     std::vector<TypedLight> typed_lights_{{}};
     double work_ = 0;  // work for this picture so far

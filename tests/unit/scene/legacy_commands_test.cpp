@@ -286,6 +286,24 @@ TEST(Driver, ReadsNoFurtherThanItsMemory) {
     }
 }
 
+// A display list may call glBegin between glBegin and glEnd; then Mesa stays there. The next picture does not.
+TEST(Driver, StartsEachPictureOutsideBegin) {
+    const auto context = make_offscreen_context(16, 16);
+    const CommandList simple = read(std::string("glColor3f(1, 0, 0);") + kSquare);
+    const Scene scene = make_scene(std::make_shared<const CommandList>(simple), {.width = 16, .height = 16});
+    for (const char* text : {"glBegin(GL_TRIANGLES); glVertex2f(0, 0);",
+                             "glNewList(5, GL_COMPILE); glBegin(GL_TRIANGLES); glVertex2f(0, 0); glBegin(GL_LINES);"
+                             "glVertex2f(0, 1); glEndList(); glBegin(GL_POINTS); glCallList(5); glEnd();",
+                             "glNewList(5, GL_COMPILE); glBegin(GL_TRIANGLES); glEndList(); glCallList(5);",
+                             "glNewList(5, GL_COMPILE); glBegin(GL_TRIANGLES);"}) {
+        {
+            fixed::Driver driver(16, 16);
+            for (const Command& command : read(text).commands) driver.execute(command);
+        }
+        EXPECT_EQ(fixed::render(scene).at(8, 8), (Rgba{1, 0, 0, 1})) << text;
+    }
+}
+
 // ---- Selection and feedback (5.2, 5.3) ----
 
 constexpr const char* kPicking =

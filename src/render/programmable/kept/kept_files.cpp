@@ -152,10 +152,11 @@ class Writer {
     void write_items() {
         write_clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
         for (const auto& item : frame_.items) {
+            const Draw* draw = std::get_if<Draw>(&item);
             if (const Clear* clear = std::get_if<Clear>(&item))
                 write_clear(*clear);
-            else if (std::get<Draw>(item).count() > 0)
-                write_draw(std::get<Draw>(item));
+            else if (draw && draw->count() > 0)
+                write_draw(*draw);
         }
     }
 
@@ -168,15 +169,20 @@ class Writer {
     }
 
     void write_clear(const Clear& clear) {
-        if (!clear.color && !clear.depth) return;
+        if (!clear.color && !clear.depth && !clear.stencil) return;
         write_scissor(clear.scissor, clear.color_mask);
         set("depth mask", "glDepthMask(1);");
         set("clear color", fmt::format("glClearColor({});", c_.numbers(clear.clear_color)));
         set("clear depth", fmt::format("glClearDepth({});", clear.clear_depth));
-        body_ += c_.statement(fmt::format("    glClear({});\n", !clear.depth ? "GL_COLOR_BUFFER_BIT"
-                                                                : !clear.color
-                                                                    ? "GL_DEPTH_BUFFER_BIT"
-                                                                    : "GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT"));
+        if (clear.stencil) {
+            set("clear stencil", fmt::format("glClearStencil({});", clear.clear_stencil));
+            set("GL_FRONT stencil mask", fmt::format("glStencilMaskSeparate(GL_FRONT, {:#x});", clear.stencil_mask));
+        }
+        std::vector<const char*> buffers;
+        if (clear.color) buffers.push_back("GL_COLOR_BUFFER_BIT");
+        if (clear.depth) buffers.push_back("GL_DEPTH_BUFFER_BIT");
+        if (clear.stencil) buffers.push_back("GL_STENCIL_BUFFER_BIT");
+        body_ += c_.statement(fmt::format("    glClear({});\n", fmt::join(buffers, " | ")));
     }
 
     void write_draw(const Draw& draw) {
@@ -243,6 +249,7 @@ class Writer {
 
     void write_fragment(const FragmentState& fragment) {
         write_scissor(fragment.scissor, fragment.color_mask);
+        write_stencil(fragment.stencil);
         enable(kGL_BLEND, fragment.blend);
         if (!fragment.blend) return;
         set("blend func",
@@ -251,6 +258,22 @@ class Writer {
         set("blend equation", fmt::format("glBlendEquationSeparate({}, {});", enum_name(fragment.blend_equation),
                                           enum_name(fragment.blend_equation_alpha)));
         set("blend color", fmt::format("glBlendColor({});", c_.numbers(fragment.blend_color)));
+    }
+    // Scenes without a stencil test do not mention it.
+    void write_stencil(const std::optional<StencilTest>& stencil) {
+        uses_stencil_ |= stencil.has_value();
+        if (uses_stencil_) enable(kGL_STENCIL_TEST, stencil.has_value());
+        if (!stencil) return;
+        for (const auto& [name, face] : {std::pair("GL_FRONT", &stencil->front), {"GL_BACK", &stencil->back}}) {
+            set(fmt::format("{} stencil func", name),
+                fmt::format("glStencilFuncSeparate({}, {}, {}, {:#x});", name, enum_name(face->func),
+                            std::clamp(face->ref, 0, kMaxStencil), face->mask));
+            set(fmt::format("{} stencil op", name),
+                fmt::format("glStencilOpSeparate({}, {}, {}, {});", name, factor(face->fail), factor(face->depth_fail),
+                            factor(face->depth_pass)));
+            set(fmt::format("{} stencil mask", name),
+                fmt::format("glStencilMaskSeparate({}, {:#x});", name, face->write_mask));
+        }
     }
     static std::string factor(Enum value) {
         return value == kGL_ZERO ? "GL_ZERO" : value == kGL_ONE ? "GL_ONE" : enum_name(value);
@@ -399,6 +422,10 @@ class Writer {
         note("polygon mode", draw.draws_borders());
         note("border colours of textures", texture && (has_border(texture->wrap_s) || has_border(texture->wrap_t)));
         note("GL_TEXTURE_LOD_BIAS", texture && draw.texture.lod_bias != 0);
+        const auto& stencil = draw.fragment.stencil;
+        const auto values = [](const StencilFace& face) { return std::tuple(face.ref, face.mask, face.write_mask); };
+        if (stencil)
+            note("stencil values and masks that differ between faces", values(stencil->front) != values(stencil->back));
         note("a depth range from far to near", raster.depth_near > raster.depth_far);
     }
     std::string unsupported_text() const {
@@ -445,6 +472,7 @@ class Writer {
     std::map<std::string, std::string> last_;
     std::string body_;  // of draw_scene()
     int kind_ = 0;      // of the Draw being written
+    bool uses_stencil_ = false;
     glm::dvec3 middle_{0};
     double middle_count_ = 0;
 };
@@ -452,6 +480,7 @@ class Writer {
 }  // namespace
 
 std::string why_not_kept(const Frame& frame) {
+    if (accumulates(frame)) return "it uses the accumulation buffer (glAccum), which core GL lacks";
     for (const Draw* draw : frame.draws()) {
         if (!draw->lighting.enabled) continue;
         if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";

@@ -321,7 +321,7 @@ int main(int argc, char** argv) {
     }
     glutInitContextVersion(scene_gl_version[0], scene_gl_version[1]);
     if (scene_has_core_profile) glutInitContextProfile(GLUT_CORE_PROFILE);
-    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);
+    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH | GLUT_STENCIL);
     glutInitWindowSize(scene_width, scene_height);
     glutCreateWindow("scene");
 

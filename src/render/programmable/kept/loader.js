@@ -1,7 +1,7 @@
 // GL's old state as uniforms of the kind in use, by WebGL 2; the functions of scene.c and loader.c.
 const canvas = document.getElementById("picture");
 // Without antialiasing and alpha, as a window of GL; the picture is kept so that it can be saved and read back.
-const gl = canvas.getContext("webgl2", {antialias: false, alpha: false, preserveDrawingBuffer: true});
+const gl = canvas.getContext("webgl2", {antialias: false, alpha: false, stencil: true, preserveDrawingBuffer: true});
 const kinds = [], textures = [];
 let kind, data, camera;
 let turn_deg = 0, tilt_deg = 0, shading = "scene";
