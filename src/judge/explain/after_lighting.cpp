@@ -15,8 +15,6 @@ using reference::ColorSteps;
 using reference::FogSteps;
 using reference::TextureSteps;
 
-constexpr double kLodLimit = 1000;  // GL_TEXTURE_MIN_LOD and GL_TEXTURE_MAX_LOD
-
 Lines head(std::string what) { return {{Line::Kind::kHeadingOfColors, std::move(what)}}; }
 
 glm::dvec4 clamped_rgba(const glm::dvec4& color) { return glm::clamp(color, 0.0, 1.0); }
@@ -57,8 +55,10 @@ Lines level_of_detail_lines(const TextureSteps& steps, const Draw& draw) {
     const double bias = draw.texture.lod_bias;
     std::string how = "log2(rho)";
     if (bias != 0) how += fmt::format(" + {:.5g}, GL_TEXTURE_LOD_BIAS", bias);
-    if (std::abs(steps.lambda) == kLodLimit) how += fmt::format(", from -{0} to {0}", kLodLimit);
-    const double limit = reference::magnification_limit(*draw.texture.texture);
+    const Texture& texture = *draw.texture.texture;
+    if (steps.lambda == texture.min_lod) how += fmt::format(", at least {:.5g}, GL_TEXTURE_MIN_LOD", texture.min_lod);
+    if (steps.lambda == texture.max_lod) how += fmt::format(", at most {:.5g}, GL_TEXTURE_MAX_LOD", texture.max_lod);
+    const double limit = reference::magnification_limit(texture);
     return line("rho", fmt::format("{:.5g}", steps.rho),
                 steps.of_point ? "always 1 for a point (3.8.8)" : "texels per pixel, in x or y: the larger (3.8.8)") +
            line("lambda", fmt::format("{:.5g}", steps.lambda), how) +

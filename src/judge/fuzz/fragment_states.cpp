@@ -14,7 +14,10 @@ namespace {
 class Builder {
   public:
     explicit Builder(const Seed& seed)
-        : structure_(seed.structure), random_(seed.values), departure_(departure_of(seed, structure_)) {}
+        : structure_(seed.structure),
+          random_(seed.values),
+          levels_(seed.structure + 1),
+          departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
         clear("GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
@@ -66,6 +69,19 @@ class Builder {
     std::string vector(double low = 0, double high = 1) { return fmt::format("(GLfloat[]){{{}}}", four(low, high)); }
 
     void clear(const char* buffers) { add("glClearColor({}); glClear({});", four(), buffers); }
+
+    // With numbers of its own, so that the rest of the scene does not depend on it.
+    void levels_in_use(const std::string& target, bool has_all) {
+        if (!shows("level of detail of points") && levels_.chance(0.15))
+            add("glTexParameterf({}, GL_TEXTURE_LOD_BIAS, {:.3f});", target, levels_.uniform(-2, 2));
+        if (levels_.chance(0.1))
+            add("glTexParameterf({0}, GL_TEXTURE_MIN_LOD, {1:.3f}); glTexParameterf({0}, GL_TEXTURE_MAX_LOD, {2:.3f});",
+                target, levels_.uniform(-1, 1.5), levels_.uniform(1, 4));
+        if (has_all && levels_.chance(0.1))
+            add("glTexParameteri({}, GL_TEXTURE_MAX_LEVEL, {});", target, levels_.below(4));
+        if (has_all && levels_.chance(0.1))
+            add("glTexParameteri({}, GL_TEXTURE_BASE_LEVEL, {});", target, levels_.below(3));
+    }
 
     // Random texels at every level, so that a wrong level shows.
     void texture() {
@@ -120,6 +136,7 @@ class Builder {
             add("glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {:.3f});", random_.uniform(1, 3));
         else if (structure_.chance(0.15))
             add("glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {:.3f});", random_.uniform(-2, 2));
+        levels_in_use(target, !generates);
         if (structure_.chance(0.2))
             add("glMatrixMode(GL_TEXTURE); glTranslatef({:.3f}, {:.3f}, 0); glRotatef({:.1f}, 0, 0, 1);",
                 random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0, 360));
@@ -368,7 +385,7 @@ class Builder {
 
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
-    Random structure_, random_;
+    Random structure_, random_, levels_;
     std::string_view departure_;
     bool lit_ = false;
     std::string text_;

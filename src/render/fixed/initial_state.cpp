@@ -96,6 +96,11 @@ void reset_texture(GLenum target) {
     glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, &glm::vec4(start.border_color)[0]);
     glTexParameterf(target, GL_TEXTURE_PRIORITY, static_cast<float>(start.priority));
     set(GL_GENERATE_MIPMAP, start.generate_mipmap);
+    glTexParameterf(target, GL_TEXTURE_LOD_BIAS, static_cast<float>(start.lod_bias));
+    glTexParameterf(target, GL_TEXTURE_MIN_LOD, static_cast<float>(start.min_lod));
+    glTexParameterf(target, GL_TEXTURE_MAX_LOD, static_cast<float>(start.max_lod));
+    glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, start.base_level);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, start.max_level);
     const GLint largest = integer(GL_MAX_TEXTURE_SIZE);
     for (GLint level = 0; largest >> level > 0; ++level) {
         GLint width = 0;

@@ -181,7 +181,7 @@ TexturePlace Shader::texture_place_of(const Fragment& fragment) const {
 void Shader::add_texel(const Fragment& fragment, Finish<double>& finish) const {
     const TextureUnit& unit = draw_.texture;
     const TexturePlace place = texture_place_of(fragment);
-    const double lambda = level_of_detail(scale_factor(*unit.texture, place), unit.lod_bias);
+    const double lambda = level_of_detail(scale_factor(*unit.texture, place), unit);
     finish.texel = channels<double>(sample(*unit.texture, place.st, lambda));
 }
 

@@ -171,6 +171,7 @@ Answer answer(const State& state, Enum pname) {
         case kGL_MAX_LIGHTS: return one(kMaxLights);
         case kGL_MAX_CLIP_PLANES: return one(kMaxClipPlanes);
         case kGL_MAX_TEXTURE_SIZE: return one(kMaxTextureSize);
+        case kGL_MAX_TEXTURE_LOD_BIAS: return one(kMaxLodBias);
         default: return {};
     }
 }
@@ -199,6 +200,11 @@ Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
         case kGL_TEXTURE_BORDER_COLOR: return list(texture.border_color);
         case kGL_TEXTURE_PRIORITY: return one(texture.priority);
         case kGL_GENERATE_MIPMAP: return one(texture.generate_mipmap);
+        case kGL_TEXTURE_LOD_BIAS: return one(texture.lod_bias);
+        case kGL_TEXTURE_MIN_LOD: return one(texture.min_lod);
+        case kGL_TEXTURE_MAX_LOD: return one(texture.max_lod);
+        case kGL_TEXTURE_BASE_LEVEL: return one(texture.base_level);
+        case kGL_TEXTURE_MAX_LEVEL: return one(texture.max_level);
         default: return {};
     }
 }

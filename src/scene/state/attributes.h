@@ -25,6 +25,7 @@ std::size_t texels_of(const Texture& texture);  // in all its images
 inline constexpr std::size_t kAttributeStackDepth = 16;
 inline constexpr std::size_t kClientAttributeStackDepth = 16;
 
+inline constexpr double kMaxLodBias = 16;           // GL_MAX_TEXTURE_LOD_BIAS: at least 2 (table 6.31); 16 in Mesa
 inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: at least 2 (table 6.31); 8 in Mesa
 
 // The bindings, capabilities and environment of a texture unit (3.8.13, 3.8.16). Draws use only unit 0; another enabled

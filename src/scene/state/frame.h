@@ -227,6 +227,10 @@ struct Texture {                         // 3.8.4, table 3.18
     glm::dvec4 border_color{0, 0, 0, 0};
     double priority = 1;
     bool generate_mipmap = false;
+    double lod_bias = 0;                     // a Draw's is in its TextureUnit
+    double min_lod = -1000, max_lod = 1000;  // limits of the level of detail
+    // The first level in use, and the last. A Draw's texture has only the levels in use: they count from 0 again.
+    int base_level = 0, max_level = 1000;
 
     // The border's colour with the components that the texels have (table 3.15).
     glm::dvec4 border_texel() const {
@@ -252,7 +256,7 @@ struct TextureUnit {
     std::shared_ptr<const Texture> texture;  // null if texturing is disabled or the texture incomplete (3.8.10)
     Enum env_mode = kGL_MODULATE;            // 3.8.13: or GL_DECAL, GL_REPLACE, GL_BLEND, GL_ADD
     glm::dvec4 env_color{0, 0, 0, 0};
-    double lod_bias = 0;           // GL_TEXTURE_LOD_BIAS of the unit
+    double lod_bias = 0;           // GL_TEXTURE_LOD_BIAS of the unit and of the texture: their sum, limited (3.8.8)
     glm::dmat4 texture_matrix{1};  // multiplies every texture coordinate (2.11.2)
 
     friend bool operator==(const TextureUnit&, const TextureUnit&) = default;

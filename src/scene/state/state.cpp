@@ -205,6 +205,9 @@ Draw State::new_draw(Enum mode, const Place& place) {
                     .env_color = a_.units[0].env_color,
                     .lod_bias = a_.units[0].lod_bias,
                     .texture_matrix = texture_[0].back().matrix};
+    if (draw.texture.texture)  // 3.8.8, equation 3.19
+        draw.texture.lod_bias =
+            std::clamp(draw.texture.lod_bias + draw.texture.texture->lod_bias, -kMaxLodBias, kMaxLodBias);
     if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) note_unsupported("glTexEnv(GL_COMBINE)", place);
     for (std::size_t i = 1; i < a_.units.size(); ++i) {
         if (!complete_texture(a_.units[i])) continue;

@@ -186,9 +186,12 @@ class State {
     bool known_capability(const Command& command);  // raises GL_INVALID_ENUM if not
     // The texture that a glTex* command may change: no Draw shares it. Raises the error and returns null for a wrong
     // target.
-    Texture* writable_texture(const Command& command, Enum target);
+    Texture* writable_texture(const Command& command, Enum target);  // of the active unit
+    Texture* writable_texture(const Command& command, const TextureBindings& bindings, Enum target);
     const std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target) const;
     std::shared_ptr<const Texture> complete_texture(const TextureBindings& bindings) const;
+    std::shared_ptr<const Texture> with_levels(const std::shared_ptr<const Texture>& texture, int first,
+                                               int last) const;
     TextureBindings& unit() { return a_.units[a_.active_unit]; }
     const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
     bool check_pixel_type(const Command& command, const PixelSource& source);
@@ -219,13 +222,17 @@ class State {
     struct SavedAttributes {
         Attributes attributes;
         Enum mask = 0;
-        Texture texture_1d, texture_2d;  // the parameters of the bound textures (table 6.16)
+        // The parameters of the textures that are bound in any unit (table 6.16), by target and name.
+        std::map<std::pair<Enum, std::uint32_t>, Texture> textures;
         Place pushed;
     };
 
     StateOptions options_;
     Attributes a_;
     TextureObjects textures_;
+    // Textures of which not all levels are in use, and the levels in use. Holding a texture keeps it unchanged.
+    mutable std::map<const Texture*, std::pair<std::shared_ptr<const Texture>, std::shared_ptr<const Texture>>>
+        parts_of_textures_;
     PixelStore pixel_store_;
     std::vector<std::optional<PixelStore>> saved_pixel_stores_;  // by glPushClientAttrib, one per level
     VertexArrays arrays_;

@@ -360,7 +360,15 @@ class Writer {
                                     c_.member("border_color", c_.list(c_.numbers(texture.border_texel()))) + ", " +
                                     c_.member("level_count", fmt::format("{}", count)) + ", " +
                                     c_.member("levels", c_.list(levels));
-        return c_.statement(fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members)));
+        std::string load = fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members));
+        const auto limit = [&](const char* parameter, double lod, double initial) {
+            if (lod != initial)
+                load += fmt::format("    glTexParameterf({}, {}, {});\n", enum_name(target_of(texture)), parameter,
+                                    c_.number(lod));
+        };
+        limit("GL_TEXTURE_MIN_LOD", texture.min_lod, Texture().min_lod);
+        limit("GL_TEXTURE_MAX_LOD", texture.max_lod, Texture().max_lod);
+        return c_.statement(load);
     }
 
     // ---- The page ----
