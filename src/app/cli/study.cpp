@@ -123,7 +123,7 @@ int run_study(StudyArguments arguments) {
     if (!arguments.merge.empty()) return merge(arguments);
     const std::optional<study::Study> earlier = earlier_study(arguments);
     const Size size = arguments.size.value_or(arguments.quick ? kQuickSize : kSize);
-    const Scene scene = load_scene(arguments.scene, size, std::nullopt, arguments.step);
+    const Scene scene = load_scene(arguments.scene, size, {}, arguments.step);
     const Frame& frame = scene.frame;
     const CommandList* commands = scene.recording->command_list();
     const bool has_slices = commands && study::has_slices(*commands);

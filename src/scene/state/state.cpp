@@ -309,6 +309,29 @@ std::optional<GlError> State::unfinished() const {
     return std::nullopt;
 }
 
+std::vector<Command> State::endings() const {
+    std::vector<Command> endings;
+    const auto add = [&](CommandId id, std::vector<double> arguments = {}) {
+        endings.push_back({id, std::move(arguments), {}});
+    };
+    const auto pop_all = [&](const MatrixStack& stack, Enum mode) {
+        if (stack.size() < 2) return;
+        add(CommandId::glMatrixMode, {static_cast<double>(mode)});
+        for (std::size_t i = 1; i < stack.size(); ++i) add(CommandId::glPopMatrix);
+    };
+    if (open_) add(CommandId::glEnd);
+    if (lists_.open_name != 0) add(CommandId::glEndList);
+    for (std::size_t i = 0; i < attribute_stack_.size(); ++i) add(CommandId::glPopAttrib);
+    pop_all(modelview_, kGL_MODELVIEW);
+    pop_all(projection_, kGL_PROJECTION);
+    for (std::size_t i = 0; i < texture_.size(); ++i) {
+        if (texture_[i].size() < 2) continue;
+        add(CommandId::glActiveTexture, {static_cast<double>(kGL_TEXTURE0) + static_cast<double>(i)});
+        pop_all(texture_[i], kGL_TEXTURE);
+    }
+    return endings;
+}
+
 Frame State::take_frame() {
     Frame frame{options_.width, options_.height, std::move(items_), outside_};
     std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));

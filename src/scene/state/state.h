@@ -81,6 +81,8 @@ class State {
     // The error of the first glBegin, glNewList or push that is still open at the end of a scene; nullopt if there is
     // none.
     std::optional<GlError> unfinished() const;
+    // The commands that end them all.
+    std::vector<Command> endings() const;
 
     // The picture so far.
     const std::vector<FrameItem>& items() const { return items_; }
