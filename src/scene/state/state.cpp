@@ -65,10 +65,12 @@ void State::carry_out(const Command& command) {
     // A number beyond the largest float counts as infinite, because it is so in a driver.
     if (!kTakesAnyNumber.contains(command.id)) {
         const auto wrong = std::ranges::find_if_not(command.arguments, is_in_float_range);
-        if (wrong != command.arguments.end())
-            return raise(kGL_INVALID_VALUE, command,
-                         "{} needs finite numbers, but a value is {}; the largest float is 3.4e+38", command.name(),
+        if (wrong != command.arguments.end() && std::isfinite(*wrong))
+            return raise(kGL_INVALID_VALUE, command, "{} is given {}; the largest float is 3.4e+38", command.name(),
                          *wrong);
+        if (wrong != command.arguments.end())
+            return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
+                         command.name());
     }
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
 }
