@@ -46,7 +46,6 @@ class DrawnPixels {
     }
     static bool is_open(std::size_t) { return false; }
     void open(std::size_t) {}
-    static bool is_open(std::size_t) { return false; }
     void settle(std::size_t) {}
 
   private:

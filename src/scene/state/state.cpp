@@ -77,9 +77,13 @@ void State::carry_out(const Command& command) {
     // RULING: GL leaves NaN and infinity undefined (2.1.1). Here commands refuse them, so they cannot spread. Only
     // vertices accept them, because real programs send such vertices; see sanitize(). In a recorded program other
     // commands have finite numbers already; see made_finite().
-    if (const auto wrong = number_that_is_not_finite(command))
-        return raise(kGL_INVALID_VALUE, command,
-                     "{} needs finite numbers, but a value is {}; the largest float is 3.4e+38", command.name(), *wrong);
+    if (const auto wrong = number_that_is_not_finite(command)) {
+        if (std::isfinite(*wrong))
+            return raise(kGL_INVALID_VALUE, command, "{} is given {}; the largest float is 3.4e+38", command.name(),
+                         *wrong);
+        return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
+                     command.name());
+    }
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
 }
 

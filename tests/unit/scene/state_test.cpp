@@ -334,8 +334,7 @@ TEST(Matrices, WhoseProductNoFloatHoldsAreRefused) {
 TEST(State, TakesDoublesThatNoFloatHoldsForInfinity) {
     const State state = after("glScaled(1e300, 1, 1); glTranslated(0, -1e39, 0);");
     ASSERT_EQ(state.errors().size(), 2u);
-    EXPECT_EQ(state.errors()[0].message,
-              "glScaled needs finite numbers, but a value is 1e+300; the largest float is 3.4e+38");
+    EXPECT_EQ(state.errors()[0].message, "glScaled is given 1e+300; the largest float is 3.4e+38");
     EXPECT_EQ(state.modelview(), glm::dmat4(1));
     const Frame frame = frame_of("glBegin(GL_POINTS); glVertex3d(1e39, 0, 0); glEnd();");
     EXPECT_EQ(first_draw(frame).vertices[0].position_object, glm::dvec4(0));
