@@ -23,6 +23,8 @@
 #include "judge/fuzz/shrink.h"
 #include "judge/oracle/oracle.h"
 #include "render/context/driver_name.h"
+#include "render/effect/vertex_facts.h"
+#include "render/programmable/wide_range.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 
@@ -67,6 +69,8 @@ constexpr const char* kNotFinite = "not finite";
 constexpr const char* kWorseThanFixed = "wrong where the fixed function is right";
 constexpr const char* kBorder = "a border";
 constexpr const char* kIllConditioned = "ill-conditioned";
+constexpr const char* kDenormals = "denormals";
+constexpr const char* kBeyond = "coordinates beyond a float";
 constexpr const char* kTwoDirections = "a vertex and a light in directions";
 constexpr const char* kOpposite = "opposite directions to light and viewer";
 // 2.1.1 asks for colours up to 1024; a double's largest may be infinite when a long double is not.
@@ -102,7 +106,24 @@ double error_of(const Shown& shown, const oracle::Colors& right) {
     return error;
 }
 
+bool is_beyond_colors(const oracle::Colors& colors) {
+    return std::ranges::any_of(colors.magnitude, [](double magnitude) { return magnitude > 1e30; });
+}
+
 bool is_denormal(double x) { return x != 0 && std::abs(x) < 0x1p-126; }
+
+// Whether the columns of the matrix for normals have sizes so different that one, as floats, is lost beside another.
+bool differ_beyond_floats(const glm::dmat4& eye_from_object) {
+    const glm::dmat3 normals = normal_matrix(glm::dmat3(eye_from_object));
+    double smallest = HUGE_VAL, largest = 0;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) {
+            const double size = std::abs(normals[column][row]);
+            if (size > 0) smallest = std::min(smallest, size);
+            largest = std::max(largest, size);
+        }
+    return largest > 0 && smallest < 1e-18 * largest;
+}
 
 const oracle::Colors& colors_of(const oracle::Vertex& vertex, bool back) { return back ? vertex.back : vertex.front; }
 
@@ -135,12 +156,13 @@ class Judged {
         const oracle::Colors& exact = right(vertex, back, unit_normals);
         error = error_of(shown, exact);
         if (error <= limits.bar) return kRight;
-        const bool beyond_colors = std::ranges::any_of(exact.magnitude, [](double x) { return x > 1e30; });
-        if (beyond_colors) return kBeyondColors;
+        if (is_beyond_colors(exact)) return kBeyondColors;
         if (std::isinf(error)) return kNotFinite;
         for (const oracle::Border border : kBorders) {
             const std::vector<oracle::Vertex>& other = evaluated({border, limits.cosines, 0, 0, 0, unit_normals});
-            if (error_of(shown, colors_of(other.at(vertex), back)) <= limits.bar) return kBorder;
+            const oracle::Colors& moved = colors_of(other.at(vertex), back);
+            if (error_of(shown, moved) <= limits.bar) return kBorder;
+            if (is_beyond_colors(moved)) return kBeyondColors;
         }
         if (evaluated({}).at(vertex).shortest_half_vector < 8 * limits.cosines) return kOpposite;
         constexpr double kOperations = 2, kLost = 0.01;  // beyond kLost no digit of the colour is known
@@ -207,7 +229,14 @@ class Judged {
         look_at(std::array{object.x, object.y, object.z}, 1);
         denormal |= is_denormal(object.w);
         for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 3; ++row) beyond |= !(std::abs(draw().eye_from_object[column][row]) < limits.most);
+            for (int row = 0; row < 3; ++row) {
+                const double element = draw().eye_from_object[column][row];
+                beyond |= !(std::abs(element) < limits.most);
+                denormal |= is_denormal(element);
+            }
+        // Shaders scale positions so that their largest coordinate is about 1.
+        denormal |= object.w != 0 &&
+                    std::abs(object.w) < 1e-37 * std::max({std::abs(object.x), std::abs(object.y), std::abs(object.z)});
         for (const LightSource& light : draw().lighting.lights) {
             if (!light.enabled) continue;
             const glm::dvec4& p = light.position_eye;
@@ -222,7 +251,8 @@ class Judged {
                 distance = std::max(distance, std::abs(v - l));
                 size = std::max({size, std::abs(v), std::abs(l)});
             }
-            cancels |= distance > 0 && distance < 0x1p-45 * size;
+            // The reference in floats starts from eye coordinates; all others take the difference in doubles, or of object coordinates.
+            cancels |= distance > 0 && distance < (type == NumberType::kFloat ? 0x1p-16 : 0x1p-45) * size;
             wide |= !(distance > 0x1p-8 * size) || !(size < 1e9) || !(size > 1e-9);
         }
         const LightingState& lighting = draw().lighting;
@@ -232,10 +262,15 @@ class Judged {
         if (type == NumberType::kFloat && !lighting.normalize && std::pow(normal, shininess) > 1e30)
             return "a power beyond the largest float";
         if (type == NumberType::kFloat && exact.position_eye[3] == 0) return "a vertex in a direction";
-        if (cancels) return "a light and a vertex that agree in 45 bits";
-        if (beyond) return "coordinates beyond a float";
-        if (limits.flushes && denormal) return "denormals";
+        if (cancels) return "a light and a vertex that nearly agree";
+        if (beyond) return kBeyond;
+        if (limits.flushes && denormal) return kDenormals;
         if (two_directions) return kTwoDirections;
+        if (type == NumberType::kShaderFloat && !keeps_w(programmable::keeping_w(draw().eye_from_object)) &&
+            (wide || exact.position_eye[3] == 0))
+            return "a wide range under a matrix that projects";
+        if (type == NumberType::kShaderFloat && differ_beyond_floats(draw().eye_from_object))
+            return "a matrix whose columns differ beyond a float";
         if (type == NumberType::kShaderFloat && wide && is_singular(glm::dmat3(draw().eye_from_object)))
             return "a wide range under a flattening matrix";
         return "";
@@ -412,7 +447,8 @@ class OracleRun {
     // Whether the driver's fixed function is right where shaders miss the bar. Where rounding decides, either may be lucky.
     bool is_worse_than_fixed(Judged& scene, std::size_t vertex, bool back, bool unit_normals,
                              const std::string& verdict) {
-        for (const char* decided_by_rounding : {kBorder, kOpposite, kIllConditioned, kBeyondColors, kTwoDirections})
+        for (const char* decided_by_rounding :
+             {kBorder, kOpposite, kIllConditioned, kBeyondColors, kTwoDirections, kDenormals, kBeyond})
             if (verdict == decided_by_rounding) return false;
         if (verdict == kRight || is_failure(verdict)) return false;
         if (unit_normals && !scene.draw().lighting.normalize) return false;  // another equation

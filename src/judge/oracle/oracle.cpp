@@ -75,16 +75,18 @@ Vector3 cross(const Vector3& a, const Vector3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Matrix4 look_at(std::span<const double> a) {  // gluLookAt
-    const Vector3 eye = {a[0], a[1], a[2]};
-    const Vector3 f = unit({Number(a[3]) - eye[0], Number(a[4]) - eye[1], Number(a[5]) - eye[2]});
+Matrix4 translation(const Vector3& by) {
+    Matrix4 m = identity();
+    for (std::size_t i = 0; i < 3; ++i) m[i][3] = by[i];
+    return m;
+}
+
+Matrix4 look_at(std::span<const double> a) {  // gluLookAt's rotation; the translation by -eye follows
+    const Vector3 f = unit({Number(a[3]) - a[0], Number(a[4]) - a[1], Number(a[5]) - a[2]});
     const Vector3 s = unit(cross(f, unit({a[6], a[7], a[8]}))), u = cross(s, f);
-    Matrix4 m = identity(), moved = identity();
-    for (std::size_t j = 0; j < 3; ++j) {
-        m[0][j] = s[j], m[1][j] = u[j], m[2][j] = -f[j];
-        moved[j][3] = -eye[j];
-    }
-    return product(m, moved);
+    Matrix4 m = identity();
+    for (std::size_t j = 0; j < 3; ++j) m[0][j] = s[j], m[1][j] = u[j], m[2][j] = -f[j];
+    return m;
 }
 
 // ---- Normals: n' = n M^-1 (2.11.3) ----
@@ -172,13 +174,25 @@ class Machine {
         Vector3 dir{};
         Number distance = 0;
         bool is_infinite = false;
+        Number uncertainty = 0;  // of the direction, from value_rounding
     };
     // The vector from p1 to p2, which are homogeneous: the unit vector, and its length before.
     Towards towards(const Vector4& p1, const Vector4& p2) const {
         if (p1[3] != 0 && p2[3] != 0) {
-            const Vector3 from = times(1 / p1[3], xyz(p1)), v = plus(times(1 / p2[3], xyz(p2)), times(-1, from));
-            if (options_.border == Border::kInside && length(v) < 4 * options_.value_rounding * length(from)) return {};
-            return {unit(v), length(v)};
+            const Vector3 from = times(1 / p1[3], xyz(p1)), to = times(1 / p2[3], xyz(p2));
+            Vector3 v = plus(to, times(-1, from));
+            // What rounding may add to each end.
+            const Number share = 2 * Number(options_.value_rounding),
+                         slack = share * std::max(length(from), length(to));
+            for (std::size_t i = 0; i < 3 && options_.border == Border::kInside; ++i)
+                if (mp::abs(v[i]) < share * std::max(Number(mp::abs(from[i])), Number(mp::abs(to[i])))) v[i] = 0;
+            Towards result{unit(v), length(v)};
+            if (slack == 0 || result.distance == 0) return result;
+            result.uncertainty = std::min(Number(slack / result.distance), Number(2));
+            if (options_.border == Border::kInside)
+                result.distance = std::max(Number(result.distance - slack), Number(0));
+            if (options_.border == Border::kOutside) result.distance += slack;
+            return result;
         }
         if (p1[3] == 0 && p2[3] == 0) return {unit(plus(xyz(p2), times(-1, xyz(p1)))), 0, true};
         if (p2[3] == 0) return {unit(xyz(p2)), 0, true};
@@ -200,17 +214,20 @@ class Machine {
     }
 
     // a >= b, where rounding may decide.
-    bool reaches(const Number& a, const Number& b, const Number& scale) const {
-        if (options_.border != Border::kExact && mp::abs(a - b) <= options_.width * scale)
-            return options_.border == Border::kInside;
+    bool is_border(const Number& difference, const Number& scale, const Number& uncertainty) const {
+        return options_.border != Border::kExact && mp::abs(difference) <= (options_.width + uncertainty) * scale;
+    }
+    bool reaches(const Number& a, const Number& b, const Number& scale, const Number& uncertainty) const {
+        if (is_border(a - b, scale, uncertainty)) return options_.border == Border::kInside;
         return a >= b - Number("1e-45") * scale;
     }
 
-    Number spot(const LightState& light, const Vector3& vp) {
+    Number spot(const LightState& light, const Towards& vp) {
         if (light.cutoff_deg == 180) return 1;
-        const Number cosine = -dot(vp, value(unit(light.spot_direction_eye)));
+        const Number cosine = -dot(vp.dir, value(unit(light.spot_direction_eye)));
         const Number cos_cutoff = cleaned(mp::cos(radians(light.cutoff_deg)));
-        if (!reaches(cosine, cos_cutoff, 1)) return 0;  // RULING: a cone of 90 degrees is dark behind the light
+        if (!reaches(cosine, cos_cutoff, 1, vp.uncertainty))
+            return 0;  // RULING: a cone of 90 degrees is dark behind the light
         return power(cosine, light.exponent);
     }
 
@@ -229,15 +246,14 @@ class Machine {
             if (!light.enabled) continue;
             Towards vp = towards(v, value_of_position(light.position_eye));
             vp.dir = value(vp.dir);
-            const Number reach = attenuation(light, vp) * spot(light, vp.dir);
+            const Number reach = attenuation(light, vp) * spot(light, vp);
             add(primary, reach, material.ambient, light.ambient);
             const Number n_dot_vp = dot(n, vp.dir);
             add(primary, reach * std::max(n_dot_vp, Number(0)), material.diffuse, light.diffuse);
             // f_i: n . VP is not 0, where . means max(..., 0).
             const Number scale = length(n);
-            const bool behind = options_.border != Border::kExact && mp::abs(n_dot_vp) <= options_.width * scale
-                                    ? options_.border == Border::kOutside
-                                    : n_dot_vp <= Number("1e-45") * scale;
+            const bool behind = is_border(n_dot_vp, scale, vp.uncertainty) ? options_.border == Border::kOutside
+                                                                           : n_dot_vp <= Number("1e-45") * scale;
             if (behind) continue;
             const Vector3 sum = plus(vp.dir, vpe), h = unit(sum);
             shortest_half_vector_ = std::min(shortest_half_vector_, length(sum).convert_to<double>());
@@ -431,9 +447,7 @@ class Machine {
         set({"glMultTransposeMatrixf", "glMultTransposeMatrixd"},
             [](Machine& m, const Command& c) { m.multiply(matrix(c.arguments, true)); });
         set({"glTranslatef", "glTranslated"}, [](Machine& m, const Command& c) {
-            Matrix4 t = identity();
-            for (std::size_t i = 0; i < 3; ++i) t[i][3] = c.number(i);
-            m.multiply(t);
+            m.multiply(translation({c.number(0), c.number(1), c.number(2)}));
         });
         set({"glScalef", "glScaled"}, [](Machine& m, const Command& c) {
             Matrix4 t = identity();
@@ -443,7 +457,10 @@ class Machine {
         set({"glRotatef", "glRotated"}, [](Machine& m, const Command& c) {
             m.multiply(rotation(c.number(0), {c.number(1), c.number(2), c.number(3)}));
         });
-        set({"gluLookAt"}, [](Machine& m, const Command& c) { m.multiply(look_at(c.arguments)); });
+        set({"gluLookAt"}, [](Machine& m, const Command& c) {
+            m.multiply(look_at(c.arguments));
+            m.multiply(translation({-c.number(0), -c.number(1), -c.number(2)}));
+        });
         set({"glPushMatrix"}, [](Machine& m, const Command&) {
             if (m.is_modelview_) m.modelviews_.push_back(m.modelviews_.back());
         });

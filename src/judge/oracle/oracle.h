@@ -16,9 +16,9 @@ namespace twinlight::oracle {
 
 // Where a comparison of 2.14.1 is within `width` of equality, rounding decides it: PV . s and cos(cutoff), n . VP and 0.
 enum class Border : std::uint8_t {
-    kExact,  // the comparison in all digits
-    kInside,  // counts as inside the cone, and as lit from the front; a light that value_rounding could put there as at the vertex
-    kOutside,  // counts as outside, and as lit from behind
+    kExact,    // the comparison in all digits
+    kInside,   // counts as inside the cone, and as lit from the front; lights are as near as value_rounding allows
+    kOutside,  // counts as outside, and as lit from behind; lights are as far away
 };
 
 // How an evaluation may differ from the exact one. It shows how much a result depends on rounding.
