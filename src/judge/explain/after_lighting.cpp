@@ -41,10 +41,18 @@ EnvironmentFormulas environment_formulas(Enum env_mode, Enum base_format) {
     return f;
 }
 
-Lines coordinates_lines(const TextureSteps& steps, bool is_exact) {
-    Lines lines = line("s, t, r, q", quadruple(steps.coordinates),
-                       is_exact ? "of this point of the surface, times the texture matrix (2.11.2)"
-                                : "times the texture matrix (2.11.2), interpolated (3.5.1)");
+Lines coordinates_lines(const TextureSteps& steps, const TextureUnit& unit, bool is_exact) {
+    Lines lines;
+    for (const GeneratedCoordinate& one : unit.generated) {
+        const bool is_linear = !one.needs_normal();
+        lines +=
+            line(fmt::format("{}", "strq"[one.coordinate]), enum_name(one.mode),
+                 is_linear ? fmt::format("generated at each vertex (2.11.4), with the plane {}", quadruple(one.plane))
+                           : "generated at each vertex (2.11.4)");
+    }
+    lines += line("s, t, r, q", quadruple(steps.coordinates),
+                  is_exact ? "of this point of the surface, times the texture matrix (2.11.2)"
+                           : "times the texture matrix (2.11.2), interpolated (3.5.1)");
     constexpr double kRounding = 1e-9;  // of the interpolation
     if (std::abs(steps.coordinates.w - 1) > kRounding)
         lines += line("s/q, t/q", fmt::format("({:.5g}, {:.5g})", steps.st.x, steps.st.y), "the place in the texture");
@@ -86,8 +94,8 @@ Lines texture_lines(const ColorSteps& of, const TextureSteps& steps, const Draw&
     const TextureUnit& unit = draw.texture;
     const Enum format = unit.texture->levels[0].base_format;
     const EnvironmentFormulas formulas = environment_formulas(unit.env_mode, format);
-    Lines lines = head("texture (3.8)") + coordinates_lines(steps, is_exact) + level_of_detail_lines(steps, draw) +
-                  texels_lines(steps, *unit.texture);
+    Lines lines = head("texture (3.8)") + coordinates_lines(steps, draw.texture, is_exact) +
+                  level_of_detail_lines(steps, draw) + texels_lines(steps, *unit.texture);
     lines += color_line("C_s", fmt::format("the sum of weight times texel; A_s is {:.5g}", steps.texel.a),
                         rgb_of(steps.texel));
     lines += color_line("C_f", fmt::format("the colour so far; A_f is {:.5g}", of.primary.a), rgb_of(of.primary));

@@ -234,6 +234,7 @@ enum class Owner : std::uint8_t {
     kLightModel,
     kFog,
     kTexEnv,
+    kTexGen,
     kTexFilterControl,
     kTexture,
     kPixelStore,

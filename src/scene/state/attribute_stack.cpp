@@ -18,7 +18,7 @@ auto capabilities(auto& a) {  // GL_ENABLE_BIT, without lights, clip planes and 
                     a.lighting.rescale_normal, a.raster.cull_enabled, a.raster.depth_test,
                     a.raster.polygon_offset.point, a.raster.polygon_offset.line, a.raster.polygon_offset.fill,
                     a.fragment.scissor.enabled, a.fragment.alpha_test, a.fragment.blend, a.fragment.color_sum,
-                    a.fog.enabled);
+                    a.fog.enabled, a.stencil_enabled);
 }
 
 auto polygon(auto& a) {
@@ -29,6 +29,8 @@ auto polygon(auto& a) {
 auto depth(auto& a) {
     return std::tie(a.raster.depth_test, a.raster.depth_func, a.raster.depth_mask, a.clear.clear_depth);
 }
+
+auto stencil(auto& a) { return std::tie(a.stencil_enabled, a.stencil_test, a.clear.clear_stencil); }
 
 auto transform(auto& a) {
     return std::tie(a.matrix_mode, a.clip_planes, a.lighting.normalize, a.lighting.rescale_normal);
@@ -51,6 +53,8 @@ void restore_enables(Attributes& now, const Attributes& saved) {
     for (std::size_t i = 0; i < saved.units.size(); ++i) {
         now.units[i].enabled_1d = saved.units[i].enabled_1d;
         now.units[i].enabled_2d = saved.units[i].enabled_2d;
+        for (std::size_t n = 0; n < saved.units[i].tex_gen.size(); ++n)
+            now.units[i].tex_gen[n].enabled = saved.units[i].tex_gen[n].enabled;
     }
 }
 
@@ -90,10 +94,17 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.fragment.color_sum = saved.fragment.color_sum;
     }
     if (bit(kGL_DEPTH_BUFFER_BIT)) depth(now) = depth(saved);
+    if (bit(kGL_STENCIL_BUFFER_BIT)) stencil(now) = stencil(saved);
+    if (bit(kGL_ACCUM_BUFFER_BIT)) now.clear.clear_accumulation = saved.clear.clear_accumulation;
     if (bit(kGL_VIEWPORT_BIT)) viewport(now) = viewport(saved);
     if (bit(kGL_TRANSFORM_BIT)) transform(now) = transform(saved);
     if (bit(kGL_ENABLE_BIT)) restore_enables(now, saved);
     if (bit(kGL_COLOR_BUFFER_BIT)) restore_color_buffer(now, saved);
+    if (bit(kGL_EVAL_BIT)) {
+        now.grid1 = saved.grid1;
+        now.grid2_u = saved.grid2_u;
+        now.grid2_v = saved.grid2_v;
+    }
     if (bit(kGL_HINT_BIT)) now.hints = saved.hints;
     if (bit(kGL_LIST_BIT)) now.list_base = saved.list_base;
     if (bit(kGL_TEXTURE_BIT)) {

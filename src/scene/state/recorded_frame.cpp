@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "scene/command/text.h"
 #include "scene/state/draws_nothing.h"
+#include "scene/state/not_finite.h"
 
 namespace twinlight {
 
@@ -18,6 +20,10 @@ constexpr int kLargestSide = 8192;  // every driver allows viewports of this siz
 constexpr std::size_t kCommandsBetweenProgress = 1 << 16;
 
 const Command kEnd{CommandId::glEnd, {}, {}};
+
+std::optional<Command> made_finite(const Step& step) {
+    return step.kind == Step::Kind::kCommand ? twinlight::made_finite(step.command) : std::nullopt;
+}
 
 // The first steps of a recording, and the commands that end what these leave open.
 class Beginning final : public Recording {
@@ -31,7 +37,8 @@ class Beginning final : public Recording {
         bool go_on = true;
         if (left > 0) {
             whole_->for_each([&](const Step& step) {
-                go_on = visit(step);
+                const std::optional<Command> finite = made_finite(step);
+                go_on = finite ? visit({.command = *finite}) : visit(step);
                 return --left > 0 && go_on;
             });
         }
@@ -115,6 +122,8 @@ class Player {
     bool draws_in_initial_viewport_ = false;
     std::int64_t reach_x_ = 0, reach_y_ = 0;
     std::vector<std::string> notes_;
+    int not_finite_ = 0;  // commands with NaN or infinity
+    std::string first_not_finite_;
 };
 
 // Returns true when the frame is complete.
@@ -128,7 +137,15 @@ bool Player::take(const Step& step) {
     if (!ever_drawn_) nothing_.take(step);
     if (choice_.progress && steps_ % kCommandsBetweenProgress == 0) choice_.progress(frame_, steps_);
     switch (step.kind) {
-        case Step::Kind::kCommand: command(step.command); break;
+        case Step::Kind::kCommand:
+            if (const auto finite = made_finite(step)) {
+                if (not_finite_++ == 0)
+                    first_not_finite_ = fmt::format("{} ({})", step.command.place.str(), finite->name());
+                command(*finite);
+            } else {
+                command(step.command);
+            }
+            break;
         case Step::Kind::kOutside: state_.outside(step.text, step.command.place); break;
         case Step::Kind::kCutOff: notes_.emplace_back(step.text); break;
         case Step::Kind::kFrameEnd: break;
@@ -202,6 +219,11 @@ RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) 
     result.error_count = state_.error_count();
     if (!state_.errors().empty()) result.first_error = state_.errors().front();
     result.notes = std::move(notes_);
+    if (not_finite_ > 0)
+        result.notes.push_back(fmt::format(
+            "{} of the program's commands up to this frame {} NaN or infinity; the first: {}. GL leaves open what that "
+            "does (section 2.1.1). All renderers draw 0 for NaN, and 2^32 for infinity.",
+            not_finite_, not_finite_ == 1 ? "has" : "have", first_not_finite_));
     result.scene = {std::make_shared<const Beginning>(recording, steps_, std::move(endings_),
                                                       fmt::format("{}, frame {}", recording->name, frame_)),
                     state_.take_frame()};

@@ -570,7 +570,31 @@ TEST_F(Cli, FuzzTellsWhatItCompared) {
     EXPECT_EQ(out_.names(), std::vector<std::string>());  // the folder is made for failures alone
 }
 
+TEST_F(Cli, FuzzAgainstTheOracleTellsWhatItJudged) {
+    const ProgramResult result =
+        run({"fuzz", "--against", "oracle", "--count", "16", "--json", "-o", out_ / "failures"});
+    EXPECT_EQ(result.status, 0) << result.out;
+    const json summary = json::parse(result.out);
+    EXPECT_EQ(summary["against"], "oracle");
+    EXPECT_EQ(summary["states"], 16);
+    EXPECT_EQ(summary["failures"], json::array());
+    bool has_reference = false, has_shaders = false;
+    for (const json& judged : summary["results"]) {
+        EXPECT_GT(judged["compared"], 0) << judged["name"];
+        EXPECT_GT(judged["verdicts"]["right"], 0) << judged["name"];
+        has_reference = has_reference || judged["name"] == "reference, double";
+        has_shaders = has_shaders || judged["name"] == "shaders, uniform";
+    }
+    EXPECT_TRUE(has_reference && has_shaders) << result.out;
+    const ProgramResult text = run({"fuzz", "--against", "oracle", "--count", "4", "-o", out_ / "failures"});
+    EXPECT_EQ(text.status, 0);
+    EXPECT_NE(text.out.find("No unexplained difference."), std::string::npos) << text.out;
+    EXPECT_EQ(out_.names(), std::vector<std::string>());
+}
+
 TEST_F(Cli, FuzzRefusesBadUse) {
+    expect_refused(run({"fuzz", "--against", "oracel"}), "'oracel' is not one of oracle, renderers");
+    expect_refused(run({"fuzz", "--against", "oracle", "--pictures-only"}), "--pictures-only");
     expect_refused(run({"fuzz", "--count", "0"}), "--count");
     expect_refused(run({"fuzz", "--float-only", "--pictures-only"}), "--pictures-only");
     expect_refused(run({"fuzz", "--lift", "fog of a vertex whose w is not 2"}),

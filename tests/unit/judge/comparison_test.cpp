@@ -2,10 +2,16 @@
 #include "judge/compare/comparison.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/ptrace.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -465,6 +471,103 @@ TEST_F(ReportTest, SaysWhereItCannotBeWritten) {
     write_file_atomically((folder_ / "file").string(), "x");
     EXPECT_THROW(write_report(stub.compare(), (folder_ / "file").string()), FileError);
     EXPECT_THROW(write_report(stub.compare(), (folder_ / "file" / "below").string()), FileError);
+}
+
+// The files of the folder and those below it, without the temporary ones that a killed process leaves behind.
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file() && entry.path().extension() != ".part")
+            files[entry.path().lexically_relative(folder).string()] = read_file(entry.path().string());
+    return files;
+}
+
+TEST_F(ReportTest, RemovesPicturesThatTheNewReportLacks) {
+    Stub stub;
+    Comparison exact = stub.compare();
+    exact.renders.back().name = "reference-exact";
+    const std::string out = (folder_ / "out").string();
+    write_report(std::vector<ComparedStep>{{"one", stub.compare()}, {"two", stub.compare()}}, out);
+    write_file_atomically(out + "/step-2/mine.png", "mine");
+    write_file_atomically(out + "/fixed-mine.png", "mine");
+    write_report(exact, out);
+    std::map<std::string, std::string> expected = files_in(out);
+    EXPECT_EQ(expected.size(), 14u);  // as above, and two of others
+    EXPECT_EQ(expected.count("step-2/mine.png") + expected.count("fixed-mine.png"), 2u);
+    EXPECT_FALSE(fs::exists(folder_ / "out/step-1"));
+    write_report(stub.compare(), out);
+    EXPECT_FALSE(fs::exists(folder_ / "out/reference-exact.png"));
+    EXPECT_EQ(files_in(out).size(), 14u);
+}
+
+// Runs `work` in a process that is killed as it begins its n-th rename or removal of a file. Returns false if it has fewer.
+bool killed_at(int n, const std::function<void()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr);
+        ::raise(SIGSTOP);
+        try {
+            work();
+        } catch (...) {
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ::ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
+    int count = 0;
+    while (true) {
+        ::ptrace(PTRACE_SYSCALL, child, nullptr, nullptr);
+        if (::waitpid(child, &status, 0) < 0 || !WIFSTOPPED(status)) return false;
+        if (WSTOPSIG(status) != (SIGTRAP | 0x80)) continue;
+        __ptrace_syscall_info info{};
+        ::ptrace(PTRACE_GET_SYSCALL_INFO, child, sizeof info, &info);
+        if (info.op != PTRACE_SYSCALL_INFO_ENTRY) continue;
+        const auto number = static_cast<long>(info.entry.nr);
+        const bool moves = number == SYS_renameat || number == SYS_renameat2 || number == SYS_unlinkat
+#ifdef SYS_rename
+                           || number == SYS_rename || number == SYS_unlink
+#endif
+            ;
+        if (!moves || ++count < n) continue;
+        ::kill(child, SIGKILL);
+        ::waitpid(child, &status, 0);
+        return true;
+    }
+}
+
+// As long as there is a page, the folder is whole; old pictures never lie beside new ones.
+TEST_F(ReportTest, IsWholeOrWithoutAPageIfTheProgramIsKilled) {
+    Stub old_stub, new_stub;
+    old_stub.fixed = old_stub.programmable = old_stub.reference = 0.2F;
+    const Comparison old_one = old_stub.compare(), new_one = new_stub.compare();
+    const std::string out = (folder_ / "out").string();
+    const auto written = [&](const Comparison& comparison) {
+        fs::remove_all(out);
+        write_report(comparison, out);
+        return files_in(out);
+    };
+    const std::map<std::string, std::string> new_files = written(new_one), old_files = written(old_one);
+    ASSERT_EQ(new_files.size(), old_files.size());
+    int incomplete = 0, n = 1;
+    for (; killed_at(n, [&] { write_report(new_one, out); }); ++n) {
+        const std::map<std::string, std::string> found = files_in(out);
+        if (found.count("index.html") == 1) {
+            EXPECT_TRUE(found == old_files || found == new_files) << "killed at " << n;
+        } else {
+            ++incomplete;
+            std::size_t old_ones = 0, new_ones = 0;
+            for (const auto& [name, bytes] : found) {
+                if (old_files.at(name) == new_files.at(name)) continue;
+                ++(bytes == old_files.at(name) ? old_ones : new_ones);
+            }
+            EXPECT_TRUE(old_ones == 0 || new_ones == 0) << "killed at " << n;
+        }
+        ASSERT_EQ(written(old_one), old_files);
+    }
+    EXPECT_EQ(files_in(out), new_files);  // the last one was not killed
+    EXPECT_GT(incomplete, 10);
+    EXPECT_GT(n, 20);
 }
 
 TEST(ComparisonJson, HasTheFormThatTheHeaderTells) {
