@@ -146,7 +146,8 @@ class Planner {
             .bounds = draw_bounds(draw_, vertices_, state(), facts().shading == Shading::kPhong),
             .faces = {face_range(&Materials::front, facts().front), face_range(&Materials::back, facts().back)},
             .primary = facts().needs_primary_rgb(),
-            .for_any_pose = options_.for_any_pose};
+            .for_any_pose = options_.for_any_pose,
+            .has_directions = has_directions()};
         plan_clamp(lights, plan_lights(lights, plan_));
         plan_specular();
         drop_idle_colors();
@@ -188,6 +189,13 @@ class Planner {
             if (light.fate != LightFate::kDisabled) light.fate = LightFate::kReplaced;
             light.bound = glm::dvec3(0);
         }
+    }
+
+    // Whether a vertex has w = 0 in eye coordinates: then it is a direction.
+    bool has_directions() const {
+        const glm::dmat4& m = draw_.eye_from_object;
+        if (keeps_w(m)) return vertices_.has_w_0;
+        return std::ranges::any_of(draw_.vertices, [&](const Vertex& v) { return (m * v.position_object).w == 0; });
     }
 
     void plan_w() {

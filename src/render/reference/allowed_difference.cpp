@@ -13,6 +13,7 @@
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "render/reference/fragment_loop.h"
@@ -49,7 +50,7 @@ Outcome covers(const std::vector<Edge>& edges, const glm::dvec2& centre) {
     return result;
 }
 
-// The state of a pixel besides its colour: an interval of depths, and whether it is open. Only for meshes.
+// The state of a pixel besides its colour: an interval of depths, a stencil value, and whether it is open. Only for meshes.
 class OpenPixels {
   public:
     using Real = Interval;
@@ -108,8 +109,43 @@ class OpenPixels {
         depth_of_[at] = certain ? id : kNobody;
     }
 
+    void clear_stencil(const Clear& clear, std::size_t at) {
+        int& stored = stencil(at);
+        const bool is_whole = (~clear.stencil_mask & kMaxStencil) == 0;
+        if (stored != kAnyValue || is_whole) stored = cleared_stencil(clear, std::max(stored, 0));
+    }
+    Outcome stencil_outcome(const StencilFace& face, std::size_t at) {
+        const int stored = stencil(at);
+        const bool ignores = face.func == kGL_ALWAYS || face.func == kGL_NEVER || (face.mask & kMaxStencil) == 0;
+        if (stored == kAnyValue && !ignores) return Outcome::kOpen;
+        return passes_stencil(face, std::max(stored, 0)) ? Outcome::kPasses : Outcome::kFails;
+    }
+    // If the operations that may happen lead to different values, the value is open.
+    void set_stencil(const StencilFace& face, Outcome covers, Outcome of_stencil, Outcome of_depth, std::size_t at) {
+        int& stored = stencil(at);
+        std::optional<int> result;
+        const auto may_become = [&](int value) { result = result.value_or(value) == value ? value : kAnyValue; };
+        const auto may_do = [&](Enum operation) {
+            const bool is_whole = (~face.write_mask & kMaxStencil) == 0;
+            const bool overwrites = is_whole && (operation == kGL_ZERO || operation == kGL_REPLACE);
+            may_become(stored != kAnyValue || overwrites ? stencil_after(face, operation, std::max(stored, 0))
+                                                         : kAnyValue);
+        };
+        if (covers != Outcome::kPasses) may_become(stored);
+        if (of_stencil != Outcome::kPasses) may_do(face.fail);
+        if (of_stencil != Outcome::kFails && of_depth != Outcome::kPasses) may_do(face.depth_fail);
+        if (of_stencil != Outcome::kFails && of_depth != Outcome::kFails) may_do(face.depth_pass);
+        stored = *result;
+    }
+
   private:
     static constexpr StepId kNobody = std::numeric_limits<StepId>::min();
+    static constexpr int kAnyValue = -1;
+
+    int& stencil(std::size_t at) {
+        if (stencil_.empty()) stencil_.resize(open_.size());
+        return stencil_[at];
+    }
 
     template <class Visit>
     void polygon(StepId id, const PixelRect& within, const Visit& visit) const {
@@ -174,6 +210,7 @@ class OpenPixels {
     std::vector<char> open_;
     std::vector<Interval> depth_;
     std::vector<StepId> depth_of_;  // the piece with that depth, if certain
+    std::vector<int> stencil_;      // the stencil value, or kAnyValue; empty until it is used
     std::vector<StepId> thin_;      // the last line or point at the pixel
 };
 

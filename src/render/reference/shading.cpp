@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/math/srgb.h"
+#include "render/reference/tex_gen.h"
 #include "render/reference/texture_bounds.h"
 #include "render/reference/texture_environment.h"
 #include "render/reference/texture_place.h"
@@ -143,7 +144,7 @@ Shader::Finish<Real> Shader::finish(const Fragment& fragment) const {
 
 double Shader::fog_distance(const Fragment& fragment) const {
     const glm::dvec2 zw = eye_zw(fragment);
-    return std::abs(quotient(zw.x, zw.y));
+    return reference::fog_distance(zw.x, zw.y);
 }
 
 // 3.10: f may be computed at each vertex and interpolated. Linear f is computed from the interpolated distance.
@@ -152,7 +153,7 @@ double Shader::fog_of_vertices(const Fragment& fragment) const {
     double distance = 0;
     for (int i = 0; i < 3; ++i) {
         const glm::dvec4& eye = vertices_[fragment.piece->primitive.vertices[i]].position_eye;
-        distance += weights[i] * std::abs(quotient(eye.z, eye.w));
+        distance += weights[i] * reference::fog_distance(eye.z, eye.w);
     }
     return fog_factor(draw_.fog, distance);
 }
@@ -182,14 +183,18 @@ TexturePlace Shader::texture_place_of(const Fragment& fragment) const {
 void Shader::add_texel(const Fragment& fragment, Finish<double>& finish) const {
     const TextureUnit& unit = draw_.texture;
     const TexturePlace place = texture_place_of(fragment);
-    const double lambda = level_of_detail(scale_factor(*unit.texture, place), unit.lod_bias);
+    const double lambda = level_of_detail(scale_factor(*unit.texture, place), unit);
     finish.texel = channels<double>(sample(*unit.texture, place.st, lambda));
 }
 
 void Shader::add_texel(const Fragment& fragment, Finish<Interval>& finish) const {
     const TextureUnit& unit = draw_.texture;
+    double error = 0;
+    if (!unit.generated.empty())
+        for (const std::uint32_t i : fragment.piece->primitive.vertices)
+            error = std::max(error, generated_error(draw_, draw_.vertices[i], vertices_[i]));
     const TexturePlaceBounds place =
-        texture_place_bounds(vertices_, *fragment.piece, fragment.position_window, *unit.texture);
+        texture_place_bounds(vertices_, *fragment.piece, fragment.position_window, *unit.texture, error);
     const TexelBounds bounds = sample_bounds(unit, place.st, place.st_error, place.rho);
     finish.texel = bounds.texel;
     finish.has_choice = bounds.has_choice;
@@ -200,7 +205,7 @@ Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColo
     Finish<Marked> finish;
     if (draw_.fog.enabled) {
         const glm::dvec2 zw = eye_zw(fragment);
-        finish.fog = fog_factor(draw_.fog, abs(quotient(Marked(zw.x, position), Marked(zw.y))));
+        finish.fog = fog_factor(draw_.fog, reference::fog_distance(Marked(zw.x, position), Marked(zw.y)));
     }
     if (draw_.texture.texture) {
         Finish<double> unmarked;

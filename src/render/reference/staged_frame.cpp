@@ -37,6 +37,10 @@ StagedFrame run_stages(const Frame& frame, const Options& options) {
             add_clear(*clear);
             continue;
         }
+        if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
+            stages.steps.push_back({.accumulate = accumulate});
+            continue;
+        }
         const Draw& draw = std::get<Draw>(item);
         stages.draws.push_back({&draw, vertex_stage(draw)});
         const std::size_t first = stages.pieces.size();

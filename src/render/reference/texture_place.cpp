@@ -65,7 +65,8 @@ lighting::RulingSet texture_rulings(const std::vector<StageVertex>& vertices, co
 }
 
 TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices, const Piece& piece,
-                                        const glm::dvec2& position_window, const Texture& texture) {
+                                        const glm::dvec2& position_window, const Texture& texture,
+                                        double vertex_error) {
     // Float arithmetic: the rounding of the texture matrix, of the plane (a constant plus slope times pixel number) and
     // of the division, each at most half a unit in the last place of the magnitudes added.
     constexpr double kRoundings = 8 * 0x1p-24;
@@ -74,8 +75,13 @@ TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices
     const glm::dvec3 added_up = glm::abs(stq.value) + glm::abs(stq.per_x) * std::abs(position_window.x) +
                                 glm::abs(stq.per_y) * std::abs(position_window.y);
     const double q = std::abs(stq.value.z);
-    const glm::dvec2 arithmetic = kRoundings * glm::dvec2(quotient(added_up.x + std::abs(place.st.x) * added_up.z, q),
-                                                          quotient(added_up.y + std::abs(place.st.y) * added_up.z, q));
+    glm::dvec2 arithmetic = kRoundings * glm::dvec2(quotient(added_up.x + std::abs(place.st.x) * added_up.z, q),
+                                                    quotient(added_up.y + std::abs(place.st.y) * added_up.z, q));
+    if (vertex_error > 0) {
+        const glm::dvec3 weights = glm::abs(weights_over_w_at(piece, position_window).value);
+        const double error = vertex_error * (weights.x + weights.y + weights.z);
+        for (int i = 0; i < 2; ++i) arithmetic[i] += quotient(error * (1 + std::abs(place.st[i])), q);
+    }
 
     TexturePlaceBounds bounds{.st = place.st,
                               .st_error = arithmetic + kSnap * (glm::abs(place.per_x) + glm::abs(place.per_y)),

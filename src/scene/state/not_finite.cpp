@@ -17,17 +17,17 @@ constexpr CommandSet kTakesAnyNumber = CommandSet::of({"vertex", "normal", "colo
 
 }  // namespace
 
-bool has_number_that_is_not_finite(const Command& command) {
-    return !std::ranges::all_of(command.arguments, [](double v) { return std::isfinite(v); }) &&
-           !kTakesAnyNumber.contains(command.id);
+std::optional<double> number_that_is_not_finite(const Command& command) {
+    if (kTakesAnyNumber.contains(command.id)) return {};
+    const auto found = std::ranges::find_if_not(command.arguments, is_in_float_range);
+    return found == command.arguments.end() ? std::nullopt : std::optional(*found);
 }
 
 std::optional<Command> made_finite(const Command& command) {
-    if (!has_number_that_is_not_finite(command)) return std::nullopt;
+    if (!number_that_is_not_finite(command)) return std::nullopt;
     Command finite = command;
     for (double& v : finite.arguments) {
-        if (std::isnan(v)) v = 0;
-        if (std::isinf(v)) v = std::copysign(kInsteadOfInfinity, v);
+        if (!is_in_float_range(v)) v = std::isnan(v) ? 0 : std::copysign(kInsteadOfInfinity, v);
     }
     return finite;
 }
