@@ -68,6 +68,11 @@ const std::vector<FragmentCase>& fragment_cases() {
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(5);
             glBegin(GL_TRIANGLES);
             glVertex3f(-0.9, -0.9, -0.1); glVertex3f(0.9, -0.9, -1.9); glVertex3f(-0.9, 0.9, -0.1); glEnd();)"},
+        // A back face, whose stencil test fails.
+        {"two-sided stencil of polygons as lines and points", R"(
+            glEnable(GL_STENCIL_TEST); glStencilFuncSeparate(GL_BACK, GL_NEVER, 0, 255);
+            glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(8); glBegin(GL_TRIANGLES);
+            glVertex2f(-0.8, -0.8); glVertex2f(-0.8, 0.8); glVertex2f(0.8, -0.8); glEnd();)"},
         // All edges of a strip are boundary edges, whatever the flags say.
         {"edge flags of strips and fans", R"(
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(8);

@@ -55,7 +55,7 @@ const std::map<std::string, Table>& rooms() {
           {"report", {"compare"}},
           {"study", {"report"}},
           {"fuzz", {"compare", "check", "oracle"}},
-          {"check", {"compare"}},
+          {"check", {"compare", "oracle"}},
           {"lint", {}},
           {"lesson", {}},
           {"explain", {}},

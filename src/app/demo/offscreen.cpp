@@ -24,7 +24,7 @@ class GlxContext final : public OffscreenContext {
         // clang-format off
         const int wanted[] = {
             GLX_DRAWABLE_TYPE, GLX_PBUFFER_BIT, GLX_RENDER_TYPE, type, GLX_DOUBLEBUFFER, True, GLX_DEPTH_SIZE, 24,
-            GLX_RED_SIZE, bits, GLX_GREEN_SIZE, bits, GLX_BLUE_SIZE, bits, GLX_ALPHA_SIZE, bits, None};
+            GLX_STENCIL_SIZE, 8, GLX_RED_SIZE, bits, GLX_GREEN_SIZE, bits, GLX_BLUE_SIZE, bits, GLX_ALPHA_SIZE, bits, None};
         // clang-format on
         int count = 0;
         GLXFBConfig* configs = glXChooseFBConfig(display_, DefaultScreen(display_), wanted, &count);
@@ -40,7 +40,7 @@ class GlxContext final : public OffscreenContext {
             throw std::runtime_error("GLX: this driver cannot draw beside the window");
         }
         glViewport(0, 0, width, height);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }
     ~GlxContext() override {
         glFinish();

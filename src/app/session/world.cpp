@@ -242,6 +242,7 @@ Frame as_seen_from_outside(const Frame& frame, const World& world, const WorldPr
         outside.raster.depth_near = 0;
         outside.raster.depth_far = 1;
         outside.fragment.scissor.enabled = false;
+        outside.fragment.stencil.reset();
         seen.items.emplace_back(std::move(outside));
     }
     seen.typed_lights = frame.typed_lights;

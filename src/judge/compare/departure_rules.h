@@ -15,16 +15,16 @@ MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_material_before_pop
 
 // ---- Between vertices and pixels ----
 
-DrawRule draws_borders_of_clipped_polygons, has_faces_on_borders, has_wide_lines, has_level_of_detail,
-    has_edge_flags_in_strip, offsets_other_modes_alone, offsets_one_of_two_modes, offsets_borders_without_area,
-    offsets_borders_out_of_range, has_wide_points, biases_level_of_points, adds_secondary_color_in_fog, has_w_in_fog,
-    has_exponential_fog_behind_the_eye, clamps_between_nearest_and_linear;
+DrawRule draws_borders_of_clipped_polygons, has_faces_on_borders, has_faces_in_stencil_of_borders, has_wide_lines,
+    has_level_of_detail, has_edge_flags_in_strip, offsets_other_modes_alone, offsets_one_of_two_modes,
+    offsets_borders_without_area, offsets_borders_out_of_range, has_wide_points, biases_level_of_points,
+    adds_secondary_color_in_fog, has_w_in_fog, has_exponential_fog_behind_the_eye, clamps_between_nearest_and_linear;
 VertexRule has_no_q;
 
 // ---- In lighting ----
 
 DrawRule has_shininess_0_with_factors, has_shininess_0_on_one_side, has_color_material_on_back_alone, rescales_much;
-VertexRule has_color_material_of_no_color, has_w_under_positional_light, has_extreme_direction, has_no_answer,
-    is_at_exact_edge_of_cone, is_near_edge_of_cone, has_light_at_horizon;
+VertexRule has_color_material_of_no_color, has_w_under_positional_light, has_extreme_direction,
+    has_overflowing_highlight, has_no_answer, is_at_exact_edge_of_cone, is_near_edge_of_cone, has_light_at_horizon;
 
 }  // namespace twinlight::compare

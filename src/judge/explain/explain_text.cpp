@@ -126,6 +126,7 @@ std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw
 }
 
 std::size_t first_seen(const Frame& frame, const std::vector<PixelFragment>& fragments) {
+    if (accumulates(frame)) return 0;
     const std::vector<const Draw*> draws = frame.draws();
     for (std::size_t i = fragments.size(); i > 0; --i) {
         const FragmentState& state = draws[fragments[i - 1].draw]->fragment;
@@ -144,6 +145,7 @@ std::string text_of(const Scene& scene, const PixelExplanation& explanation, con
         "{}, pixel {},{} of {} x {}: {}\n", scene.title(), pixel.x, pixel.y, frame.width, frame.height,
         fragments.empty() ? "no draw covers it, so it shows what glClear left"
                           : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
+    if (accumulates(frame)) text += "glAccum combines pictures here, so earlier fragments may show too (4.2.4).\n";
     if (std::ranges::any_of(fragments, &PixelFragment::is_lit)) text += legend();
     const std::size_t first_seen = explain::first_seen(frame, fragments);
     bool variants = false;

@@ -53,8 +53,10 @@ Frame enlarged(const Frame& frame, int samples) {
     const auto enlarge = [&](Viewport& box) {
         for (int* length : {&box.x, &box.y, &box.width, &box.height}) *length *= samples;
     };
-    for (auto& item : result.items)
+    for (auto& item : result.items) {
         if (Clear* clear = std::get_if<Clear>(&item)) enlarge(clear->scissor.box);
+        if (Accumulate* accumulate = std::get_if<Accumulate>(&item)) enlarge(accumulate->scissor.box);
+    }
     for (Draw* draw : result.draws()) {
         enlarge(draw->raster.viewport);
         enlarge(draw->fragment.scissor.box);

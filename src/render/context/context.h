@@ -18,8 +18,8 @@ class OffscreenContext {
 
 enum class ColorBuffer { kUnorm8, kFloat };
 
-// Returns a current compatibility-profile context with a colour buffer of this size and a 24-bit depth buffer, both
-// cleared. Throws std::runtime_error with the driver's reason. The context stays current until it is destroyed.
+// Returns a current compatibility-profile context with a colour buffer of this size, a 24-bit depth buffer and an 8-bit
+// stencil buffer, all cleared. It may lack an accumulation buffer (accumulation_buffer.h). Throws std::runtime_error with the driver's reason. The context stays current until it is destroyed.
 std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height,
                                                          ColorBuffer color_buffer = ColorBuffer::kUnorm8);
 

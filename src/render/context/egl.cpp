@@ -114,7 +114,7 @@ class EglContext final : public OffscreenContext {
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
         attach(GL_COLOR_ATTACHMENT0, color_buffer == ColorBuffer::kFloat ? GL_RGBA32F : GL_RGBA8, buffers_[0], width,
                height);
-        attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, buffers_[1], width, height);
+        attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, buffers_[1], width, height);
         flip_rows_like_a_window();
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
             const std::string driver = driver_name();
@@ -127,7 +127,7 @@ class EglContext final : public OffscreenContext {
         glClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);
         glViewport(0, 0, width, height);
         glScissor(0, 0, width, height);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }
     ~EglContext() override {
         bind();
@@ -162,7 +162,7 @@ class EglContext final : public OffscreenContext {
     }
 
     Connection connection_;
-    std::array<GLuint, 2> buffers_{};  // colour, depth
+    std::array<GLuint, 2> buffers_{};  // colour; depth and stencil
     GLuint framebuffer_ = 0;
 };
 

@@ -16,8 +16,17 @@ class OsmesaContext final : public OffscreenContext {
   public:
     OsmesaContext(int width, int height, ColorBuffer color_buffer)
         : width_(width), height_(height), type_(color_buffer == ColorBuffer::kFloat ? GL_FLOAT : GL_UNSIGNED_BYTE) {
-        const int attributes[] = {
-            OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
+        const int attributes[] = {OSMESA_FORMAT,
+                                  OSMESA_RGBA,
+                                  OSMESA_DEPTH_BITS,
+                                  24,
+                                  OSMESA_STENCIL_BITS,
+                                  8,
+                                  OSMESA_ACCUM_BITS,
+                                  16,
+                                  OSMESA_PROFILE,
+                                  OSMESA_COMPAT_PROFILE,
+                                  0};
         context_ = OSMesaCreateContextAttribs(attributes, nullptr);
         if (!context_) throw std::runtime_error("OSMesa cannot create a compatibility-profile context");
         const std::size_t bytes_per_pixel = color_buffer == ColorBuffer::kFloat ? 16 : 4;
@@ -27,7 +36,7 @@ class OsmesaContext final : public OffscreenContext {
             throw std::runtime_error("OSMesa cannot draw into a buffer of this size");
         }
         glViewport(0, 0, width, height);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }
     ~OsmesaContext() override {
         bind();

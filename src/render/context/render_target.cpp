@@ -27,14 +27,15 @@ RenderTarget::RenderTarget(int width, int height, ColorBuffer color_buffer, int 
     GLint own = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &own);
     own_ = static_cast<unsigned>(own);
-    depth_ = renderbuffer(GL_DEPTH_COMPONENT24, samples * width, samples * height);
+    depth_ = renderbuffer(GL_DEPTH24_STENCIL8, samples * width, samples * height);
     for (; samples > 0; samples /= 2) {
         Level level{.width = samples * width, .height = samples * height};
         level.color = renderbuffer(format, level.width, level.height);
         glGenFramebuffers(1, &level.framebuffer);
         glBindFramebuffer(GL_FRAMEBUFFER, level.framebuffer);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, level.color);
-        if (levels_.empty()) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+        if (levels_.empty())
+            glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_);
         levels_.push_back(level);
         const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
         glBindFramebuffer(GL_FRAMEBUFFER, own_);

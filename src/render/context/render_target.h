@@ -30,8 +30,8 @@ class RenderTarget {
     };
 
     std::vector<Level> levels_;  // draws go to the first; the last is the picture
-    unsigned depth_ = 0;
-    unsigned own_ = 0;  // the context's own framebuffer
+    unsigned depth_ = 0;         // and stencil
+    unsigned own_ = 0;           // the context's own framebuffer
 };
 
 }  // namespace twinlight

@@ -1,4 +1,5 @@
 // Driver: object names and execution. driver_reads.cpp decides which commands may be sent.
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,7 @@ void delete_names(ObjectType type, const std::set<std::uint32_t>& names) {
 
 }  // namespace
 
-Driver::Driver(int width, int height) { initial_.emplace(width, height); }
+Driver::Driver(int width, int height) : width_(width), height_(height) { initial_.emplace(width, height); }
 
 Driver::~Driver() {
     if (selects_) {  // their buffers are freed with this object
@@ -104,6 +105,7 @@ void Driver::execute(const Command& command) {
         return;
     }
     if (!may_send(command)) return;
+    if ((command.id == CommandId::glAccum || command.id == CommandId::glClear) && accumulate(command)) return;
     switch (command.id) {
         case CommandId::glGenTextures:
         case CommandId::glGenBuffers: return generate(command);
@@ -125,6 +127,57 @@ void Driver::execute(const Command& command) {
     executor_.execute(translated(command));
     if (command.id == CommandId::glEndList) empty_lists();
     arrays_may_differ_ |= command.sig().family == Family::kShape;  // shapes are sent by arrays
+}
+
+namespace {
+
+GLint answer_of(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+// What glClear or glAccum would do in the driver's state.
+template <class Item>
+Item with_scissor(Item item) {
+    item.scissor.enabled = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
+    std::array<GLint, 4> box{};
+    glGetIntegerv(GL_SCISSOR_BOX, box.data());
+    item.scissor.box = {box[0], box[1], box[2], box[3]};
+    return item;
+}
+
+}  // namespace
+
+// Carries out glAccum, and glClear's part of it, if the driver's framebuffer has no accumulation buffer: framebuffer
+// objects have none. Returns whether the command is done. In a display list nothing is accumulated.
+bool Driver::accumulate(const Command& command) {
+    const bool clears = command.id == CommandId::glClear;
+    if (clears && (command.enumerant(0) & GL_ACCUM_BUFFER_BIT) == 0) return false;
+    if (!answers() || is_compiling() || answer_of(GL_ACCUM_RED_BITS) > 0) return false;
+    if (static_cast<GLenum>(answer_of(GL_RENDER_MODE)) != GL_RENDER) return false;
+    if (!accumulated_) accumulated_.emplace(width_, height_);
+    if (clears) {
+        Clear clear = with_scissor(Clear{.accumulation = true});
+        std::array<GLfloat, 4> color{};
+        glGetFloatv(GL_ACCUM_CLEAR_VALUE, color.data());
+        clear.clear_accumulation = {color[0], color[1], color[2], color[3]};
+        accumulated_->clear(clear);
+        return false;  // it may clear other buffers too
+    }
+    const Enum op = command.enumerant(0);
+    const bool is_known = op == GL_ACCUM || op == GL_LOAD || op == GL_ADD || op == GL_MULT || op == GL_RETURN;
+    const auto has_room = [](GLenum depth, GLenum most) { return answer_of(depth) < answer_of(most); };
+    if (!is_known || !has_room(GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH) ||
+        !has_room(GL_CLIENT_ATTRIB_STACK_DEPTH, GL_MAX_CLIENT_ATTRIB_STACK_DEPTH))
+        return false;
+    Accumulate item = with_scissor(Accumulate{.op = op, .value = command.number(1)});
+    std::array<GLboolean, 4> mask{};
+    glGetBooleanv(GL_COLOR_WRITEMASK, mask.data());
+    const bool draws_color = answer_of(GL_DRAW_BUFFER) != GL_NONE;
+    for (std::size_t i = 0; i < mask.size(); ++i) item.color_mask[i] = draws_color && mask[i] == GL_TRUE;
+    accumulated_->apply(item);
+    return true;
 }
 
 // A driver may look for every name of the range, and there may be 2^31. So it gets only those that exist.

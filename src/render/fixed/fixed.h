@@ -11,6 +11,7 @@
 #include "base/image/image.h"
 #include "render/fixed/execute.h"
 #include "render/look.h"
+#include "render/stages/accumulation_buffer.h"
 #include "scene/command/command.h"
 #include "scene/command/object_names.h"
 #include "scene/state/arrays.h"
@@ -53,6 +54,9 @@ class Driver {
     // does, but Mesa (22.3) crashes if a list that is being compiled calls a missing one.
     void make_empty_lists(const std::vector<std::uint32_t>& names);
 
+    // Ends a picture of a recording: what was accumulated is lost.
+    void drop_accumulated() { accumulated_.reset(); }
+
     // The driver's name for an object of the scene; 0 if there is none.
     std::uint32_t name_of(ObjectType type, std::uint32_t name) const;
 
@@ -69,6 +73,8 @@ class Driver {
     std::uint32_t new_name(ObjectType type);
     void delete_lists(const Command& command);
     void empty_lists();
+
+    bool accumulate(const Command& command);
 
     bool may_send(const Command& command);
     bool may_send_arrays(const Command& command);
@@ -94,7 +100,9 @@ class Driver {
     bool arrays_agreed_ = true;                           // at the last check
     std::vector<std::uint32_t> selection_;                // the driver's output under glRenderMode
     std::vector<float> feedback_;
-    bool selects_ = false;  // the scene has set these buffers or the render mode
+    int width_, height_;
+    std::optional<AccumulationBuffer> accumulated_;  // in place of the buffer that the driver lacks here
+    bool selects_ = false;                           // the scene has set these buffers or the render mode
 };
 
 struct Options {

@@ -11,6 +11,7 @@
 #include "render/fixed/draw_state.h"
 #include "render/fixed/fixed.h"
 #include "render/fixed/sent_mesh.h"
+#include "render/stages/accumulation_buffer.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
 
@@ -53,6 +54,8 @@ struct PreparedDraw {
             front = effects.front;
             back = effects.back;
         }
+        if (textured)
+            contents.normal |= std::ranges::any_of(from.texture.generated, &GeneratedCoordinate::needs_normal);
         by_vertex = !from.materials.empty() && (front.varies() || back.varies());
         if (!by_vertex) mesh.emplace(from, contents, options);
     }
@@ -84,6 +87,17 @@ struct PreparedDraw {
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(unit.env_mode));
         glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &glm::vec4(unit.env_color)[0]);
         load_matrix(GL_TEXTURE, unit.texture_matrix);
+        for (const GLenum capability : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q}) {
+            glDisable(capability);
+        }
+        for (const GeneratedCoordinate& one : unit.generated) {
+            const GLenum number = static_cast<GLenum>(one.coordinate);
+            glEnable(GL_TEXTURE_GEN_S + number);
+            glTexGeni(GL_S + number, GL_TEXTURE_GEN_MODE, static_cast<GLint>(one.mode));
+            const bool is_linear = one.mode == GL_OBJECT_LINEAR || one.mode == GL_EYE_LINEAR;
+            if (is_linear)
+                glTexGendv(GL_S + number, one.mode == GL_EYE_LINEAR ? GL_EYE_PLANE : GL_OBJECT_PLANE, &one.plane[0]);
+        }
     }
 
     const Draw* draw;
@@ -99,7 +113,7 @@ struct PreparedDraw {
 
 struct Replay::Impl {
     int width, height;
-    std::deque<std::variant<Clear, PreparedDraw>> items;
+    std::deque<std::variant<Clear, PreparedDraw, Accumulate>> items;
     Textures textures{Clamping::kDriver};
 };
 
@@ -110,6 +124,8 @@ Replay::Replay(const Frame& frame, const ReplayOptions& options) : impl_(std::ma
     for (const auto& item : frame.items) {
         if (const Clear* clear = std::get_if<Clear>(&item)) {
             impl_->items.emplace_back(*clear);
+        } else if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
+            impl_->items.emplace_back(*accumulate);
         } else {
             impl_->items.emplace_back(std::in_place_type<PreparedDraw>, std::get<Draw>(item), options);
         }
@@ -121,12 +137,17 @@ Replay::~Replay() = default;
 void Replay::draw() {
     const InitialState initial(impl_->width, impl_->height);
     const FixedStages stages;
-    stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
+    stages.clear_all();
+    AccumulationBuffer accumulation(impl_->width, impl_->height);
     for (const auto& item : impl_->items) {
-        if (const Clear* clear = std::get_if<Clear>(&item))
+        if (const Clear* clear = std::get_if<Clear>(&item)) {
             stages.clear(*clear);
-        else
+            accumulation.clear(*clear);
+        } else if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
+            accumulation.apply(*accumulate);
+        } else {
             std::get<PreparedDraw>(item).draw_with(stages, impl_->textures);
+        }
     }
 }
 

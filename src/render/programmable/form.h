@@ -1,6 +1,7 @@
 // Form: the parts of a program's code that depend on a Draw's numbers, in addition to its effects.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -33,11 +34,13 @@ enum class Glsl : std::uint8_t { k130, k330, k300es };
 // Shaders to keep (kept/kept_files.h): their uniforms are GL's state with GL's names, without the prefix gl_.
 struct KeptForm {
     Glsl version = Glsl::k330;
-    std::vector<int> lights;       // for each light of the effects: its number in GL
-    int light_count = kMaxLights;  // the length of the array LightSource
-    std::vector<int> clip_planes;  // the numbers of the enabled ones
-    bool sizes_points = false;     // the shader sets glPointSize's size, which OpenGL ES lacks
-    Enum alpha_func = kGL_ALWAYS;  // core GL and WebGL lack the alpha test
+    std::vector<int> lights;           // for each light of the effects: its number in GL
+    int light_count = kMaxLights;      // the length of the array LightSource
+    std::vector<int> clip_planes;      // the numbers of the enabled ones
+    std::array<bool, 4> eye_planes{};  // of generated texture coordinates: GL_EYE_LINEAR
+    bool rescales_generated = false;   // GL_RESCALE_NORMAL, for those generated from the normal
+    bool sizes_points = false;         // the shader sets glPointSize's size, which OpenGL ES lacks
+    Enum alpha_func = kGL_ALWAYS;      // core GL and WebGL lack the alpha test
 
     friend auto operator<=>(const KeptForm&, const KeptForm&) = default;  // NOLINT
 };

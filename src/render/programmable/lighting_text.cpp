@@ -150,7 +150,13 @@ class Writer : LightingWriter {
         text_ += names_.light_block(i);
         const bool cone = light.spot || light.smooth_cone;
         const bool needs_vp_dir = cone || has_n_dot_vp(light) || (light.specular && effects_.shininess != Power::kZero);
-        if (!light.directional && form_.wide_range) {
+        if (light.meets_directions)
+            add("        vec3 vp = between_directions({}, {}, {}.w);\n",
+                names_.light(i, "vec3", "toward_eye", "P_pli, a direction of any length"),
+                form_.wide_range ? fmt::format("u_eye_from_object_turned * {}.xyz", names_.position())
+                                 : names_.homogeneous() + ".xyz",
+                form_.wide_range ? names_.position() : names_.homogeneous());
+        else if (!light.directional && form_.wide_range) {
             const std::string position = names_.light(i, "vec3", "position_object", "P_pli");
             const std::string way = form_.flattened
                                         ? fmt::format(" + abs({}.w) * {}", names_.position(),
@@ -162,9 +168,9 @@ class Writer : LightingWriter {
                 names_.position());
         if (needs_vp_dir)
             add("        vec3 vp_dir = {};\n",
-                light.directional  ? names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1")
-                : form_.wide_range ? "unit_of_any(vp)"
-                                   : "unit(vp)");
+                light.directional ? names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1")
+                : form_.wide_range || light.meets_directions ? "unit_of_any(vp)"
+                                                             : "unit(vp)");
         if (has_n_dot_vp(light)) add("        float n_dot_vp = positive_dot(n, vp_dir);\n");
         const std::string reach_value = reach(i), reach_times = reach_value.empty() ? "" : "reach * ";
         if (!reach_value.empty()) add("        float reach = {};\n", reach_value);

@@ -15,6 +15,7 @@
 #include "render/programmable/surface_values.h"
 #include "render/programmable/uploaded_mesh.h"
 #include "render/programmable/wide_range.h"
+#include "render/stages/accumulation_buffer.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
 
@@ -60,6 +61,8 @@ struct UploadedFrame::Impl {
     // each Draw by itself.
     Impl(const Frame& frame, Options options, KeptMeshes* kept, bool plans_are_kept)
         : tier(options.tier),
+          width(frame.width),
+          height(frame.height),
           keeps_plans(plans_are_kept),
           shares_programs(!plans_are_kept && frame.draws().size() >= kManyDraws) {
         if (options.precise) {
@@ -72,6 +75,11 @@ struct UploadedFrame::Impl {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
                 end_run(options, kept);
                 items.emplace_back(*clear);
+                continue;
+            }
+            if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
+                end_run(options, kept);
+                items.emplace_back(*accumulate);
                 continue;
             }
             const Draw& draw = std::get<Draw>(item);
@@ -202,9 +210,10 @@ struct UploadedFrame::Impl {
     static constexpr std::size_t kManyDraws = 40;
 
     Tier tier;
+    int width, height;
     bool keeps_plans, shares_programs;
     std::vector<PlannedDraw> plans;
-    std::list<std::variant<Clear, PreparedDraw>> items;
+    std::list<std::variant<Clear, PreparedDraw, Accumulate>> items;
 
     // While the frame is prepared: Draws that will be drawn as one.
     std::vector<const Draw*> run;  // have_one_state()
@@ -220,7 +229,7 @@ UploadedFrame::~UploadedFrame() = default;
 struct Renderer::Impl {
     explicit Impl(const KeptLimits& limits) : programs(limits.programs), meshes(limits.mesh_bytes) {}
 
-    // `last`: the Draw that was drawn before, null after a Clear.
+    // `last`: the Draw that was drawn just before; null after another item.
     void draw(const PreparedDraw& prepared, const PreparedDraw* last, Tier tier) {
         if (!last || last->raster != prepared.raster || last->fragment != prepared.fragment)
             FixedStages::set(prepared.raster, prepared.fragment);
@@ -240,14 +249,19 @@ Renderer::~Renderer() = default;
 
 void Renderer::draw(const UploadedFrame& frame) {
     const FixedStages stages;
-    stages.clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
+    stages.clear_all();
+    AccumulationBuffer accumulation(frame.impl_->width, frame.impl_->height);
     const PreparedDraw* last = nullptr;
     for (const auto& item : frame.impl_->items) {
         const auto* prepared = std::get_if<PreparedDraw>(&item);
-        if (prepared)
+        if (prepared) {
             impl_->draw(*prepared, last, frame.impl_->tier);
-        else
-            stages.clear(std::get<Clear>(item));
+        } else if (const Clear* clear = std::get_if<Clear>(&item)) {
+            stages.clear(*clear);
+            accumulation.clear(*clear);
+        } else {
+            accumulation.apply(std::get<Accumulate>(item));
+        }
         last = prepared;
     }
     impl_->textures.drop_unused();

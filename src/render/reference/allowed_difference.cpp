@@ -6,11 +6,14 @@
 //   - colour: an interval per channel.
 // A pixel becomes open if a fragment may or may not change its colour, and certain again if a fragment certainly
 // overwrites it. Pixels that are open at the end are edge pixels.
+#include "render/reference/allowed_difference.h"
+
 #include <climits>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "render/reference/fragment_loop.h"
@@ -28,9 +31,10 @@ constexpr double kHalfLineSquare = 1.5;
 
 // Whether both are the same triangle with the same clipping; polygon offsets may differ.
 bool same_triangle(const Piece& a, const Piece& b) {
-    return a.shape == Shape::kTriangle && b.shape == Shape::kTriangle && a.corners == b.corners &&
-           a.weight_over_w_planes == b.weight_over_w_planes && a.depth_plane.x == b.depth_plane.x &&
-           a.depth_plane.y == b.depth_plane.y;
+    if (a.shape != Shape::kTriangle || b.shape != Shape::kTriangle) return false;
+    const Planes &p = a.planes(), &q = b.planes();
+    return a.corners == b.corners && p.weight_over_w == q.weight_over_w && p.depth.x == q.depth.x &&
+           p.depth.y == q.depth.y;
 }
 
 // Whether a polygon covers the square about `centre`: certainly, perhaps, or not. The square must meet the polygon's
@@ -46,7 +50,7 @@ Outcome covers(const std::vector<Edge>& edges, const glm::dvec2& centre) {
     return result;
 }
 
-// The state of a pixel besides its colour: an interval of depths, and whether it is open. Only for meshes.
+// The state of a pixel besides its colour: an interval of depths, a stencil value, and whether it is open. Only for meshes.
 class OpenPixels {
   public:
     using Real = Interval;
@@ -73,9 +77,9 @@ class OpenPixels {
         const Piece& piece = *fragment.piece;
         double change = 0;
         if (piece.shape == Shape::kTriangle)
-            change = kHalfSquare * (std::abs(piece.depth_plane.x) + std::abs(piece.depth_plane.y));
+            change = kHalfSquare * (std::abs(piece.planes().depth.x) + std::abs(piece.planes().depth.y));
         if (piece.shape == Shape::kLine) {
-            const glm::dvec3 d = glm::abs(piece.to.position_window - piece.from.position_window);
+            const glm::dvec3 d = glm::abs(piece.ends().to.position_window - piece.ends().from.position_window);
             change = 2 * kHalfLineSquare * d.z / std::max({d.x, d.y, 1.0});
         }
         return widened(depth_at(piece, fragment.position_window), change);
@@ -85,12 +89,12 @@ class OpenPixels {
         const StepId other_id = depth_of_[at];
         if (other_id >= 0) {
             const Piece &piece = *fragment.piece, &other = stages_.piece(other_id);
-            const glm::dvec3 between = piece.depth_plane - other.depth_plane;
-            // Appendix A: geometry that is drawn twice has the same depths; 3.5.5: r keeps offset depths apart. But a
-            // driver may cut a quadrilateral differently depending on flat shading or display lists.
-            if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
-                return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
             if (piece.shape == Shape::kTriangle && other.shape == Shape::kTriangle) {
+                const glm::dvec3 between = piece.planes().depth - other.planes().depth;
+                // Appendix A: geometry that is drawn twice has the same depths; 3.5.5: r keeps offset depths apart. But
+                // a driver may cut a quadrilateral differently depending on flat shading or display lists.
+                if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
+                    return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
                 const double change = kHalfSquare * (std::abs(between.x) + std::abs(between.y));
                 const glm::dvec2& centre = fragment.position_window;
                 const double difference = depth_at(piece, centre) - depth_at(other, centre);
@@ -105,8 +109,43 @@ class OpenPixels {
         depth_of_[at] = certain ? id : kNobody;
     }
 
+    void clear_stencil(const Clear& clear, std::size_t at) {
+        int& stored = stencil(at);
+        const bool is_whole = (~clear.stencil_mask & kMaxStencil) == 0;
+        if (stored != kAnyValue || is_whole) stored = cleared_stencil(clear, std::max(stored, 0));
+    }
+    Outcome stencil_outcome(const StencilFace& face, std::size_t at) {
+        const int stored = stencil(at);
+        const bool ignores = face.func == kGL_ALWAYS || face.func == kGL_NEVER || (face.mask & kMaxStencil) == 0;
+        if (stored == kAnyValue && !ignores) return Outcome::kOpen;
+        return passes_stencil(face, std::max(stored, 0)) ? Outcome::kPasses : Outcome::kFails;
+    }
+    // If the operations that may happen lead to different values, the value is open.
+    void set_stencil(const StencilFace& face, Outcome covers, Outcome of_stencil, Outcome of_depth, std::size_t at) {
+        int& stored = stencil(at);
+        std::optional<int> result;
+        const auto may_become = [&](int value) { result = result.value_or(value) == value ? value : kAnyValue; };
+        const auto may_do = [&](Enum operation) {
+            const bool is_whole = (~face.write_mask & kMaxStencil) == 0;
+            const bool overwrites = is_whole && (operation == kGL_ZERO || operation == kGL_REPLACE);
+            may_become(stored != kAnyValue || overwrites ? stencil_after(face, operation, std::max(stored, 0))
+                                                         : kAnyValue);
+        };
+        if (covers != Outcome::kPasses) may_become(stored);
+        if (of_stencil != Outcome::kPasses) may_do(face.fail);
+        if (of_stencil != Outcome::kFails && of_depth != Outcome::kPasses) may_do(face.depth_fail);
+        if (of_stencil != Outcome::kFails && of_depth != Outcome::kFails) may_do(face.depth_pass);
+        stored = *result;
+    }
+
   private:
     static constexpr StepId kNobody = std::numeric_limits<StepId>::min();
+    static constexpr int kAnyValue = -1;
+
+    int& stencil(std::size_t at) {
+        if (stencil_.empty()) stencil_.resize(open_.size());
+        return stencil_[at];
+    }
 
     template <class Visit>
     void polygon(StepId id, const PixelRect& within, const Visit& visit) const {
@@ -133,7 +172,7 @@ class OpenPixels {
         for_each_pixel(piece, around, cover);
         // A line that leaves no diamond covers nothing, or one fragment nearby.
         const bool nothing = covered.empty();
-        if (nothing) for_each(point_square(glm::dvec2(piece.from.position_window), piece.size, around), cover);
+        if (nothing) for_each(point_square(glm::dvec2(piece.ends().from.position_window), piece.size, around), cover);
         if (covered.empty()) return;
         PixelRect box{INT_MAX, INT_MAX, INT_MIN, INT_MIN};
         for (const auto& [x, y] : covered)
@@ -171,6 +210,7 @@ class OpenPixels {
     std::vector<char> open_;
     std::vector<Interval> depth_;
     std::vector<StepId> depth_of_;  // the piece with that depth, if certain
+    std::vector<int> stencil_;      // the stencil value, or kAnyValue; empty until it is used
     std::vector<StepId> thin_;      // the last line or point at the pixel
 };
 
@@ -194,32 +234,6 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
         return result;
     }
 };
-
-AllowedDifference allowed_with_cut(const Frame& frame, Options options) {
-    options.in_clip_plane = InClipPlane::kPerhaps;
-    AllowedDifference result{.edge = {}, .channels = Image(frame.width, frame.height)};
-    std::vector<char> edge(result.channels.pixels.size());  // bytes, not bits: bands write concurrently
-    const StagedFrame stages = run_stages(frame, options);
-    draw_in_bands<IntervalBuffer>(stages, frame, options, [&](IntervalBuffer& buffer, const PixelRect& band) {
-        for_each(band, [&](int x, int y) {
-            const IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
-            const std::size_t at = result.channels.index(x, frame.height - 1 - y);
-            edge[at] = pixel.edge;
-            result.channels.pixels[at] = pixel.channels;
-        });
-    });
-    result.edge.assign(edge.begin(), edge.end());
-    return result;
-}
-
-void join(AllowedDifference& allowed, const AllowedDifference& other) {
-    for (std::size_t i = 0; i < allowed.edge.size(); ++i) {
-        allowed.edge[i] = allowed.edge[i] || other.edge[i];
-        for (std::size_t c = 0; c < allowed.channels.pixels[i].size(); ++c) {
-            allowed.channels.pixels[i][c] = std::max(allowed.channels.pixels[i][c], other.channels.pixels[i][c]);
-        }
-    }
-}
 
 // ---- Exact surfaces: their silhouettes differ from their meshes' ----
 
@@ -249,6 +263,23 @@ void add_surface_edges(const Frame& frame, const Options& options, PixelMask& ed
 
 }  // namespace
 
+void find_differences(const StagedFrame& stages, const Options& options, const PixelRect& within,
+                      OpenDifference& difference, Joining joining) {
+    const bool adds = joining == Joining::kAdds;
+    Image& channels = difference.channels;
+    draw_in_bands<IntervalBuffer>(stages, within, options, [&](IntervalBuffer& buffer, const PixelRect& band) {
+        for_each(band, [&](int x, int y) {
+            const IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
+            const std::size_t at = channels.index(x, channels.height - 1 - y);
+            difference.edge[at] = pixel.edge || (adds && difference.edge[at] != 0);
+            for (std::size_t c = 0; c < pixel.channels.size(); ++c) {
+                float& channel = channels.pixels[at][c];
+                channel = adds ? std::max(channel, pixel.channels[c]) : pixel.channels[c];
+            }
+        });
+    });
+}
+
 AllowedDifference allowed_difference(const Frame& frame, Options options) {
     if (options.shading == Shading::kExact) {
         options.shading = Shading::kPhong;
@@ -257,12 +288,7 @@ AllowedDifference allowed_difference(const Frame& frame, Options options) {
         add_surface_edges(frame, options, result.edge);
         return result;
     }
-    options.quad_cut = QuadCut::kFirstToThird;
-    AllowedDifference result = allowed_with_cut(frame, options);
-    if (!has_quadrilaterals(frame)) return result;
-    options.quad_cut = QuadCut::kSecondToFourth;
-    join(result, allowed_with_cut(frame, options));
-    return result;
+    return Pictures(frame).allowed_difference(options);
 }
 
 }  // namespace twinlight::reference

@@ -1,5 +1,5 @@
-// The fragments of a picture: goes through pieces and clears in the order of the commands, and for each piece through
-// coverage, depth test, shading, alpha test, blending and masks (chapters 3 and 4).
+// The fragments of a picture: goes through pieces, clears and accumulations in the order of the commands, and for each
+// piece through coverage, stencil and depth test, shading, alpha test, blending and masks (chapters 3 and 4).
 //
 // One template for two kinds of stored pixels:
 //   - numbers: the picture (framebuffer.h), and one pixel of it with its fragments (pixel_history.h);
@@ -26,7 +26,10 @@ namespace twinlight::reference {
 //   depth(fragment)                           the fragment's depth
 //   depth_outcome(func, fragment, depth, at)  of the test against the stored depth
 //   set_depth(at, id, depth, outcome)
-//   open(at), settle(at)                      marks the colour as open; as certain
+//   clear_stencil(clear, at)
+//   stencil_outcome(face, at)                 of the test against the stored value
+//   set_stencil(face, covers, stencil, depth, at)  after the outcomes of coverage and both tests
+//   is_open(at), open(at), settle(at)         whether the colour is open; marks it as open; as certain
 template <class Kept>
 class FragmentLoop {
   public:
@@ -41,6 +44,7 @@ class FragmentLoop {
     void draw(const Watch& watch) {
         for (const Step& step : stages_.steps) {
             if (step.clear < 0) clear(step.clear);
+            if (step.accumulate) accumulate(*step.accumulate);
             for (std::size_t i = step.first_piece; i < step.end_piece; ++i) piece(static_cast<StepId>(i), watch);
         }
     }
@@ -55,8 +59,11 @@ class FragmentLoop {
         FragmentState mask;
         mask.color_mask = clear.color_mask;
         const bool overwrites = overwrites_color(mask);
+        if (clear.accumulation) need_accumulation();
         for_each(scissored(clear.scissor, window_), [&](int x, int y) {
             const std::size_t at = window_.index(x, y);
+            if (clear.stencil) kept_.clear_stencil(clear, at);
+            if (clear.accumulation) accumulation_[at] = {channels<Real>(clear.clear_accumulation), false};
             if (clear.depth) kept_.set_depth(at, id, clear.clear_depth, Outcome::kPasses);
             if (!clear.color) return;
             if (overwrites)
@@ -79,27 +86,44 @@ class FragmentLoop {
             const std::size_t at = window_.index(x, y);
             Outcome outcome = covers;
             Real depth{};
-            if (raster.depth_test) {
-                depth = Kept::depth(fragment);
-                outcome = std::min(outcome, kept_.depth_outcome(raster.depth_func, fragment, depth, at));
-                if (outcome == Outcome::kFails) return outcome;
-            }
-            // The alpha test comes before the depth test, but the order does not matter: both must pass. If the pixel
-            // is open anyway, its colour is not needed.
             Shaded<Real> shaded;
-            if (!waits && (writes || state.alpha_test) && outcome == Outcome::kPasses) {
+            // The order of the tests matters only to the stencil: both others must pass. If the pixel is open anyway,
+            // its colour is not needed.
+            const bool stays_open = kept_.is_open(at) && !overwrites_color(state);
+            const auto alpha_test = [&] {
+                if (waits || !((writes && !stays_open) || state.alpha_test) || outcome != Outcome::kPasses) return;
                 shaded = shaders_[piece.draw].template shade<Real>(fragment);
                 if (state.alpha_test) outcome = alpha_outcome(state, shaded.color[3]);
+            };
+            if (state.stencil) {
+                alpha_test();
                 if (outcome == Outcome::kFails) return outcome;
+                const StencilFace& face =
+                    face_of(fragment) == Face::kFront ? state.stencil->front : state.stencil->back;
+                const Outcome stencil = kept_.stencil_outcome(face, at);
+                Outcome of_depth = Outcome::kPasses;
+                if (raster.depth_test && stencil != Outcome::kFails) {
+                    depth = Kept::depth(fragment);
+                    of_depth = kept_.depth_outcome(raster.depth_func, fragment, depth, at);
+                }
+                kept_.set_stencil(face, outcome, stencil, of_depth, at);
+                outcome = std::min({outcome, stencil, of_depth});
+            } else {
+                if (raster.depth_test) {
+                    depth = Kept::depth(fragment);
+                    outcome = std::min(outcome, kept_.depth_outcome(raster.depth_func, fragment, depth, at));
+                }
+                if (outcome != Outcome::kFails) alpha_test();
             }
-            // 4.1.5: without the depth test the depth buffer does not change.
+            if (outcome == Outcome::kFails) return outcome;
+            // 4.1.6: without the depth test the depth buffer does not change.
             if (raster.depth_test && raster.depth_mask) kept_.set_depth(at, id, depth, outcome);
             if (!writes) return outcome;
             if (outcome == Outcome::kOpen)
                 kept_.open(at);
             else if (waits)
                 wait(id, at);
-            else
+            else if (!stays_open)
                 write(state, shaded, x, y);
             return outcome;
         };
@@ -108,6 +132,41 @@ class FragmentLoop {
                                     const Fragment fragment{&stages_.piece(id), pixel_centre(x, y), point};
                                     watch(fragment, draw_fragment(id, fragment, x, y, covers));
                                 });
+    }
+
+    static Face face_of(const Fragment& fragment) {
+        return fragment.point ? fragment.point->face : fragment.piece->face;
+    }
+
+    // 4.2.4. Drivers may disagree on a pixel if the colour that they accumulate is open.
+    void accumulate(const Accumulate& accumulate) {
+        need_accumulation();
+        FragmentState mask;
+        mask.color_mask = accumulate.color_mask;
+        for_each(scissored(accumulate.scissor, window_), [&](int x, int y) {
+            const std::size_t at = window_.index(x, y);
+            Accumulated& stored = accumulation_[at];
+            if (accumulate.op == kGL_RETURN) {
+                if (!writes_color(mask)) return;
+                Shaded<Real> result;
+                for (std::size_t i = 0; i < result.color.size(); ++i)
+                    result.color[i] = clamp01(stored.color[i] * Real(accumulate.value));
+                write(mask, result, x, y);
+                if (stored.is_open) kept_.open(at);
+                return;
+            }
+            const bool reads = accumulate.op == kGL_ACCUM || accumulate.op == kGL_LOAD;
+            const Channels<Real> color = reads ? resolved(x, y) : Channels<Real>{};
+            stored.is_open = (accumulate.op != kGL_LOAD && stored.is_open) || (reads && kept_.is_open(at));
+            for (std::size_t i = 0; i < color.size(); ++i) {
+                const Real result = accumulated(accumulate, stored.color[i], held(color[i]));
+                stored.is_open |= leaves_accumulation(result);
+                stored.color[i] = kept_accumulation(result);
+            }
+        });
+    }
+    void need_accumulation() {
+        if (accumulation_.empty()) accumulation_.resize(window_.count());
     }
 
     // From now on the pixel has the step's colour, lit later.
@@ -148,16 +207,22 @@ class FragmentLoop {
     const std::vector<Shader>& shaders_;
     const PixelRect window_;
     Kept kept_;
-    std::vector<StepId> step_;            // the step whose colour it has, or kColor
-    std::vector<Channels<Real>> colors_;  // valid where the step is kColor; empty until the first
+    std::vector<StepId> step_;  // the step whose colour it has, or kColor
+    struct Accumulated {
+        Channels<Real> color{};
+        bool is_open = false;
+    };
+    std::vector<Accumulated> accumulation_;  // empty until it is used
+    std::vector<Channels<Real>> colors_;     // valid where the step is kColor; empty until the first
 };
 
-// Draws the picture in bands of rows, and calls visit(buffer, band) for each band, y up. Buffer: a FragmentLoop.
+// Draws the pixels `within` in bands of rows, and calls visit(buffer, band) for each band, y up. Buffer: a FragmentLoop.
 template <class Buffer, class Visit>
-void draw_in_bands(const StagedFrame& stages, const Frame& frame, const Options& options, const Visit& visit) {
+void draw_in_bands(const StagedFrame& stages, const PixelRect& within, const Options& options, const Visit& visit) {
+    if (within.is_empty()) return;
     const std::vector<Shader> shaders = make_shaders(stages, options);
-    for_each_band(frame.height, [&](int y0, int y1) {
-        const PixelRect band{0, y0, frame.width, y1};
+    for_each_band(within.y1 - within.y0, [&](int y0, int y1) {
+        const PixelRect band{within.x0, within.y0 + y0, within.x1, within.y0 + y1};
         Buffer buffer(stages, shaders, band);
         buffer.draw();
         visit(buffer, band);

@@ -72,6 +72,33 @@ Outcome depth_outcome(Enum depth_func, const Interval& difference) {
     return outcome(compares(depth_func, nearer ? -1 : 1, 0));
 }
 
+bool passes_stencil(const StencilFace& face, int stored) {
+    const auto mask = static_cast<int>(face.mask & kMaxStencil);
+    return compares(face.func, std::clamp(face.ref, 0, kMaxStencil) & mask, stored & mask);
+}
+
+int stencil_after(const StencilFace& face, Enum operation, int stored) {
+    const auto result = [&]() -> int {
+        switch (operation) {
+            case kGL_ZERO: return 0;
+            case kGL_REPLACE: return std::clamp(face.ref, 0, kMaxStencil);
+            case kGL_INCR: return std::min(stored + 1, kMaxStencil);
+            case kGL_DECR: return std::max(stored - 1, 0);
+            case kGL_INVERT: return ~stored;
+            case kGL_INCR_WRAP: return stored + 1;
+            case kGL_DECR_WRAP: return stored - 1;
+        }
+        return stored;  // GL_KEEP
+    };
+    const auto mask = static_cast<int>(face.write_mask & kMaxStencil);
+    return (stored & ~mask) | (result() & mask);
+}
+
+int cleared_stencil(const Clear& clear, int stored) {
+    const auto mask = static_cast<int>(clear.stencil_mask & kMaxStencil);
+    return (stored & ~mask) | (clear.clear_stencil & mask);
+}
+
 double held(double channel) { return std::floor(clamp01(channel) * kColorCodes + 0.5) / kColorCodes; }
 
 Interval held(const Interval& channel) { return {held(channel.low - kArithmetic), held(channel.high + kArithmetic)}; }
@@ -81,6 +108,23 @@ Interval rounded_factor(const Interval& channel) { return hull(channel, held(cha
 Interval rounded_products(const FragmentState& state, std::size_t i, const Interval& sum) {
     constexpr double kRoundedProduct = 0.5 / kColorCodes;
     return widened(sum, kRoundedProduct * rounding_products(state, i));
+}
+
+namespace {
+
+constexpr double kAccumulationStep = 1.0 / 32767;  // of 16 bits with a sign
+
+}  // namespace
+
+Interval kept_accumulation(const Interval& value) {
+    const Interval near = widened(value, kAccumulationStep);
+    return {std::clamp(near.low, -1.0, 1.0), std::clamp(near.high, -1.0, 1.0)};
+}
+
+// The middle, because drivers that cut values do not leave the range with weights whose sum is 1.
+bool leaves_accumulation(const Interval& value) {
+    constexpr double kRounding = 1e-6;  // of weights given as floats
+    return std::abs(value.low + value.high) / 2 > 1 + kRounding;
 }
 
 bool overwrites_color(const FragmentState& state) {

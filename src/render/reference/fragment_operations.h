@@ -1,4 +1,4 @@
-// The per-fragment operations (4.1): scissor, alpha test, depth test, blending; and the colour mask (4.2.2). They work
+// The per-fragment operations (4.1): scissor, alpha test, stencil test, depth test, blending; accumulation (4.2.4); and the colour mask (4.2.2). They work
 // on numbers, or on intervals of all values that correct implementations may have.
 //
 // The colour buffer is that of Twinlight's contexts: 8 bits each for red, green, blue and alpha (2.14.9). Every write
@@ -17,7 +17,7 @@ namespace twinlight::reference {
 // outcomes is their combined outcome.
 enum class Outcome : std::uint8_t { kFails, kOpen, kPasses };
 
-// GL_NEVER to GL_ALWAYS (4.1.4, 4.1.5).
+// GL_NEVER to GL_ALWAYS (4.1.4 to 4.1.6).
 bool compares(Enum func, double incoming, double stored);
 
 // 4.1.2: the part of `rect` inside the scissor.
@@ -27,7 +27,14 @@ PixelRect scissored(const Scissor& scissor, const PixelRect& rect);
 Outcome alpha_outcome(const FragmentState& state, double alpha);
 Outcome alpha_outcome(const FragmentState& state, const Interval& alpha);
 
-// 4.1.5. `difference`: the fragment's depth minus the stored one.
+// 4.1.5: the stencil test, for a stored value.
+bool passes_stencil(const StencilFace& face, int stored);
+// The value after one of the face's operations: 4.1.5, through the mask of 4.2.2.
+int stencil_after(const StencilFace& face, Enum operation, int stored);
+// The stored value after glClear (4.2.3).
+int cleared_stencil(const Clear& clear, int stored);
+
+// 4.1.6. `difference`: the fragment's depth minus the stored one.
 Outcome depth_outcome(Enum depth_func, const Interval& difference);
 
 // ---- Writing colours ----
@@ -113,5 +120,25 @@ Channels<Real> written(const FragmentState& state, const Channels<Real>& source,
     }
     return result;
 }
+
+// 4.2.4: a channel of the accumulation buffer after glAccum, except GL_RETURN. `color`: of the colour buffer, as stored.
+// A result outside [-1, 1] is undefined; RULING: it is clamped.
+template <class Real>
+Real accumulated(const Accumulate& accumulate, const Real& stored, const Real& color) {
+    const Real value(accumulate.value);
+    switch (accumulate.op) {
+        case kGL_ACCUM: return stored + color * value;
+        case kGL_LOAD: return color * value;
+        case kGL_ADD: return stored + value;
+        default: return stored * value;  // GL_MULT
+    }
+}
+
+// The range of the accumulation buffer, in which drivers have 16 bits or more: each operation may be off by one step.
+inline double kept_accumulation(double value) { return std::clamp(value, -1.0, 1.0); }
+Interval kept_accumulation(const Interval& value);
+// Whether drivers may differ because the value leaves the range.
+inline bool leaves_accumulation(double) { return false; }
+bool leaves_accumulation(const Interval& value);
 
 }  // namespace twinlight::reference

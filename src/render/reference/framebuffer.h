@@ -1,6 +1,7 @@
 // The picture: a framebuffer of numbers.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -8,7 +9,7 @@
 
 namespace twinlight::reference {
 
-// The state of a pixel besides its colour: one depth. Nothing is ever open.
+// The state of a pixel besides its colour: one depth and one stencil value. Nothing is ever open.
 class DrawnPixels {
   public:
     using Real = double;
@@ -33,12 +34,30 @@ class DrawnPixels {
         return compares(depth_func, depth, depth_[at]) ? Outcome::kPasses : Outcome::kFails;
     }
     void set_depth(std::size_t at, StepId, double depth, Outcome) { depth_[at] = depth; }
+    void clear_stencil(const Clear& clear, std::size_t at) { stencil(at) = byte(cleared_stencil(clear, stencil(at))); }
+    Outcome stencil_outcome(const StencilFace& face, std::size_t at) {
+        return passes_stencil(face, stencil(at)) ? Outcome::kPasses : Outcome::kFails;
+    }
+    void set_stencil(const StencilFace& face, Outcome, Outcome of_stencil, Outcome of_depth, std::size_t at) {
+        const Enum operation = of_stencil == Outcome::kFails ? face.fail
+                               : of_depth == Outcome::kFails ? face.depth_fail
+                                                             : face.depth_pass;
+        stencil(at) = byte(stencil_after(face, operation, stencil(at)));
+    }
+    static bool is_open(std::size_t) { return false; }
     void open(std::size_t) {}
     void settle(std::size_t) {}
 
   private:
+    static std::uint8_t byte(int value) { return static_cast<std::uint8_t>(value); }
+    std::uint8_t& stencil(std::size_t at) {
+        if (stencil_.empty()) stencil_.resize(depth_.size());
+        return stencil_[at];
+    }
+
     const StagedFrame& stages_;
     std::vector<double> depth_;
+    std::vector<std::uint8_t> stencil_;  // empty until it is used
 };
 
 // The colour in the type of pictures.
@@ -57,5 +76,8 @@ class Framebuffer : public FragmentLoop<DrawnPixels> {
     // The step whose colour the pixel has; nothing if colours were blended.
     std::optional<StepId> step(int x, int y) const;
 };
+
+// Draws the pixels `within`, y up, of a picture; others keep their colours.
+void draw_pixels(const StagedFrame& stages, const Options& options, const PixelRect& within, Image& image);
 
 }  // namespace twinlight::reference

@@ -1,4 +1,4 @@
-// The frame as a sequence of steps: pieces to draw, one after the other, and clears between them.
+// The frame as a sequence of steps: pieces to draw, one after the other, and clears and accumulations between them.
 //
 // In: a Frame. Out: every Draw after the vertex stage, assembly, clipping and facing.
 #pragma once
@@ -18,6 +18,7 @@ using StepId = std::int32_t;
 struct Step {
     std::size_t first_piece = 0, end_piece = 0;  // the pieces of a Draw
     StepId clear = 0;                            // negative if the step is a Clear
+    const Accumulate* accumulate = nullptr;      // if the step is one
 };
 
 struct StagedFrame {

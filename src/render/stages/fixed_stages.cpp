@@ -1,5 +1,7 @@
 #include "render/stages/fixed_stages.h"
 
+#include <utility>
+
 #include "render/context/gl.h"
 
 namespace twinlight {
@@ -38,10 +40,22 @@ void set_scissor(const Scissor& scissor) {
 
 void set_color_mask(const std::array<bool, 4>& mask) { glColorMask(mask[0], mask[1], mask[2], mask[3]); }
 
+void set_stencil(const std::optional<StencilTest>& stencil) {
+    set_enabled(GL_STENCIL_TEST, stencil.has_value());
+    if (!stencil) return;
+    for (const auto& [name, face] : {std::pair(GL_FRONT, &stencil->front), {GL_BACK, &stencil->back}}) {
+        const auto face_name = static_cast<GLenum>(name);
+        glStencilFuncSeparate(face_name, face->func, face->ref, face->mask);
+        glStencilOpSeparate(face_name, face->fail, face->depth_fail, face->depth_pass);
+        glStencilMaskSeparate(face_name, face->write_mask);
+    }
+}
+
 void set_fragment_operations(const FragmentState& fragment) {
     set_scissor(fragment.scissor);
     set_enabled(GL_ALPHA_TEST, fragment.alpha_test);
     glAlphaFunc(fragment.alpha_func, static_cast<float>(fragment.alpha_ref));
+    set_stencil(fragment.stencil);
     set_enabled(GL_BLEND, fragment.blend);
     glBlendFuncSeparate(fragment.blend_src, fragment.blend_dst, fragment.blend_src_alpha, fragment.blend_dst_alpha);
     glBlendEquationSeparate(fragment.blend_equation, fragment.blend_equation_alpha);
@@ -57,7 +71,7 @@ FixedStages::FixedStages() {
     glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
     for (GLenum capability :
          {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_LINE_STIPPLE, GL_POLYGON_SMOOTH, GL_POLYGON_STIPPLE, GL_POINT_SPRITE,
-          GL_VERTEX_PROGRAM_POINT_SIZE, GL_VERTEX_PROGRAM_TWO_SIDE, GL_DEPTH_CLAMP, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP,
+          GL_VERTEX_PROGRAM_POINT_SIZE, GL_VERTEX_PROGRAM_TWO_SIDE, GL_DEPTH_CLAMP, GL_COLOR_LOGIC_OP,
           GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
         glDisable(capability);
     glActiveTexture(GL_TEXTURE0);
@@ -78,7 +92,11 @@ void FixedStages::set(const RasterState& raster, const FragmentState& fragment) 
     set_fragment_operations(fragment);
 }
 
-// 4.2.3: clearing obeys the scissor and the colour mask.
+void FixedStages::clear_all() const {
+    clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1, .stencil = true});
+}
+
+// 4.2.3: clearing obeys the scissor and the masks.
 void FixedStages::clear(const Clear& clear) const {
     set_scissor(clear.scissor);
     set_color_mask(clear.color_mask);
@@ -86,7 +104,13 @@ void FixedStages::clear(const Clear& clear) const {
     const glm::vec4 color(clear.clear_color);
     glClearColor(color.r, color.g, color.b, color.a);
     glClearDepth(clear.clear_depth);
-    glClear((clear.color ? GL_COLOR_BUFFER_BIT : 0u) | (clear.depth ? GL_DEPTH_BUFFER_BIT : 0u));
+    if (clear.stencil) {
+        glClearStencil(clear.clear_stencil);
+        glStencilMaskSeparate(GL_FRONT, clear.stencil_mask);
+    }
+    const GLbitfield buffers = (clear.color ? GL_COLOR_BUFFER_BIT : 0u) | (clear.depth ? GL_DEPTH_BUFFER_BIT : 0u) |
+                               (clear.stencil ? GL_STENCIL_BUFFER_BIT : 0u);
+    if (buffers != 0) glClear(buffers);
 }
 
 }  // namespace twinlight

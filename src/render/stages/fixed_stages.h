@@ -5,8 +5,8 @@
 
 namespace twinlight {
 
-// Saves the context's state, and turns off what no Frame has but would change the picture: stipples, smoothing, the
-// stencil test, logical operations. The destructor restores the state; afterwards no program, arrays or buffers are
+// Saves the context's state, and turns off what no Frame has but would change the picture: stipples, smoothing,
+// logical operations. The destructor restores the state; afterwards no program, arrays or buffers are
 // bound.
 class FixedStages {
   public:
@@ -16,7 +16,9 @@ class FixedStages {
     FixedStages& operator=(const FixedStages&) = delete;
 
     static void set(const RasterState& raster, const FragmentState& fragment);
+    // Except the accumulation buffer (accumulation_buffer.h).
     void clear(const Clear& clear) const;
+    void clear_all() const;  // to black, depth 1 and stencil 0
 };
 
 }  // namespace twinlight

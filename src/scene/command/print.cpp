@@ -296,7 +296,31 @@ std::string print_c_function(const CommandList& scene) {
     return "static void draw_scene(void) {\n" + print_lines(scene, "    ") + "}\n";
 }
 
+namespace {
+
+// What a window needs for the scene: the bits of glClear, and GLUT's names.
+struct Buffers {
+    std::string bits = "GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT", modes = "GLUT_DEPTH";
+};
+
+Buffers buffers_of(const CommandList& scene) {
+    const auto uses = [&scene](const auto& is_use) { return std::ranges::any_of(scene.commands, is_use); };
+    Buffers buffers;
+    if (uses([](const Command& c) { return c.id == CommandId::glEnable && c.enumerant(0) == kGL_STENCIL_TEST; })) {
+        buffers.bits += " | GL_STENCIL_BUFFER_BIT";
+        buffers.modes += " | GLUT_STENCIL";
+    }
+    if (uses([](const Command& c) { return c.id == CommandId::glAccum; })) {
+        buffers.bits += " | GL_ACCUM_BUFFER_BIT";
+        buffers.modes += " | GLUT_ACCUM";
+    }
+    return buffers;
+}
+
+}  // namespace
+
 std::string print_c_program(const CommandList& scene) {
+    const Buffers buffers = buffers_of(scene);
     std::string title;  // without '*', so that the name cannot end the comment
     for (char c : scene.name) title += (c >= 0x20 && c < 0x7F && c != '*') ? c : '_';
     std::string text = fmt::format(
@@ -311,7 +335,9 @@ std::string print_c_program(const CommandList& scene) {
         "static void display(void) {\n"
         "    /* The scene sets all its state itself, so each picture starts from GL's initial state. */\n"
         "    glPushAttrib(GL_ALL_ATTRIB_BITS);\n"
-        "    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
+        "    glClear(" +
+        buffers.bits +
+        ");\n"
         "    glMatrixMode(GL_PROJECTION);\n    glLoadIdentity();\n"
         "    glMatrixMode(GL_MODELVIEW);\n    glLoadIdentity();\n"
         "    draw_scene();\n"
@@ -320,7 +346,9 @@ std::string print_c_program(const CommandList& scene) {
         "}\n\n"
         "int main(int argc, char** argv) {\n"
         "    glutInit(&argc, argv);\n"
-        "    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);\n"
+        "    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | " +
+        buffers.modes +
+        ");\n"
         "    glutInitWindowSize(640, 480);\n"
         "    glutCreateWindow(argv[0]);\n"
         "    glutDisplayFunc(display);\n"

@@ -80,6 +80,31 @@ Answer of_fragments(const FragmentState& fragment, const Fog& fog, const Clear& 
     }
 }
 
+// Table 6.21.
+Answer of_stencil(const Attributes& a, Enum pname) {
+    const StencilFace &front = a.stencil_test.front, &back = a.stencil_test.back;
+    const auto ref = [](const StencilFace& face) { return one(std::clamp(face.ref, 0, kMaxStencil)); };
+    switch (pname) {
+        case kGL_STENCIL_FUNC: return one(front.func);
+        case kGL_STENCIL_REF: return ref(front);
+        case kGL_STENCIL_VALUE_MASK: return one(front.mask);
+        case kGL_STENCIL_FAIL: return one(front.fail);
+        case kGL_STENCIL_PASS_DEPTH_FAIL: return one(front.depth_fail);
+        case kGL_STENCIL_PASS_DEPTH_PASS: return one(front.depth_pass);
+        case kGL_STENCIL_WRITEMASK: return one(front.write_mask);
+        case kGL_STENCIL_BACK_FUNC: return one(back.func);
+        case kGL_STENCIL_BACK_REF: return ref(back);
+        case kGL_STENCIL_BACK_VALUE_MASK: return one(back.mask);
+        case kGL_STENCIL_BACK_FAIL: return one(back.fail);
+        case kGL_STENCIL_BACK_PASS_DEPTH_FAIL: return one(back.depth_fail);
+        case kGL_STENCIL_BACK_PASS_DEPTH_PASS: return one(back.depth_pass);
+        case kGL_STENCIL_BACK_WRITEMASK: return one(back.write_mask);
+        case kGL_STENCIL_CLEAR_VALUE: return one(a.clear.clear_stencil);
+        case kGL_ACCUM_CLEAR_VALUE: return list(a.clear.clear_accumulation);
+        default: return {};
+    }
+}
+
 Answer of_hints(const Hints& hints, Enum pname) {
     const auto hint = hints.find(pname);
     return hint == hints.end() ? Answer{} : one(hint->second);
@@ -135,7 +160,8 @@ Answer answer(const State& state, Enum pname) {
     const Attributes& a = state.attributes();
     for (const Answer& answer :
          {of_lighting(a.lighting, pname), of_raster(a.raster, pname), of_fragments(a.fragment, a.fog, a.clear, pname),
-          of_hints(a.hints, pname), of_pixel_store(state.pixel_store(), pname), of_arrays(state.arrays(), pname)}) {
+          of_stencil(a, pname), of_hints(a.hints, pname), of_pixel_store(state.pixel_store(), pname),
+          of_arrays(state.arrays(), pname)}) {
         if (!answer.empty()) return answer;
     }
     const TextureBindings& unit = a.units[a.active_unit];
@@ -168,9 +194,16 @@ Answer answer(const State& state, Enum pname) {
         case kGL_LIST_INDEX: return one(state.lists().open_name);
         case kGL_LIST_MODE: return one(state.lists().open_name == 0 ? 0 : state.lists().open_mode);
         case kGL_MAX_LIST_NESTING: return one(kMaxListNesting);
+        case kGL_MAP1_GRID_DOMAIN: return {a.grid1.first, a.grid1.last};
+        case kGL_MAP1_GRID_SEGMENTS: return one(a.grid1.segments);
+        case kGL_MAP2_GRID_DOMAIN: return {a.grid2_u.first, a.grid2_u.last, a.grid2_v.first, a.grid2_v.last};
+        case kGL_MAP2_GRID_SEGMENTS:
+            return {static_cast<double>(a.grid2_u.segments), static_cast<double>(a.grid2_v.segments)};
+        case kGL_MAX_EVAL_ORDER: return one(kMaxEvalOrder);
         case kGL_MAX_LIGHTS: return one(kMaxLights);
         case kGL_MAX_CLIP_PLANES: return one(kMaxClipPlanes);
         case kGL_MAX_TEXTURE_SIZE: return one(kMaxTextureSize);
+        case kGL_MAX_TEXTURE_LOD_BIAS: return one(kMaxLodBias);
         default: return {};
     }
 }
@@ -188,6 +221,17 @@ Answer tex_env_answer(const State& state, Enum target, Enum pname) {
     return pname == kGL_TEXTURE_ENV_COLOR ? list(unit.env_color) : Answer{};
 }
 
+Answer tex_gen_answer(const State& state, Enum coord, Enum pname) {
+    if (coord < kGL_S || coord > kGL_Q) return {};
+    const TexGen& gen = state.attributes().units[state.attributes().active_unit].tex_gen[coord - kGL_S];
+    switch (pname) {
+        case kGL_TEXTURE_GEN_MODE: return one(gen.mode);
+        case kGL_OBJECT_PLANE: return list(gen.object_plane);
+        case kGL_EYE_PLANE: return list(gen.plane_eye);
+        default: return {};
+    }
+}
+
 Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
     if (target != kGL_TEXTURE_1D && target != kGL_TEXTURE_2D) return {};
     const Texture& texture = state.bound_texture(target);
@@ -199,6 +243,11 @@ Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
         case kGL_TEXTURE_BORDER_COLOR: return list(texture.border_color);
         case kGL_TEXTURE_PRIORITY: return one(texture.priority);
         case kGL_GENERATE_MIPMAP: return one(texture.generate_mipmap);
+        case kGL_TEXTURE_LOD_BIAS: return one(texture.lod_bias);
+        case kGL_TEXTURE_MIN_LOD: return one(texture.min_lod);
+        case kGL_TEXTURE_MAX_LOD: return one(texture.max_lod);
+        case kGL_TEXTURE_BASE_LEVEL: return one(texture.base_level);
+        case kGL_TEXTURE_MAX_LEVEL: return one(texture.max_level);
         default: return {};
     }
 }
@@ -231,6 +280,9 @@ bool is_answered(CommandId id) {
         case CommandId::glGetClipPlane:
         case CommandId::glGetTexEnvfv:
         case CommandId::glGetTexEnviv:
+        case CommandId::glGetTexGenfv:
+        case CommandId::glGetTexGendv:
+        case CommandId::glGetTexGeniv:
         case CommandId::glGetTexParameterfv:
         case CommandId::glGetTexParameteriv:
         case CommandId::glIsEnabled: return true;
@@ -252,6 +304,7 @@ bool is_fraction(const Command& query) {
         case kGL_FOG_COLOR:
         case kGL_LIGHT_MODEL_AMBIENT:
         case kGL_COLOR_CLEAR_VALUE:
+        case kGL_ACCUM_CLEAR_VALUE:
         case kGL_BLEND_COLOR:
         case kGL_ALPHA_TEST_REF:
         case kGL_DEPTH_RANGE:
@@ -269,6 +322,9 @@ Answer answer_in_doubles(const State& state, const Command& query) {
         case CommandId::glGetClipPlane: return clip_plane_answer(state, query.enumerant(0));
         case CommandId::glGetTexEnvfv:
         case CommandId::glGetTexEnviv: return tex_env_answer(state, query.enumerant(0), query.enumerant(1));
+        case CommandId::glGetTexGenfv:
+        case CommandId::glGetTexGendv:
+        case CommandId::glGetTexGeniv: return tex_gen_answer(state, query.enumerant(0), query.enumerant(1));
         case CommandId::glGetTexParameterfv:
         case CommandId::glGetTexParameteriv: return tex_parameter_answer(state, query.enumerant(0), query.enumerant(1));
         default: return answer(state, query.enumerant(0));

@@ -18,7 +18,7 @@ auto capabilities(auto& a) {  // GL_ENABLE_BIT, without lights, clip planes and 
                     a.lighting.rescale_normal, a.raster.cull_enabled, a.raster.depth_test,
                     a.raster.polygon_offset.point, a.raster.polygon_offset.line, a.raster.polygon_offset.fill,
                     a.fragment.scissor.enabled, a.fragment.alpha_test, a.fragment.blend, a.fragment.color_sum,
-                    a.fog.enabled);
+                    a.fog.enabled, a.stencil_enabled);
 }
 
 auto polygon(auto& a) {
@@ -30,6 +30,8 @@ auto depth(auto& a) {
     return std::tie(a.raster.depth_test, a.raster.depth_func, a.raster.depth_mask, a.clear.clear_depth);
 }
 
+auto stencil(auto& a) { return std::tie(a.stencil_enabled, a.stencil_test, a.clear.clear_stencil); }
+
 auto transform(auto& a) {
     return std::tie(a.matrix_mode, a.clip_planes, a.lighting.normalize, a.lighting.rescale_normal);
 }
@@ -39,7 +41,8 @@ auto viewport(auto& a) { return std::tie(a.raster.viewport, a.raster.depth_near,
 // The parameters of a texture (tables 6.16 and 6.17), without its images.
 auto parameters(auto& texture) {
     return std::tie(texture.min_filter, texture.mag_filter, texture.wrap_s, texture.wrap_t, texture.border_color,
-                    texture.priority, texture.generate_mipmap);
+                    texture.priority, texture.generate_mipmap, texture.lod_bias, texture.min_lod, texture.max_lod,
+                    texture.base_level, texture.max_level);
 }
 
 void restore_enables(Attributes& now, const Attributes& saved) {
@@ -50,6 +53,8 @@ void restore_enables(Attributes& now, const Attributes& saved) {
     for (std::size_t i = 0; i < saved.units.size(); ++i) {
         now.units[i].enabled_1d = saved.units[i].enabled_1d;
         now.units[i].enabled_2d = saved.units[i].enabled_2d;
+        for (std::size_t n = 0; n < saved.units[i].tex_gen.size(); ++n)
+            now.units[i].tex_gen[n].enabled = saved.units[i].tex_gen[n].enabled;
     }
 }
 
@@ -89,10 +94,17 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.fragment.color_sum = saved.fragment.color_sum;
     }
     if (bit(kGL_DEPTH_BUFFER_BIT)) depth(now) = depth(saved);
+    if (bit(kGL_STENCIL_BUFFER_BIT)) stencil(now) = stencil(saved);
+    if (bit(kGL_ACCUM_BUFFER_BIT)) now.clear.clear_accumulation = saved.clear.clear_accumulation;
     if (bit(kGL_VIEWPORT_BIT)) viewport(now) = viewport(saved);
     if (bit(kGL_TRANSFORM_BIT)) transform(now) = transform(saved);
     if (bit(kGL_ENABLE_BIT)) restore_enables(now, saved);
     if (bit(kGL_COLOR_BUFFER_BIT)) restore_color_buffer(now, saved);
+    if (bit(kGL_EVAL_BIT)) {
+        now.grid1 = saved.grid1;
+        now.grid2_u = saved.grid2_u;
+        now.grid2_v = saved.grid2_v;
+    }
     if (bit(kGL_HINT_BIT)) now.hints = saved.hints;
     if (bit(kGL_LIST_BIT)) now.list_base = saved.list_base;
     if (bit(kGL_TEXTURE_BIT)) {
@@ -116,9 +128,14 @@ void State::push_attrib(const Command& c) {
         return raise(kGL_STACK_OVERFLOW, c, "the attribute stack is full ({} levels); a glPopAttrib is missing",
                      kAttributeStackDepth);
     }
-    SavedAttributes saved{a_, c.enumerant(0), {}, {}, c.place};
-    parameters(saved.texture_1d) = parameters(bound_texture(kGL_TEXTURE_1D));
-    parameters(saved.texture_2d) = parameters(bound_texture(kGL_TEXTURE_2D));
+    SavedAttributes saved{a_, c.enumerant(0), {}, c.place};
+    if (saved.mask & kGL_TEXTURE_BIT)  // 6.1.14: of the textures that are bound in any unit
+        for (const TextureBindings& one : a_.units)
+            for (const Enum target : {kGL_TEXTURE_1D, kGL_TEXTURE_2D}) {
+                const auto [at, is_new] =
+                    saved.textures.try_emplace({target, target == kGL_TEXTURE_1D ? one.bound_1d : one.bound_2d});
+                if (is_new) parameters(at->second) = parameters(*texture_of(one, target));
+            }
     attribute_stack_.push_back(std::move(saved));
 }
 
@@ -137,12 +154,14 @@ void State::pop_attrib(const Command& c) {
         keep(one.bound_1d, kGL_TEXTURE_1D);
         keep(one.bound_2d, kGL_TEXTURE_2D);
     }
-    const auto put_back = [&](Enum target, const Texture& before) {
-        if (parameters(bound_texture(target)) == parameters(before)) return;  // avoids a copy
-        if (Texture* texture = writable_texture(c, target)) parameters(*texture) = parameters(before);
-    };
-    put_back(kGL_TEXTURE_1D, saved.texture_1d);
-    put_back(kGL_TEXTURE_2D, saved.texture_2d);
+    for (const TextureBindings& one : a_.units)
+        for (const Enum target : {kGL_TEXTURE_1D, kGL_TEXTURE_2D}) {
+            const auto found = saved.textures.find({target, target == kGL_TEXTURE_1D ? one.bound_1d : one.bound_2d});
+            if (found == saved.textures.end() ||
+                parameters(*texture_of(one, target)) == parameters(found->second))  // avoids a copy
+                continue;
+            if (Texture* texture = writable_texture(c, one, target)) parameters(*texture) = parameters(found->second);
+        }
 }
 
 }  // namespace twinlight

@@ -15,14 +15,9 @@ std::span<const DriverOnlyCapability> driver_only_capabilities() {
         {kGL_LINE_STIPPLE, kGL_LINE_BIT, true},
         {kGL_POLYGON_SMOOTH, kGL_POLYGON_BIT, true},
         {kGL_POLYGON_STIPPLE, kGL_POLYGON_BIT, true},
-        {kGL_STENCIL_TEST, kGL_STENCIL_BUFFER_BIT, true},
         {kGL_COLOR_LOGIC_OP, kGL_COLOR_BUFFER_BIT, true},
         {kGL_INDEX_LOGIC_OP, kGL_COLOR_BUFFER_BIT, false},
         {kGL_DITHER, kGL_COLOR_BUFFER_BIT, false},
-        {kGL_TEXTURE_GEN_S, kGL_TEXTURE_BIT, true},
-        {kGL_TEXTURE_GEN_T, kGL_TEXTURE_BIT, true},
-        {kGL_TEXTURE_GEN_R, kGL_TEXTURE_BIT, false},  // not used by textures of one and two dimensions
-        {kGL_TEXTURE_GEN_Q, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_3D, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_CUBE_MAP, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_RECTANGLE, kGL_TEXTURE_BIT, true},
@@ -31,7 +26,7 @@ std::span<const DriverOnlyCapability> driver_only_capabilities() {
         {kGL_SAMPLE_ALPHA_TO_ONE, kGL_MULTISAMPLE_BIT, false},
         {kGL_SAMPLE_COVERAGE, kGL_MULTISAMPLE_BIT, false},
         {kGL_AUTO_NORMAL, kGL_EVAL_BIT, false},
-        // Evaluators draw only by commands that are themselves reported as unsupported.
+        // State follows evaluators (evaluators.cpp), which have no effect on other drawing.
         {kGL_MAP1_COLOR_4, kGL_EVAL_BIT, false},
         {kGL_MAP1_INDEX, kGL_EVAL_BIT, false},
         {kGL_MAP1_NORMAL, kGL_EVAL_BIT, false},
@@ -71,6 +66,8 @@ auto* supported_flag(A& a, Enum cap) {
     if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMaxLights) return &a.lighting.lights[cap - kGL_LIGHT0].enabled;
     if (cap >= kGL_CLIP_PLANE0 && cap < kGL_CLIP_PLANE0 + kMaxClipPlanes)
         return &a.clip_planes[cap - kGL_CLIP_PLANE0].enabled;
+    if (cap >= kGL_TEXTURE_GEN_S && cap <= kGL_TEXTURE_GEN_Q)
+        return &a.units[a.active_unit].tex_gen[cap - kGL_TEXTURE_GEN_S].enabled;
     switch (cap) {
         case kGL_LIGHTING: return &a.lighting.enabled;
         case kGL_COLOR_MATERIAL: return &a.lighting.color_material.enabled;
@@ -83,6 +80,7 @@ auto* supported_flag(A& a, Enum cap) {
         case kGL_POLYGON_OFFSET_FILL: return &a.raster.polygon_offset.fill;
         case kGL_SCISSOR_TEST: return &a.fragment.scissor.enabled;
         case kGL_ALPHA_TEST: return &a.fragment.alpha_test;
+        case kGL_STENCIL_TEST: return &a.stencil_enabled;
         case kGL_BLEND: return &a.fragment.blend;
         case kGL_COLOR_SUM: return &a.fragment.color_sum;
         case kGL_FOG: return &a.fog.enabled;

@@ -105,7 +105,11 @@ void State::clear(const Command& c) {
     clear.scissor = a_.fragment.scissor;
     clear.color_mask = a_.fragment.color_mask;
     clear.depth = (mask & kGL_DEPTH_BUFFER_BIT) != 0 && a_.raster.depth_mask;
-    if ((clear.color || clear.depth) && has_room(c, sizeof items_[0])) show(clear);
+    clear.stencil_mask = a_.stencil_test.front.write_mask;
+    clear.stencil = (mask & kGL_STENCIL_BUFFER_BIT) != 0 && (clear.stencil_mask & kMaxStencil) != 0;
+    clear.accumulation = (mask & kGL_ACCUM_BUFFER_BIT) != 0;
+    const bool clears = clear.color || clear.depth || clear.stencil || clear.accumulation;
+    if (clears && has_room(c, sizeof items_[0])) show(clear);
 }
 
 }  // namespace twinlight

@@ -1,4 +1,4 @@
-// Frame: one picture as a list of clears and draws, with all state resolved. The programmable and the reference
+// Frame: one picture as a list of clears, draws and accumulations, with all state resolved. The programmable and the reference
 // renderer see only this, not the commands.
 //
 // All numbers are doubles. Names and initial values are those of GL (GL 2.1 tables 6.5 to 6.13).
@@ -11,6 +11,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -138,12 +139,59 @@ struct ColorMaterial {  // 2.14.3
     friend bool operator==(const ColorMaterial&, const ColorMaterial&) = default;
 };
 
+// A list of light sources that copies share until one of them is changed: a frame may have a hundred thousand Draws with
+// the same lights. Only functions that are not const copy the list, so read a list as a const one, and keep no reference
+// to a light of a list that is copied.
+class LightSources {
+  public:
+    explicit LightSources(std::size_t count) : shared_(std::make_shared<std::vector<LightSource>>(count)) {}
+    LightSources(std::initializer_list<LightSource> lights)
+        : shared_(std::make_shared<std::vector<LightSource>>(lights)) {}
+    // Without moves, so that there always is a list.
+    LightSources(const LightSources&) = default;
+    LightSources& operator=(const LightSources&) = default;
+    ~LightSources() = default;
+
+    std::size_t size() const { return shared_->size(); }
+    bool empty() const { return shared_->empty(); }
+    const LightSource& operator[](std::size_t i) const { return (*shared_)[i]; }
+    const LightSource& at(std::size_t i) const { return shared_->at(i); }
+    const LightSource& front() const { return shared_->front(); }
+    const LightSource& back() const { return shared_->back(); }
+    auto begin() const { return shared_->cbegin(); }
+    auto end() const { return shared_->cend(); }
+
+    LightSource& operator[](std::size_t i) { return own()[i]; }
+    LightSource& at(std::size_t i) { return own().at(i); }
+    LightSource& back() { return own().back(); }
+    auto begin() { return own().begin(); }
+    auto end() { return own().end(); }
+    void clear() { shared_ = std::make_shared<std::vector<LightSource>>(); }
+    void resize(std::size_t count) { own().resize(count); }
+    void resize(std::size_t count, const LightSource& light) { own().resize(count, light); }
+    void push_back(const LightSource& light) { own().push_back(light); }
+
+    bool is_shared() const { return shared_.use_count() > 1; }
+
+    friend bool operator==(const LightSources& a, const LightSources& b) {
+        return a.shared_ == b.shared_ || *a.shared_ == *b.shared_;
+    }
+
+  private:
+    std::vector<LightSource>& own() {
+        if (is_shared()) shared_ = std::make_shared<std::vector<LightSource>>(*shared_);
+        return *shared_;
+    }
+
+    std::shared_ptr<std::vector<LightSource>> shared_;
+};
+
 struct LightingState {
     LightingState() : lights(kMaxLights) { lights[0].diffuse = lights[0].specular = glm::dvec4(1); }
 
     bool enabled = false;  // GL_LIGHTING
     // GL_LIGHT0 to GL_LIGHT7, followed by the lights that pragmas define. At least kMaxLights.
-    std::vector<LightSource> lights;
+    LightSources lights;
     LightModel light_model;
     // The materials at the start of the Draw. If color_material is enabled, each vertex's colour replaces the
     // properties that track it (2.14.3).
@@ -227,6 +275,10 @@ struct Texture {                         // 3.8.4, table 3.18
     glm::dvec4 border_color{0, 0, 0, 0};
     double priority = 1;
     bool generate_mipmap = false;
+    double lod_bias = 0;                     // a Draw's is in its TextureUnit
+    double min_lod = -1000, max_lod = 1000;  // limits of the level of detail
+    // The first level in use, and the last. A Draw's texture has only the levels in use: they count from 0 again.
+    int base_level = 0, max_level = 1000;
 
     // The border's colour with the components that the texels have (table 3.15).
     glm::dvec4 border_texel() const {
@@ -248,12 +300,24 @@ struct Texture {                         // 3.8.4, table 3.18
     }
 };
 
+// A texture coordinate that GL computes from each vertex (2.11.4).
+struct GeneratedCoordinate {
+    int coordinate = 0;          // 0 to 3: s, t, r, q
+    Enum mode = kGL_EYE_LINEAR;  // or GL_OBJECT_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP
+    glm::dvec4 plane{0};         // of GL_OBJECT_LINEAR in object coordinates, of GL_EYE_LINEAR in eye coordinates
+
+    friend bool operator==(const GeneratedCoordinate&, const GeneratedCoordinate&) = default;
+    bool needs_normal() const { return mode != kGL_OBJECT_LINEAR && mode != kGL_EYE_LINEAR; }
+};
+
 struct TextureUnit {
     std::shared_ptr<const Texture> texture;  // null if texturing is disabled or the texture incomplete (3.8.10)
     Enum env_mode = kGL_MODULATE;            // 3.8.13: or GL_DECAL, GL_REPLACE, GL_BLEND, GL_ADD
     glm::dvec4 env_color{0, 0, 0, 0};
-    double lod_bias = 0;           // GL_TEXTURE_LOD_BIAS of the unit
+    double lod_bias = 0;           // GL_TEXTURE_LOD_BIAS of the unit and of the texture: their sum, limited (3.8.8)
     glm::dmat4 texture_matrix{1};  // multiplies every texture coordinate (2.11.2)
+    // They replace the vertices' own coordinates; in the order s, t, r, q.
+    std::vector<GeneratedCoordinate> generated{};
 
     friend bool operator==(const TextureUnit&, const TextureUnit&) = default;
 };
@@ -276,11 +340,32 @@ struct Scissor {  // 4.1.2
     friend bool operator==(const Scissor&, const Scissor&) = default;
 };
 
+inline constexpr int kMaxStencil = 255;  // the stencil buffer of Twinlight's contexts has 8 bits
+
+struct StencilFace {  // 4.1.5, 4.2.2
+    Enum func = kGL_ALWAYS;
+    int ref = 0;  // as given; the test clamps it to [0, kMaxStencil]
+    std::uint32_t mask = ~0U;
+    Enum fail = kGL_KEEP;        // the operation where the stencil test fails
+    Enum depth_fail = kGL_KEEP;  // where only the depth test fails
+    Enum depth_pass = kGL_KEEP;  // where both pass
+    std::uint32_t write_mask = ~0U;
+
+    friend bool operator==(const StencilFace&, const StencilFace&) = default;
+};
+
+struct StencilTest {
+    StencilFace front, back;  // front also counts for points and lines
+
+    friend bool operator==(const StencilTest&, const StencilTest&) = default;
+};
+
 struct FragmentState {
     Scissor scissor;
     bool alpha_test = false;  // 4.1.4
     Enum alpha_func = kGL_ALWAYS;
     double alpha_ref = 0;
+    std::optional<StencilTest> stencil{};      // nothing: the test is off
     bool blend = false;                        // 4.1.8
     Enum blend_equation = kGL_FUNC_ADD;        // or GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX
     Enum blend_equation_alpha = kGL_FUNC_ADD;  // differs only by glBlendEquationSeparate
@@ -348,9 +433,12 @@ struct Draw {
     bool draws_points() const { return mode == kGL_POINTS || draws_polygons_as(kGL_POINT); }
     bool draws_lines() const { return (mode != kGL_POINTS && !draws_polygons(mode)) || draws_polygons_as(kGL_LINE); }
 
-    // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons.
+    // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons whose texture
+    // coordinates are not generated (GL generates them for vertices), and only if both faces have the same stencil
+    // test: shaders draw a surface as a rectangle, whose face is not the surface's.
     bool has_exact_surfaces() const {
-        return surfaces && !draws_borders() && raster.viewport.width > 0 && raster.viewport.height > 0;
+        return surfaces && !draws_borders() && texture.generated.empty() && raster.viewport.width > 0 &&
+               raster.viewport.height > 0 && (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
     }
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }
@@ -379,7 +467,27 @@ struct Clear {
     std::array<bool, 4> color_mask{true, true, true, true};
     glm::dvec4 clear_color{0, 0, 0, 0};
     double clear_depth = 1;
+    bool stencil = false;
+    bool accumulation = false;
+    int clear_stencil = 0;             // of which the buffer has the lowest 8 bits
+    std::uint32_t stencil_mask = ~0U;  // the front's
+    glm::dvec4 clear_accumulation{0, 0, 0, 0};
+
+    // Whether the picture before shows neither in colours nor in depths.
+    bool hides_picture() const {
+        return color && depth && !scissor.enabled && color_mask == std::array{true, true, true, true};
+    }
 };
+
+// glAccum (4.2.4). Obeys the scissor; GL_RETURN also obeys the colour mask.
+struct Accumulate {
+    Enum op = kGL_LOAD;  // GL_ACCUM, GL_LOAD, GL_RETURN, GL_MULT or GL_ADD
+    double value = 1;
+    Scissor scissor{};
+    std::array<bool, 4> color_mask{true, true, true, true};
+};
+
+using FrameItem = std::variant<Clear, Draw, Accumulate>;
 
 // Which renderers lack a command or state of the scene.
 enum class MissingFrom : std::uint8_t {
@@ -401,14 +509,14 @@ struct Unsupported {
 struct Frame {
     int width = 0;
     int height = 0;
-    std::vector<std::variant<Clear, Draw>> items{};  // in the order of the commands
+    std::vector<FrameItem> items{};  // in the order of the commands
     std::vector<Unsupported> unsupported{};
     // The names of display lists that another list called before they existed.
     std::vector<std::uint32_t> lists_called_before_made{};
     // What LightSource::typed counts; the first has GL's initial values. Empty in a Frame that State did not make.
     std::vector<TypedLight> typed_lights{};
 
-    // The items that are Draws, without the Clears.
+    // The items that are Draws, without the others.
     std::vector<const Draw*> draws() const { return draws_of<const Draw>(items); }
     std::vector<Draw*> draws() { return draws_of<Draw>(items); }
 
@@ -421,5 +529,11 @@ struct Frame {
         return draws;
     }
 };
+
+// Whether glAccum combines pictures.
+inline bool accumulates(const Frame& frame) {
+    return std::ranges::any_of(frame.items,
+                               [](const FrameItem& item) { return std::holds_alternative<Accumulate>(item); });
+}
 
 }  // namespace twinlight

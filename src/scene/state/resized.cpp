@@ -20,8 +20,10 @@ Frame resized(Frame frame, int width, int height) {
         if (Draw* draw = std::get_if<Draw>(&item)) {
             scale_box(draw->raster.viewport);
             scale_box(draw->fragment.scissor.box);
+        } else if (Clear* clear = std::get_if<Clear>(&item)) {
+            scale_box(clear->scissor.box);
         } else {
-            scale_box(std::get<Clear>(item).scissor.box);
+            scale_box(std::get<Accumulate>(item).scissor.box);
         }
     }
     frame.width = width;

@@ -9,9 +9,11 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <span>
 
 #include "scene/command/command_set.h"
 #include "scene/state/capabilities.h"
+#include "scene/state/not_finite.h"
 
 namespace twinlight {
 
@@ -19,14 +21,26 @@ namespace {
 
 // The commands allowed between Begin and End (2.6.3). begin, end and perspective are listed because they raise their
 // own errors, GLU's quadrics because they are not GL commands.
-constexpr CommandSet kLegalInside = CommandSet::of(
-    {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
-     "driver_only_vertex", "driver_only_attribute", "driver_only_secondary_color", "call_list", "call_lists",
-     "array_element", "perspective", "new_quadric", "delete_quadric", "set_quadric"});
-
-// Commands that set a vertex's attributes accept NaN and infinity.
-constexpr CommandSet kTakesAnyNumber = CommandSet::of({"vertex", "normal", "color", "tex_coord", "multi_tex_coord",
-                                                       "driver_only_secondary_color", "driver_only_attribute"});
+constexpr CommandSet kLegalInside = CommandSet::of({"vertex",
+                                                    "normal",
+                                                    "color",
+                                                    "tex_coord",
+                                                    "edge_flag",
+                                                    "material",
+                                                    "begin",
+                                                    "end",
+                                                    "multi_tex_coord",
+                                                    "eval_coord",
+                                                    "eval_point",
+                                                    "driver_only_attribute",
+                                                    "driver_only_secondary_color",
+                                                    "call_list",
+                                                    "call_lists",
+                                                    "array_element",
+                                                    "perspective",
+                                                    "new_quadric",
+                                                    "delete_quadric",
+                                                    "set_quadric"});
 
 // Adds one to the count of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
@@ -61,11 +75,15 @@ void State::carry_out(const Command& command) {
     };
     if (open_ && !kLegalInside.contains(command.id)) return raise_inside(command);
     // RULING: GL leaves NaN and infinity undefined (2.1.1). Here commands refuse them, so they cannot spread. Only
-    // vertices accept them, because real programs send such vertices; see sanitize().
-    const auto is_finite = [](double v) { return std::isfinite(v); };
-    if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite))
+    // vertices accept them, because real programs send such vertices; see sanitize(). In a recorded program other
+    // commands have finite numbers already; see made_finite().
+    if (const auto wrong = number_that_is_not_finite(command)) {
+        if (std::isfinite(*wrong))
+            return raise(kGL_INVALID_VALUE, command, "{} is given {}; the largest float is 3.4e+38", command.name(),
+                         *wrong);
         return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
                      command.name());
+    }
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
 }
 
@@ -124,16 +142,22 @@ void State::begin(const Command& c) {
         return raise(kGL_INVALID_ENUM, c, "glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
                      enum_name(c.enumerant(0)));
     }
-    if (!has_room(c, bytes_of_draw())) return;
+    open_bytes_ = bytes_of_draw();
+    if (!has_room(c, open_bytes_)) return;
     open_ = new_draw(c.enumerant(0), c.place);
 }
 
+constexpr std::size_t kMuchRoom = 1000;  // in vertices
+
 void State::end(const Command& c) {
     if (!open_) return raise(kGL_INVALID_OPERATION, c, "glEnd without a glBegin");
-    if (open_->vertices.empty())
-        item_bytes_ -= std::min(item_bytes_, bytes_of_draw());
-    else
+    if (open_->vertices.empty()) {
+        item_bytes_ -= std::min(item_bytes_, open_bytes_);
+    } else {
+        // What the vector has grown by in vain stays as long as the frame.
+        if (open_->vertices.capacity() - open_->vertices.size() > kMuchRoom) open_->vertices.shrink_to_fit();
         show(std::move(*open_));
+    }
     open_.reset();
     a_.current.material = 0;  // the next Draw starts its own list of materials
 }
@@ -169,12 +193,16 @@ void State::tex_coord(const Command& c) {
 }
 
 void sanitize(Vertex& vertex) {
-    const auto is_finite = [](const auto& v) { return std::isfinite(glm::dot(v, v * 0.0)); };
-    if (!is_finite(vertex.position_object)) vertex.position_object = glm::dvec4(0);
-    if (!is_finite(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
+    const auto all_in_range = [](const auto& v) {
+        bool all = true;
+        for (int i = 0; i < v.length(); ++i) all &= is_in_float_range(v[i]);
+        return all;
+    };
+    if (!all_in_range(vertex.position_object)) vertex.position_object = glm::dvec4(0);
+    if (!all_in_range(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
     for (int i = 0; i < 4; ++i) {
-        if (!std::isfinite(vertex.color[i])) vertex.color[i] = 0;
-        if (!std::isfinite(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
+        if (!is_in_float_range(vertex.color[i])) vertex.color[i] = 0;
+        if (!is_in_float_range(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
     }
 }
 
@@ -205,6 +233,11 @@ Draw State::new_draw(Enum mode, const Place& place) {
                     .env_color = a_.units[0].env_color,
                     .lod_bias = a_.units[0].lod_bias,
                     .texture_matrix = texture_[0].back().matrix};
+    if (draw.texture.texture) {
+        draw.texture.lod_bias =  // 3.8.8, equation 3.19
+            std::clamp(draw.texture.lod_bias + draw.texture.texture->lod_bias, -kMaxLodBias, kMaxLodBias);
+        draw.texture.generated = generated_coordinates(a_.units[0]);
+    }
     if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) note_unsupported("glTexEnv(GL_COMBINE)", place);
     for (std::size_t i = 1; i < a_.units.size(); ++i) {
         if (!complete_texture(a_.units[i])) continue;
@@ -213,13 +246,12 @@ Draw State::new_draw(Enum mode, const Place& place) {
     draw.fog = a_.fog;
     draw.fragment = a_.fragment;
     if (!a_.draws_color) draw.fragment.color_mask.fill(false);
+    if (a_.stencil_enabled) draw.fragment.stencil = a_.stencil_test;
     for (std::size_t i = 0; i < a_.clip_planes.size(); ++i)
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     for (const auto& [capability, where] : a_.driver_only) {
         const DriverOnlyCapability& row = driver_only_capability(capability.first);
-        // Textures of units above 0 are already noted.
-        const bool is_idle = row.generates_coordinates() && (capability.second > 0 || !draw.texture.texture);
-        if (!row.changes_pixels || is_idle) continue;
+        if (!row.changes_pixels) continue;
         note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where);
     }
     note_driver_only_values(draw);
@@ -234,7 +266,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
 }
 
 // 5.2, 5.3: in selection and feedback mode drawing and clearing change no pixel.
-void State::show(std::variant<Clear, Draw> item) {
+void State::show(FrameItem item) {
     if (render_mode_ == kGL_RENDER) items_.push_back(std::move(item));
 }
 
@@ -281,6 +313,29 @@ std::optional<GlError> State::unfinished() const {
     return std::nullopt;
 }
 
+std::vector<Command> State::endings() const {
+    std::vector<Command> endings;
+    const auto add = [&](CommandId id, std::vector<double> arguments = {}) {
+        endings.push_back({id, std::move(arguments), {}});
+    };
+    const auto pop_all = [&](const MatrixStack& stack, Enum mode) {
+        if (stack.size() < 2) return;
+        add(CommandId::glMatrixMode, {static_cast<double>(mode)});
+        for (std::size_t i = 1; i < stack.size(); ++i) add(CommandId::glPopMatrix);
+    };
+    if (open_) add(CommandId::glEnd);
+    if (lists_.open_name != 0) add(CommandId::glEndList);
+    for (std::size_t i = 0; i < attribute_stack_.size(); ++i) add(CommandId::glPopAttrib);
+    pop_all(modelview_, kGL_MODELVIEW);
+    pop_all(projection_, kGL_PROJECTION);
+    for (std::size_t i = 0; i < texture_.size(); ++i) {
+        if (texture_[i].size() < 2) continue;
+        add(CommandId::glActiveTexture, {static_cast<double>(kGL_TEXTURE0) + static_cast<double>(i)});
+        pop_all(texture_[i], kGL_TEXTURE);
+    }
+    return endings;
+}
+
 Frame State::take_frame() {
     Frame frame{options_.width, options_.height, std::move(items_), outside_};
     std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
@@ -298,14 +353,56 @@ void State::drop_picture() {
     drop_typed_lights();
 }
 
+namespace {
+
+// Whether an item leaves something in the stencil buffer or the accumulation buffer.
+bool fills_stencil(const FrameItem& item) {
+    if (const Clear* clear = std::get_if<Clear>(&item)) return clear->stencil && clear->clear_stencil != 0;
+    const Draw* draw = std::get_if<Draw>(&item);
+    return draw && draw->fragment.stencil;
+}
+bool fills_accumulation(const FrameItem& item) {
+    if (const Clear* clear = std::get_if<Clear>(&item))
+        return clear->accumulation && clear->clear_accumulation != glm::dvec4(0);
+    return std::holds_alternative<Accumulate>(item);
+}
+
+// Whether a Clear leaves nothing of these earlier items for later commands.
+bool hides(const Clear& clear, std::span<const FrameItem> earlier) {
+    const bool whole = !clear.scissor.enabled;
+    const bool clears_stencil = clear.stencil && whole && (~clear.stencil_mask & kMaxStencil) == 0;
+    return clear.hides_picture() && (clears_stencil || std::ranges::none_of(earlier, fills_stencil)) &&
+           ((clear.accumulation && whole) || std::ranges::none_of(earlier, fills_accumulation));
+}
+
+// The number of items that no later command can show.
+std::size_t hidden_items(std::span<const FrameItem> items) {
+    if (items.size() < 2) return 0;
+    const std::size_t last = items.size() - 1;
+    if (const Clear* clear = std::get_if<Clear>(&items[last])) return hides(*clear, items.first(last)) ? last : 0;
+    // GL_LOAD replaces all that was accumulated. Then the last Clear of the picture hides what came before it.
+    const Accumulate* load = std::get_if<Accumulate>(&items[last]);
+    if (!load || load->op != kGL_LOAD || load->scissor.enabled) return 0;
+    for (std::size_t i = last; i-- > 0;) {
+        if (const Accumulate* other = std::get_if<Accumulate>(&items[i]); other && other->op == kGL_RETURN) return 0;
+        const Clear* clear = std::get_if<Clear>(&items[i]);
+        if (!clear || !clear->hides_picture()) continue;
+        return clear->stencil || std::ranges::none_of(items.first(i), fills_stencil) ? i : 0;
+    }
+    return 0;
+}
+
+}  // namespace
+
 void State::drop_hidden() {
-    const Clear* clear = items_.size() > 1 ? std::get_if<Clear>(&items_.back()) : nullptr;
-    const bool hides = clear && clear->color && clear->depth && !clear->scissor.enabled &&
-                       clear->color_mask == std::array{true, true, true, true};
-    if (!hides) return;
-    items_.erase(items_.begin(), items_.end() - 1);
+    const std::size_t hidden = hidden_items(items_);
+    if (hidden == 0) return;
+    items_.erase(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(hidden));
     item_bytes_ = 0;
-    unsupported_.clear();
+    for (const FrameItem& item : items_)
+        if (const Draw* draw = std::get_if<Draw>(&item))
+            item_bytes_ += bytes_of_draw() + bytes_of_vertices(draw->vertices.size(), draw->indices.size());
+    if (items_.size() == 1) unsupported_.clear();
 }
 
 }  // namespace twinlight

@@ -166,7 +166,7 @@ TEST(SessionArguments, TheHelpSaysMeaningInitialValueAndSection) {
     EXPECT_EQ(argument_help(command("glEnable(GL_NORMALIZE);"), 0),
               "normals get length 1 after the modelview matrix; 2.11.3");
     EXPECT_EQ(argument_help(command("glDisable(GL_LIGHT3);"), 0), "a light; it shows only with GL_LIGHTING; 2.14.1");
-    EXPECT_EQ(argument_help(command("glStencilMask(1);"), 0), "glStencilMask(mask)");  // no row: the usage
+    EXPECT_EQ(argument_help(command("glIndexMask(1);"), 0), "glIndexMask(mask)");  // no row: the usage
 }
 
 // The built-in scenes are what users open first: each number and name in them has its own line of help.

@@ -46,6 +46,12 @@ Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
     }
     for (int i = 0; i < kMaxClipPlanes; ++i)
         if (draw.raster.clip_planes_eye[static_cast<std::size_t>(i)]) kept.clip_planes.push_back(i);
+    const TextureEffects& texture = kind.effects.texture;
+    for (const GeneratedCoordinate& one : draw.texture.generated) {
+        const auto i = static_cast<std::size_t>(one.coordinate);
+        kept.eye_planes[i] = texture.generated[i] == Generated::kLinear && one.mode == kGL_EYE_LINEAR;
+    }
+    kept.rescales_generated = texture.generated_normal == GeneratedNormal::kUnchanged && draw.lighting.rescale_normal;
     if (draw.fragment.alpha_test) kept.alpha_func = draw.fragment.alpha_func;
     // OpenGL ES has no 1D textures: they become 2D textures of height 1.
     if (version == Glsl::k300es) kind.effects.texture.one_dimensional = false;
@@ -146,10 +152,11 @@ class Writer {
     void write_items() {
         write_clear({.color = true, .depth = true, .clear_color = glm::dvec4(0), .clear_depth = 1});
         for (const auto& item : frame_.items) {
+            const Draw* draw = std::get_if<Draw>(&item);
             if (const Clear* clear = std::get_if<Clear>(&item))
                 write_clear(*clear);
-            else if (std::get<Draw>(item).count() > 0)
-                write_draw(std::get<Draw>(item));
+            else if (draw && draw->count() > 0)
+                write_draw(*draw);
         }
     }
 
@@ -162,15 +169,20 @@ class Writer {
     }
 
     void write_clear(const Clear& clear) {
-        if (!clear.color && !clear.depth) return;
+        if (!clear.color && !clear.depth && !clear.stencil) return;
         write_scissor(clear.scissor, clear.color_mask);
         set("depth mask", "glDepthMask(1);");
         set("clear color", fmt::format("glClearColor({});", c_.numbers(clear.clear_color)));
         set("clear depth", fmt::format("glClearDepth({});", clear.clear_depth));
-        body_ += c_.statement(fmt::format("    glClear({});\n", !clear.depth ? "GL_COLOR_BUFFER_BIT"
-                                                                : !clear.color
-                                                                    ? "GL_DEPTH_BUFFER_BIT"
-                                                                    : "GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT"));
+        if (clear.stencil) {
+            set("clear stencil", fmt::format("glClearStencil({});", clear.clear_stencil));
+            set("GL_FRONT stencil mask", fmt::format("glStencilMaskSeparate(GL_FRONT, {:#x});", clear.stencil_mask));
+        }
+        std::vector<const char*> buffers;
+        if (clear.color) buffers.push_back("GL_COLOR_BUFFER_BIT");
+        if (clear.depth) buffers.push_back("GL_DEPTH_BUFFER_BIT");
+        if (clear.stencil) buffers.push_back("GL_STENCIL_BUFFER_BIT");
+        body_ += c_.statement(fmt::format("    glClear({});\n", fmt::join(buffers, " | ")));
     }
 
     void write_draw(const Draw& draw) {
@@ -237,6 +249,7 @@ class Writer {
 
     void write_fragment(const FragmentState& fragment) {
         write_scissor(fragment.scissor, fragment.color_mask);
+        write_stencil(fragment.stencil);
         enable(kGL_BLEND, fragment.blend);
         if (!fragment.blend) return;
         set("blend func",
@@ -245,6 +258,22 @@ class Writer {
         set("blend equation", fmt::format("glBlendEquationSeparate({}, {});", enum_name(fragment.blend_equation),
                                           enum_name(fragment.blend_equation_alpha)));
         set("blend color", fmt::format("glBlendColor({});", c_.numbers(fragment.blend_color)));
+    }
+    // Scenes without a stencil test do not mention it.
+    void write_stencil(const std::optional<StencilTest>& stencil) {
+        uses_stencil_ |= stencil.has_value();
+        if (uses_stencil_) enable(kGL_STENCIL_TEST, stencil.has_value());
+        if (!stencil) return;
+        for (const auto& [name, face] : {std::pair("GL_FRONT", &stencil->front), {"GL_BACK", &stencil->back}}) {
+            set(fmt::format("{} stencil func", name),
+                fmt::format("glStencilFuncSeparate({}, {}, {}, {:#x});", name, enum_name(face->func),
+                            std::clamp(face->ref, 0, kMaxStencil), face->mask));
+            set(fmt::format("{} stencil op", name),
+                fmt::format("glStencilOpSeparate({}, {}, {}, {});", name, factor(face->fail), factor(face->depth_fail),
+                            factor(face->depth_pass)));
+            set(fmt::format("{} stencil mask", name),
+                fmt::format("glStencilMaskSeparate({}, {:#x});", name, face->write_mask));
+        }
     }
     static std::string factor(Enum value) {
         return value == kGL_ZERO ? "GL_ZERO" : value == kGL_ONE ? "GL_ONE" : enum_name(value);
@@ -296,7 +325,16 @@ class Writer {
                                    found - textures_.begin() + 1, c_.number(unit.lod_bias)));
         if (effects.texture.matrix)
             uniform("texture matrix", fmt::format("texture_matrix({});", c_.floats(unit.texture_matrix)));
+        write_generated(unit, effects.texture);
         uniform("texture color", fmt::format("texture_env_color({});", c_.floats(unit.env_color)));
+    }
+    void write_generated(const TextureUnit& unit, const TextureEffects& effects) {
+        for (const GeneratedCoordinate& one : unit.generated) {
+            if (effects.generated[static_cast<std::size_t>(one.coordinate)] != Generated::kLinear) continue;
+            const bool is_eye = one.mode == kGL_EYE_LINEAR;
+            const std::string name = fmt::format("{}Plane{}[0]", is_eye ? "Eye" : "Object", "STRQ"[one.coordinate]);
+            uniform(name, fmt::format("{}_plane(\"{}\", {});", is_eye ? "eye" : "object", name, c_.floats(one.plane)));
+        }
     }
     Enum target_of(const Texture& texture) const {
         return version_ == Glsl::k300es ? Enum{kGL_TEXTURE_2D} : texture.target;
@@ -360,7 +398,15 @@ class Writer {
                                     c_.member("border_color", c_.list(c_.numbers(texture.border_texel()))) + ", " +
                                     c_.member("level_count", fmt::format("{}", count)) + ", " +
                                     c_.member("levels", c_.list(levels));
-        return c_.statement(fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members)));
+        std::string load = fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members));
+        const auto limit = [&](const char* parameter, double lod, double initial) {
+            if (lod != initial)
+                load += fmt::format("    glTexParameterf({}, {}, {});\n", enum_name(target_of(texture)), parameter,
+                                    c_.number(lod));
+        };
+        limit("GL_TEXTURE_MIN_LOD", texture.min_lod, Texture().min_lod);
+        limit("GL_TEXTURE_MAX_LOD", texture.max_lod, Texture().max_lod);
+        return c_.statement(load);
     }
 
     // ---- The page ----
@@ -376,6 +422,10 @@ class Writer {
         note("polygon mode", draw.draws_borders());
         note("border colours of textures", texture && (has_border(texture->wrap_s) || has_border(texture->wrap_t)));
         note("GL_TEXTURE_LOD_BIAS", texture && draw.texture.lod_bias != 0);
+        const auto& stencil = draw.fragment.stencil;
+        const auto values = [](const StencilFace& face) { return std::tuple(face.ref, face.mask, face.write_mask); };
+        if (stencil)
+            note("stencil values and masks that differ between faces", values(stencil->front) != values(stencil->back));
         note("a depth range from far to near", raster.depth_near > raster.depth_far);
     }
     std::string unsupported_text() const {
@@ -422,6 +472,7 @@ class Writer {
     std::map<std::string, std::string> last_;
     std::string body_;  // of draw_scene()
     int kind_ = 0;      // of the Draw being written
+    bool uses_stencil_ = false;
     glm::dvec3 middle_{0};
     double middle_count_ = 0;
 };
@@ -429,6 +480,7 @@ class Writer {
 }  // namespace
 
 std::string why_not_kept(const Frame& frame) {
+    if (accumulates(frame)) return "it uses the accumulation buffer (glAccum), which core GL lacks";
     for (const Draw* draw : frame.draws()) {
         if (!draw->lighting.enabled) continue;
         if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";
