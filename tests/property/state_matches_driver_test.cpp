@@ -188,7 +188,8 @@ double random_bits(fuzz::Random& random, CommandId id) {
 bool uses_arrays_or_names(const Signature& sig) {
     const bool is_array = sig.name.ends_with("ClientState") || sig.name.ends_with("ClientAttrib") ||
                           sig.name.starts_with("glDrawArrays") || sig.name == "glArrayElement";
-    if (sig.name.starts_with("glEvalMesh")) return true;  // draws; evaluators have a test of their own
+    // Evaluators have a test of their own. Outside glBegin and glEnd glEvalCoord is undefined (2.6.3).
+    if (sig.name.starts_with("glEval")) return true;
     return is_array || std::any_of(sig.parameters.begin(), sig.parameters.end(), [](const Parameter& p) {
                return p.extent == Extent::kPointer || p.extent == Extent::kControlPoints ||
                       p.extent == Extent::kOutputByCount || p.extent == Extent::kArrayByCount ||

@@ -18,7 +18,7 @@
 namespace twinlight {
 namespace {
 
-constexpr int kStates = 200;  // the driver compiles a program for each
+constexpr int kStates = 100;  // the driver compiles a program for each
 constexpr int kVertices = 12;
 constexpr int kSide = 64;
 

@@ -177,7 +177,7 @@ auto shown_on(ProgressBar& bar, const FuzzArguments& arguments, std::chrono::ste
 
 std::string summary_text(const FuzzArguments& arguments, const fuzz::OracleSummary& summary, double seconds) {
     std::string text = fmt::format(
-        "{} random scenes at the limits of floats, seed {}{}, {} min ({:.0f} per second), judged in 60 digits; "
+        "{} random scenes at the limits of floats, seed {}{}, {} min ({:.0f} per second), checked in 60 digits; "
         "{} are not in view\n\n",
         report::grouped(summary.states), arguments.options.seed, summary.broken_off ? " (stopped early)" : "",
         minutes(seconds), static_cast<double>(summary.states) / std::max(seconds, 1e-9),
