@@ -100,19 +100,25 @@ Number norm(const Matrix3& m) { return mp::sqrt(dot(m[0], m[0]) + dot(m[1], m[1]
 // RULING: a matrix is singular if its rank is less than 3 for numbers of 21 bits, after its rows and columns are scaled (which
 // glScale does, and which loses no digits).
 constexpr double kSingular = 0x1p21;
+// A power of two near |x|, as the renderers take, so that all agree about matrices at the border.
+Number power_of_two_in(const Number& x) {
+    int exponent = 0;
+    mp::frexp(x, &exponent);
+    return mp::ldexp(Number(1), exponent);
+}
 bool is_singular(Matrix3 m) {
     for (int round = 0; round < 8; ++round) {
         for (Vector3& row : m) {
             const Number largest =
                 std::max({Number(mp::abs(row[0])), Number(mp::abs(row[1])), Number(mp::abs(row[2]))});
             if (largest == 0) return true;
-            row = times(1 / largest, row);
+            row = times(1 / power_of_two_in(largest), row);
         }
         for (std::size_t j = 0; j < 3; ++j) {
             const Number largest =
                 std::max({Number(mp::abs(m[0][j])), Number(mp::abs(m[1][j])), Number(mp::abs(m[2][j]))});
             if (largest == 0) return true;
-            for (Vector3& row : m) row[j] /= largest;
+            for (Vector3& row : m) row[j] /= power_of_two_in(largest);
         }
     }
     const Matrix3 adjoint = adjugate(m);
@@ -224,10 +230,11 @@ class Machine {
 
     Number spot(const LightState& light, const Towards& vp) {
         if (light.cutoff_deg == 180) return 1;
-        const Number cosine = -dot(vp.dir, value(unit(light.spot_direction_eye)));
+        const Number cosine =
+            std::max(Number(-dot(vp.dir, value(unit(light.spot_direction_eye)))), Number(0));  // the circled dot
         const Number cos_cutoff = cleaned(mp::cos(radians(light.cutoff_deg)));
-        if (!reaches(cosine, cos_cutoff, 1, vp.uncertainty))
-            return 0;  // RULING: a cone of 90 degrees is dark behind the light
+        // Behind a cone of 90 degrees both are 0, whatever is rounded.
+        if (cos_cutoff > 0 && !reaches(cosine, cos_cutoff, 1, vp.uncertainty)) return 0;
         return power(cosine, light.exponent);
     }
 
@@ -414,6 +421,14 @@ class Machine {
     }
 
     void multiply(const Matrix4& by) { set_matrix(product(modelview(), rounded(by))); }
+    // A rotation's elements are sums of sines and cosines, so that those too that are exactly 0 are rounded like those near 1. The
+    // angle is rounded as well.
+    void multiply_rotation(const Number& angle_deg, Matrix4 m) {
+        const double by = options_.matrix_rounding * (1 + std::abs(radians(angle_deg).convert_to<double>()));
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j) m[i][j] += perturbed(1, by) - 1;
+        multiply(m);
+    }
     void set_matrix(const Matrix4& m) {
         if (is_modelview_) modelviews_.back() = m;  // projections do not change a vertex's light
     }
@@ -455,7 +470,7 @@ class Machine {
             m.multiply(t);
         });
         set({"glRotatef", "glRotated"}, [](Machine& m, const Command& c) {
-            m.multiply(rotation(c.number(0), {c.number(1), c.number(2), c.number(3)}));
+            m.multiply_rotation(c.number(0), rotation(c.number(0), {c.number(1), c.number(2), c.number(3)}));
         });
         set({"gluLookAt"}, [](Machine& m, const Command& c) {
             m.multiply(look_at(c.arguments));
