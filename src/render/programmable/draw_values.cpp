@@ -9,6 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -222,6 +223,12 @@ class DrawUniforms {
         for (int i = 0; i < 4; ++i) uploaded[i] = to_float(uploaded[i]);
         return uploaded / power_of_two(std::abs(uploaded.w));
     }
+    // It is asked for more than once, and a mesh has many vertices.
+    NearestVertex nearest_to(const LightSource& light, const glm::dvec3& place_eye) {
+        const auto known = nearest_.find(&light);
+        return known != nearest_.end() ? known->second
+                                       : nearest_.emplace(&light, nearest_vertex(draw_, place_eye)).first->second;
+    }
     void near_vertex(std::string_view name, const NearestVertex& nearest) {
         if (form_.position_w)
             vector(name, near_vertex(nearest));
@@ -386,7 +393,7 @@ class DrawUniforms {
                 return Placed{.place = glm::dvec3(0), .nearest = {}, .length_unit = unit_};
             const glm::dvec3 eye = rgb(light.position_eye) / light.position_eye.w;
             Placed result{.place = point(eye), .nearest = {}, .length_unit = unit_};
-            if (form_.wide_range) result.nearest = nearest_vertex(draw_, eye);
+            if (form_.wide_range) result.nearest = nearest_to(light, eye);
             glm::dvec3& far = form_.wide_range ? result.nearest.way_eye : result.place;
             const double largest = largest_component(far);
             if (largest > kMostDistant) result.length_unit = largest / kMostDistant;
@@ -443,10 +450,11 @@ class DrawUniforms {
     const Form& form_;
     const std::vector<std::vector<std::size_t>>& lights_;
     const std::optional<glm::dvec3> origin_object_;
-    glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to origin_object_
-    double unit_of_directions_ = 1;                       // the shader's unit of vertices with w = 0
-    double unit_ = 1;                                     // the shader's unit of length, in eye coordinates
-    glm::dmat4 object_from_eye_{1};                       // used if form_.object_space
+    glm::dmat4 eye_from_object_ = draw_.eye_from_object;   // from positions relative to origin_object_
+    double unit_of_directions_ = 1;                        // the shader's unit of vertices with w = 0
+    double unit_ = 1;                                      // the shader's unit of length, in eye coordinates
+    glm::dmat4 object_from_eye_{1};                        // used if form_.object_space
+    std::map<const LightSource*, NearestVertex> nearest_;  // used if form_.wide_range
     Uniforms uniforms_;
 };
 
