@@ -286,8 +286,8 @@ class Judged {
         if (type == NumberType::kFloat && !lighting.normalize && std::pow(normal, shininess) > 1e30)
             return "a power beyond the largest float";
         if (type == NumberType::kFloat && exact.position_eye[3] == 0) return "a vertex in a direction";
-        if (cancels) return "a light and a vertex that nearly agree";
         if (interpolated) return kInterpolated;
+        if (cancels) return "a light and a vertex that nearly agree";
         if (beyond) return kBeyond;
         if (limits.flushes && denormal) return kDenormals;
         if (type == NumberType::kShaderFloat && !keeps_w(programmable::keeping_w(draw().eye_from_object)) &&
