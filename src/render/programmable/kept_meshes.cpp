@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <span>
 #include <type_traits>
 
 namespace twinlight::programmable {
@@ -23,23 +22,22 @@ static_assert(sizeof(Materials) == 2 * ((4 * 4 + 1 + 3) * sizeof(double) + 3 * s
               std::is_trivially_copyable_v<Materials>);
 
 // Compares bits: 0 and -0 differ, and a NaN equals itself.
-bool are_same(std::span<const Vertex> a, std::span<const Vertex> b) {
-    if (a.size() != b.size()) return false;
+template <class Values>
+bool are_same_bits(const Values& a, const Values& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+}
+
+bool are_same(const SharedVector<Vertex>& a, const SharedVector<Vertex>& b) {
     // With the padding at the end of each vertex, which mostly is the same too.
-    if (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0) return true;
+    if (a.shares_memory_with(b) || are_same_bits(a, b)) return true;
     return std::ranges::equal(a, b, [](const Vertex& x, const Vertex& y) {
         return std::memcmp(&x, &y, kVertexNumbers) == 0 && x.edge_flag == y.edge_flag && x.material == y.material;
     });
 }
 
-template <class Value>
-bool are_same(const std::vector<Value>& a, const std::vector<Value>& b) {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
-}
-
-template <class Value>
-std::size_t bytes_of(const std::vector<Value>& values) {
-    return values.size() * sizeof(Value);
+template <class Values>
+std::size_t bytes_of(const Values& values) {
+    return values.size() * sizeof(values[0]);
 }
 
 // A hash of a few vertices, evenly spread: equal for equal vertices, usually different for others.
@@ -71,18 +69,16 @@ std::size_t sample(DrawRun run) {
 
 }  // namespace
 
-bool KeptMeshes::Known::is(DrawRun run) const {
-    if (parts.size() != run.size() || !are_same(materials, run.front()->materials)) return false;
-    std::size_t first_vertex = 0, first_index = 0;
+bool KeptMeshes::Known::is(DrawRun run) {
+    if (parts.size() != run.size() || !are_same_bits(materials, run.front()->materials)) return false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Draw& draw = *run[i];
-        if (parts[i] != part_of(draw)) return false;
-        if (!are_same(std::span(vertices).subspan(first_vertex, parts[i].vertices), draw.vertices)) return false;
-        for (std::size_t k = 0; k < draw.indices.size(); ++k)
-            if (indices[first_index + k] != first_vertex + draw.indices[k]) return false;
-        first_vertex += parts[i].vertices;
-        first_index += parts[i].indices;
+        if (parts[i].mode != draw.mode || parts[i].indices != draw.indices ||
+            !are_same(parts[i].vertices, draw.vertices))
+            return false;
     }
+    // The next frame may have the same memory again.
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = {run[i]->mode, run[i]->vertices, run[i]->indices};
     return true;
 }
 
@@ -102,12 +98,11 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
     if (run.size() > 1) all = joined(run);
     const Draw& draw = run.size() > 1 ? all.draw : *run.front();
     known->facts = vertex_facts(draw);
-    const std::size_t bytes = bytes_of(draw.vertices) + bytes_of(draw.indices) + bytes_of(draw.materials);
+    std::size_t bytes = bytes_of(draw.materials);
+    for (const Draw* part : run) bytes += bytes_of(part->vertices) + bytes_of(part->indices);
     if (!make_room(bytes)) return known;
     known->sample = key;
-    for (const Draw* part : run) known->parts.push_back(part_of(*part));
-    known->vertices = draw.vertices;
-    known->indices = draw.indices;
+    for (const Draw* part : run) known->parts.push_back({part->mode, part->vertices, part->indices});
     known->materials = draw.materials;
     known->bytes = bytes;
     known->first_frame = known->last_frame = frame_;

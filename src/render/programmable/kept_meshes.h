@@ -1,8 +1,8 @@
 // KeptMeshes: keeps the planner's facts and the driver's buffers of vertices from earlier frames, for Draws with the
 // same vertices under other lights and matrices.
 //
-// A Frame has no names for its vertices: State creates them for each picture. So they are compared bit by bit with a
-// copy. A hash of a few vertices only finds the copy.
+// A Frame that is drawn again shares its vertices with those that are kept, which shows at once. State creates new
+// vertices for each picture: those are compared bit by bit. A hash of a few vertices only finds what to compare with.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,27 @@ namespace twinlight::programmable {
 // Owns buffers: dies before their context does.
 class KeptMeshes {
   public:
-    // The limit counts the copies and their buffers. Beyond it, the least recently drawn go first; those drawn in the
+    // The limit counts the vertices and their buffers. Beyond it, the least recently drawn go first; those drawn in the
     // current frame never go, and what does not fit next to them is not kept. Vertices drawn in only one frame go after
     // the next frame, because moving vertices never come again.
     explicit KeptMeshes(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
+
+    // One of the Draws that are drawn as one.
+    struct Part {
+        Enum mode = kGL_TRIANGLES;
+        SharedVector<Vertex> vertices;
+        SharedVector<std::uint32_t> indices;
+    };
 
     struct Known {
         VertexFacts facts;
 
       private:
         friend class KeptMeshes;
-        bool is(DrawRun run) const;
+        bool is(DrawRun run);
 
         std::size_t sample = 0;  // its key in index_
-        std::vector<ElementsPart> parts;
-        std::vector<Vertex> vertices;
-        std::vector<std::uint32_t> indices;
+        std::vector<Part> parts;
         std::vector<Materials> materials;
         std::vector<std::pair<MeshForm, std::shared_ptr<const UploadedMesh>>> meshes;  // a few
         std::size_t bytes = 0;                                                         // 0: not kept

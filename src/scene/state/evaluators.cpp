@@ -235,7 +235,7 @@ void State::send_evaluated(const Command& c, double u, std::optional<double> v) 
     if (!open_) return;  // as glVertex
     const std::optional<Vertex> vertex = evaluated(u, v);
     if (!vertex || !has_time(c, 1) || !has_room(c, bytes_of_vertices(1))) return;
-    open_->vertices.push_back(*vertex);
+    open_->vertices.edit().push_back(*vertex);
 }
 
 void State::eval_coord(const Command& c) {
@@ -269,10 +269,11 @@ void State::eval_mesh(const Command& c) {
         if (line.empty()) continue;
         if (!has_room(c, bytes_of_draw() + bytes_of_vertices(line.size()))) return;
         Draw draw = new_draw(primitive, c.place);
-        draw.vertices.reserve(line.size());
-        for (const GridPoint& at : line)
-            draw.vertices.push_back(*evaluated(at.u, two ? std::optional(at.v) : std::nullopt));
-        for (Vertex& vertex : draw.vertices) vertex.material = 0;
+        std::vector<Vertex> vertices;
+        vertices.reserve(line.size());
+        for (const GridPoint& at : line) vertices.push_back(*evaluated(at.u, two ? std::optional(at.v) : std::nullopt));
+        for (Vertex& vertex : vertices) vertex.material = 0;
+        draw.vertices = std::move(vertices);
         show(std::move(draw));
     }
 }

@@ -22,6 +22,7 @@
 #include "scene/command/command.h"
 #include "scene/shape/surface.h"
 #include "scene/spectrum/samples.h"
+#include "scene/state/shared_vector.h"
 
 namespace twinlight {
 
@@ -405,8 +406,8 @@ inline bool draws_polygons(Enum mode) { return mode >= kGL_TRIANGLES; }
 // One batch of primitives with all state that affects it.
 struct Draw {
     Enum mode = kGL_TRIANGLES;  // glBegin's primitive type
-    std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices;  // into vertices, in drawing order; empty: 0, 1, 2, ...
+    SharedVector<Vertex> vertices;
+    SharedVector<std::uint32_t> indices;  // into vertices, in drawing order; empty: 0, 1, 2, ...
 
     LightingState lighting;
     RasterState raster;
