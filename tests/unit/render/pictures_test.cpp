@@ -69,7 +69,7 @@ TEST(Pictures, OfRandomScenesAreDrawnAgainOnlyWhereTheyChange) {
     for (std::uint64_t state = 0; pictures < 60; ++state) {
         if (!fuzz::is_picture(state)) continue;
         ++pictures;
-        const CommandList commands = fuzz::random_scene({.seed = 7}, state);
+        const CommandList commands = fuzz::random_scene({{.seed = 7}}, state);
         expect_same(make_frame(commands, {.width = kWidth, .height = kHeight}), "state " + std::to_string(state));
     }
 }
