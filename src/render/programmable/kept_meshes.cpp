@@ -69,6 +69,13 @@ std::size_t sample(DrawRun run) {
 
 }  // namespace
 
+std::vector<KeptMeshes::Part> KeptMeshes::parts_of(DrawRun run) {
+    std::vector<Part> parts;
+    parts.reserve(run.size());
+    for (const Draw* draw : run) parts.push_back({draw->mode, draw->vertices, draw->indices});
+    return parts;
+}
+
 bool KeptMeshes::Known::is(DrawRun run) {
     if (parts.size() != run.size() || !are_same_bits(materials, run.front()->materials)) return false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -77,21 +84,45 @@ bool KeptMeshes::Known::is(DrawRun run) {
             !are_same(parts[i].vertices, draw.vertices))
             return false;
     }
-    // The next frame may have the same memory again.
-    for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = {run[i]->mode, run[i]->vertices, run[i]->indices};
+    parts = parts_of(run);  // the memory of the frame before can go
     return true;
 }
 
 // ---- Kept ----
 
+// If these very Draws were drawn before.
+std::shared_ptr<KeptMeshes::Known> KeptMeshes::seen(DrawRun run) {
+    const auto is_same = [](const Part& part, const Draw* draw) {
+        return part.mode == draw->mode && part.vertices.shares_memory_with(draw->vertices) &&
+               part.indices.shares_memory_with(draw->indices);
+    };
+    const auto [begin, end] = seen_.equal_range(run.front()->vertices.data());
+    for (auto entry = begin; entry != end; ++entry) {
+        Seen& seen = entry->second;
+        const std::shared_ptr<Known> known = seen.known.lock();
+        if (!known || !std::ranges::equal(seen.parts, run, is_same) ||
+            !are_same_bits(known->materials, run.front()->materials))
+            continue;
+        seen.last_frame = frame_;
+        return note_use(seen.place);
+    }
+    return nullptr;
+}
+
+std::shared_ptr<KeptMeshes::Known> KeptMeshes::note_use(Order::iterator place) {
+    order_.splice(order_.begin(), order_, place);
+    (*place)->last_frame = frame_;
+    return *place;
+}
+
 std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
+    if (std::shared_ptr<Known> same = seen(run)) return same;
     const std::size_t key = sample(run);
     const auto [begin, end] = index_.equal_range(key);
     const auto found = std::find_if(begin, end, [&](const auto& entry) { return (*entry.second)->is(run); });
     if (found != end) {
-        order_.splice(order_.begin(), order_, found->second);
-        order_.front()->last_frame = frame_;
-        return order_.front();
+        seen_.emplace(run.front()->vertices.data(), Seen{parts_of(run), *found->second, found->second, frame_});
+        return note_use(found->second);
     }
     auto known = std::make_shared<Known>();
     JoinedDraws all;
@@ -102,12 +133,13 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
     for (const Draw* part : run) bytes += bytes_of(part->vertices) + bytes_of(part->indices);
     if (!make_room(bytes)) return known;
     known->sample = key;
-    for (const Draw* part : run) known->parts.push_back({part->mode, part->vertices, part->indices});
+    known->parts = parts_of(run);
     known->materials = draw.materials;
     known->bytes = bytes;
     known->first_frame = known->last_frame = frame_;
     order_.push_front(known);
     index_.emplace(key, order_.begin());
+    seen_.emplace(run.front()->vertices.data(), Seen{known->parts, known, order_.begin(), frame_});
     counters_.bytes += bytes;
     return known;
 }
@@ -147,6 +179,7 @@ KeptMeshes::Order::iterator KeptMeshes::drop(Order::iterator known) {
 }
 
 void KeptMeshes::end_frame() {
+    std::erase_if(seen_, [this](const auto& entry) { return entry.second.last_frame != frame_; });
     auto known = std::ranges::find_if(order_, [this](const auto& kept) { return kept->last_frame != frame_; });
     while (known != order_.end() && (*known)->last_frame + 1 == frame_)
         known = (*known)->first_frame == (*known)->last_frame ? drop(known) : std::next(known);

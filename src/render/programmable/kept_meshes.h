@@ -32,6 +32,7 @@ class KeptMeshes {
         SharedVector<Vertex> vertices;
         SharedVector<std::uint32_t> indices;
     };
+    static std::vector<Part> parts_of(DrawRun run);
 
     struct Known {
         VertexFacts facts;
@@ -63,6 +64,15 @@ class KeptMeshes {
 
   private:
     using Order = std::list<std::shared_ptr<Known>>;  // most recently drawn first
+    // Draws of this frame or the last. They keep their memory, so that no others can have it.
+    struct Seen {
+        std::vector<Part> parts;
+        std::weak_ptr<Known> known;
+        Order::iterator place;  // unless `known` is gone
+        std::uint64_t last_frame = 0;
+    };
+    std::shared_ptr<Known> seen(DrawRun run);
+    std::shared_ptr<Known> note_use(Order::iterator place);
     bool make_room(std::size_t bytes);
     Order::iterator drop(Order::iterator known);  // returns the next
 
@@ -70,6 +80,7 @@ class KeptMeshes {
     std::uint64_t frame_ = 1;
     Order order_;
     std::unordered_multimap<std::size_t, Order::iterator> index_;  // by sample()
+    std::unordered_multimap<const Vertex*, Seen> seen_;            // by the memory of the first Draw's vertices
     MeshCounters counters_;
 };
 
