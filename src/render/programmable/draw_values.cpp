@@ -56,16 +56,25 @@ double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, cons
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
-// The same for a matrix that changes w: the shader measures lengths after the division by w. Vertices much farther away than the
-// others, as those with w near 0, need no unit.
-double unit_after_division(const Draw& draw, const Plan& plan) {
-    double nearest = HUGE_VAL, size = 0;
+// The coordinates of the vertex nearest to the eye, after the division by w; infinite if there is none.
+double nearest_size(const Draw& draw) {
+    double nearest = HUGE_VAL;
     for (const Vertex& vertex : draw.vertices) {
         const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
         if (at.w != 0) nearest = std::min(nearest, largest_component(glm::dvec3(at) / at.w));
     }
-    if (std::isfinite(nearest)) size = nearest;
-    for (const glm::dvec3& place : places_eye(plan)) size = std::max(size, largest_component(place));
+    return nearest;
+}
+// The unit of length under a matrix that changes w. Vertices much farther away than the nearest, as those with w near 0, need
+// none, and more distant lights come nearer.
+constexpr double kMostDistantAfterDivision = 1e15;
+double unit_after_division(const Draw& draw, const Plan& plan) {
+    double size = nearest_size(draw);
+    if (!(size > 0) || !std::isfinite(size)) {
+        size = HUGE_VAL;
+        for (const glm::dvec3& place : places_eye(plan))
+            if (place != glm::dvec3(0)) size = std::min(size, largest_component(place));
+    }
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 // What to divide homogeneous eye coordinates by, so that their squares are floats.
@@ -177,6 +186,7 @@ class DrawUniforms {
 
     void eye_space() {
         const bool divides = effects_.vertex_w && effects_.needs_position_eye() && !keeps_w(eye_from_object_);
+        if (divides) most_distant_ = kMostDistantAfterDivision;
         if (divides)
             unit_ = unit_after_division(draw_, plan_);
         else
@@ -189,7 +199,19 @@ class DrawUniforms {
         if (scale != 1) eye_from_object /= scale;
         unit_of_directions_ = unit_ * scale;
         matrix("u_eye_from_object", eye_from_object);
-        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
+        normals();
+    }
+
+    void normals() {
+        if (!effects_.needs_normal()) return;
+        glm::dmat3 normals = normal_matrix_of(draw_, plan_);
+        if (form_.sized_normals) {
+            const double unit = power_of_two(std::max(
+                {largest_component(normals[0]), largest_component(normals[1]), largest_component(normals[2])}));
+            normals /= unit;
+            number("u_normal_unit", unit);
+        }
+        matrix("u_eye_from_object_normal", normals);
     }
 
     // Brings the viewer and the lights to object coordinates.
@@ -198,20 +220,31 @@ class DrawUniforms {
         object_from_eye_ = glm::inverse(eye_from_object_);
         vector("u_viewer_object", point(glm::dvec3(0)));
         vector("u_viewer_dir_object", direction(glm::dvec3(0, 0, 1)));
+        if (form_.sized_normals) number("u_normal_unit", 1);
     }
 
     void wide_range() {
         const glm::dvec4 reach = reach_object();
-        const double largest = std::max({reach.x, reach.y, reach.z, reach.w});
-        // Neither it nor its inverse is a denormal, and products with it do not overflow.
-        const double object_unit = std::clamp(power_of_two(largest), 0x1p-100, 0x1p120);
-        unit_of_directions_ = object_unit * eye_from_object_[3][3];  // keeping_w()
-        number("u_object_scale", 1 / object_unit);
-        matrix("u_eye_from_object_turned", glm::dmat3(keeping_w(eye_from_object_)));
+        const double longest = largest_component(glm::dvec3(reach));
+        // Neither a unit nor its inverse is a denormal, and products with it do not overflow.
+        const auto unit_for = [](double size) { return std::clamp(power_of_two(size), 0x1p-100, 0x1p120); };
+        // x, y and z get a unit of their own beside a w that is much larger, so that their quotients need not be floats.
+        constexpr double kMuchLarger = 0x1p20;
+        const double unit_of_w = unit_for(std::max(longest, reach.w));
+        const double unit_of_xyz = longest > 0 && longest * kMuchLarger < reach.w ? unit_for(longest) : unit_of_w;
+        // In eye coordinates, only tiny lengths need a unit.
+        constexpr double kTiny = 1e-15;
+        double size = nearest_size(draw_);
+        for (const glm::dvec3& place : places_eye(plan_)) size = std::max(size, largest_component(place));
+        unit_ = size < kTiny ? power_of_two(size) : 1;
+        scale_of_xyz_ = unit_of_w / unit_of_xyz;
+        unit_of_directions_ = unit_of_w * unit_ * eye_from_object_[3][3];  // keeping_w()
+        vector("u_object_scale", glm::dvec4(glm::dvec3(1 / unit_of_xyz), 1 / unit_of_w));
+        matrix("u_eye_from_object_turned", glm::dmat3(keeping_w(eye_from_object_)) / scale_of_xyz_ / unit_);
         const NearestVertex viewer = nearest_vertex(draw_, glm::dvec3(0));
         near_vertex("u_viewer_near_object", viewer);
-        vector("u_viewer_way_eye", viewer.way_eye);
-        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
+        vector("u_viewer_way_eye", viewer.way_eye / unit_);
+        normals();
     }
 
     // A vertex in the floats of the vertex array, so that nothing is left of its difference with itself. Its w is 1, or between 1
@@ -221,7 +254,8 @@ class DrawUniforms {
         const glm::dvec4 p = nearest.vertex_object;
         glm::dvec4 uploaded = without_denormals(p - glm::dvec4(origin * p.w, 0));
         for (int i = 0; i < 4; ++i) uploaded[i] = to_float(uploaded[i]);
-        return uploaded / power_of_two(std::abs(uploaded.w));
+        uploaded /= power_of_two(std::abs(uploaded.w));
+        return {scale_of_xyz_ * glm::dvec3(uploaded), uploaded.w};
     }
     // It is asked for more than once, and a mesh has many vertices.
     NearestVertex nearest_to(const LightSource& light, const glm::dvec3& place_eye) {
@@ -395,9 +429,12 @@ class DrawUniforms {
             Placed result{.place = point(eye), .nearest = {}, .length_unit = unit_};
             if (form_.wide_range) result.nearest = nearest_to(light, eye);
             glm::dvec3& far = form_.wide_range ? result.nearest.way_eye : result.place;
+            if (form_.wide_range) far /= unit_;
             const double largest = largest_component(far);
-            if (largest > kMostDistant) result.length_unit = largest / kMostDistant;
-            if (result.length_unit != unit_) far /= result.length_unit;
+            if (largest > most_distant_) {
+                result.length_unit *= largest / most_distant_;
+                far *= most_distant_ / largest;
+            }
             return result;
         };
         if (!form_.wide_range) {
@@ -450,10 +487,12 @@ class DrawUniforms {
     const Form& form_;
     const std::vector<std::vector<std::size_t>>& lights_;
     const std::optional<glm::dvec3> origin_object_;
-    glm::dmat4 eye_from_object_ = draw_.eye_from_object;   // from positions relative to origin_object_
-    double unit_of_directions_ = 1;                        // the shader's unit of vertices with w = 0
-    double unit_ = 1;                                      // the shader's unit of length, in eye coordinates
-    glm::dmat4 object_from_eye_{1};                        // used if form_.object_space
+    glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to origin_object_
+    double unit_of_directions_ = 1;                       // the shader's unit of vertices with w = 0
+    double scale_of_xyz_ = 1;             // of form_.wide_range: what the shader multiplies object coordinates by
+    double most_distant_ = kMostDistant;  // lights beyond come nearer
+    double unit_ = 1;                     // the shader's unit of length, in eye coordinates
+    glm::dmat4 object_from_eye_{1};       // used if form_.object_space
     std::map<const LightSource*, NearestVertex> nearest_;  // used if form_.wide_range
     Uniforms uniforms_;
 };
