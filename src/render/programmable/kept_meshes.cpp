@@ -73,6 +73,11 @@ std::size_t sample(DrawRun run) {
 
 bool KeptMeshes::Known::is(DrawRun run) const {
     if (parts.size() != run.size() || !are_same(materials, run.front()->materials)) return false;
+    if (!std::ranges::equal(further_tex_coords, run.front()->further_units,
+                            [](const std::vector<glm::dvec4>& kept, const FurtherUnit& unit) {
+                                return are_same(kept, unit.tex_coords);
+                            }))
+        return false;
     std::size_t first_vertex = 0, first_index = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Draw& draw = *run[i];
@@ -102,13 +107,15 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
     if (run.size() > 1) all = joined(run);
     const Draw& draw = run.size() > 1 ? all.draw : *run.front();
     known->facts = vertex_facts(draw);
-    const std::size_t bytes = bytes_of(draw.vertices) + bytes_of(draw.indices) + bytes_of(draw.materials);
+    std::size_t bytes = bytes_of(draw.vertices) + bytes_of(draw.indices) + bytes_of(draw.materials);
+    for (const FurtherUnit& unit : draw.further_units) bytes += bytes_of(unit.tex_coords);
     if (!make_room(bytes)) return known;
     known->sample = key;
     for (const Draw* part : run) known->parts.push_back(part_of(*part));
     known->vertices = draw.vertices;
     known->indices = draw.indices;
     known->materials = draw.materials;
+    for (const FurtherUnit& unit : draw.further_units) known->further_tex_coords.push_back(unit.tex_coords);
     known->bytes = bytes;
     known->first_frame = known->last_frame = frame_;
     order_.push_front(known);
