@@ -37,7 +37,8 @@ bool have_one_state(const Draw& a, const Draw& b) {
     return a.eye_from_object == b.eye_from_object && kind_of(a.mode) == kind_of(b.mode) &&
            a.indices.empty() == b.indices.empty() && !a.draws_borders() && a.raster == b.raster &&
            have_one_lighting(a.lighting, b.lighting) && a.clip_from_eye == b.clip_from_eye && a.texture == b.texture &&
-           a.fog == b.fog && a.fragment == b.fragment && a.materials == b.materials;
+           a.further_units.empty() && b.further_units.empty() && a.fog == b.fog && a.fragment == b.fragment &&
+           a.materials == b.materials;
 }
 
 JoinedDraws joined(DrawRun run) {

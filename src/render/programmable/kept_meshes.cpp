@@ -76,8 +76,17 @@ std::vector<KeptMeshes::Part> KeptMeshes::parts_of(DrawRun run) {
     return parts;
 }
 
+// Draws that are drawn as one have the same materials, and no further texture units.
+bool KeptMeshes::Known::has_same_rest(const Draw& draw) const {
+    const auto is_same = [](const std::vector<glm::dvec4>& kept, const FurtherUnit& unit) {
+        return are_same_bits(kept, unit.tex_coords);
+    };
+    return are_same_bits(materials, draw.materials) &&
+           std::ranges::equal(further_tex_coords, draw.further_units, is_same);
+}
+
 bool KeptMeshes::Known::is(DrawRun run) {
-    if (parts.size() != run.size() || !are_same_bits(materials, run.front()->materials)) return false;
+    if (parts.size() != run.size() || !has_same_rest(*run.front())) return false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Draw& draw = *run[i];
         if (parts[i].mode != draw.mode || parts[i].indices != draw.indices ||
@@ -100,9 +109,7 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::seen(DrawRun run) {
     for (auto entry = begin; entry != end; ++entry) {
         Seen& seen = entry->second;
         const std::shared_ptr<Known> known = seen.known.lock();
-        if (!known || !std::ranges::equal(seen.parts, run, is_same) ||
-            !are_same_bits(known->materials, run.front()->materials))
-            continue;
+        if (!known || !std::ranges::equal(seen.parts, run, is_same) || !known->has_same_rest(*run.front())) continue;
         seen.last_frame = frame_;
         return note_use(seen.place);
     }
@@ -131,10 +138,12 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
     known->facts = vertex_facts(draw);
     std::size_t bytes = bytes_of(draw.materials);
     for (const Draw* part : run) bytes += bytes_of(part->vertices) + bytes_of(part->indices);
+    for (const FurtherUnit& unit : draw.further_units) bytes += bytes_of(unit.tex_coords);
     if (!make_room(bytes)) return known;
     known->sample = key;
     known->parts = parts_of(run);
     known->materials = draw.materials;
+    for (const FurtherUnit& unit : draw.further_units) known->further_tex_coords.push_back(unit.tex_coords);
     known->bytes = bytes;
     known->first_frame = known->last_frame = frame_;
     order_.push_front(known);

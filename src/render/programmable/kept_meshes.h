@@ -40,10 +40,12 @@ class KeptMeshes {
       private:
         friend class KeptMeshes;
         bool is(DrawRun run);
+        bool has_same_rest(const Draw& draw) const;
 
         std::size_t sample = 0;  // its key in index_
         std::vector<Part> parts;
         std::vector<Materials> materials;
+        std::vector<std::vector<glm::dvec4>> further_tex_coords;  // of Draw::further_units; only of a single Draw
         std::vector<std::pair<MeshForm, std::shared_ptr<const UploadedMesh>>> meshes;  // a few
         std::size_t bytes = 0;                                                         // 0: not kept
         std::uint64_t first_frame = 0, last_frame = 0;                                 // the frames that drew it
