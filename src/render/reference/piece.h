@@ -39,11 +39,13 @@ struct Piece {
     std::uint32_t draw = 0;  // index of the Draw in the frame
 
     bool is_perhaps_clipped = false;  // see InClipPlane
+    bool is_smooth = false;           // a line or point that coverage_of() blends
 
-    Shape shape = Shape::kPoint;    // how it is drawn: a triangle may be drawn as lines or points
-    int size = 1;                   // the width of a line, the side of a point's square; in pixels
-    std::vector<Corner> corners{};  // for a polygon: convex, counter-clockwise (y up)
-    WindowVertex from{}, to{};      // for a line; a point has only `from`
+    Shape shape = Shape::kPoint;  // how it is drawn: a triangle may be drawn as lines or points
+    int size = 1;                 // the width of a line, the side of a point's square; in pixels
+    std::vector<Corner>
+        corners{};              // for a polygon, or the outline of a smooth line or point: convex, counter-clockwise
+    WindowVertex from{}, to{};  // for a line; a point has only `from`
 
     // For a surface: the number of the visible point at a pixel; each point has its own face. The pieces of a surface
     // follow each other in the order of their points.

@@ -115,7 +115,7 @@ constexpr bool kDrawnByAll[] = {
 
 TEST(BuiltInScenes, UseEveryCommandThatAllRenderersCarryOut) {
     std::set<CommandId> used;
-    for (const char* scene : {"commands", "legacy", "buffers", "spectral", "report", "tutorial"}) {
+    for (const char* scene : {"commands", "legacy", "buffers", "fragments", "spectral", "report", "tutorial"}) {
         for (const Command& command : read(scene).commands) used.insert(command.id);
     }
     for (std::size_t i = 0; i < signatures().size(); ++i) {
