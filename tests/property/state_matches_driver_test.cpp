@@ -48,12 +48,12 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
         const Enum any = names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
         // Of GL 3.0 and 3.1, and the parameters of textures whose values State does not look at.
         const std::set<Enum> not_followed = {
-            kGL_TEXTURE_3D,         kGL_TEXTURE_CUBE_MAP,           kGL_TEXTURE_RECTANGLE,
-            kGL_FRAMEBUFFER_SRGB,   kGL_TEXTURE_CUBE_MAP_SEAMLESS,  kGL_TEXTURE_MIN_LOD,
-            kGL_TEXTURE_MAX_LOD,    kGL_TEXTURE_BASE_LEVEL,         kGL_TEXTURE_MAX_LEVEL,
-            kGL_TEXTURE_LOD_BIAS,   kGL_TEXTURE_COMPARE_MODE,       kGL_TEXTURE_COMPARE_FUNC,
-            kGL_DEPTH_TEXTURE_MODE, kGL_TEXTURE_MAX_ANISOTROPY_EXT, kGL_PRIMITIVE_RESTART,
-            kGL_RASTERIZER_DISCARD};
+            kGL_TEXTURE_3D,        kGL_TEXTURE_CUBE_MAP,          kGL_TEXTURE_RECTANGLE,
+            kGL_FRAMEBUFFER_SRGB,  kGL_TEXTURE_CUBE_MAP_SEAMLESS, kGL_TEXTURE_MIN_LOD,
+            kGL_TEXTURE_MAX_LOD,   kGL_TEXTURE_BASE_LEVEL,        kGL_TEXTURE_MAX_LEVEL,
+            kGL_TEXTURE_LOD_BIAS,  kGL_TEXTURE_COMPARE_MODE,      kGL_TEXTURE_COMPARE_FUNC,
+            kGL_ALPHA_SCALE,       kGL_DEPTH_TEXTURE_MODE,        kGL_TEXTURE_MAX_ANISOTROPY_EXT,
+            kGL_PRIMITIVE_RESTART, kGL_RASTERIZER_DISCARD};
         return not_followed.contains(any) ? kGL_NONE : any;
     }
     const std::vector<Enum> faces = {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK};
